@@ -1,0 +1,55 @@
+# What a build may choose, and the flags that every target shares.
+
+set(BRECCIA_KNOWN_ROOMS dem fem coupling postprocess apps) # in the order of the arrows
+set(BRECCIA_ROOMS "${BRECCIA_KNOWN_ROOMS}" CACHE STRING "Rooms to build; `dem` alone needs only Eigen and OpenMP")
+option(BRECCIA_TESTS "Build the tests (needs Catch2)" ON)
+option(BRECCIA_NATIVE "Compile dem for the processor of this machine (-march=native)" ON)
+option(BRECCIA_TRAP_FPE "Stop at the first invalid, divide-by-zero or overflow operation" OFF)
+option(BRECCIA_SANITIZE "Address and undefined-behaviour sanitizers" OFF)
+
+foreach(room IN LISTS BRECCIA_ROOMS)
+  if(NOT room IN_LIST BRECCIA_KNOWN_ROOMS)
+    string(REPLACE ";" ", " known "${BRECCIA_KNOWN_ROOMS}")
+    message(FATAL_ERROR "BRECCIA_ROOMS = ${room}: no such room. Rooms: ${known}.")
+  endif()
+endforeach()
+# Keep the order of the arrows, whatever order was typed.
+set(ordered_rooms ${BRECCIA_KNOWN_ROOMS})
+foreach(room IN LISTS BRECCIA_KNOWN_ROOMS)
+  if(NOT room IN_LIST BRECCIA_ROOMS)
+    list(REMOVE_ITEM ordered_rooms ${room})
+  endif()
+endforeach()
+set(BRECCIA_ROOMS ${ordered_rooms})
+
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Release, Debug or RelWithDebInfo" FORCE)
+endif()
+
+set(CMAKE_CXX_STANDARD 17)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+find_program(BRECCIA_CCACHE ccache)
+if(BRECCIA_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${BRECCIA_CCACHE}")
+endif()
+find_program(BRECCIA_MOLD mold)
+if(BRECCIA_MOLD)
+  add_link_options(-fuse-ld=mold)
+endif()
+
+add_compile_options(-Wall -Wextra -Wpedantic -Wshadow)
+# Eigen aligns its storage to the widest vector of the *translation unit*; dem is compiled for wider
+# vectors than the other rooms. One fixed value for all of them keeps allocation and layout the same everywhere.
+add_compile_definitions(EIGEN_MAX_ALIGN_BYTES=64 EIGEN_MAX_STATIC_ALIGN_BYTES=64)
+include_directories("${CMAKE_SOURCE_DIR}") # #include "dem/laws/cpm.h"
+
+if(BRECCIA_TRAP_FPE)
+  add_compile_definitions(BRECCIA_TRAP_FPE)
+endif()
+if(BRECCIA_SANITIZE)
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=address,undefined)
+endif()

@@ -1,0 +1,25 @@
+# breccia_room(NAME [SOURCES file...] [LIBRARIES target...] [PRIVATE_LIBRARIES target...] [NATIVE])
+#
+# One library for the room NAME: sources sorted and listed one by one; LIBRARIES are those that its own
+# headers include. A room without a source is header-only. NATIVE: compiled for this processor (BRECCIA_NATIVE).
+function(breccia_room name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "NATIVE" "" "SOURCES;LIBRARIES;PRIVATE_LIBRARIES")
+  if(arg_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "breccia_room(${name}): unknown argument ${arg_UNPARSED_ARGUMENTS}")
+  endif()
+  if(NOT arg_SOURCES)
+    add_library(${name} INTERFACE)
+    target_link_libraries(${name} INTERFACE ${arg_LIBRARIES} ${arg_PRIVATE_LIBRARIES})
+    return()
+  endif()
+  add_library(${name} STATIC ${arg_SOURCES})
+  target_link_libraries(${name} PUBLIC ${arg_LIBRARIES} PRIVATE ${arg_PRIVATE_LIBRARIES})
+  if(arg_NATIVE)
+    target_link_libraries(${name} PRIVATE breccia_native)
+  endif()
+endfunction()
+
+# Flags of the particle and link kernels. -fno-math-errno lets sqrt become one instruction; -ffast-math is
+# refused: it would reorder sums and drop NaN, and with them "the same bits" and "NaN stops the run".
+add_library(breccia_native INTERFACE)
+target_compile_options(breccia_native INTERFACE -fno-math-errno $<$<BOOL:${BRECCIA_NATIVE}>:-march=native>)
