@@ -8,6 +8,8 @@ if("fem" IN_LIST BRECCIA_ROOMS OR "coupling" IN_LIST BRECCIA_ROOMS OR "apps" IN_
 endif()
 if("postprocess" IN_LIST BRECCIA_ROOMS OR "apps" IN_LIST BRECCIA_ROOMS)
   find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel IOXML)
+  # The MPI build of HDF5 is the one that deal.II is linked to: one program, one HDF5.
+  set(HDF5_PREFER_PARALLEL ON)
   find_package(HDF5 REQUIRED COMPONENTS C)
 endif()
 if("apps" IN_LIST BRECCIA_ROOMS)

@@ -22,4 +22,15 @@ endfunction()
 # Flags of the particle and link kernels. -fno-math-errno lets sqrt become one instruction; -ffast-math is
 # refused: it would reorder sums and drop NaN, and with them "the same bits" and "NaN stops the run".
 add_library(breccia_native INTERFACE)
-target_compile_options(breccia_native INTERFACE -fno-math-errno $<$<BOOL:${BRECCIA_NATIVE}>:-march=native>)
+target_compile_options(breccia_native INTERFACE -fno-math-errno)
+if(BRECCIA_NATIVE)
+  # The same words mean other instructions on another machine: with the processor's name in the command, neither
+  # ninja nor a compiler cache in a shared home folder takes an object file that was made elsewhere.
+  set(processor "")
+  if(EXISTS /proc/cpuinfo)
+    file(STRINGS /proc/cpuinfo processor REGEX "^(flags|Features)" LIMIT_COUNT 1)
+  endif()
+  string(MD5 processor "${processor}")
+  target_compile_options(breccia_native INTERFACE -march=native)
+  target_compile_definitions(breccia_native INTERFACE BRECCIA_PROCESSOR=${processor})
+endif()
