@@ -1,0 +1,73 @@
+#pragma once
+
+#include "dem/state.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace postprocess
+{
+  /**
+   * Stores a run's state in one HDF5 file that replaces the earlier checkpoint only when it is complete.
+   *
+   *     CheckpointWriter writer(path, scene);
+   *     writer.group("specimen");  specimen.visit_state(writer);
+   *     writer.group("driver");    driver.visit_state(writer);
+   *     writer.commit();
+   *
+   * Columns carry a checksum (Fletcher 32). A name may be used once per group.
+   */
+  class CheckpointWriter : public dem::StateVisitor
+  {
+  public:
+    /**
+     * @param scene the text that decides what the run computes (the completed scene without folders, threads and the like);
+     * a reader with another text is refused.
+     * @throws OutputError.
+     */
+    CheckpointWriter(const std::filesystem::path &path, const std::string &scene);
+    ~CheckpointWriter() override; ///< drops what was not committed
+
+    void group(const std::string &name); ///< the items that follow belong to this group
+
+    void column(const std::string &name, dem::Column &values) override;
+    void column(const std::string &name, std::vector<std::int32_t> &values) override;
+    void scalar(const std::string &name, double &value) override;
+    void scalar(const std::string &name, std::int64_t &value) override;
+
+    /** Complete the file and put it in place. @throws OutputError; the earlier checkpoint then still stands. */
+    void commit();
+
+  private:
+    struct Implementation;
+    std::unique_ptr<Implementation> self;
+  };
+
+  /** Fills a state from a checkpoint, to the same bits; the counterpart of CheckpointWriter. */
+  class CheckpointReader : public dem::StateVisitor
+  {
+  public:
+    /**
+     * @throws dem::InputError if the file is missing, truncated, not a checkpoint, of another format version, or made by
+     * another scene (the message shows the first line that differs).
+     */
+    CheckpointReader(const std::filesystem::path &path, const std::string &scene);
+    ~CheckpointReader() override;
+
+    void group(const std::string &name);
+
+    /** @throws dem::InputError naming the item: missing, of another type or shape, or its checksum does not fit. */
+    void column(const std::string &name, dem::Column &values) override;
+    void column(const std::string &name, std::vector<std::int32_t> &values) override;
+    void scalar(const std::string &name, double &value) override;
+    void scalar(const std::string &name, std::int64_t &value) override;
+
+    /** Call it last. @throws dem::InputError if the file holds an item that nobody read: it was made by another version. */
+    void finish() const;
+
+  private:
+    struct Implementation;
+    std::unique_ptr<Implementation> self;
+  };
+} // namespace postprocess

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace postprocess
+{
+  /** A table of numbers with named columns, as SeriesWriter writes it and as a user hands in a load path. */
+  struct CsvTable
+  {
+    std::vector<std::string>         names; ///< without the unit
+    std::vector<std::string>         units; ///< text between brackets, empty where there is none
+    std::vector<std::vector<double>> columns;
+    std::string                      origin; ///< file name, for messages
+
+    std::size_t rows() const { return columns.empty() ? 0 : columns.front().size(); }
+    /** @throws dem::InputError that lists the columns there are. */
+    const std::vector<double> &column(const std::string &name) const;
+  };
+
+  /**
+   * Read a table: the first line names the columns (`name` or `name [unit]`), commas, blanks or tabs separate, lines
+   * starting with `#` are comments. The values nan and inf are accepted only when asked for.
+   *
+   * @throws dem::InputError naming file and line: missing file, no header, a name twice, wrong number of values, not a number.
+   */
+  CsvTable read_csv_table(const std::filesystem::path &path, bool accept_not_finite = false);
+} // namespace postprocess

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "dem/state.h"
+
+#include <filesystem>
+#include <string>
+
+namespace postprocess
+{
+  /**
+   * The snapshots of one kind as ParaView opens them: OUTPUT/NAME.pvd lists OUTPUT/NAME/NAME_000000.vtp, ... with times.
+   *
+   * The list is rewritten (atomically) after every snapshot, so it can be opened while the run goes on. File names follow
+   * from the number of the snapshot: the times are all that a checkpoint must remember, and a resumed run overwrites the
+   * snapshots that were written after its checkpoint.
+   */
+  class PvdCollection
+  {
+  public:
+    /** Makes the folder OUTPUT/NAME. @throws OutputError. */
+    PvdCollection(const std::filesystem::path &output_folder, const std::string &name);
+
+    /** The file to write the next snapshot to. */
+    std::filesystem::path next() const;
+
+    /** Call it after next() was written: lists that file with its time [s]. @throws OutputError. */
+    void add(double time);
+
+    std::size_t size() const { return times.size(); }
+
+    /** The times of all snapshots listed; after reading, the list is what it was at the checkpoint. */
+    void visit_state(dem::StateVisitor &visitor) { visitor.column("times", times); }
+
+  private:
+    std::filesystem::path folder;
+    std::string           name;
+    dem::Column           times;
+  };
+} // namespace postprocess
