@@ -21,11 +21,11 @@ namespace
   {
     std::string escaped;
     for (const char c : name)
-    {
-      if (c == ',' || c == '[' || c == ']' || c == '\\')
-        escaped += '\\';
-      escaped += c;
-    }
+      {
+        if (c == ',' || c == '[' || c == ']' || c == '\\')
+          escaped += '\\';
+        escaped += c;
+      }
     return escaped;
   }
 
@@ -55,20 +55,21 @@ namespace
     const Catch::Config config;
     std::ofstream       out(file);
     for (const Catch::TestCase &test : Catch::getAllTestCasesSorted(config))
-    {
-      if (test.isHidden())
-        continue;
-      const std::string pattern = selection(test.name);
-      if (!selects_exactly(pattern, test, config))
       {
-        std::cerr << test.lineInfo << ": test name \"" << test.name
-                  << "\" cannot be selected on the command line. Begin it with a letter, without * at either end.\n";
-        return 1;
+        if (test.isHidden())
+          continue;
+        const std::string pattern = selection(test.name);
+        if (!selects_exactly(pattern, test, config))
+          {
+            std::cerr
+              << test.lineInfo << ": test name \"" << test.name
+              << "\" cannot be selected on the command line. Begin it with a letter, without * at either end.\n";
+            return 1;
+          }
+        const std::string name = quoted(prefix + ": " + test.name);
+        out << "add_test(" << name << ' ' << quoted(executable) << " -w NoTests " << quoted(pattern) << ")\n"
+            << "set_tests_properties(" << name << " PROPERTIES " << properties(has_tag(test, "slow")) << ")\n";
       }
-      const std::string name = quoted(prefix + ": " + test.name);
-      out << "add_test(" << name << ' ' << quoted(executable) << " -w NoTests " << quoted(pattern) << ")\n"
-          << "set_tests_properties(" << name << " PROPERTIES " << properties(has_tag(test, "slow")) << ")\n";
-    }
     out.close();
     return out ? 0 : 1;
   }

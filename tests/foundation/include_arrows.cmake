@@ -1,0 +1,101 @@
+# Reads every #include of the rooms and fails on an arrow that the architecture does not have.
+#
+#   cmake -D ROOT=<folder of the rooms> -P include_arrows.cmake
+#
+# A room may include itself, the standard library, and what is listed for it here: rooms by name, outside libraries
+# by the beginning of what stands between < and >. Its sources and its tests (tests/<room>) obey the same list, the
+# tests with Catch2 besides; tests that belong to no room may include everything.
+
+cmake_minimum_required(VERSION 3.25)
+set(rooms dem fem coupling postprocess apps)
+set(suffixes h hh hpp inl c cc cpp cxx in)
+
+set(dem_rooms "")
+set(dem_libraries Eigen/ omp.h experimental/simd immintrin.h) # the last two: vectors, as the compiler gives them
+set(fem_rooms "")
+# Eigen carries the 6-vectors of the material points: the library that dem has too, hence no new dependency
+set(fem_libraries deal.II/ umfpack.h cholmod.h mpi.h Eigen/)
+# Adapters and writers speak the types in the interfaces of both sides.
+set(coupling_rooms dem fem)
+set(coupling_libraries deal.II/ mpi.h Eigen/)
+set(postprocess_rooms dem fem)
+set(postprocess_libraries deal.II/ mpi.h Eigen/ hdf5 vtk fmt/ nlohmann/ fcntl.h unistd.h sys/)
+set(apps_rooms dem fem coupling postprocess)
+set(apps_libraries anything)
+
+function(starts_with_any result text)
+  set(${result} FALSE PARENT_SCOPE)
+  foreach(prefix IN LISTS ARGN)
+    string(FIND "${text}" "${prefix}" position)
+    if(position EQUAL 0 OR prefix STREQUAL "anything")
+      set(${result} TRUE PARENT_SCOPE)
+    endif()
+  endforeach()
+endfunction()
+
+# judge_*: what is wrong with a header that a file of `room` includes; empty if nothing is.
+function(judge_own problem room header)
+  set(${problem} "" PARENT_SCOPE)
+  string(REGEX MATCH "^[^/]*" folder "${header}")
+  set(allowed ${room} ${${room}_rooms})
+  if(header MATCHES "\\.\\." OR NOT EXISTS "${ROOT}/${header}")
+    set(${problem} "no such file from the root; own headers are included with the folder name" PARENT_SCOPE)
+  elseif(folder IN_LIST rooms AND NOT folder IN_LIST allowed)
+    set(${problem} "no arrow ${room} -> ${folder}" PARENT_SCOPE)
+  elseif(folder STREQUAL "tests" AND NOT is_test)
+    set(${problem} "the product does not include its tests" PARENT_SCOPE)
+  endif()
+endfunction()
+
+function(judge_library problem room header)
+  set(${problem} "" PARENT_SCOPE)
+  set(allowed ${${room}_libraries})
+  if(is_test)
+    list(APPEND allowed catch2/)
+  endif()
+  starts_with_any(known "${header}" ${allowed})
+  if(NOT known AND NOT header MATCHES "^[a-z_0-9]+$") # <vector>, <cmath>: the standard library has no dot, no folder
+    set(${problem} "${room} does not know this library" PARENT_SCOPE)
+  endif()
+endfunction()
+
+function(check_file file room is_test)
+  file(STRINGS "${ROOT}/${file}" lines REGEX "^[ \t]*#[ \t]*include")
+  foreach(line IN LISTS lines)
+    if(line MATCHES "include[ \t]*\"([^\"]+)\"")
+      set(header "${CMAKE_MATCH_1}")
+      judge_own(problem ${room} "${header}")
+    elseif(line MATCHES "include[ \t]*<([^>]+)>")
+      set(header "${CMAKE_MATCH_1}")
+      judge_library(problem ${room} "${header}")
+    else()
+      set(header "${line}")
+      set(problem "an include must name its file")
+    endif()
+    if(problem)
+      message(SEND_ERROR "${file}: ${header}: ${problem}")
+    endif()
+  endforeach()
+endfunction()
+
+function(check_folder folder room is_test)
+  set(patterns ${suffixes})
+  list(TRANSFORM patterns PREPEND "${ROOT}/${folder}/*.")
+  file(GLOB_RECURSE files RELATIVE "${ROOT}" ${patterns})
+  foreach(file IN LISTS files)
+    check_file(${file} ${room} ${is_test})
+  endforeach()
+  list(LENGTH files here)
+  math(EXPR count "${count} + ${here}")
+  set(count ${count} PARENT_SCOPE)
+endfunction()
+
+set(count 0)
+foreach(room IN LISTS rooms)
+  check_folder(${room} ${room} FALSE)
+  check_folder(tests/${room} ${room} TRUE)
+endforeach()
+if(count EQUAL 0)
+  message(FATAL_ERROR "no source found below ${ROOT}")
+endif()
+message(STATUS "${count} files read")

@@ -1,0 +1,18 @@
+# The table of packages in README.md says what packages.txt says: same packages, same reasons, same order.
+#
+#   cmake -D ROOT=<root> -P package_table.cmake
+cmake_minimum_required(VERSION 3.25)
+
+file(STRINGS "${ROOT}/packages.txt" lines REGEX "^[a-z0-9]")
+set(expected "")
+foreach(line IN LISTS lines)
+  if(NOT line MATCHES "^([^ ]+) +([a-z]+:[^ ]+) +(.+)$")
+    message(FATAL_ERROR "packages.txt: not `name probe reason`: ${line}")
+  endif()
+  list(APPEND expected "| `${CMAKE_MATCH_1}` | ${CMAKE_MATCH_3} |")
+endforeach()
+file(STRINGS "${ROOT}/README.md" found REGEX "^\\| `")
+if(NOT found OR NOT found STREQUAL expected)
+  list(JOIN expected "\n" expected)
+  message(FATAL_ERROR "the table of packages in README.md should be\n${expected}")
+endif()
