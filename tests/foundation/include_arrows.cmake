@@ -11,7 +11,8 @@ set(rooms dem fem coupling postprocess apps)
 set(suffixes h hh hpp inl c cc cpp cxx in)
 
 set(dem_rooms "")
-set(dem_libraries Eigen/ omp.h experimental/simd immintrin.h) # the last two: vectors, as the compiler gives them
+# Spectra is Eigen's eigenvalue solver, headers only; the last two are the compiler's vectors.
+set(dem_libraries Eigen/ Spectra/ omp.h experimental/simd immintrin.h)
 set(fem_rooms "")
 # Eigen carries the 6-vectors of the material points: the library that dem has too, hence no new dependency
 set(fem_libraries deal.II/ umfpack.h cholmod.h mpi.h Eigen/)
