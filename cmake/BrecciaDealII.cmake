@@ -7,7 +7,6 @@
 # baseline processor, and classes whose size follows the vector width (VectorizedArray) must have one layout
 # on both sides.
 
-find_package(deal.II 9.4 REQUIRED HINTS "$ENV{DEAL_II_DIR}")
 include("${DEAL_II_TARGET_CONFIG}")
 
 add_library(breccia_dealii INTERFACE)

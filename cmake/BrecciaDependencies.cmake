@@ -1,23 +1,44 @@
-# External packages, each looked for only when a room that uses it is built.
+# External packages, each looked for only when a room that uses it is built; what is missing is named all at once.
+# The Debian packages that hold them stand in packages.txt.
 
-find_package(Eigen3 3.4 REQUIRED NO_MODULE)
-find_package(OpenMP REQUIRED COMPONENTS CXX)
+set(missing_packages "")
+
+# need(PACKAGE [arguments of find_package...])
+macro(need package)
+  find_package(${package} ${ARGN} QUIET)
+  if(NOT ${package}_FOUND)
+    list(APPEND missing_packages ${package})
+  endif()
+endmacro()
+
+need(Eigen3 3.4 NO_MODULE)
+need(OpenMP COMPONENTS CXX)
+find_path(BRECCIA_SPECTRA_INCLUDE Spectra/SymEigsSolver.h)
+if(NOT BRECCIA_SPECTRA_INCLUDE)
+  list(APPEND missing_packages Spectra)
+endif()
 
 if("fem" IN_LIST BRECCIA_ROOMS OR "coupling" IN_LIST BRECCIA_ROOMS OR "apps" IN_LIST BRECCIA_ROOMS)
-  include(BrecciaDealII)
+  need(deal.II 9.4)
 endif()
-if("postprocess" IN_LIST BRECCIA_ROOMS OR "apps" IN_LIST BRECCIA_ROOMS)
-  find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel IOXML)
+if("postprocess" IN_LIST BRECCIA_ROOMS)
   # The MPI build of HDF5 is the one that deal.II is linked to: one program, one HDF5.
   set(HDF5_PREFER_PARALLEL ON)
-  find_package(HDF5 REQUIRED COMPONENTS C)
-  find_package(nlohmann_json REQUIRED)
+  need(HDF5 COMPONENTS C)
+  need(VTK 9.1 COMPONENTS CommonCore CommonDataModel IOXML)
+  need(nlohmann_json)
 endif()
 if("apps" IN_LIST BRECCIA_ROOMS)
-  find_package(CLI11 REQUIRED)
-  find_package(fmt REQUIRED)
-  find_package(spdlog REQUIRED)
+  need(CLI11)
+  need(fmt)
+  need(spdlog)
 endif()
 if(BRECCIA_TESTS)
-  find_package(Catch2 2.13 REQUIRED)
+  need(Catch2 2.13)
+endif()
+
+if(missing_packages)
+  list(JOIN missing_packages ", " missing_packages)
+  message(FATAL_ERROR "Not found: ${missing_packages}. On Debian packages.txt names what to install; elsewhere name the "
+                      "prefixes in CMAKE_PREFIX_PATH. BRECCIA_ROOMS=dem needs least.")
 endif()
