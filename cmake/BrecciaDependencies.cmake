@@ -22,9 +22,12 @@ if("fem" IN_LIST BRECCIA_ROOMS OR "coupling" IN_LIST BRECCIA_ROOMS OR "apps" IN_
   need(deal.II 9.4)
 endif()
 if("postprocess" IN_LIST BRECCIA_ROOMS)
-  # The MPI build of HDF5 is the one that deal.II is linked to: one program, one HDF5.
+  # The MPI build of HDF5 is the one that deal.II is linked to: one program, one HDF5. Its header includes mpi.h.
   set(HDF5_PREFER_PARALLEL ON)
   need(HDF5 COMPONENTS C)
+  if(HDF5_IS_PARALLEL)
+    need(MPI COMPONENTS C)
+  endif()
   need(VTK 9.1 COMPONENTS CommonCore CommonDataModel IOXML)
   need(nlohmann_json)
 endif()
@@ -41,4 +44,8 @@ if(missing_packages)
   list(JOIN missing_packages ", " missing_packages)
   message(FATAL_ERROR "Not found: ${missing_packages}. On Debian packages.txt names what to install; elsewhere name the "
                       "prefixes in CMAKE_PREFIX_PATH. BRECCIA_ROOMS=dem needs least.")
+endif()
+
+if(HDF5_FOUND AND HDF5_IS_PARALLEL)
+  target_link_libraries(hdf5::hdf5 INTERFACE MPI::MPI_C)
 endif()
