@@ -4,7 +4,7 @@
 
 namespace dem
 {
-/**
+  /**
  * Where the energy of a specimen is and where it went, at one instant t_n [J].
  *
  * Balance: initial + external_work = kinetic + elastic + damage + friction + released + damping (mesoscale specification,
@@ -12,36 +12,39 @@ namespace dem
  * elastic energy at t_n it is conserved exactly by a linear system at any stable step, so that the balance error shows the
  * physics' integration and not the sampling.
  */
-struct EnergyAccount
-{
-  double initial       = 0; ///< kinetic and elastic energy put in before the first step
-  double external_work = 0; ///< by prescribed motion
-  double kinetic       = 0;
-  double elastic       = 0; ///< stored in links and contacts
-  double damage        = 0; ///< dissipated by link damage
-  double friction      = 0; ///< dissipated by plastic sliding of links and contacts
-  double released      = 0; ///< still stored in links and contacts when they were deleted
-  double damping       = 0; ///< dissipated by local damping
-
-  /** input - (stored + dissipated) [J]; zero when every mechanism is accounted for. */
-  double residual() const { return initial + external_work - (kinetic + elastic + damage + friction + released + damping); }
-
-  /** |residual| over the largest amount that took part (initial + |external work|, kinetic, elastic, dissipated); 0 for nothing. */
-  double balance_error() const;
-
-  /** Call visitor(name, value) for every term, in the order above, then the residual: the one list for series and summary. */
-  template <typename Visitor>
-  void each(Visitor &&visitor) const
+  struct EnergyAccount
   {
-    visitor("initial", initial);
-    visitor("external_work", external_work);
-    visitor("kinetic", kinetic);
-    visitor("elastic", elastic);
-    visitor("damage", damage);
-    visitor("friction", friction);
-    visitor("released", released);
-    visitor("damping", damping);
-    visitor("residual", residual());
-  }
-};
+    double initial       = 0; ///< kinetic and elastic energy put in before the first step
+    double external_work = 0; ///< by prescribed motion
+    double kinetic       = 0;
+    double elastic       = 0; ///< stored in links and contacts
+    double damage        = 0; ///< dissipated by link damage
+    double friction      = 0; ///< dissipated by plastic sliding of links and contacts
+    double released      = 0; ///< still stored in links and contacts when they were deleted
+    double damping       = 0; ///< dissipated by local damping
+
+    /** input - (stored + dissipated) [J]; zero when every mechanism is accounted for. */
+    double residual() const
+    {
+      return initial + external_work - (kinetic + elastic + damage + friction + released + damping);
+    }
+
+    /** |residual| over the largest amount that took part (initial + |external work|, kinetic, elastic, dissipated); 0 for nothing. */
+    double balance_error() const;
+
+    /** Call visitor(name, value) for every term, in the order above, then the residual: the one list for series and summary. */
+    template <typename Visitor>
+    void each(Visitor &&visitor) const
+    {
+      visitor("initial", initial);
+      visitor("external_work", external_work);
+      visitor("kinetic", kinetic);
+      visitor("elastic", elastic);
+      visitor("damage", damage);
+      visitor("friction", friction);
+      visitor("released", released);
+      visitor("damping", damping);
+      visitor("residual", residual());
+    }
+  };
 } // namespace dem

@@ -14,113 +14,120 @@
 
 namespace dem
 {
-/** What a scene models; everything that is off costs neither time nor memory. Chosen once, when the specimen is made. */
-struct Physics
-{
-  int  dimension = 3;    ///< 3: spheres; 2: discs in the plane z = 0, of the given thickness
-  bool rotations = true; ///< particles spin; off: they only translate
-  bool damage    = true; ///< links soften and break in tension; off: they stay as stiff as they were
-  bool friction  = true; ///< shear is limited by cohesion and friction; off: shear stays elastic
-  bool contacts  = true; ///< particles that meet after their link is gone (or never had one) touch with friction
-};
+  /** What a scene models; everything that is off costs neither time nor memory. Chosen once, when the specimen is made. */
+  struct Physics
+  {
+    int  dimension = 3;    ///< 3: spheres; 2: discs in the plane z = 0, of the given thickness
+    bool rotations = true; ///< particles spin; off: they only translate
+    bool damage    = true; ///< links soften and break in tension; off: they stay as stiff as they were
+    bool friction  = true; ///< shear is limited by cohesion and friction; off: shear stays elastic
+    bool contacts  = true; ///< particles that meet after their link is gone (or never had one) touch with friction
+  };
 
-/** How the specimen is made from a packing and integrated in time. */
-struct SpecimenParameters
-{
-  Physics physics;
-  double  density           = 0;   ///< of the particles, not bulk [kg/m^3], > 0
-  double  interaction_ratio = 0;   ///< iota: cohesive links where distance < iota (r_J + r_K), >= 1
-  double  thickness         = 0;   ///< [m], of the discs; two dimensions only
-  double  step_factor       = 0.8; ///< time step over the stable estimate (5.1), in (0, 1)
-  double  damping           = 0;   ///< local (Cundall) damping D in [0, 1)
-};
+  /** How the specimen is made from a packing and integrated in time. */
+  struct SpecimenParameters
+  {
+    Physics physics;
+    double  density           = 0;   ///< of the particles, not bulk [kg/m^3], > 0
+    double  interaction_ratio = 0;   ///< iota: cohesive links where distance < iota (r_J + r_K), >= 1
+    double  thickness         = 0;   ///< [m], of the discs; two dimensions only
+    double  step_factor       = 0.8; ///< time step over the stable estimate (5.1), in (0, 1)
+    double  damping           = 0;   ///< local (Cundall) damping D in [0, 1)
+  };
 
-/** A group of particles with prescribed motion (a grip). */
-struct Grip
-{
-  std::vector<std::size_t> particles;              ///< by their number in the packing, from 0
-  std::array<bool, 6>      prescribed = {};        ///< x, y, z, rotation about x, y, z
-  Eigen::Vector3d          velocity   = {0, 0, 0}; ///< [m/s], of the prescribed translations
-  Eigen::Vector3d          spin       = {0, 0, 0}; ///< [rad/s], of the prescribed rotations
-};
+  /** A group of particles with prescribed motion (a grip). */
+  struct Grip
+  {
+    std::vector<std::size_t> particles;              ///< by their number in the packing, from 0
+    std::array<bool, 6>      prescribed = {};        ///< x, y, z, rotation about x, y, z
+    Eigen::Vector3d          velocity   = {0, 0, 0}; ///< [m/s], of the prescribed translations
+    Eigen::Vector3d          spin       = {0, 0, 0}; ///< [rad/s], of the prescribed rotations
+  };
 
-/** One particle as an observer sees it; tensors are row-major. Order: the packing's. */
-struct ParticleOutput
-{
-  std::vector<Eigen::Vector3d> position, displacement, velocity, angular_velocity;
-  std::vector<double>          radius;
-  std::vector<double>          damage;       ///< mean damage of the links it was made with, broken ones count as 1 [-]
-  std::vector<std::int32_t>    broken_links; ///< how many of its cohesive links are gone
-  std::vector<Eigen::Matrix3d> stress;       ///< Love-Weber, symmetric part, over the particle's share of volume [Pa]
-};
+  /** One particle as an observer sees it; tensors are row-major. Order: the packing's. */
+  struct ParticleOutput
+  {
+    std::vector<Eigen::Vector3d> position, displacement, velocity, angular_velocity;
+    std::vector<double>          radius;
+    std::vector<double>          damage; ///< mean damage of the links it was made with, broken ones count as 1 [-]
+    std::vector<std::int32_t>    broken_links; ///< how many of its cohesive links are gone
+    std::vector<Eigen::Matrix3d> stress;       ///< Love-Weber, symmetric part, over the particle's share of volume [Pa]
+  };
 
-/** Links, contacts and broken links as an observer sees them. */
-struct LinkOutput
-{
-  enum Kind : std::int32_t { cohesive = 0, contact = 1, broken = 2 };
-  std::vector<std::array<std::size_t, 2>> ends;          ///< particle numbers of the packing
-  std::vector<std::int32_t>               kind;          ///< Kind
-  std::vector<double>                     normal_force;  ///< [N], tension positive
-  std::vector<double>                     shear_force;   ///< [N], magnitude
-  std::vector<double>                     normal_stress; ///< [Pa]
-  std::vector<double>                     shear_stress;  ///< [Pa], magnitude
-  std::vector<double>                     normal_strain; ///< [-]
-  std::vector<double>                     damage;        ///< omega [-]
-};
+  /** Links, contacts and broken links as an observer sees them. */
+  struct LinkOutput
+  {
+    enum Kind : std::int32_t
+    {
+      cohesive = 0,
+      contact  = 1,
+      broken   = 2
+    };
+    std::vector<std::array<std::size_t, 2>> ends;          ///< particle numbers of the packing
+    std::vector<std::int32_t>               kind;          ///< Kind
+    std::vector<double>                     normal_force;  ///< [N], tension positive
+    std::vector<double>                     shear_force;   ///< [N], magnitude
+    std::vector<double>                     normal_stress; ///< [Pa]
+    std::vector<double>                     shear_stress;  ///< [Pa], magnitude
+    std::vector<double>                     normal_strain; ///< [-]
+    std::vector<double>                     damage;        ///< omega [-]
+  };
 
-/** How much there is of what, at this moment. */
-struct Counts
-{
-  std::size_t particles = 0, links = 0 /* cohesive, alive */, contacts = 0, broken = 0;
-};
+  /** How much there is of what, at this moment. */
+  struct Counts
+  {
+    std::size_t particles = 0, links = 0 /* cohesive, alive */, contacts = 0, broken = 0;
+  };
 
-/**
+  /**
  * A bonded-particle specimen: particles, cohesive links and contacts, advanced in time by leap-frog steps.
  *
  * Results are the same to the last bit for any number of OpenMP threads.
  */
-class Specimen
-{
-public:
-  /**
+  class Specimen
+  {
+  public:
+    /**
    * Link the packing and set it at rest.
-   * @throws InputError when nothing can be made of it: see check_packing(), and no link at all where a law is asked for is allowed.
+   * @throws InputError when nothing can be made of it: see check_packing(); or when no two particles are near enough to be linked.
    */
-  Specimen(const Packing &packing, const SpecimenParameters &parameters, const CpmParameters &law);
-  ~Specimen();
-  Specimen(Specimen &&) noexcept;
-  Specimen &operator=(Specimen &&) noexcept;
+    Specimen(const Packing &packing, const SpecimenParameters &parameters, const CpmParameters &law);
+    ~Specimen();
+    Specimen(Specimen &&) noexcept;
+    Specimen &operator=(Specimen &&) noexcept;
 
-  /** Take the given number of steps. @throws NumericalError when the state is no longer a number. */
-  void advance(std::int64_t steps);
+    /** Take the given number of steps. @throws NumericalError when the state is no longer a number. */
+    void advance(std::int64_t steps);
 
-  std::int64_t steps() const;        ///< taken since the start
-  double       time() const;         ///< [s]
-  double       time_step() const;    ///< [s], in use
-  double       stable_step() const;  ///< per-particle bound (5.1) of the present state [s]
-  double       critical_step() const; ///< sharp: 2/sqrt(largest eigenvalue) by Lanczos, of the undamaged elastic system [s]
-  Counts       counts() const;
-  std::size_t  bytes() const; ///< memory held by particles, links and contacts
+    const SpecimenParameters &parameters() const;
 
-  /** Prescribe motion of a group from now on. @return its number for reaction(). */
-  std::size_t add_grip(const Grip &grip);
-  void        set_grip_velocity(std::size_t grip, const Eigen::Vector3d &velocity, const Eigen::Vector3d &spin);
-  /** Force that the grip exerts on its particles, at t_n of the last step [N]. */
-  Eigen::Vector3d reaction(std::size_t grip) const;
+    std::int64_t steps() const;       ///< taken since the start
+    double       time() const;        ///< [s]
+    double       time_step() const;   ///< [s], in use
+    double       stable_step() const; ///< per-particle bound (5.1) of the present state [s]
+    double critical_step() const; ///< sharp: 2/sqrt(largest eigenvalue) by Lanczos, of the undamaged elastic system [s]
+    Counts counts() const;
+    std::size_t bytes() const; ///< memory held by particles, links and contacts
 
-  /** Set velocities (by packing number) before the first step; they count as initial energy. */
-  void set_velocity(std::size_t particle, const Eigen::Vector3d &velocity, const Eigen::Vector3d &spin);
+    /** Prescribe motion of a group from now on. @return its number for reaction(). */
+    std::size_t add_grip(const Grip &grip);
+    void        set_grip_velocity(std::size_t grip, const Eigen::Vector3d &velocity, const Eigen::Vector3d &spin);
+    /** Force that the grip exerts on its particles, at t_n of the last step [N]. */
+    Eigen::Vector3d reaction(std::size_t grip) const;
 
-  EnergyAccount  energy() const; ///< at t_n of the last step
-  double         mean_damage() const; ///< of the links made at the start, broken ones count as 1 [-]
-  ParticleOutput particles() const;
-  LinkOutput     links() const;
+    /** Set velocities (by packing number) before the first step; they count as initial energy. */
+    void set_velocity(std::size_t particle, const Eigen::Vector3d &velocity, const Eigen::Vector3d &spin);
 
-  /** Everything needed to go on to the same bits; a reader must be given a specimen made of the same packing and parameters. */
-  void visit_state(StateVisitor &visitor);
+    EnergyAccount  energy() const;      ///< at t_n of the last step
+    double         mean_damage() const; ///< of the links made at the start, broken ones count as 1 [-]
+    ParticleOutput particles() const;
+    LinkOutput     links() const;
 
-private:
-  struct Implementation;
-  std::unique_ptr<Implementation> self;
-};
+    /** Everything needed to go on to the same bits; a reader must be given a specimen made of the same packing and parameters. */
+    void visit_state(StateVisitor &visitor);
+
+  private:
+    struct Implementation;
+    std::unique_ptr<Implementation> self;
+  };
 } // namespace dem

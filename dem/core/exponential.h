@@ -7,36 +7,36 @@
 
 namespace dem
 {
-/** 2^k for an integer-valued k in [-1022, 1023], exact, by writing the exponent bits. */
-inline double power_of_two(const double k)
-{
-  const std::int64_t bits = (static_cast<std::int64_t>(k) + 1023) << 52;
-  double             result;
-  std::memcpy(&result, &bits, sizeof(result));
-  return result;
-}
+  /** 2^k for an integer-valued k in [-1022, 1023], exact, by writing the exponent bits. */
+  inline double power_of_two(const double k)
+  {
+    const std::int64_t bits = (static_cast<std::int64_t>(k) + 1023) << 52;
+    double             result;
+    std::memcpy(&result, &bits, sizeof(result));
+    return result;
+  }
 
-inline double round_to_integer(const double a) { return std::nearbyint(a); }
-inline Pack   round_to_integer(const Pack &a) { return stdx::nearbyint(a); }
+  inline double round_to_integer(const double a) { return std::nearbyint(a); }
+  inline Pack   round_to_integer(const Pack &a) { return stdx::nearbyint(a); }
 
-/**
+  /**
  * e^x for x <= 0, one number or eight with the same bits, within 2 units in the last place; 0 below -700.
  *
  * Argument reduction x = k ln 2 + r, |r| <= ln(2)/2, with ln 2 in two parts (Cody and Waite, 1980, Software Manual for the
  * Elementary Functions); e^r by its Taylor polynomial of degree 13, whose remainder is below 5e-18.
  */
-template <typename T>
-T exponential(const T &x)
-{
-  constexpr double ln2_high = 0x1.62e42fee00000p-1, ln2_low = 0x1.a39ef35793c76p-33, log2_e = 0x1.71547652b82fep+0;
-  const T          bounded  = maximum(x, T(-700.0));
-  const T          k        = round_to_integer(T(bounded * T(log2_e)));
-  const T          r        = (bounded - k * T(ln2_high)) - k * T(ln2_low);
+  template <typename T>
+  T exponential(const T &x)
+  {
+    constexpr double ln2_high = 0x1.62e42fee00000p-1, ln2_low = 0x1.a39ef35793c76p-33, log2_e = 0x1.71547652b82fep+0;
+    const T          bounded = maximum(x, T(-700.0));
+    const T          k       = round_to_integer(T(bounded * T(log2_e)));
+    const T          r       = (bounded - k * T(ln2_high)) - k * T(ln2_low);
 
-  T series = T(1.0);
-  for (int degree = 13; degree >= 1; --degree) // Horner: 1 + r (1 + r/2 (1 + r/3 (...)))
-    series = T(1.0) + series * r * T(1.0 / degree);
-  const T scale = each_lane(k, power_of_two);
-  return select(x < T(-700.0), T(0.0), T(series * scale));
-}
+    T series = T(1.0);
+    for (int degree = 13; degree >= 1; --degree) // Horner: 1 + r (1 + r/2 (1 + r/3 (...)))
+      series = T(1.0) + series * r * T(1.0 / degree);
+    const T scale = each_lane(k, power_of_two);
+    return select(x < T(-700.0), T(0.0), T(series * scale));
+  }
 } // namespace dem

@@ -12,42 +12,42 @@
  */
 namespace dem
 {
-namespace stdx = std::experimental;
+  namespace stdx = std::experimental;
 
-constexpr int pack_size = 8;
+  constexpr int pack_size = 8;
 
-using Pack     = stdx::simd<double, stdx::simd_abi::deduce_t<double, pack_size>>;
-using PackMask = Pack::mask_type;
+  using Pack     = stdx::simd<double, stdx::simd_abi::deduce_t<double, pack_size>>;
+  using PackMask = Pack::mask_type;
 
-inline Pack load(const double *from) { return Pack(from, stdx::vector_aligned); }
-inline void store(const Pack &values, double *to) { values.copy_to(to, stdx::vector_aligned); }
+  inline Pack load(const double *from) { return Pack(from, stdx::vector_aligned); }
+  inline void store(const Pack &values, double *to) { values.copy_to(to, stdx::vector_aligned); }
 
-inline double select(const bool mask, const double yes, const double no) { return mask ? yes : no; }
-inline Pack   select(const PackMask &mask, const Pack &yes, const Pack &no)
-{
-  Pack result             = no;
-  stdx::where(mask, result) = yes;
-  return result;
-}
+  inline double select(const bool mask, const double yes, const double no) { return mask ? yes : no; }
+  inline Pack   select(const PackMask &mask, const Pack &yes, const Pack &no)
+  {
+    Pack result               = no;
+    stdx::where(mask, result) = yes;
+    return result;
+  }
 
-inline bool any(const bool mask) { return mask; }
-inline bool any(const PackMask &mask) { return stdx::any_of(mask); }
+  inline bool any(const bool mask) { return mask; }
+  inline bool any(const PackMask &mask) { return stdx::any_of(mask); }
 
-inline double maximum(const double a, const double b) { return a > b ? a : b; }
-inline Pack   maximum(const Pack &a, const Pack &b) { return stdx::max(a, b); }
+  inline double maximum(const double a, const double b) { return a > b ? a : b; }
+  inline Pack   maximum(const Pack &a, const Pack &b) { return stdx::max(a, b); }
 
-inline double square_root(const double a) { return std::sqrt(a); }
-inline Pack   square_root(const Pack &a) { return stdx::sqrt(a); }
+  inline double square_root(const double a) { return std::sqrt(a); }
+  inline Pack   square_root(const Pack &a) { return stdx::sqrt(a); }
 
-/** Apply a function of one double to every lane. */
-template <typename Function>
-double each_lane(const double a, Function &&f)
-{
-  return f(a);
-}
-template <typename Function>
-Pack each_lane(const Pack &a, Function &&f)
-{
-  return Pack([&](auto lane) { return f(static_cast<double>(a[lane])); });
-}
+  /** Apply a function of one double to every lane. */
+  template <typename Function>
+  double each_lane(const double a, Function &&f)
+  {
+    return f(a);
+  }
+  template <typename Function>
+  Pack each_lane(const Pack &a, Function &&f)
+  {
+    return Pack([&](auto lane) { return f(static_cast<double>(a[lane])); });
+  }
 } // namespace dem

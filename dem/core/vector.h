@@ -2,52 +2,52 @@
 
 namespace dem
 {
-/** n components of a number type (double or Pack); kept free of storage order and of expression templates for the kernel. */
-template <typename T, int n>
-struct Vec
-{
-  T c[n];
+  /** n components of a number type (double or Pack); kept free of storage order and of expression templates for the kernel. */
+  template <typename T, int n>
+  struct Vec
+  {
+    T c[n];
 
-  T       &operator[](const int i) { return c[i]; }
-  const T &operator[](const int i) const { return c[i]; }
-};
+    T       &operator[](const int i) { return c[i]; }
+    const T &operator[](const int i) const { return c[i]; }
+  };
 
-template <typename T, int n>
-inline Vec<T, n> operator+(Vec<T, n> a, const Vec<T, n> &b)
-{
-  for (int i = 0; i < n; ++i)
-    a.c[i] = a.c[i] + b.c[i];
-  return a;
-}
+  template <typename T, int n>
+  inline Vec<T, n> operator+(Vec<T, n> a, const Vec<T, n> &b)
+  {
+    for (int i = 0; i < n; ++i)
+      a.c[i] = a.c[i] + b.c[i];
+    return a;
+  }
 
-template <typename T, int n>
-inline Vec<T, n> operator-(Vec<T, n> a, const Vec<T, n> &b)
-{
-  for (int i = 0; i < n; ++i)
-    a.c[i] = a.c[i] - b.c[i];
-  return a;
-}
+  template <typename T, int n>
+  inline Vec<T, n> operator-(Vec<T, n> a, const Vec<T, n> &b)
+  {
+    for (int i = 0; i < n; ++i)
+      a.c[i] = a.c[i] - b.c[i];
+    return a;
+  }
 
-template <typename T, int n>
-inline Vec<T, n> operator*(const T &s, Vec<T, n> a)
-{
-  for (int i = 0; i < n; ++i)
-    a.c[i] = s * a.c[i];
-  return a;
-}
+  template <typename T, int n>
+  inline Vec<T, n> operator*(const T &s, Vec<T, n> a)
+  {
+    for (int i = 0; i < n; ++i)
+      a.c[i] = s * a.c[i];
+    return a;
+  }
 
-template <typename T, int n>
-inline T dot(const Vec<T, n> &a, const Vec<T, n> &b)
-{
-  T sum = a.c[0] * b.c[0];
-  for (int i = 1; i < n; ++i)
-    sum = sum + a.c[i] * b.c[i];
-  return sum;
-}
+  template <typename T, int n>
+  inline T dot(const Vec<T, n> &a, const Vec<T, n> &b)
+  {
+    T sum = a.c[0] * b.c[0];
+    for (int i = 1; i < n; ++i)
+      sum = sum + a.c[i] * b.c[i];
+    return sum;
+  }
 
-template <typename T>
-inline Vec<T, 3> cross(const Vec<T, 3> &a, const Vec<T, 3> &b)
-{
-  return {{a.c[1] * b.c[2] - a.c[2] * b.c[1], a.c[2] * b.c[0] - a.c[0] * b.c[2], a.c[0] * b.c[1] - a.c[1] * b.c[0]}};
-}
+  template <typename T>
+  inline Vec<T, 3> cross(const Vec<T, 3> &a, const Vec<T, 3> &b)
+  {
+    return {{a.c[1] * b.c[2] - a.c[2] * b.c[1], a.c[2] * b.c[0] - a.c[0] * b.c[2], a.c[0] * b.c[1] - a.c[1] * b.c[0]}};
+  }
 } // namespace dem

@@ -8,83 +8,83 @@
 
 namespace dem
 {
-/** Shape of the softening branch (mesoscale specification 3.3). */
-enum class DamageLaw
-{
-  exponential, ///< softening strain = decay length: the initial tangent of softening meets zero at eps_0 + eps_f
-  linear       ///< softening strain = strain of zero stress
-};
-
-/** Constants of one link material of the cohesive particle model; strains and ratios are pure numbers. */
-struct CpmParameters
-{
-  double normal_modulus       = 0; ///< E of the link [Pa]
-  double shear_ratio          = 0; ///< G/E of the link
-  double limit_elastic_strain = 0; ///< eps_0
-  double relative_ductility   = 0; ///< eps_f / eps_0
-  double cohesion             = 0; ///< c_0 [Pa]
-  double friction_coefficient = 0; ///< tan(phi)
-
-  DamageLaw damage_law              = DamageLaw::exponential;
-  double    shear_contribution      = 0;    ///< xi: weight of the shear strain in the equivalent strain
-  double    residual_strength_limit = 1e-4; ///< a link in tension is deleted below this residual strength (3.5)
-
-  double shear_modulus() const { return shear_ratio * normal_modulus; }
-  double softening_strain() const { return relative_ductility * limit_elastic_strain; }
-};
-
-/** Constants derived once from the parameters, so that no link pays for them. */
-class CpmConstants
-{
-public:
-  /** @throws InputError for a value out of range, or a combination without meaning; the message names the entry. */
-  explicit CpmConstants(const CpmParameters &parameters);
-
-  /** Damage omega = g(kappa), (2.17) of Stransky (2018) or its linear counterpart. @pre kappa > 0 */
-  template <typename T>
-  T damage_at(const T &kappa) const
+  /** Shape of the softening branch (mesoscale specification 3.3). */
+  enum class DamageLaw
   {
-    const T damaged = law == DamageLaw::exponential ?
-                        T(T(1.0) - (onset / kappa) * exponential((onset - kappa) * inverse_softening)) :
-                        T(select(kappa < T(softening), (T(1.0) - onset / kappa) * linear_factor, T(1.0)));
-    return select(kappa > T(onset), damaged, T(0.0));
-  }
+    exponential, ///< softening strain = decay length: the initial tangent of softening meets zero at eps_0 + eps_f
+    linear       ///< softening strain = strain of zero stress
+  };
 
-  /** Inverse of damage_at(): the kappa with g(kappa) = omega, for omega in [0, 1). */
-  double kappa_at(double omega) const;
+  /** Constants of one link material of the cohesive particle model; strains and ratios are pure numbers. */
+  struct CpmParameters
+  {
+    double normal_modulus       = 0; ///< E of the link [Pa]
+    double shear_ratio          = 0; ///< G/E of the link
+    double limit_elastic_strain = 0; ///< eps_0
+    double relative_ductility   = 0; ///< eps_f / eps_0
+    double cohesion             = 0; ///< c_0 [Pa]
+    double friction_coefficient = 0; ///< tan(phi)
 
-  /** Strength lost by a link, omega-hat = 1 - (1 - omega) kappa / eps_0, (6.6) of Stransky (2018); 0 before the onset. */
-  double strength_damage(double kappa, double omega) const;
+    DamageLaw damage_law              = DamageLaw::exponential;
+    double    shear_contribution      = 0;    ///< xi: weight of the shear strain in the equivalent strain
+    double    residual_strength_limit = 1e-4; ///< a link in tension is deleted below this residual strength (3.5)
 
-  /** Energy dissipated per link volume on the way to kappa in tension [J/m^3]: area under the envelope less what is stored. */
-  double dissipated_at(double kappa, double omega) const;
+    double shear_modulus() const { return shear_ratio * normal_modulus; }
+    double softening_strain() const { return relative_ductility * limit_elastic_strain; }
+  };
 
-  double    E, G, onset, softening, inverse_softening, cohesion, friction, shear_weight;
-  double    linear_factor; ///< 1 / (1 - eps_0/eps_f)
-  double    kappa_broken;  ///< kappa past which a link in tension is deleted
-  DamageLaw law;
-};
+  /** Constants derived once from the parameters, so that no link pays for them. */
+  class CpmConstants
+  {
+  public:
+    /** @throws InputError for a value out of range, or a combination without meaning; the message names the entry. */
+    explicit CpmConstants(const CpmParameters &parameters);
 
-/** History of one link: what it remembers from step to step. */
-template <typename T, int shear_components>
-struct CpmState
-{
-  T                        kappa;         ///< largest equivalent strain so far
-  T                        damage;        ///< omega = g(kappa)
-  Vec<T, shear_components> elastic_shear; ///< eps_T - eps_T^p, the part of the shear strain that makes stress
-};
+    /** Damage omega = g(kappa), (2.17) of Stransky (2018) or its linear counterpart. @pre kappa > 0 */
+    template <typename T>
+    T damage_at(const T &kappa) const
+    {
+      const T damaged = law == DamageLaw::exponential ?
+                          T(T(1.0) - (onset / kappa) * exponential((onset - kappa) * inverse_softening)) :
+                          T(select(kappa < T(softening), (T(1.0) - onset / kappa) * linear_factor, T(1.0)));
+      return select(kappa > T(onset), damaged, T(0.0));
+    }
 
-/** What a link answers. */
-template <typename T, int shear_components>
-struct CpmResponse
-{
-  T                        normal_stress; ///< [Pa]
-  Vec<T, shear_components> shear_stress;  ///< [Pa]
-  T                        plastic_work;  ///< dissipated by sliding in this update [J/m^3]
-  T                        damage_work;   ///< dissipated by damage in this update [J/m^3]; only where shear damages
-};
+    /** Inverse of damage_at(): the kappa with g(kappa) = omega, for omega in [0, 1). */
+    double kappa_at(double omega) const;
 
-/**
+    /** Strength lost by a link, omega-hat = 1 - (1 - omega) kappa / eps_0, (6.6) of Stransky (2018); 0 before the onset. */
+    double strength_damage(double kappa, double omega) const;
+
+    /** Energy dissipated per link volume on the way to kappa in tension [J/m^3]: area under the envelope less what is stored. */
+    double dissipated_at(double kappa, double omega) const;
+
+    double    E, G, onset, softening, inverse_softening, cohesion, friction, shear_weight;
+    double    linear_factor; ///< 1 / (1 - eps_0/eps_f)
+    double    kappa_broken;  ///< kappa past which a link in tension is deleted
+    DamageLaw law;
+  };
+
+  /** History of one link: what it remembers from step to step. */
+  template <typename T, int shear_components>
+  struct CpmState
+  {
+    T                        kappa;         ///< largest equivalent strain so far
+    T                        damage;        ///< omega = g(kappa)
+    Vec<T, shear_components> elastic_shear; ///< eps_T - eps_T^p, the part of the shear strain that makes stress
+  };
+
+  /** What a link answers. */
+  template <typename T, int shear_components>
+  struct CpmResponse
+  {
+    T                        normal_stress; ///< [Pa]
+    Vec<T, shear_components> shear_stress;  ///< [Pa]
+    T                        plastic_work;  ///< dissipated by sliding in this update [J/m^3]
+    T                        damage_work;   ///< dissipated by damage in this update [J/m^3]; only where shear damages
+  };
+
+  /**
  * The cohesive particle model: damage in tension, cohesion and friction in shear; Stransky (2018), (2.13)-(2.19).
  *
  * One update takes the total normal strain, the state with the elastic shear strain already advanced by this step's shear
@@ -94,87 +94,96 @@ struct CpmResponse
  * @tparam damage   softens in tension; otherwise omega keeps the value it has (0 for a cohesive link, 1 for a contact)
  * @tparam sliding  shear stress limited by c_0 (1 - omega) - sigma_N tan(phi)
  */
-template <bool damage, bool sliding>
-struct Cpm
-{
-  template <typename T, int m>
-  static CpmResponse<T, m> update(const CpmConstants &k, const T &normal_strain, const T &total_shear_squared, CpmState<T, m> &state)
+  template <bool damage, bool sliding>
+  struct Cpm
   {
-    CpmResponse<T, m> response;
-    response.damage_work  = T(0.0);
-    response.plastic_work = T(0.0);
-    const T opening       = maximum(normal_strain, T(0.0));
-    if constexpr (damage)
-      grow_damage(k, opening, total_shear_squared, state, response);
-    response.normal_stress = k.E * (normal_strain - state.damage * opening);
-    response.shear_stress  = T(k.G) * state.elastic_shear;
-    if constexpr (sliding)
-      slide(k, state, response);
-    return response;
-  }
-
-private:
-  template <typename T, int m>
-  static void grow_damage(const CpmConstants &k, const T &opening, const T &total_shear_squared, CpmState<T, m> &state,
-                          CpmResponse<T, m> &response)
-  {
-    T equivalent = opening;
-    if (k.shear_weight > 0)
-      equivalent = square_root(opening * opening + T(k.shear_weight * k.shear_weight) * total_shear_squared);
-    const auto grows = equivalent > maximum(state.kappa, T(k.onset));
-    state.kappa      = maximum(state.kappa, equivalent);
-    if (any(grows))
+    template <typename T, int m>
+    static CpmResponse<T, m>
+    update(const CpmConstants &k, const T &normal_strain, const T &total_shear_squared, CpmState<T, m> &state)
     {
-      const T before = state.damage;
-      state.damage   = select(grows, k.damage_at(state.kappa), before);
-      if (k.shear_weight > 0)
-        response.damage_work = T(0.5 * k.E) * opening * opening * (state.damage - before);
+      CpmResponse<T, m> response;
+      response.damage_work  = T(0.0);
+      response.plastic_work = T(0.0);
+      const T opening       = maximum(normal_strain, T(0.0));
+      if constexpr (damage)
+        grow_damage(k, opening, total_shear_squared, state, response);
+      response.normal_stress = k.E * (normal_strain - state.damage * opening);
+      response.shear_stress  = T(k.G) * state.elastic_shear;
+      if constexpr (sliding)
+        slide(k, state, response);
+      return response;
     }
-  }
 
-  template <typename T, int m>
-  static void slide(const CpmConstants &k, CpmState<T, m> &state, CpmResponse<T, m> &response)
+  private:
+    template <typename T, int m>
+    static void grow_damage(const CpmConstants &k,
+                            const T            &opening,
+                            const T            &total_shear_squared,
+                            CpmState<T, m>     &state,
+                            CpmResponse<T, m>  &response)
+    {
+      T equivalent = opening;
+      if (k.shear_weight > 0)
+        equivalent = square_root(opening * opening + T(k.shear_weight * k.shear_weight) * total_shear_squared);
+      const auto grows = equivalent > maximum(state.kappa, T(k.onset));
+      state.kappa      = maximum(state.kappa, equivalent);
+      if (any(grows))
+        {
+          const T before = state.damage;
+          state.damage   = select(grows, k.damage_at(state.kappa), before);
+          if (k.shear_weight > 0)
+            response.damage_work = T(0.5 * k.E) * opening * opening * (state.damage - before);
+        }
+    }
+
+    template <typename T, int m>
+    static void slide(const CpmConstants &k, CpmState<T, m> &state, CpmResponse<T, m> &response)
+    {
+      const T    limit  = maximum(k.cohesion * (T(1.0) - state.damage) - k.friction * response.normal_stress, T(0.0));
+      const T    trial2 = dot(response.shear_stress, response.shear_stress);
+      const auto slides = trial2 > limit * limit;
+      if (!any(slides))
+        return;
+      const T trial         = square_root(select(slides, trial2, T(1.0)));
+      const T keep          = select(slides, limit / trial, T(1.0));
+      state.elastic_shear   = keep * state.elastic_shear;
+      response.shear_stress = keep * response.shear_stress;
+      response.plastic_work = select(slides, limit * (trial - limit) * T(1.0 / k.G), T(0.0));
+    }
+  };
+
+  /** The entries of a CPM block, declared once. */
+  struct CpmDescription
   {
-    const T    limit      = maximum(k.cohesion * (T(1.0) - state.damage) - k.friction * response.normal_stress, T(0.0));
-    const T    trial2     = dot(response.shear_stress, response.shear_stress);
-    const auto slides     = trial2 > limit * limit;
-    if (!any(slides))
-      return;
-    const T trial         = square_root(select(slides, trial2, T(1.0)));
-    const T keep          = select(slides, limit / trial, T(1.0));
-    state.elastic_shear   = keep * state.elastic_shear;
-    response.shear_stress = keep * response.shear_stress;
-    response.plastic_work = select(slides, limit * (trial - limit) * T(1.0 / k.G), T(0.0));
-  }
-};
+    static constexpr const char *name = "CPM";
 
-/** The entries of a CPM block, declared once. */
-struct CpmDescription
-{
-  static constexpr const char *name = "CPM";
-
-  /**
+    /**
    * Call `number(key, member, unit, meaning, lower, upper, required)` for every number and `choice(key, member, values,
    * meaning)` for every word of a block. A required entry has no default; the others keep the member's own.
    */
-  template <typename Number, typename Choice>
-  static void describe(CpmParameters &p, Number &&number, Choice &&choice)
-  {
-    constexpr double smallest = std::numeric_limits<double>::min();
-    constexpr double largest  = std::numeric_limits<double>::max();
-    number("Normal modulus", p.normal_modulus, "Pa", "E, stiffness of the link material along the link", smallest, largest, true);
-    number("Shear ratio", p.shear_ratio, "-", "G/E, shear over normal modulus of the link material", smallest, largest, true);
-    number("Limit elastic strain", p.limit_elastic_strain, "-", "eps_0, normal strain at which damage starts", smallest, largest, true);
-    number("Relative ductility", p.relative_ductility, "-", "eps_f/eps_0, softening strain over limit elastic strain", smallest, largest,
-           true);
-    number("Cohesion", p.cohesion, "Pa", "c_0, shear strength of an undamaged link without normal stress", 0.0, largest, true);
-    number("Friction coefficient", p.friction_coefficient, "-", "tan(phi), growth of shear strength with compression", 0.0, largest, true);
-    number("Shear contribution", p.shear_contribution, "-", "xi, weight of shear strain in the strain that drives damage; 0: none", 0.0,
-           largest, false);
-    number("Residual strength limit", p.residual_strength_limit, "-",
-           "a link in tension is deleted when (1 - omega) kappa/eps_0 falls below this", smallest, 1.0, false);
-    choice("Damage law", p.damage_law, {{"exponential", DamageLaw::exponential}, {"linear", DamageLaw::linear}},
-           "shape of the softening branch");
-  }
-};
+    template <typename Number, typename Choice>
+    static void describe(CpmParameters &p, Number &&number, Choice &&choice)
+    {
+      constexpr double smallest = std::numeric_limits<double>::min();
+      constexpr double largest  = std::numeric_limits<double>::max();
+      number("Normal modulus", p.normal_modulus, "Pa", "E, stiffness of the link material along the link", smallest,
+             largest, true);
+      number("Shear ratio", p.shear_ratio, "-", "G/E, shear over normal modulus of the link material", smallest,
+             largest, true);
+      number("Limit elastic strain", p.limit_elastic_strain, "-", "eps_0, normal strain at which damage starts",
+             smallest, largest, true);
+      number("Relative ductility", p.relative_ductility, "-", "eps_f/eps_0, softening strain over limit elastic strain",
+             smallest, largest, true);
+      number("Cohesion", p.cohesion, "Pa", "c_0, shear strength of an undamaged link without normal stress", 0.0,
+             largest, true);
+      number("Friction coefficient", p.friction_coefficient, "-", "tan(phi), growth of shear strength with compression",
+             0.0, largest, true);
+      number("Shear contribution", p.shear_contribution, "-",
+             "xi, weight of shear strain in the strain that drives damage; 0: none", 0.0, largest, false);
+      number("Residual strength limit", p.residual_strength_limit, "-",
+             "a link in tension is deleted when (1 - omega) kappa/eps_0 falls below this", smallest, 1.0, false);
+      choice("Damage law", p.damage_law, {{"exponential", DamageLaw::exponential}, {"linear", DamageLaw::linear}},
+             "shape of the softening branch");
+    }
+  };
 } // namespace dem

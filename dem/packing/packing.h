@@ -9,30 +9,30 @@
 
 namespace dem
 {
-/**
+  /**
  * Spheres (discs in two dimensions: z = 0) without any material: where a specimen starts from.
  *
  * A periodic packing fills the box [0, cell) of the three edge lengths and repeats along each; centres may lie outside
  * and are then understood modulo the cell.
  */
-struct Packing
-{
-  std::vector<Eigen::Vector3d> centre; ///< [m]
-  std::vector<double>          radius; ///< [m], > 0
-  std::optional<Eigen::Vector3d> periodic_cell; ///< edge lengths [m]; absent: a free packing
+  struct Packing
+  {
+    std::vector<Eigen::Vector3d>   centre;        ///< [m]
+    std::vector<double>            radius;        ///< [m], > 0
+    std::optional<Eigen::Vector3d> periodic_cell; ///< edge lengths [m]; absent: a free packing
 
-  std::size_t size() const { return centre.size(); }
-};
+    std::size_t size() const { return centre.size(); }
+  };
 
-/**
+  /**
  * Refuse what no specimen can be made of: columns of unequal length, no particle, a centre or radius that is not a number,
  * a radius not above zero, two centres at the same place, a periodic cell edge not above zero.
  *
  * @param origin where the packing came from (a file name, "generator"), for the message.
  * @throws InputError naming the first offending particle (counted from 1) and what is allowed.
  */
-void check_packing(const Packing &packing, const std::string &origin);
+  void check_packing(const Packing &packing, const std::string &origin);
 
-/** Volume of all particles [m^3] (spheres; overlaps counted twice). */
-double solid_volume(const Packing &packing);
+  /** Volume of all particles [m^3] (spheres; overlaps counted twice). */
+  double solid_volume(const Packing &packing);
 } // namespace dem

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "dem/links.h"
+#include "dem/particles.h"
+#include "dem/state.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace dem
+{
+  /**
+ * Finds pairs of particles that begin to overlap, and looks only when the motion of particles can have made one.
+ *
+ * Proof by distance: `path` is the sum over steps of the largest displacement of any particle. A pair with gap g cannot close
+ * before `path` has grown by g/2. So (1) the list of unlinked pairs nearer than a margin is complete until particles have moved half
+ * the margin since it was made, and (2) the list itself need not be looked at before `path` has grown by half its smallest gap.
+ * At the start all pairs within the interaction ratio are linked, so the first list is empty and its margin is the gap that the ratio
+ * leaves between unlinked particles.
+ */
+  class ContactSearch
+  {
+  public:
+    /** @param start_margin no unlinked pair has a gap below this at the start [m] */
+    ContactSearch(const Particles &particles, double start_margin);
+
+    /** Account for one step, in which no particle moved further than `largest` [m]. @return whether look() must be called now */
+    bool moved(double largest);
+
+    /** A pair that is no longer linked: watch it. */
+    void watch(const Particles &particles, std::int32_t first, std::int32_t second);
+
+    /** Unlinked pairs that overlap now, sorted; they are no longer watched. */
+    std::vector<NeighbourPair> look(const Particles &particles, const LinkSet &bonds, const LinkSet &contacts);
+
+    std::int64_t searches() const { return neighbour_searches; } ///< how often neighbours were searched so far
+
+    void visit_state(StateVisitor &visitor);
+
+  private:
+    void   rebuild(const Particles &particles, const LinkSet &bonds, const LinkSet &contacts);
+    double largest_displacement(const Particles &particles) const;
+
+    std::vector<std::int32_t> watched;     ///< pairs of particle numbers, flattened
+    Column                    reference;   ///< positions at the last rebuild, three per particle [m]
+    double                    margin;      ///< gap that unwatched pairs had at least at the last rebuild [m]
+    double                    list_margin; ///< margin of the lists to come [m]
+    double                    path = 0, path_of_list = 0; ///< now; not below the largest displacement since the rebuild
+    double                    next_look;
+    std::int64_t              neighbour_searches = 0;
+  };
+
+  /** Distance between the surfaces of two particles, negative when they overlap [m]. */
+  double gap(const Particles &particles, std::int32_t first, std::int32_t second);
+
+  /** Whether an undeleted line of the set joins the two (first < second). */
+  bool joined(const LinkSet &links, std::int32_t first, std::int32_t second);
+
+  /** Put new contacts, at their present distance, among the living ones; deleted lines go. */
+  void add_contacts(LinkSet                          &contacts,
+                    const std::vector<NeighbourPair> &born,
+                    const Particles                  &particles,
+                    const ParticleShape              &shape);
+} // namespace dem

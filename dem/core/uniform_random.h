@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <random>
+
+namespace dem
+{
+  /**
+   * Random numbers that are the same on every machine and with every standard library.
+   *
+   * The generator is fixed by the C++ standard (64-bit Mersenne twister, Matsumoto and Nishimura, 1998); the distributions
+   * of the standard library are not, hence the conversion of the upper 53 bits by hand.
+   */
+  class UniformRandom
+  {
+  public:
+    explicit UniformRandom(const std::uint64_t seed)
+      : engine(seed)
+    {
+    }
+
+    /** The next number in [0, 1), a multiple of 2^-53. */
+    double operator()() { return static_cast<double>(engine() >> 11) * 0x1p-53; }
+
+  private:
+    std::mt19937_64 engine;
+  };
+} // namespace dem

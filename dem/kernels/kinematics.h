@@ -1,0 +1,160 @@
+#pragma once
+
+#include "dem/core/simd.h"
+#include "dem/core/vector.h"
+
+#include <cmath>
+
+namespace dem
+{
+  /** sin(t)/t and (1 - cos t)/t^2 of a rotation angle t, given t^2: the two coefficients of Rodrigues' formula. */
+  template <typename T>
+  struct RotationCoefficients
+  {
+    T sine, versine;
+  };
+
+  /** Rotations up to 0.01 rad in a step (hardly ever exceeded) take a short series; beyond, the functions themselves. */
+  constexpr double series_angle_squared = 1e-4;
+
+  inline RotationCoefficients<double> exact_rotation_coefficients(const double angle_squared)
+  {
+    const double angle = std::sqrt(angle_squared), half_sine = std::sin(0.5 * angle);
+    return {std::sin(angle) / angle, 2.0 * half_sine * half_sine / angle_squared};
+  }
+
+  /** Taylor series to t^6, remainder below 1e-21 for angles of the series; larger angles, lane by lane, the exact functions. */
+  template <typename T>
+  RotationCoefficients<T> rotation_coefficients(const T &angle_squared)
+  {
+    const T                &s = angle_squared;
+    RotationCoefficients<T> c{T(1.0) - s * (T(1.0 / 6) - s * (T(1.0 / 120) - s * T(1.0 / 5040))),
+                              T(0.5) - s * (T(1.0 / 24) - s * (T(1.0 / 720) - s * T(1.0 / 40320)))};
+    const auto              large = s > T(series_angle_squared);
+    if (any(large))
+      {
+        const T safe = select(large, s, T(1.0));
+        c.sine =
+          select(large, each_lane(safe, [](const double a) { return exact_rotation_coefficients(a).sine; }), c.sine);
+        c.versine = select(
+          large, each_lane(safe, [](const double a) { return exact_rotation_coefficients(a).versine; }), c.versine);
+      }
+    return c;
+  }
+
+  /**
+ * tan(t/2)/(t/2): the factor by which a rotation vector is stretched so that its cross product with the half-step branch gives
+ * the displacement of a rigid rotation exactly (Hughes and Winget, 1980).
+ */
+  template <typename T>
+  T half_tangent_factor(const RotationCoefficients<T> &c, const T &angle_squared)
+  {
+    return c.sine / (T(1.0) - T(0.5) * angle_squared * c.versine);
+  }
+
+  /** Rotate v by the rotation vector t (Rodrigues): v + a t x v + b t x (t x v). */
+  template <typename T>
+  Vec<T, 3> rotate(const RotationCoefficients<T> &c, const Vec<T, 3> &t, const Vec<T, 3> &v)
+  {
+    const Vec<T, 3> once = cross(t, v);
+    return v + c.sine * once + c.versine * cross(t, once);
+  }
+
+  /**
+ * Carry v, perpendicular to the unit vector a, by the smallest rotation that takes a to the unit vector b.
+ *
+ * For v.a = 0 the minimal rotation Q(a -> b) v = v - (a + b) (b.v)/(1 + a.b). @pre a != -b
+ */
+  template <typename T>
+  Vec<T, 3> transport(const Vec<T, 3> &a, const Vec<T, 3> &b, const Vec<T, 3> &v)
+  {
+    const T factor = dot(b, v) / (T(1.0) + dot(a, b));
+    return v - factor * (a + b);
+  }
+
+  /** Motion of a pair of particles over one step, what the shear update needs. */
+  template <typename T>
+  struct PairMotion
+  {
+    Vec<T, 3> branch;        ///< l1 = x_K - x_J at the end of the step [m]
+    Vec<T, 3> increment;     ///< l1 - l0 [m]
+    Vec<T, 3> mean_rotation; ///< half the sum of the two rotation vectors of the step
+    Vec<T, 3> arm_rotation;  ///< (d_J/L) tau_J theta_J + (d_K/L) tau_K theta_K
+  };
+
+  /** Unit directions and length of a link at the end of the step. */
+  template <typename T>
+  struct LinkFrame
+  {
+    Vec<T, 3> direction; ///< n1, from the first end to the second
+    T         length;    ///< [m]
+  };
+
+  /**
+ * Advance tangential link vectors by one step, exactly objective (mesoscale specification 2.3).
+ *
+ * Rotates each vector of `shear` with the pair and adds the tangential displacement of the contact point over the reference
+ * length. Under any rigid motion of the pair the stored vectors turn with it and nothing is added, whatever the size of the step.
+ *
+ * @param inverse_reference 1/L0 [1/m]
+ * @param shear  in: at the start of the step, perpendicular to n0; out: at its end, perpendicular to n1
+ * @tparam rotations the particles spin; otherwise rotation vectors are not looked at
+ */
+  template <bool rotations, typename T, int stored>
+  LinkFrame<T> advance_shear(const PairMotion<T> &m, const T &inverse_reference, Vec<T, 3> (&shear)[stored])
+  {
+    const Vec<T, 3> l0 = m.branch - m.increment;
+    const Vec<T, 3> lm = m.branch - T(0.5) * m.increment;
+    const T         L1 = square_root(dot(m.branch, m.branch));
+    const Vec<T, 3> n1 = (T(1.0) / L1) * m.branch;
+    const Vec<T, 3> nm = (T(1.0) / square_root(dot(lm, lm))) * lm;
+    Vec<T, 3>       n0 = (T(1.0) / square_root(dot(l0, l0))) * l0;
+    Vec<T, 3>       du = m.increment;
+    if constexpr (rotations)
+      {
+        const auto c = rotation_coefficients(dot(m.mean_rotation, m.mean_rotation));
+        n0           = rotate(c, m.mean_rotation, n0);
+        for (auto &vector : shear)
+          vector = rotate(c, m.mean_rotation, vector);
+        du = du - cross(m.arm_rotation, lm);
+      }
+    du               = du - dot(nm, du) * nm;
+    const auto added = inverse_reference * transport(nm, n1, du);
+    for (auto &vector : shear)
+      {
+        vector = transport(n0, n1, vector) + added;
+        vector = vector - dot(n1, vector) * n1; // round-off
+      }
+    return {n1, L1};
+  }
+
+  /** Motion of a pair of discs over one step. */
+  template <typename T>
+  struct PlanePairMotion
+  {
+    Vec<T, 2> branch;       ///< l1 = x_K - x_J at the end of the step [m]
+    Vec<T, 2> increment;    ///< l1 - l0 [m]
+    T         arm_rotation; ///< (d_J/L) tau_J theta_J + (d_K/L) tau_K theta_K
+  };
+
+  template <typename T>
+  struct PlaneLinkFrame
+  {
+    Vec<T, 2> direction;
+    T         length;
+  };
+
+  /** The same in the plane: shear is a number, positive along the direction turned by +90 degrees, and turns with the pair by itself. */
+  template <bool rotations, typename T, int stored>
+  PlaneLinkFrame<T> advance_shear(const PlanePairMotion<T> &m, const T &inverse_reference, Vec<T, 1> (&shear)[stored])
+  {
+    const Vec<T, 2> lm = m.branch - T(0.5) * m.increment;
+    const T         L1 = square_root(dot(m.branch, m.branch)), Lm = square_root(dot(lm, lm));
+    T               slip = (lm.c[0] * m.increment.c[1] - lm.c[1] * m.increment.c[0]) / Lm;
+    if constexpr (rotations)
+      slip = slip - m.arm_rotation * Lm;
+    for (auto &value : shear)
+      value.c[0] = value.c[0] + inverse_reference * slip;
+    return {(T(1.0) / L1) * m.branch, L1};
+  }
+} // namespace dem

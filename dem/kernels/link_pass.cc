@@ -1,0 +1,295 @@
+#include "dem/kernels/link_pass.h"
+
+#include "dem/kernels/kinematics.h"
+
+#include <type_traits>
+
+namespace dem
+{
+  namespace
+  {
+    enum class Damage
+    {
+      none,            ///< omega keeps its value
+      normal,          ///< driven by the normal strain
+      normal_and_shear ///< driven by normal and shear strain: the total shear strain is stored too
+    };
+
+    /** What the pass is compiled for. `contact`: no cohesion, deleted as soon as it opens. */
+    template <int dimension_, bool rotations_, Damage damage_, bool sliding_, bool equal_radii_, bool contact_>
+    struct Policy
+    {
+      static constexpr int    dimension        = dimension_;
+      static constexpr bool   rotations        = rotations_;
+      static constexpr Damage damage           = damage_;
+      static constexpr bool   sliding          = sliding_;
+      static constexpr bool   equal_radii      = equal_radii_;
+      static constexpr bool   contact          = contact_;
+      static constexpr int    shear_components = dimension == 3 ? 3 : 1;
+      static constexpr int    stored_shears    = damage == Damage::normal_and_shear ? 2 : 1; ///< elastic, total
+    };
+
+    /** Differences and sums of the two ends' records of eight links, one pack per quantity. */
+    struct Ends
+    {
+      Pack pose[8];       ///< branch (3) | sum of tau theta (3) | r_K - r_J | -
+      Pack motion[8];     ///< branch increment (3) | sum of theta (3) | - -
+      Pack half_twist[8]; ///< - - - | difference (first - second) of tau theta (3) | - -; unequal radii only
+    };
+
+    const Pack difference_and_sum([](auto lane) { return lane < 3 || lane > 5 ? -1.0 : 1.0; });
+
+    template <typename P>
+    inline void gather(
+      const Particles &particles, const std::int32_t *first, const std::int32_t *second, const Pack &signs, Ends &ends)
+    {
+      const double *pose = particles.pose.data(), *motion = particles.motion.data();
+      for (int lane = 0; lane < pack_size; ++lane)
+        {
+          const std::size_t J = record_size * static_cast<std::size_t>(first[lane]),
+                            K = record_size * static_cast<std::size_t>(second[lane]);
+          const Pack pose_J = load(pose + J), pose_K = load(pose + K);
+          ends.pose[lane]   = pose_K + signs * pose_J;
+          ends.motion[lane] = load(motion + K) + signs * load(motion + J);
+          if constexpr (P::rotations && !P::equal_radii)
+            ends.half_twist[lane] = pose_J - pose_K;
+        }
+      transpose(ends.pose);
+      transpose(ends.motion);
+      if constexpr (P::rotations && !P::equal_radii)
+        transpose(ends.half_twist);
+    }
+
+    /** (r_J - r_K)/L, by which the contact point lies off the middle of the branch; arms are (1 +- this) L/2. */
+    template <typename P>
+    inline Pack eccentricity(const Ends &ends, const Pack &length)
+    {
+      if constexpr (P::equal_radii)
+        return Pack(0.0);
+      else
+        return (Pack(0.0) - ends.pose[6]) / length;
+    }
+
+    template <typename P>
+    inline Pack arm_rotation(const Ends &ends, const int c, const Pack &eccentric)
+    {
+      if constexpr (P::equal_radii)
+        return Pack(0.5) * ends.pose[3 + c];
+      else
+        return Pack(0.5) * (ends.pose[3 + c] + eccentric * ends.half_twist[3 + c]);
+    }
+
+    template <typename P>
+    inline auto pair_motion(const Ends &ends, const Pack &eccentric)
+    {
+      if constexpr (P::dimension == 3)
+        {
+          PairMotion<Pack> m;
+          for (int c = 0; c < 3; ++c)
+            {
+              m.branch[c]    = ends.pose[c];
+              m.increment[c] = ends.motion[c];
+              if constexpr (P::rotations)
+                {
+                  m.mean_rotation[c] = Pack(0.5) * ends.motion[3 + c];
+                  m.arm_rotation[c]  = arm_rotation<P>(ends, c, eccentric);
+                }
+            }
+          return m;
+        }
+      else
+        return PlanePairMotion<Pack>{
+          {{ends.pose[0], ends.pose[1]}}, {{ends.motion[0], ends.motion[1]}}, arm_rotation<P>(ends, 2, eccentric)};
+    }
+
+    /** Force on the first end, half branch x force, eccentricity: what a particle needs of its link, as records. */
+    template <typename P, typename Frame>
+    inline void put_force(const Frame                                  &frame,
+                          const CpmResponse<Pack, P::shear_components> &r,
+                          const Pack                                   &area,
+                          const Pack                                   &eccentric,
+                          double                                       *record)
+    {
+      Pack out[8];
+      for (auto &o : out)
+        o = Pack(0.0);
+      const Pack half_length = Pack(0.5) * frame.length;
+      if constexpr (P::dimension == 3)
+        {
+          const Vec<Pack, 3> shear  = area * r.shear_stress;
+          const Vec<Pack, 3> force  = (area * r.normal_stress) * frame.direction + shear;
+          const Vec<Pack, 3> couple = half_length * cross(frame.direction, shear);
+          for (int c = 0; c < 3; ++c)
+            {
+              out[c] = force[c];
+              if constexpr (P::rotations)
+                out[3 + c] = couple[c];
+            }
+        }
+      else
+        {
+          const Pack normal = area * r.normal_stress, shear = area * r.shear_stress[0];
+          out[0] = normal * frame.direction[0] - shear * frame.direction[1];
+          out[1] = normal * frame.direction[1] + shear * frame.direction[0];
+          if constexpr (P::rotations)
+            out[5] = half_length * shear;
+        }
+      if constexpr (!P::equal_radii)
+        out[6] = eccentric;
+      transpose(out);
+      for (int lane = 0; lane < pack_size; ++lane)
+        store(out[lane], record + record_size * lane);
+    }
+
+    template <typename P>
+    using State = CpmState<Pack, P::shear_components>;
+
+    template <typename P>
+    inline void load_state(const LinkSet    &links,
+                           const std::size_t l,
+                           State<P>         &state,
+                           Vec<Pack, P::shear_components> (&shear)[P::stored_shears])
+    {
+      state.kappa  = load(&links.kappa[l]);
+      state.damage = P::contact ? Pack(1.0) : load(&links.damage[l]);
+      for (int c = 0; c < P::shear_components; ++c)
+        {
+          shear[0][c] = load(&links.elastic_shear[c][l]);
+          if constexpr (P::stored_shears == 2)
+            shear[1][c] = load(&links.total_shear[c][l]);
+        }
+    }
+
+    template <typename P>
+    inline void store_state(LinkSet          &links,
+                            const std::size_t l,
+                            const State<P>   &state,
+                            const State<P>   &before,
+                            const Vec<Pack, P::shear_components> (&shear)[P::stored_shears])
+    {
+      if constexpr (P::damage != Damage::none)
+        if (any(state.kappa > before.kappa))
+          {
+            store(state.kappa, &links.kappa[l]);
+            store(state.damage, &links.damage[l]);
+          }
+      for (int c = 0; c < P::shear_components; ++c)
+        {
+          store(state.elastic_shear[c], &links.elastic_shear[c][l]);
+          if constexpr (P::stored_shears == 2)
+            store(shear[1][c], &links.total_shear[c][l]);
+        }
+    }
+
+    /** Eight links: kinematics, law, force. */
+    template <typename P>
+    inline void update_pack(LinkSet            &links,
+                            const Particles    &particles,
+                            const CpmConstants &law,
+                            const Pack         &signs,
+                            const std::size_t   l,
+                            Pack               &plastic_work,
+                            Pack               &damage_work,
+                            PackMask           &exhausted)
+    {
+      Ends ends;
+      gather<P>(particles, &links.first[l], &links.second[l], signs, ends);
+
+      State<P>                       state;
+      Vec<Pack, P::shear_components> shear[P::stored_shears];
+      load_state<P>(links, l, state, shear);
+      const State<P> before    = state;
+      const Pack     reference = load(&links.reference_length[l]), area = load(&links.area[l]);
+      const Pack     inverse_reference = Pack(1.0) / reference;
+
+      const auto branch_length = [&] {
+        Pack squared = ends.pose[0] * ends.pose[0] + ends.pose[1] * ends.pose[1];
+        if constexpr (P::dimension == 3)
+          squared = squared + ends.pose[2] * ends.pose[2];
+        return square_root(squared);
+      };
+      const Pack eccentric = P::equal_radii ? Pack(0.0) : eccentricity<P>(ends, branch_length());
+      const auto frame     = advance_shear<P::rotations>(pair_motion<P>(ends, eccentric), inverse_reference, shear);
+      const Pack strain    = (frame.length - reference) * inverse_reference;
+
+      state.elastic_shear = shear[0];
+      const Pack total_squared =
+        P::stored_shears == 2 ? dot(shear[P::stored_shears - 1], shear[P::stored_shears - 1]) : Pack(0.0);
+      constexpr bool damages  = P::damage != Damage::none;
+      const auto     response = Cpm<damages, P::sliding>::update(law, strain, total_squared, state);
+      store_state<P>(links, l, state, before, shear);
+      put_force<P>(frame, response, area, eccentric, &links.force[record_size * l]);
+
+      const Pack volume = area * reference;
+      if constexpr (P::sliding)
+        plastic_work += volume * response.plastic_work;
+      if constexpr (P::damage == Damage::normal_and_shear)
+        damage_work += volume * response.damage_work;
+      if constexpr (P::contact)
+        exhausted = exhausted || (strain > Pack(0.0) && area > Pack(0.0));
+      else if constexpr (damages)
+        exhausted = exhausted || (state.kappa > Pack(law.kappa_broken) && strain > Pack(0.0) && area > Pack(0.0));
+    }
+
+    template <typename P>
+    void update_block(LinkSet &links, const Particles &particles, const CpmConstants &law, const std::size_t block)
+    {
+      Pack              plastic_work(0.0), damage_work(0.0);
+      PackMask          exhausted(false);
+      const Pack        signs = difference_and_sum;
+      const std::size_t begin = block * links_per_block, end = std::min(begin + links_per_block, links.first.size());
+      for (std::size_t l = begin; l < end; l += pack_size)
+        update_pack<P>(links, particles, law, signs, l, plastic_work, damage_work, exhausted);
+
+      LinkBlockAccount &account = links.accounts[block];
+      if constexpr (P::sliding)
+        account.plastic_work += stdx::reduce(plastic_work);
+      if constexpr (P::damage == Damage::normal_and_shear)
+        account.damage_work += stdx::reduce(damage_work);
+      account.exhausted = any(exhausted);
+    }
+
+    template <typename P>
+    void link_pass(LinkSet &links, const Particles &particles, const CpmConstants &law)
+    {
+      const auto blocks = static_cast<std::ptrdiff_t>(links.blocks());
+#pragma omp parallel for schedule(static)
+      for (std::ptrdiff_t b = 0; b < blocks; ++b)
+        update_block<P>(links, particles, law, static_cast<std::size_t>(b));
+    }
+
+    /** Turn a run-time choice into a compile-time one: continue with std::true_type or std::false_type. */
+    template <typename Continue>
+    auto choose(const bool choice, Continue &&next)
+    {
+      return choice ? next(std::true_type{}) : next(std::false_type{});
+    }
+
+    template <bool contact, Damage damage>
+    LinkPass select(const Physics &physics, const bool equal_radii)
+    {
+      return choose(physics.dimension == 3, [&](auto space) {
+        return choose(physics.rotations, [&](auto rotations) {
+          return choose(physics.friction, [&](auto sliding) {
+            return choose(equal_radii, [&](auto equal) -> LinkPass {
+              return link_pass<Policy<space ? 3 : 2, rotations, damage, sliding, equal, contact>>;
+            });
+          });
+        });
+      });
+    }
+  } // namespace
+
+  LinkPass select_bond_pass(const Physics &physics, const bool equal_radii, const bool shear_damages)
+  {
+    if (!physics.damage)
+      return select<false, Damage::none>(physics, equal_radii);
+    return shear_damages ? select<false, Damage::normal_and_shear>(physics, equal_radii) :
+                           select<false, Damage::normal>(physics, equal_radii);
+  }
+
+  LinkPass select_contact_pass(const Physics &physics, const bool equal_radii)
+  {
+    return select<true, Damage::none>(physics, equal_radii);
+  }
+} // namespace dem

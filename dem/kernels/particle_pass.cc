@@ -1,0 +1,160 @@
+#include "dem/kernels/particle_pass.h"
+
+#include "dem/kernels/kinematics.h"
+
+#include <algorithm>
+
+namespace dem
+{
+  namespace
+  {
+    /** Constant packs of the step, one lane per component of a particle's record. */
+    struct Lanes
+    {
+      Pack own_sign, other_sign;  ///< how a link's record counts at its first and at its second end
+      Pack own_arm, other_arm;    ///< and how its eccentricity changes that: arms are (1 +- e) L/2
+      Pack keep_pose, translates; ///< what of a pose stays, and which lanes are displaced
+      Pack rotates;
+
+      Lanes()
+        : own_sign([](auto i) { return i < 6 ? 1.0 : 0.0; })
+        , other_sign([](auto i) { return i < 3 ? -1.0 :
+                                         i < 6 ? 1.0 :
+                                                 0.0; })
+        , own_arm([](auto i) { return i >= 3 && i < 6 ? 1.0 : 0.0; })
+        , other_arm([](auto i) { return i >= 3 && i < 6 ? -1.0 : 0.0; })
+        , keep_pose([](auto i) { return i < 3 || i == 6 ? 1.0 : 0.0; })
+        , translates([](auto i) { return i < 3 ? 1.0 : 0.0; })
+        , rotates([](auto i) { return i >= 3 && i < 6 ? 1.0 : 0.0; })
+      {
+      }
+    };
+
+    template <bool equal_radii>
+    inline Pack weighted(const double *record, const Pack &sign, const Pack &arm)
+    {
+      if constexpr (equal_radii)
+        return sign * load(record);
+      else
+        return (sign + Pack(record[6]) * arm) * load(record);
+    }
+
+    template <bool equal_radii>
+    inline void add_links(const LinkSet &links, const std::size_t i, const Lanes &lanes, Pack &sum)
+    {
+      const double *force = links.force.data();
+      for (std::int32_t l = links.own_begin[i]; l < links.own_begin[i + 1]; ++l)
+        sum += weighted<equal_radii>(force + record_size * static_cast<std::size_t>(l), lanes.own_sign, lanes.own_arm);
+      for (std::int32_t o = links.other_begin[i]; o < links.other_begin[i + 1]; ++o)
+        sum += weighted<equal_radii>(force + record_size * static_cast<std::size_t>(links.others[o]), lanes.other_sign,
+                                     lanes.other_arm);
+    }
+
+    /** tan(t/2)/(t/2) of a rotation vector's squared length; a short series for the angles of a stable step. */
+    inline double arm_stretch(const double angle_squared)
+    {
+      if (angle_squared <= series_angle_squared) // remainder below 1e-16
+        return 1.0 + angle_squared * (1.0 / 12 + angle_squared * (1.0 / 120 + angle_squared * (17.0 / 20160)));
+      return half_tangent_factor(exact_rotation_coefficients(angle_squared), angle_squared);
+    }
+
+    /** Sums over a block, one lane per component. */
+    struct Sums
+    {
+      Pack damping_before{0.0}, damping_after{0.0}, kinetic{0.0}, fastest{0.0};
+    };
+
+    template <bool damped>
+    inline Pack damp(const Pack &acceleration, const Pack &velocity, const Pack &half_step, const Pack &damping)
+    {
+      if constexpr (!damped)
+        return acceleration;
+      const Pack ahead = acceleration * (velocity + half_step * acceleration);
+      return acceleration * (Pack(1.0) - select(ahead > Pack(0.0), damping,
+                                                select(ahead < Pack(0.0), Pack(0.0) - damping, Pack(0.0))));
+    }
+
+    /** Leap-frog step of one particle, all components at once. */
+    template <bool damped>
+    inline void integrate(Particles        &p,
+                          const std::size_t i,
+                          const Pack       &force,
+                          const Lanes      &lanes,
+                          const Pack       &time_step,
+                          const Pack       &damping,
+                          Sums             &sums)
+    {
+      const std::size_t at           = record_size * i;
+      const Pack        velocity     = load(&p.velocity[at]);
+      const Pack        inverse_mass = load(&p.inverse_mass[at]);
+      const Pack        mass         = Pack(p.mass[i]) * lanes.translates + Pack(p.inertia[i]) * lanes.rotates;
+      const Pack        free         = force * inverse_mass;
+      const Pack        acceleration = damp<damped>(free, velocity, Pack(0.5) * time_step, damping);
+      const Pack        next         = velocity + time_step * acceleration;
+      const Pack        displacement = time_step * next;
+
+      const double rotation[3] = {displacement[3], displacement[4], displacement[5]};
+      const double stretch =
+        arm_stretch(rotation[0] * rotation[0] + rotation[1] * rotation[1] + rotation[2] * rotation[2]);
+      const Pack pose =
+        load(&p.pose[at]) * lanes.keep_pose + displacement * (lanes.translates + Pack(stretch) * lanes.rotates);
+      store(pose, &p.pose[at]);
+      store(displacement, &p.motion[at]);
+      store(next, &p.velocity[at]);
+      store(force, &p.force[at]);
+
+      sums.fastest = stdx::max(sums.fastest, displacement * displacement * lanes.translates);
+      sums.kinetic = sums.kinetic + Pack(0.5) * mass * velocity * next;
+      if constexpr (damped)
+        {
+          const Pack half_impulse =
+            Pack(0.5) * time_step * mass * (acceleration - free); // zero where motion is prescribed
+          sums.damping_before = sums.damping_before + half_impulse * velocity;
+          sums.damping_after  = sums.damping_after + half_impulse * next;
+        }
+    }
+
+    template <bool with_contacts, bool damped, bool equal_radii>
+    void particle_pass(Particles                         &particles,
+                       const LinkSet                     &bonds,
+                       const LinkSet                     *contacts,
+                       const double                       time_step,
+                       const double                       damping,
+                       std::vector<ParticleBlockAccount> &accounts)
+    {
+      const auto blocks = static_cast<std::ptrdiff_t>(accounts.size());
+#pragma omp parallel for schedule(static)
+      for (std::ptrdiff_t b = 0; b < blocks; ++b)
+        {
+          const Lanes       lanes;
+          const Pack        step(time_step), coefficient(damping);
+          Sums              sums;
+          const std::size_t begin = static_cast<std::size_t>(b) * particles_per_block,
+                            end   = std::min(begin + particles_per_block, particles.count);
+          for (std::size_t i = begin; i < end; ++i)
+            {
+              Pack force(0.0);
+              add_links<equal_radii>(bonds, i, lanes, force);
+              if constexpr (with_contacts)
+                add_links<equal_radii>(*contacts, i, lanes, force);
+              integrate<damped>(particles, i, force, lanes, step, coefficient, sums);
+            }
+          accounts[b] = {stdx::reduce(sums.damping_before), stdx::reduce(sums.damping_after),
+                         stdx::reduce(sums.kinetic), stdx::reduce(sums.fastest)};
+        }
+    }
+
+    template <bool with_contacts, bool damped>
+    ParticlePass select_radii(const bool equal_radii)
+    {
+      return equal_radii ? particle_pass<with_contacts, damped, true> : particle_pass<with_contacts, damped, false>;
+    }
+  } // namespace
+
+  ParticlePass select_particle_pass(const bool contacts, const bool damped, const bool equal_radii)
+  {
+    if (contacts)
+      return damped ? select_radii<true, true>(equal_radii) : select_radii<true, false>(equal_radii);
+    return damped ? select_radii<false, true>(equal_radii) : select_radii<false, false>(equal_radii);
+  }
+} // namespace dem

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "dem/links.h"
+#include "dem/particles.h"
+
+#include <vector>
+
+namespace dem
+{
+  /** Particles that one thread moves in a row; the unit of deterministic sums. */
+  constexpr std::size_t particles_per_block = 256;
+
+  /** What a block of particles tells besides its motion. Padded to a cache line: one writer each. */
+  struct alignas(64) ParticleBlockAccount
+  {
+    double damping_before = 0; ///< work of damping forces of this step over the half step before t_n, < 0 [J]
+    double damping_after  = 0; ///< the same over the half step after t_n
+    double kinetic        = 0; ///< 1/2 m v(n-1/2).v(n+1/2) + the same of rotation [J]
+    double fastest =
+      0; ///< not below the largest squared displacement of the step (sum of the components' largest) [m^2]
+  };
+
+  /**
+ * Second of the two passes: every particle adds up its links in a fixed order (its own, then those of which it is the second end,
+ * then contacts the same way), and takes a leap-frog step with local damping (mesoscale specification 4 and 5.1).
+ *
+ * @param contacts may be null: there are none
+ */
+  using ParticlePass = void (*)(Particles                         &particles,
+                                const LinkSet                     &bonds,
+                                const LinkSet                     *contacts,
+                                double                             time_step,
+                                double                             damping,
+                                std::vector<ParticleBlockAccount> &accounts);
+
+  /** The pass compiled for what the specimen has. */
+  ParticlePass select_particle_pass(bool contacts, bool damped, bool equal_radii);
+
+  inline std::size_t particle_blocks(const std::size_t particles)
+  {
+    return (particles + particles_per_block - 1) / particles_per_block;
+  }
+} // namespace dem

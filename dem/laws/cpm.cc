@@ -1,0 +1,104 @@
+#include "dem/laws/cpm.h"
+
+#include "dem/core/errors.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace dem
+{
+  namespace
+  {
+    void require(const bool fulfilled, const char *entry, const double value, const char *rule)
+    {
+      if (fulfilled)
+        return;
+      std::ostringstream message;
+      message << "CPM/" << entry << " = " << value << ": " << rule;
+      throw InputError(message.str());
+    }
+
+    void check(const CpmParameters &p)
+    {
+      require(p.normal_modulus > 0, "Normal modulus", p.normal_modulus, "must be above 0 Pa.");
+      require(p.shear_ratio > 0, "Shear ratio", p.shear_ratio,
+              "must be above 0. A link without shear stiffness is not modelled.");
+      require(p.limit_elastic_strain > 0, "Limit elastic strain", p.limit_elastic_strain, "must be above 0.");
+      require(p.relative_ductility > 0, "Relative ductility", p.relative_ductility, "must be above 0.");
+      require(p.cohesion >= 0, "Cohesion", p.cohesion, "must not be negative.");
+      require(p.friction_coefficient >= 0, "Friction coefficient", p.friction_coefficient, "must not be negative.");
+      require(p.shear_contribution >= 0, "Shear contribution", p.shear_contribution, "must not be negative.");
+      require(p.residual_strength_limit > 0 && p.residual_strength_limit < 1, "Residual strength limit",
+              p.residual_strength_limit, "must lie between 0 and 1.");
+      require(p.damage_law == DamageLaw::exponential || p.relative_ductility > 1, "Relative ductility",
+              p.relative_ductility,
+              "must be above 1 for the linear damage law, whose stress reaches zero at the softening strain.");
+    }
+
+    /** The kappa at which the residual strength (1 - omega) kappa/eps_0 has fallen to the given part. */
+    double kappa_of_residual_strength(const CpmParameters &p, const double residual)
+    {
+      const double onset = p.limit_elastic_strain, softening = p.softening_strain();
+      return p.damage_law == DamageLaw::exponential ? onset - softening * std::log(residual) :
+                                                      softening - residual * (softening - onset);
+    }
+  } // namespace
+
+  CpmConstants::CpmConstants(const CpmParameters &p)
+    : E(p.normal_modulus)
+    , G(p.shear_modulus())
+    , onset(p.limit_elastic_strain)
+    , softening(p.softening_strain())
+    , inverse_softening(1.0 / p.softening_strain())
+    , cohesion(p.cohesion)
+    , friction(p.friction_coefficient)
+    , shear_weight(p.shear_contribution)
+    , linear_factor(1.0 / (1.0 - 1.0 / p.relative_ductility))
+    , kappa_broken(0)
+    , law(p.damage_law)
+  {
+    check(p);
+    kappa_broken = kappa_of_residual_strength(p, p.residual_strength_limit);
+  }
+
+  double CpmConstants::kappa_at(const double omega) const
+  {
+    if (omega <= 0)
+      return onset;
+    if (law == DamageLaw::linear)
+      return onset / (1.0 - omega * (1.0 - onset / softening));
+    // Newton for ln of the residual: h(k) = ln(eps_0/k) - (k - eps_0)/eps_f - ln(1 - omega), convex and falling: converges from the
+    // left without overshoot.
+    const double target = std::log1p(-omega);
+    double       kappa  = onset;
+    for (int i = 0; i < 100; ++i)
+      {
+        const double h    = std::log(onset / kappa) - (kappa - onset) * inverse_softening - target;
+        const double step = h / (1.0 / kappa + inverse_softening);
+        kappa += step;
+        if (std::abs(step) <= 1e-16 * kappa)
+          break;
+      }
+    return kappa;
+  }
+
+  double CpmConstants::strength_damage(const double kappa, const double omega) const
+  {
+    return kappa > onset ? 1.0 - (1.0 - omega) * kappa / onset : 0.0;
+  }
+
+  double CpmConstants::dissipated_at(const double kappa, const double omega) const
+  {
+    if (kappa <= onset)
+      return 0.0;
+    double softened; // area under the softening branch from eps_0 to kappa
+    if (law == DamageLaw::exponential)
+      softened = -E * onset * softening * std::expm1((onset - kappa) * inverse_softening);
+    else
+      {
+        const double reached = std::min(kappa, softening), remaining = (softening - reached) / (softening - onset);
+        softened = 0.5 * E * onset * (reached - onset) * (1.0 + remaining);
+      }
+    return 0.5 * E * onset * onset + softened - 0.5 * (1.0 - omega) * E * kappa * kappa;
+  }
+} // namespace dem

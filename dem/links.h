@@ -1,0 +1,72 @@
+#pragma once
+
+#include "dem/core/column.h"
+#include "dem/neighbours/cell_list.h"
+#include "dem/particles.h"
+#include "dem/state.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace dem
+{
+  /** Links that one thread updates in a row; the unit of deterministic sums. Multiple of pack_size. */
+  constexpr std::size_t links_per_block = 512;
+
+  /** What a block of links tells besides forces. Padded to a cache line: one writer each. */
+  struct alignas(64) LinkBlockAccount
+  {
+    double plastic_work = 0;     ///< dissipated by sliding since the start [J]
+    double damage_work  = 0;     ///< dissipated by damage since the start [J], only where shear damages
+    bool   exhausted    = false; ///< in this step some link met its break test
+  };
+
+  /**
+ * Links (or contacts) as columns, sorted by first end, padded to whole blocks; a deleted link stays as a line of area zero until
+ * the set is compacted. In space three shear components are stored, in the plane one.
+ */
+  struct LinkSet
+  {
+    std::size_t count            = 0; ///< lines in use, deleted ones included
+    std::size_t alive            = 0;
+    int         shear_components = 3;
+
+    std::vector<std::int32_t> first, second;    ///< particle numbers in the order of Particles, first < second
+    Column                    reference_length; ///< L0 [m]
+    Column                    area;             ///< A [m^2]; 0: deleted
+    Column                    kappa;            ///< largest equivalent strain
+    Column                    damage;           ///< omega
+    std::array<Column, 3>     elastic_shear;    ///< eps_T - eps_T^p
+    std::array<Column, 3>     total_shear;      ///< eps_T; only where shear damages
+    Column                    force; ///< records: f on the first end (3) [N] | half l x f (3) [N m] | (r_J - r_K)/L | 0
+    std::vector<LinkBlockAccount> accounts;
+
+    std::vector<std::int32_t> own_begin;   ///< links whose first end is particle i: own_begin[i] .. own_begin[i + 1]
+    std::vector<std::int32_t> other_begin; ///< as own_begin, into `others`
+    std::vector<std::int32_t> others;      ///< links whose second end is particle i, ascending
+
+    std::size_t blocks() const { return accounts.size(); }
+    bool        is_alive(const std::size_t link) const { return area[link] > 0; }
+    std::size_t bytes() const;
+
+    /** Make room for `n` links of particles numbered below `particles`; all lines are padding between its two extra particles. */
+    void resize(std::size_t n, std::size_t particles, bool with_total_shear);
+    /** Sort out which links belong to which particle. @pre links sorted by (first, second) */
+    void tabulate(std::size_t particles);
+    /** Copy line `from` of another set to line `to` of this one. */
+    void copy_line(const LinkSet &source, std::size_t from, std::size_t to);
+    /** Drop deleted lines (order kept); what the blocks have summed up so far moves to the first. */
+    void compact(std::size_t particles);
+    void remove(std::size_t link);
+
+    void visit_state(StateVisitor &visitor, const std::string &name, std::size_t particles);
+  };
+
+  /** Fill a set with undamaged links between the pairs, each with its present distance as reference length. */
+  void make_links(LinkSet                          &links,
+                  const std::vector<NeighbourPair> &pairs,
+                  const Particles                  &particles,
+                  const ParticleShape              &shape,
+                  bool                              with_total_shear);
+} // namespace dem

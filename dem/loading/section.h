@@ -1,0 +1,27 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace dem
+{
+  /**
+ * Smallest convex-hull area of a body of spheres over planes across an axis between two heights [m^2].
+ *
+ * Each plane cuts spheres in circles; the section is the area of the convex hull of these circles, counted with its voids.
+ *
+ * @param axis 0, 1, 2: normal of the planes
+ * @throws InputError when some plane between the heights cuts no sphere
+ */
+  double smallest_section(
+    const std::vector<Eigen::Vector3d> &centre, const std::vector<double> &radius, int axis, double low, double high);
+
+  /** The same for discs in the plane z = 0 of a given thickness: extent across the axis (0 or 1) times thickness. */
+  double smallest_plane_section(const std::vector<Eigen::Vector3d> &centre,
+                                const std::vector<double>          &radius,
+                                int                                 axis,
+                                double                              low,
+                                double                              high,
+                                double                              thickness);
+} // namespace dem

@@ -1,0 +1,80 @@
+#include "dem/measures/link_measures.h"
+
+#include <algorithm>
+
+namespace dem
+{
+  LinkView link_at(const Particles &particles, const LinkSet &links, const std::size_t link)
+  {
+    const std::size_t J = links.first[link], K = links.second[link];
+    const auto        moved = [&](const std::size_t i) { return Eigen::Vector3d(&particles.motion[record_size * i]); };
+    LinkView          view;
+    view.direction = (particles.position_of(K) - particles.position_of(J)) - (moved(K) - moved(J));
+    view.length    = view.direction.norm();
+    view.direction /= view.length;
+    view.strain = (view.length - links.reference_length[link]) / links.reference_length[link];
+    view.force  = Eigen::Vector3d(&links.force[record_size * link]);
+    return view;
+  }
+
+  double
+  elastic_energy(const Particles &particles, const LinkSet &links, const std::size_t link, const CpmConstants &law)
+  {
+    const double strain = link_at(particles, links, link).strain;
+    double       shear2 = 0;
+    for (int c = 0; c < links.shear_components; ++c)
+      shear2 += links.elastic_shear[c][link] * links.elastic_shear[c][link];
+    const double normal = strain > 0 ? (1.0 - links.damage[link]) * law.E : law.E;
+    return 0.5 * links.area[link] * links.reference_length[link] * (normal * strain * strain + law.G * shear2);
+  }
+
+  double elastic_energy(const Particles &particles, const LinkSet &links, const CpmConstants &law)
+  {
+    double sum = 0;
+    for (std::size_t l = 0; l < links.count; ++l)
+      if (links.is_alive(l))
+        sum += elastic_energy(particles, links, l, law);
+    return sum;
+  }
+
+  double damage_dissipation(const LinkSet &links, const std::size_t link, const CpmConstants &law)
+  {
+    if (law.shear_weight > 0)
+      return 0.0;
+    return links.area[link] * links.reference_length[link] * law.dissipated_at(links.kappa[link], links.damage[link]);
+  }
+
+  double damage_dissipation(const LinkSet &links, const CpmConstants &law)
+  {
+    double sum = 0;
+    for (const auto &account : links.accounts)
+      sum += account.damage_work;
+    for (std::size_t l = 0; l < links.count; ++l)
+      if (links.is_alive(l))
+        sum += damage_dissipation(links, l, law);
+    return sum;
+  }
+
+  double plastic_dissipation(const LinkSet &links)
+  {
+    double sum = 0;
+    for (const auto &account : links.accounts)
+      sum += account.plastic_work;
+    return sum;
+  }
+
+  void add_stress_moments(const Particles &particles, const LinkSet &links, std::vector<Eigen::Matrix3d> &moments)
+  {
+    for (std::size_t l = 0; l < links.count; ++l)
+      {
+        if (!links.is_alive(l))
+          continue;
+        const LinkView    view = link_at(particles, links, l);
+        const std::size_t J = links.first[l], K = links.second[l];
+        const double      eccentric = particles.radius_of(J) - particles.radius_of(K);
+        const auto        moment    = view.direction * view.force.transpose();
+        moments[J] += 0.5 * (view.length + eccentric) * moment;
+        moments[K] += 0.5 * (view.length - eccentric) * moment; // both arm and force change sign
+      }
+  }
+} // namespace dem

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "dem/laws/cpm.h"
+#include "dem/links.h"
+#include "dem/particles.h"
+
+namespace dem
+{
+  /** A link at the instant t_n of the last force evaluation: particles have moved on since, the link's state and force have not. */
+  struct LinkView
+  {
+    Eigen::Vector3d direction; ///< n, from first to second end
+    double          length;    ///< [m]
+    double          strain;    ///< normal strain [-]
+    Eigen::Vector3d force;     ///< on the first end [N]
+  };
+
+  LinkView link_at(const Particles &particles, const LinkSet &links, std::size_t link);
+
+  /** Energy stored in one link [J]; mesoscale specification 8. */
+  double elastic_energy(const Particles &particles, const LinkSet &links, std::size_t link, const CpmConstants &law);
+
+  /** Sum over all living links [J]. */
+  double elastic_energy(const Particles &particles, const LinkSet &links, const CpmConstants &law);
+
+  /** Dissipated by damage of the living links [J]; by the closed form where only normal strain damages, else as summed up by the pass. */
+  double damage_dissipation(const LinkSet &links, const CpmConstants &law);
+
+  /** Dissipated by damage of one living link [J]; zero where shear damages too (then the pass sums it up). */
+  double damage_dissipation(const LinkSet &links, std::size_t link, const CpmConstants &law);
+
+  /** Dissipated by sliding since the start [J]. */
+  double plastic_dissipation(const LinkSet &links);
+
+  /**
+ * Add each link's share to the particles' stress moments V_P sigma_P = sum (c - x_P) (x) f_on_P [N m], c the contact point (Love-Weber;
+ * mesoscale specification 7.1). Particle order is that of `particles`.
+ */
+  void add_stress_moments(const Particles &particles, const LinkSet &links, std::vector<Eigen::Matrix3d> &moments);
+} // namespace dem

@@ -1,0 +1,70 @@
+#include "dem/packing/packing.h"
+
+#include "dem/core/errors.h"
+#include "dem/neighbours/cell_list.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace dem
+{
+  namespace
+  {
+    std::string place(const Eigen::Vector3d &x)
+    {
+      std::ostringstream text;
+      text << '(' << x[0] << ", " << x[1] << ", " << x[2] << ')';
+      return text.str();
+    }
+
+    [[noreturn]] void refuse(const std::string &origin, const std::size_t particle, const std::string &why)
+    {
+      throw InputError(origin + ": particle " + std::to_string(particle + 1) + ": " + why);
+    }
+
+    void check_particle(const Packing &packing, const std::size_t i, const std::string &origin)
+    {
+      if (!packing.centre[i].allFinite())
+        refuse(origin, i, "centre = " + place(packing.centre[i]) + ": not finite numbers.");
+      if (std::isfinite(packing.radius[i]) && packing.radius[i] > 0)
+        return;
+      std::ostringstream found;
+      found << "radius = " << packing.radius[i] << ": must be a finite number above zero.";
+      refuse(origin, i, found.str());
+    }
+
+    /** Closer than a billionth of their radii: no direction could be given to a link between them. */
+    void check_coincidence(const Packing &packing, const std::string &origin)
+    {
+      const auto same = find_pairs(packing.centre, packing.radius, 1e-9, 0.0, packing.periodic_cell);
+      if (same.empty())
+        return;
+      const bool images = packing.periodic_cell && same[0].shift != decltype(same[0].shift){};
+      refuse(origin, same[0].second,
+             "centre = " + place(packing.centre[same[0].second]) + ": the same place as particle " +
+               std::to_string(same[0].first + 1) + (images ? " (its periodic image)" : "") + ". Remove one of the two.");
+    }
+  } // namespace
+
+  void check_packing(const Packing &packing, const std::string &origin)
+  {
+    if (packing.centre.size() != packing.radius.size())
+      throw InputError(origin + ": " + std::to_string(packing.centre.size()) + " centres but " +
+                       std::to_string(packing.radius.size()) + " radii.");
+    if (packing.size() == 0)
+      throw InputError(origin + ": no particle. A packing needs at least one.");
+    if (packing.periodic_cell && !(packing.periodic_cell->minCoeff() > 0))
+      throw InputError(origin + ": periodic cell = " + place(*packing.periodic_cell) + ": its edges must be above zero.");
+    for (std::size_t i = 0; i < packing.size(); ++i)
+      check_particle(packing, i, origin);
+    check_coincidence(packing, origin);
+  }
+
+  double solid_volume(const Packing &packing)
+  {
+    double sum = 0;
+    for (const double r : packing.radius)
+      sum += r * r * r;
+    return 4.0 / 3.0 * M_PI * sum;
+  }
+} // namespace dem

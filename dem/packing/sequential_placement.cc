@@ -1,0 +1,122 @@
+#include "dem/packing/sequential_placement.h"
+
+#include "dem/core/errors.h"
+#include "dem/core/uniform_random.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+
+namespace dem
+{
+  namespace
+  {
+    /** Cells that grow by one sphere at a time: each holds the number of its newest, which points to the one before. */
+    class GrowingCells
+    {
+    public:
+      GrowingCells(const double cell_edge, const double diameter, const std::size_t spheres)
+        : edge(cell_edge)
+        , reach(diameter)
+        // at least as wide as the reach, no more cells than a few per sphere
+        , count(std::max(1, static_cast<int>(std::min(edge / reach, 2 * std::cbrt(static_cast<double>(spheres)) + 1))))
+        , newest(static_cast<std::size_t>(count) * count * count, none)
+      {
+      }
+
+      bool is_free(const Eigen::Vector3d &x, const std::vector<Eigen::Vector3d> &placed) const
+      {
+        // With fewer than three cells a neighbour on both sides is the same one.
+        const std::array<int, 3> home = cell_of(x);
+        const int                low  = count >= 3 ? -1 : 0;
+        const int                high = count >= 3 ? 1 : count - 1;
+        for (int dz = low; dz <= high; ++dz)
+          for (int dy = low; dy <= high; ++dy)
+            for (int dx = low; dx <= high; ++dx)
+              for (std::int64_t other = newest[number({{home[0] + dx, home[1] + dy, home[2] + dz}})]; other != none;
+                   other              = before[other])
+                if (nearest_distance_squared(x, placed[other]) < reach * reach)
+                  return false;
+        return true;
+      }
+
+      void add(const Eigen::Vector3d &x)
+      {
+        std::int64_t &head = newest[number(cell_of(x))];
+        before.push_back(head);
+        head = static_cast<std::int64_t>(before.size()) - 1;
+      }
+
+    private:
+      static constexpr std::int64_t none = -1;
+
+      std::array<int, 3> cell_of(const Eigen::Vector3d &x) const
+      {
+        std::array<int, 3> cell;
+        for (int d = 0; d < 3; ++d)
+          cell[d] = std::min(static_cast<int>(x[d] / edge * count), count - 1);
+        return cell;
+      }
+
+      std::size_t number(const std::array<int, 3> &cell) const
+      {
+        std::size_t n = 0;
+        for (int d = 2; d >= 0; --d)
+          n = n * count + (cell[d] + count) % count;
+        return n;
+      }
+
+      double nearest_distance_squared(const Eigen::Vector3d &a, const Eigen::Vector3d &b) const
+      {
+        double sum = 0;
+        for (int d = 0; d < 3; ++d)
+          {
+            const double apart = std::abs(a[d] - b[d]), nearest = std::min(apart, edge - apart);
+            sum += nearest * nearest;
+          }
+        return sum;
+      }
+
+      double                    edge, reach;
+      int                       count;
+      std::vector<std::int64_t> newest, before;
+    };
+  } // namespace
+
+  Packing place_sequentially(const std::size_t count, const double radius, const double edge, const std::uint64_t seed)
+  {
+    constexpr int most_draws = 100000;
+    if (!(edge >= 2 * radius))
+      throw InputError("random placement: a sphere of diameter " + std::to_string(2 * radius) +
+                       " m overlaps its own image in a periodic cell of edge " + std::to_string(edge) + " m.");
+    UniformRandom random(seed);
+    GrowingCells  cells(edge, 2 * radius, count);
+    Packing       packing;
+    packing.periodic_cell = Eigen::Vector3d::Constant(edge);
+    packing.radius.assign(count, radius);
+    packing.centre.reserve(count);
+    while (packing.centre.size() < count)
+      {
+        Eigen::Vector3d x;
+        int             draws = 0;
+        do
+          {
+            if (++draws > most_draws)
+              {
+                std::ostringstream text;
+                text << "random placement: sphere " << packing.centre.size() + 1 << " of " << count
+                     << " found no free place in " << most_draws << " draws. Place them in a larger cell (edge = " << edge
+                     << " m).";
+                throw InputError(text.str());
+              }
+            for (int d = 0; d < 3; ++d)
+              x[d] = edge * random();
+          }
+        while (!cells.is_free(x, packing.centre));
+        cells.add(x);
+        packing.centre.push_back(x);
+      }
+    return packing;
+  }
+} // namespace dem

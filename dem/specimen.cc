@@ -1,0 +1,236 @@
+#include "dem/specimen.h"
+
+#include "dem/core/errors.h"
+#include "dem/specimen_implementation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace dem
+{
+  namespace
+  {
+    [[noreturn]] void refuse(const char *entry, const double value, const char *rule)
+    {
+      std::ostringstream message;
+      message << entry << " = " << value << ": " << rule;
+      throw InputError(message.str());
+    }
+
+    void check(const SpecimenParameters &p)
+    {
+      if (p.physics.dimension != 2 && p.physics.dimension != 3)
+        refuse("Dimension", p.physics.dimension, "must be 2 or 3.");
+      if (!(p.density > 0))
+        refuse("Density", p.density, "must be above 0 kg/m^3.");
+      if (!(p.interaction_ratio >= 1))
+        refuse("Interaction ratio", p.interaction_ratio, "must be at least 1. 1.5 is usual for concrete.");
+      if (!(p.step_factor > 0 && p.step_factor < 1.5))
+        refuse("Step factor", p.step_factor, "must be above 0, and below 1 for a stable run.");
+      if (!(p.damping >= 0 && p.damping < 1))
+        refuse("Damping", p.damping, "must be in [0, 1).");
+      if (p.physics.dimension == 2 && !(p.thickness > 0))
+        refuse("Thickness", p.thickness, "must be above 0 m in two dimensions.");
+    }
+
+    void check_plane(const Packing &packing)
+    {
+      for (std::size_t i = 0; i < packing.size(); ++i)
+        if (packing.centre[i].z() != 0)
+          {
+            std::ostringstream message;
+            message << "particle " << i + 1 << ": z = " << packing.centre[i].z()
+                    << " m, but a scene in two dimensions lies in the plane z = 0.";
+            throw InputError(message.str());
+          }
+    }
+
+    /** Bounding box of the particles over their own volume: how much space, voids included, stands for one volume of particle. */
+    double bulk_over_solid(const Particles &p, const ParticleShape &shape)
+    {
+      Eigen::Array3d low = Eigen::Array3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
+      double         solid = 0;
+      for (std::size_t i = 0; i < p.count; ++i)
+        {
+          low  = low.min(p.position_of(i).array() - p.radius_of(i));
+          high = high.max(p.position_of(i).array() + p.radius_of(i));
+          solid += shape.volume(p.radius_of(i));
+        }
+      const Eigen::Array3d box = high - low;
+      return (shape.dimension == 3 ? box.prod() : box[0] * box[1] * shape.thickness) / solid;
+    }
+  } // namespace
+
+  Specimen::Implementation::Implementation(const Packing            &packing,
+                                           const SpecimenParameters &p,
+                                           const CpmParameters      &law_parameters)
+    : parameters(p)
+    , law(law_parameters)
+    , shape{p.physics.dimension, p.density, p.thickness}
+    , particles(make_particles(packing, shape, p.physics.rotations))
+    , equal_radii(std::all_of(
+        packing.radius.begin(), packing.radius.end(), [&](const double r) { return r == packing.radius[0]; }))
+    , search(particles,
+             2.0 * *std::min_element(packing.radius.begin(), packing.radius.end()) * (p.interaction_ratio - 1.0))
+    , bond_pass(select_bond_pass(p.physics, equal_radii, shear_damages()))
+    , contact_pass(select_contact_pass(p.physics, equal_radii))
+    , space_per_solid(bulk_over_solid(particles, shape))
+    , accounts(particle_blocks(particles.count))
+    , slot(particles.count)
+  {
+    for (std::size_t i = 0; i < particles.count; ++i)
+      slot[particles.number[i]] = static_cast<std::int32_t>(i);
+    link(packing);
+    time_step = parameters.step_factor * stable();
+    if (!std::isfinite(time_step))
+      throw InputError("Interaction ratio = " + std::to_string(p.interaction_ratio) +
+                       ": no two particles are near enough to be linked, nothing holds the specimen together. Raise "
+                       "the ratio or check the packing.");
+  }
+
+  void Specimen::Implementation::link(const Packing &packing)
+  {
+    Packing ordered;
+    for (std::size_t i = 0; i < particles.count; ++i)
+      {
+        ordered.centre.push_back(packing.centre[particles.number[i]]);
+        ordered.radius.push_back(packing.radius[particles.number[i]]);
+      }
+    const auto pairs = find_pairs(ordered.centre, ordered.radius, parameters.interaction_ratio, 0.0, std::nullopt);
+    make_links(bonds, pairs, particles, shape, shear_damages());
+    made_links = pairs.size();
+    for (const auto &pair : pairs)
+      {
+        ++particles.made_links[pair.first];
+        ++particles.made_links[pair.second];
+      }
+    contacts.shear_components = bonds.shear_components;
+    add_contacts(contacts, {}, particles, shape);
+  }
+
+  Specimen::Specimen(const Packing &packing, const SpecimenParameters &parameters, const CpmParameters &law)
+  {
+    check(parameters);
+    check_packing(packing, "packing");
+    if (parameters.physics.dimension == 2)
+      check_plane(packing);
+    self = std::make_unique<Implementation>(packing, parameters, law);
+  }
+
+  Specimen::~Specimen()                               = default;
+  Specimen::Specimen(Specimen &&) noexcept            = default;
+  Specimen &Specimen::operator=(Specimen &&) noexcept = default;
+
+  void Specimen::advance(const std::int64_t steps)
+  {
+    if (self->step_count == 0)
+      self->initial = self->kinetic_of_velocities();
+    for (std::int64_t s = 0; s < steps; ++s)
+      self->step();
+    self->check_numbers();
+  }
+
+  const SpecimenParameters &Specimen::parameters() const { return self->parameters; }
+
+  std::int64_t Specimen::steps() const { return self->step_count; }
+  double       Specimen::time() const { return self->time; }
+  double       Specimen::time_step() const { return self->time_step; }
+  double       Specimen::stable_step() const { return self->stable(); }
+
+  double Specimen::critical_step() const
+  {
+    return dem::critical_step(self->particles, self->bonds, &self->contacts, self->law,
+                              self->parameters.physics.rotations);
+  }
+
+  Counts Specimen::counts() const
+  {
+    return {self->particles.count, self->bonds.alive, self->contacts.alive, self->crack_log.size() / 2};
+  }
+
+  std::size_t Specimen::bytes() const { return self->particles.bytes() + self->bonds.bytes() + self->contacts.bytes(); }
+
+  std::size_t Specimen::add_grip(const Grip &grip)
+  {
+    HeldGrip held;
+    held.grip = grip;
+    for (const std::size_t number : grip.particles)
+      held.members.push_back(self->slot.at(number));
+    std::sort(held.members.begin(), held.members.end());
+    for (const std::int32_t i : held.members)
+      for (int c = 0; c < 6; ++c)
+        if (grip.prescribed[c])
+          self->particles.inverse_mass[record_size * static_cast<std::size_t>(i) + c] = 0.0;
+    self->grips.push_back(std::move(held));
+    set_grip_velocity(self->grips.size() - 1, grip.velocity, grip.spin);
+    return self->grips.size() - 1;
+  }
+
+  void
+  Specimen::set_grip_velocity(const std::size_t number, const Eigen::Vector3d &velocity, const Eigen::Vector3d &spin)
+  {
+    HeldGrip &held     = self->grips.at(number);
+    held.grip.velocity = velocity;
+    held.grip.spin     = spin;
+    Particles &p       = self->particles;
+    for (const std::int32_t i : held.members)
+      for (int c = 0; c < 6; ++c)
+        if (held.grip.prescribed[c])
+          {
+            double      &v      = p.velocity[record_size * static_cast<std::size_t>(i) + c];
+            const double before = v, mass = c < 3 ? p.mass[i] : p.inertia[i];
+            v = held.rate(c);
+            // A sudden change is an impulse; before the first step it belongs to the initial energy.
+            if (self->step_count > 0)
+              self->work_before += 0.5 * mass * (v * v - before * before);
+          }
+  }
+
+  Eigen::Vector3d Specimen::reaction(const std::size_t grip) const
+  {
+    const auto &pull = self->grips.at(grip).pull;
+    return {-pull[0], -pull[1], -pull[2]};
+  }
+
+  void Specimen::set_velocity(const std::size_t particle, const Eigen::Vector3d &velocity, const Eigen::Vector3d &spin)
+  {
+    double *v = &self->particles.velocity[record_size * static_cast<std::size_t>(self->slot.at(particle))];
+    std::copy_n(velocity.data(), 3, v);
+    std::copy_n(spin.data(), 3, v + 3);
+  }
+
+  void Specimen::visit_state(StateVisitor &visitor)
+  {
+    auto &s = *self;
+    s.particles.visit_state(visitor);
+    s.bonds.visit_state(visitor, "bonds", s.particles.count);
+    s.contacts.visit_state(visitor, "contacts", s.particles.count);
+    s.search.visit_state(visitor);
+    visitor.column("crack_log", s.crack_log);
+    visitor.scalar("step", s.step_count);
+    for (const auto &[name, value] :
+         std::initializer_list<std::pair<const char *, double *>>{{"time", &s.time},
+                                                                  {"time_step", &s.time_step},
+                                                                  {"energy/initial", &s.initial},
+                                                                  {"energy/work_before", &s.work_before},
+                                                                  {"energy/work_now", &s.work_now},
+                                                                  {"energy/work_after", &s.work_after},
+                                                                  {"energy/damped_before", &s.damped_before},
+                                                                  {"energy/damped_now", &s.damped_now},
+                                                                  {"energy/damped_after", &s.damped_after},
+                                                                  {"energy/released", &s.released},
+                                                                  {"energy/broken_damage", &s.broken_damage}})
+      visitor.scalar(name, *value);
+    for (std::size_t g = 0; g < s.grips.size(); ++g)
+      for (int c = 0; c < 6; ++c)
+        visitor.scalar("grips/" + std::to_string(g) + "/pull_" + std::to_string(c), s.grips[g].pull[c]);
+    Column kinetic(s.accounts.size());
+    for (std::size_t b = 0; b < kinetic.size(); ++b)
+      kinetic[b] = s.accounts[b].kinetic;
+    visitor.column("energy/kinetic", kinetic);
+    for (std::size_t b = 0; b < s.accounts.size(); ++b)
+      s.accounts[b].kinetic = kinetic.at(b);
+  }
+} // namespace dem

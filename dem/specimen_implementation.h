@@ -1,0 +1,78 @@
+#pragma once
+
+#include "dem/contacts/contact_search.h"
+#include "dem/integrators/stable_step.h"
+#include "dem/kernels/link_pass.h"
+#include "dem/kernels/particle_pass.h"
+#include "dem/specimen.h"
+
+#include <array>
+#include <vector>
+
+namespace dem
+{
+  /** A grip with particles in the specimen's order and what the last step says of it. */
+  struct HeldGrip
+  {
+    Grip                      grip;
+    std::vector<std::int32_t> members;
+    std::array<double, 6>     pull = {}; ///< sum of the links' force and moment over the members, at t_n [N, N m]
+
+    double rate(const int c) const { return c < 3 ? grip.velocity[c] : grip.spin[c - 3]; }
+    /** Power that the grip puts into the specimen [W]. */
+    double power() const
+    {
+      double sum = 0;
+      for (int c = 0; c < 6; ++c)
+        if (grip.prescribed[c])
+          sum -= pull[c] * rate(c);
+      return sum;
+    }
+  };
+
+  /** What a specimen holds, and how it takes a step; specimen.h says what it is for. */
+  struct Specimen::Implementation
+  {
+    SpecimenParameters parameters;
+    CpmConstants       law;
+    ParticleShape      shape;
+    Particles          particles;
+    bool               equal_radii;
+    LinkSet            bonds, contacts;
+    ContactSearch      search;
+    LinkPass           bond_pass, contact_pass;
+    double             space_per_solid;
+    std::size_t        made_links = 0;
+
+    std::vector<ParticleBlockAccount> accounts;
+    std::vector<HeldGrip>             grips;
+    std::vector<std::int32_t>         slot; ///< of each packing number in the particles' order
+
+    std::int64_t step_count = 0;
+    double       time = 0, time_step = 0;
+    double       initial = 0, work_before = 0, work_now = 0,
+           work_after                       = 0; ///< by grips: before t_n's half step, it, the half after
+    double                    damped_before = 0, damped_now = 0, damped_after = 0; ///< dissipated, likewise
+    double                    released = 0, broken_damage = 0;                     ///< of deleted links
+    std::vector<std::int32_t> crack_log; ///< ends of the cohesive links deleted so far, flattened
+
+    Implementation(const Packing &packing, const SpecimenParameters &p, const CpmParameters &law_parameters);
+    bool   shear_damages() const { return parameters.physics.damage && law.shear_weight > 0; }
+    void   link(const Packing &packing);
+    double stable() const { return dem::stable_step(particles, bonds, &contacts, law, parameters.physics.rotations); }
+    /** Particles' kinetic energy with the velocities as they are [J]. */
+    double kinetic_of_velocities() const;
+    /** One leap-frog step: links, contacts, break tests, particles, accounts, new contacts. */
+    void step();
+    /** Sum up what blocks and grips say of the step, in their order. */
+    void account();
+    void delete_exhausted(LinkSet &links, bool cohesive);
+    void delete_link(LinkSet &links, std::size_t link, bool cohesive);
+    /** Make contacts of pairs that have begun to overlap, where motion can have made one. */
+    void make_contacts();
+    /** NaN and infinity spread to velocities within a step. */
+    void check_numbers() const;
+    /** NaN, and the time step against the stiffness that contacts have added. */
+    void check_state();
+  };
+} // namespace dem

@@ -1,0 +1,128 @@
+#include "dem/measures/link_measures.h"
+#include "dem/specimen_implementation.h"
+
+#include <algorithm>
+
+namespace dem
+{
+  double Specimen::Implementation::kinetic_of_velocities() const
+  {
+    double sum = 0;
+    for (std::size_t i = 0; i < particles.count; ++i)
+      for (int c = 0; c < 6; ++c)
+        {
+          const double v = particles.velocity[record_size * i + c];
+          sum += 0.5 * (c < 3 ? particles.mass[i] : particles.inertia[i]) * v * v;
+        }
+    return sum;
+  }
+
+  EnergyAccount Specimen::energy() const
+  {
+    EnergyAccount e;
+    const auto   &s = *self;
+    e.initial       = s.step_count == 0 ? s.kinetic_of_velocities() : s.initial;
+    e.external_work = s.work_before + s.work_now;
+    if (s.step_count == 0)
+      e.kinetic = e.initial;
+    else
+      for (const auto &block : s.accounts)
+        e.kinetic += block.kinetic;
+    e.elastic  = elastic_energy(s.particles, s.bonds, s.law) + elastic_energy(s.particles, s.contacts, s.law);
+    e.damage   = damage_dissipation(s.bonds, s.law) + s.broken_damage;
+    e.friction = plastic_dissipation(s.bonds) + plastic_dissipation(s.contacts);
+    e.released = s.released;
+    e.damping  = s.damped_before + s.damped_now;
+    return e;
+  }
+
+  double Specimen::mean_damage() const
+  {
+    double sum = static_cast<double>(self->crack_log.size() / 2);
+    for (std::size_t l = 0; l < self->bonds.count; ++l)
+      if (self->bonds.is_alive(l))
+        sum += self->bonds.damage[l];
+    return sum / static_cast<double>(self->made_links);
+  }
+
+  ParticleOutput Specimen::particles() const
+  {
+    const Particles             &p = self->particles;
+    const std::size_t            n = p.count;
+    std::vector<double>          damage(n, 0.0);
+    std::vector<Eigen::Matrix3d> moments(n, Eigen::Matrix3d::Zero());
+    add_stress_moments(p, self->bonds, moments);
+    add_stress_moments(p, self->contacts, moments);
+    for (std::size_t l = 0; l < self->bonds.count; ++l)
+      if (self->bonds.is_alive(l))
+        {
+          damage[self->bonds.first[l]] += self->bonds.damage[l];
+          damage[self->bonds.second[l]] += self->bonds.damage[l];
+        }
+
+    ParticleOutput out;
+    out.position.resize(n);
+    out.displacement.resize(n);
+    out.velocity.resize(n);
+    out.angular_velocity.resize(n);
+    out.radius.resize(n);
+    out.damage.resize(n);
+    out.broken_links.resize(n);
+    out.stress.resize(n);
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        const std::size_t     to     = static_cast<std::size_t>(p.number[i]);
+        const Eigen::Matrix3d moment = moments[i] / (self->space_per_solid * self->shape.volume(p.radius_of(i)));
+        out.position[to]             = p.position_of(i);
+        out.displacement[to]         = p.position_of(i) - Eigen::Vector3d(&p.reference[3 * i]);
+        out.velocity[to]             = Eigen::Vector3d(&p.velocity[record_size * i]);
+        out.angular_velocity[to]     = Eigen::Vector3d(&p.velocity[record_size * i + 3]);
+        out.radius[to]               = p.radius_of(i);
+        out.damage[to]               = p.made_links[i] > 0 ? (damage[i] + p.broken_links[i]) / p.made_links[i] : 0.0;
+        out.broken_links[to]         = p.broken_links[i];
+        out.stress[to]               = 0.5 * (moment + moment.transpose());
+      }
+    return out;
+  }
+
+  namespace
+  {
+    void append(LinkOutput &out, const Particles &particles, const LinkSet &links, const LinkOutput::Kind kind)
+    {
+      for (std::size_t l = 0; l < links.count; ++l)
+        {
+          if (!links.is_alive(l))
+            continue;
+          const LinkView view   = link_at(particles, links, l);
+          const double   normal = view.force.dot(view.direction), shear = (view.force - normal * view.direction).norm();
+          out.ends.push_back({static_cast<std::size_t>(particles.number[links.first[l]]),
+                              static_cast<std::size_t>(particles.number[links.second[l]])});
+          out.kind.push_back(kind);
+          out.normal_force.push_back(normal);
+          out.shear_force.push_back(shear);
+          out.normal_stress.push_back(normal / links.area[l]);
+          out.shear_stress.push_back(shear / links.area[l]);
+          out.normal_strain.push_back(view.strain);
+          out.damage.push_back(kind == LinkOutput::contact ? 1.0 : links.damage[l]);
+        }
+    }
+  } // namespace
+
+  LinkOutput Specimen::links() const
+  {
+    LinkOutput out;
+    append(out, self->particles, self->bonds, LinkOutput::cohesive);
+    append(out, self->particles, self->contacts, LinkOutput::contact);
+    for (std::size_t i = 0; i < self->crack_log.size(); i += 2)
+      {
+        out.ends.push_back({static_cast<std::size_t>(self->particles.number[self->crack_log[i]]),
+                            static_cast<std::size_t>(self->particles.number[self->crack_log[i + 1]])});
+        out.kind.push_back(LinkOutput::broken);
+        out.damage.push_back(1.0);
+        for (auto *column :
+             {&out.normal_force, &out.shear_force, &out.normal_stress, &out.shear_stress, &out.normal_strain})
+          column->push_back(0.0);
+      }
+    return out;
+  }
+} // namespace dem

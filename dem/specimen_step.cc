@@ -1,0 +1,130 @@
+#include "dem/core/errors.h"
+#include "dem/measures/link_measures.h"
+#include "dem/specimen_implementation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace dem
+{
+  namespace
+  {
+    /** How often the state is looked at for NaN, and the step for contacts that have stiffened particles. */
+    constexpr std::int64_t steps_between_checks = 100;
+    /** Deleted links stay as idle lines until they are this part of all. */
+    constexpr double idle_lines_allowed = 0.05;
+  } // namespace
+
+  void Specimen::Implementation::step()
+  {
+    bond_pass(bonds, particles, law);
+    if (contacts.alive > 0)
+      contact_pass(contacts, particles, law);
+    delete_exhausted(bonds, true);
+    delete_exhausted(contacts, false);
+    select_particle_pass(contacts.alive > 0, parameters.damping > 0,
+                         equal_radii)(particles, bonds, &contacts, time_step, parameters.damping, accounts);
+    account();
+    ++step_count;
+    time += time_step;
+    if (parameters.physics.contacts)
+      make_contacts();
+    if (step_count % steps_between_checks == 0)
+      check_state();
+  }
+
+  void Specimen::Implementation::account()
+  {
+    damped_before += damped_now + damped_after;
+    work_before += work_now + work_after;
+    damped_now = damped_after = work_now = 0;
+    for (const auto &block : accounts)
+      {
+        damped_now -= block.damping_before;
+        damped_after -= block.damping_after;
+      }
+    for (auto &grip : grips)
+      {
+        grip.pull = {};
+        for (const std::int32_t i : grip.members)
+          for (int c = 0; c < 6; ++c)
+            grip.pull[c] += particles.force[record_size * static_cast<std::size_t>(i) + c];
+        work_now += 0.5 * time_step * grip.power();
+      }
+    work_after = work_now; // the same force and velocity over the half step to come
+  }
+
+  void Specimen::Implementation::delete_exhausted(LinkSet &links, const bool cohesive)
+  {
+    if (links.alive == 0)
+      return;
+    for (std::size_t b = 0; b < links.blocks(); ++b)
+      if (links.accounts[b].exhausted)
+        {
+          links.accounts[b].exhausted = false;
+          const std::size_t end       = std::min((b + 1) * links_per_block, links.count);
+          for (std::size_t l = b * links_per_block; l < end; ++l)
+            if (links.is_alive(l) && link_at(particles, links, l).strain > 0 &&
+                (!cohesive || links.kappa[l] > law.kappa_broken))
+              delete_link(links, l, cohesive);
+        }
+    if (cohesive &&
+        static_cast<double>(links.count - links.alive) > idle_lines_allowed * static_cast<double>(links.count))
+      links.compact(particles.count);
+  }
+
+  void Specimen::Implementation::delete_link(LinkSet &links, const std::size_t l, const bool cohesive)
+  {
+    const std::int32_t J = links.first[l], K = links.second[l];
+    released += elastic_energy(particles, links, l, law);
+    if (cohesive)
+      {
+        broken_damage += damage_dissipation(links, l, law);
+        ++particles.broken_links[J];
+        ++particles.broken_links[K];
+        crack_log.push_back(J);
+        crack_log.push_back(K);
+      }
+    links.remove(l);
+    if (parameters.physics.contacts)
+      search.watch(particles, J, K);
+  }
+
+  void Specimen::Implementation::make_contacts()
+  {
+    double fastest = 0;
+    for (const auto &block : accounts)
+      fastest = std::max(fastest, block.fastest);
+    if (!search.moved(std::sqrt(fastest)))
+      return;
+    const auto born = search.look(particles, bonds, contacts);
+    if (!born.empty())
+      add_contacts(contacts, born, particles, shape);
+  }
+
+  void Specimen::Implementation::check_numbers() const
+  {
+    for (std::size_t i = 0; i < particles.count; ++i)
+      for (int c = 0; c < 6; ++c)
+        if (!std::isfinite(particles.velocity[record_size * i + c]))
+          {
+            std::ostringstream message;
+            message << "step " << step_count << ", time " << time << " s: particle " << particles.number[i] + 1
+                    << " no longer has a finite velocity. Lower Time/Step factor (" << parameters.step_factor
+                    << ") or the loading rate, and check the material.";
+            throw NumericalError(message.str());
+          }
+  }
+
+  void Specimen::Implementation::check_state()
+  {
+    check_numbers();
+    if (contacts.alive == 0)
+      return;
+    // Links only soften, but contacts stiffen the particles they join: keep the factor on the present bound.
+    const double allowed = parameters.step_factor * stable();
+    if (allowed < time_step)
+      time_step = allowed;
+  }
+} // namespace dem
