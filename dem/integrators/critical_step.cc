@@ -1,5 +1,6 @@
 #include "dem/integrators/stable_step.h"
 
+#include <Eigen/Geometry>
 #include <Spectra/SymEigsSolver.h>
 
 #include <cmath>
