@@ -22,8 +22,8 @@ namespace postprocess
   {
   public:
     /**
-     * @param scene the text that decides what the run computes (the completed scene without folders, threads and the like);
-     * a reader with another text is refused.
+     * @param scene the text that decides what the run computes (the completed scene without folders, threads and the
+     * like); a reader with another text is refused.
      * @throws OutputError.
      */
     CheckpointWriter(const std::filesystem::path &path, const std::string &scene);
@@ -49,8 +49,8 @@ namespace postprocess
   {
   public:
     /**
-     * @throws dem::InputError if the file is missing, truncated, not a checkpoint, of another format version, or made by
-     * another scene (the message shows the first line that differs).
+     * @throws dem::InputError if the file is missing, truncated, not a checkpoint, of another format version, or made
+     * by another scene (the message shows the first line that differs).
      */
     CheckpointReader(const std::filesystem::path &path, const std::string &scene);
     ~CheckpointReader() override;
@@ -63,7 +63,8 @@ namespace postprocess
     void scalar(const std::string &name, double &value) override;
     void scalar(const std::string &name, std::int64_t &value) override;
 
-    /** Call it last. @throws dem::InputError if the file holds an item that nobody read: it was made by another version. */
+    /** Call it last. @throws dem::InputError if the file holds an item that nobody read: it was made by another
+     * version. */
     void finish() const;
 
   private:

@@ -23,7 +23,8 @@ namespace postprocess
    * Read a table: the first line names the columns (`name` or `name [unit]`), commas, blanks or tabs separate, lines
    * starting with `#` are comments. The values nan and inf are accepted only when asked for.
    *
-   * @throws dem::InputError naming file and line: missing file, no header, a name twice, wrong number of values, not a number.
+   * @throws dem::InputError naming file and line: missing file, no header, a name twice, wrong number of values, not a
+   * number.
    */
   CsvTable read_csv_table(const std::filesystem::path &path, bool accept_not_finite = false);
 } // namespace postprocess

@@ -15,18 +15,19 @@ namespace postprocess
    * Read a packing, HDF5 or text (told apart by content), and check it: see dem::check_packing().
    *
    * Text: one particle a line, `x y z radius` [m], separated by blanks, tabs or commas. Lines that start with `#` are
-   * comments; `# periodic_cell LX LY LZ` gives the edges of a periodic cell. A line of column names (as such or as a comment)
-   * may come before the first particle: then x, y, z and radius (or r) may stand in any order, among other columns, which
-   * are ignored. A name may carry the unit `[m]`.
+   * comments; `# periodic_cell LX LY LZ` gives the edges of a periodic cell. A line of column names (as such or as a
+   * comment) may come before the first particle: then x, y, z and radius (or r) may stand in any order, among other
+   * columns, which are ignored. A name may carry the unit `[m]`.
    *
-   * HDF5: datasets `centre` (N x 3) and `radius` (N) [m]; attribute `periodic_cell` (3) of the root when periodic.
+   * HDF5: datasets `centre` (N x 3) and `radius` (N) [m], and `periodic_cell` (3) when periodic.
    *
-   * @throws dem::InputError naming file and line (or dataset): missing file, wrong number of columns, not a number, NaN or
-   * infinity, radius <= 0, no particle, coincident particles, missing or misshapen dataset, truncated file.
+   * @throws dem::InputError naming file and line (or dataset): missing file, wrong number of columns, not a number, NaN
+   * or infinity, radius <= 0, no particle, coincident particles, missing or misshapen dataset, truncated file.
    */
   dem::Packing read_packing(const std::filesystem::path &path);
 
-  /** The free text stored with a packing; in text files, the lines `# KEY: VALUE`. @throws dem::InputError as read_packing(). */
+  /** The free text stored with a packing; in text files, the lines `# KEY: VALUE`. @throws dem::InputError as
+   * read_packing(). */
   Metadata read_packing_metadata(const std::filesystem::path &path);
 
   /**
@@ -34,7 +35,8 @@ namespace postprocess
    *
    * Reading it back gives the same bits, in both formats.
    *
-   * @throws OutputError; std::invalid_argument if a key or value of the metadata holds a line break, or a key a colon.
+   * @throws OutputError; std::invalid_argument if a key of the metadata is not made of letters, digits, blanks, _ and
+   * -, or a value holds a line break.
    */
   void write_packing(const dem::Packing &packing, const std::filesystem::path &path, const Metadata &metadata = {});
 } // namespace postprocess

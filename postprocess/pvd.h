@@ -8,11 +8,12 @@
 namespace postprocess
 {
   /**
-   * The snapshots of one kind as ParaView opens them: OUTPUT/NAME.pvd lists OUTPUT/NAME/NAME_000000.vtp, ... with times.
+   * The snapshots of one kind as ParaView opens them: OUTPUT/NAME.pvd lists OUTPUT/NAME/NAME_000000.vtp, ... with
+   * times.
    *
-   * The list is rewritten (atomically) after every snapshot, so it can be opened while the run goes on. File names follow
-   * from the number of the snapshot: the times are all that a checkpoint must remember, and a resumed run overwrites the
-   * snapshots that were written after its checkpoint.
+   * The list is rewritten (atomically) after every snapshot, so it can be opened while the run goes on. File names
+   * follow from the number of the snapshot: the times are all that a checkpoint must remember, and a resumed run
+   * overwrites the snapshots that were written after its checkpoint.
    */
   class PvdCollection
   {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "postprocess/file_descriptor.h"
+
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -15,24 +18,23 @@ namespace postprocess
   /**
    * A table that grows row by row (CSV): one header line with units, numbers in the shortest form that keeps every bit.
    *
-   * Rows reach the operating system at most two seconds after append(), and with flush(). NaN and infinity are written
-   * as `nan` and `inf`.
+   * Rows reach the file with the first append() more than two seconds after the last time, and with flush(). NaN and
+   * infinity are written as nan and inf.
    */
   class SeriesWriter
   {
   public:
     /** Start afresh; what the file held is gone. @throws OutputError. */
-    SeriesWriter(const std::filesystem::path &path, std::vector<SeriesColumn> columns);
+    SeriesWriter(const std::filesystem::path &path, const std::vector<SeriesColumn> &columns);
 
     /**
      * Go on after an interruption: keep the first `rows` rows (those that the checkpoint knows of), drop later ones.
-     * @throws dem::InputError if the file is missing, has other columns, or fewer rows; OutputError.
+     * @throws dem::InputError if the file has other columns or fewer rows; it is then unchanged. OutputError if it is
+     * missing.
      */
-    SeriesWriter(const std::filesystem::path &path, std::vector<SeriesColumn> columns, std::int64_t rows);
+    SeriesWriter(const std::filesystem::path &path, const std::vector<SeriesColumn> &columns, std::int64_t rows);
 
-    ~SeriesWriter();
-    SeriesWriter(const SeriesWriter &)            = delete;
-    SeriesWriter &operator=(const SeriesWriter &) = delete;
+    ~SeriesWriter(); ///< writes what is left; call flush() to learn of errors
 
     /** One value per column. @throws std::invalid_argument for another number of values; OutputError (disk full). */
     void append(const std::vector<double> &values);
@@ -40,17 +42,15 @@ namespace postprocess
     /** Bring all rows to the disk; call it before a checkpoint stores rows(). @throws OutputError (disk full). */
     void flush();
 
-    std::int64_t rows() const { return row_count; } ///< in the file, header not counted
+    std::int64_t rows() const { return row_count; } ///< appended so far, header not counted
 
   private:
-    void open(int flags);
     void write_out();
 
-    std::filesystem::path     path;
-    std::vector<SeriesColumn> columns;
-    std::string               buffer;
-    std::int64_t              row_count    = 0;
-    double                    last_written = 0; ///< monotonic clock [s]
-    int                       descriptor   = -1;
+    std::size_t                           column_count;
+    std::int64_t                          row_count = 0;
+    FileDescriptor                        file;
+    std::string                           buffer;
+    std::chrono::steady_clock::time_point last_written = std::chrono::steady_clock::now();
   };
 } // namespace postprocess

@@ -9,9 +9,9 @@ namespace postprocess
   /**
    * Write the links as lines between the present particle positions, in a VTK XML file (.vtp), atomically.
    *
-   * Cell data: normal_force, shear_force [N], normal_stress, shear_stress [Pa], normal_strain, damage [-], kind (0 cohesive,
-   * 1 contact, 2 broken) and broken (0 or 1). The points are all particles in the packing's order (id, radius [m] and
-   * displacement [m] as point data), also when there is no link at all.
+   * Cell data: normal_force, shear_force [N], normal_stress, shear_stress [Pa], normal_strain, damage [-], kind (0
+   * cohesive, 1 contact, 2 broken) and broken (0 or 1). The points are all particles in the packing's order (id, radius
+   * [m] and displacement [m] as point data), also when there is no link at all.
    *
    * @throws std::invalid_argument if columns differ in length or a link ends at no particle; OutputError.
    */

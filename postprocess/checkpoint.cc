@@ -1,0 +1,164 @@
+#include "postprocess/checkpoint.h"
+
+#include "dem/core/errors.h"
+#include "postprocess/hdf5_file.h"
+#include "postprocess/numeric_text.h"
+
+#include <set>
+
+namespace postprocess
+{
+  namespace
+  {
+    constexpr const char  *format_name    = "breccia checkpoint";
+    constexpr std::int64_t format_version = 1;
+    constexpr const char  *remedy         = " Start the run afresh.";
+
+    /** The first line in which two texts differ, for a message. */
+    std::string first_difference(const std::string &stored, const std::string &present)
+    {
+      numeric_text::Lines a(stored), b(present);
+      while (true)
+        {
+          const bool more_a = a.next(), more_b = b.next();
+          if (more_a && more_b && a.text() == b.text())
+            continue;
+          const auto quoted = [](const bool more, const numeric_text::Lines &lines) {
+            return more ? "\"" + std::string(numeric_text::trimmed(lines.text())) + "\"" : std::string("nothing");
+          };
+          return "then " + quoted(more_a, a) + ", now " + quoted(more_b, b);
+        }
+    }
+  } // namespace
+
+  // --- Writing ---
+
+  struct CheckpointWriter::Implementation
+  {
+    explicit Implementation(const std::filesystem::path &path)
+      : file(path)
+    {
+    }
+
+    hdf5::OutputFile file;
+    std::string      prefix = "state/";
+  };
+
+  CheckpointWriter::CheckpointWriter(const std::filesystem::path &path, const std::string &scene)
+    : self(std::make_unique<Implementation>(path))
+  {
+    self->file.write_text("format", format_name);
+    self->file.write("format_version", &format_version, {});
+    self->file.write_text("scene", scene);
+  }
+
+  CheckpointWriter::~CheckpointWriter() = default;
+
+  void CheckpointWriter::group(const std::string &name) { self->prefix = "state/" + name + "/"; }
+
+  void CheckpointWriter::column(const std::string &name, dem::Column &values)
+  {
+    self->file.write(self->prefix + name, values.data(), {values.size()});
+  }
+
+  void CheckpointWriter::column(const std::string &name, std::vector<std::int32_t> &values)
+  {
+    self->file.write(self->prefix + name, values.data(), {values.size()});
+  }
+
+  void CheckpointWriter::scalar(const std::string &name, double &value)
+  {
+    self->file.write(self->prefix + name, &value, {});
+  }
+
+  void CheckpointWriter::scalar(const std::string &name, std::int64_t &value)
+  {
+    self->file.write(self->prefix + name, &value, {});
+  }
+
+  void CheckpointWriter::commit() { self->file.commit(); }
+
+  // --- Reading ---
+
+  struct CheckpointReader::Implementation
+  {
+    explicit Implementation(const std::filesystem::path &path_)
+      : path(path_.string())
+      , file(path_)
+    {
+    }
+
+    [[noreturn]] void refuse(const std::string &what) const { throw dem::InputError(path + ": " + what + remedy); }
+
+    void check_format() const
+    {
+      std::int64_t version = 0;
+      if (!file.has("format") || file.read_text("format") != format_name)
+        throw dem::InputError(path + ": is not a checkpoint.");
+      file.read("format_version", &version);
+      if (version != format_version)
+        refuse("checkpoint format " + std::to_string(version) + ", this program reads format " +
+               std::to_string(format_version) + ".");
+    }
+
+    void check_scene(const std::string &scene) const
+    {
+      if (const std::string stored = file.read_text("scene"); stored != scene)
+        refuse("was made by another scene: " + first_difference(stored, scene) + ".");
+    }
+
+    template <typename Value>
+    void read_scalar(const std::string &name, Value &value)
+    {
+      if (!file.shape(prefix + name).empty())
+        refuse("\"" + prefix + name + "\" is a column, one number expected.");
+      file.read(prefix + name, &value);
+      visited.insert(prefix + name);
+    }
+
+    template <typename Column>
+    void read_column(const std::string &name, Column &values)
+    {
+      const hdf5::Shape shape = file.shape(prefix + name);
+      if (shape.size() != 1)
+        refuse("\"" + prefix + name + "\" is one number, a column expected.");
+      values.resize(shape[0]);
+      file.read(prefix + name, values.data());
+      visited.insert(prefix + name);
+    }
+
+    std::string           path;
+    hdf5::InputFile       file;
+    std::string           prefix = "state/";
+    std::set<std::string> visited;
+  };
+
+  CheckpointReader::CheckpointReader(const std::filesystem::path &path, const std::string &scene)
+    : self(std::make_unique<Implementation>(path))
+  {
+    self->check_format();
+    self->check_scene(scene);
+  }
+
+  CheckpointReader::~CheckpointReader() = default;
+
+  void CheckpointReader::group(const std::string &name) { self->prefix = "state/" + name + "/"; }
+
+  void CheckpointReader::column(const std::string &name, dem::Column &values) { self->read_column(name, values); }
+
+  void CheckpointReader::column(const std::string &name, std::vector<std::int32_t> &values)
+  {
+    self->read_column(name, values);
+  }
+
+  void CheckpointReader::scalar(const std::string &name, double &value) { self->read_scalar(name, value); }
+
+  void CheckpointReader::scalar(const std::string &name, std::int64_t &value) { self->read_scalar(name, value); }
+
+  void CheckpointReader::finish() const
+  {
+    for (const std::string &name : self->file.names("state"))
+      if (self->visited.count(name) == 0)
+        self->refuse("holds \"" + name + "\", which this program does not know: it was made by another version.");
+  }
+} // namespace postprocess

@@ -1,0 +1,118 @@
+#include "postprocess/gnuplot.h"
+
+#include "postprocess/atomic_file.h"
+#include "postprocess/errors.h"
+#include "postprocess/file_descriptor.h"
+#include "postprocess/numeric_text.h"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+
+extern char **environ; // of this process, for the child
+
+namespace postprocess
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    /** A folder of its own, removed with all it holds at the end of the scope. */
+    class ScratchFolder
+    {
+    public:
+      ScratchFolder()
+      {
+        std::string pattern = (fs::temp_directory_path() / "breccia-plot-XXXXXX").string();
+        if (::mkdtemp(pattern.data()) == nullptr)
+          throw OutputError(pattern + ": the folder cannot be made: " + system_reason() + ".");
+        folder = pattern;
+      }
+      ~ScratchFolder()
+      {
+        std::error_code ignored;
+        fs::remove_all(folder, ignored);
+      }
+      ScratchFolder(const ScratchFolder &)            = delete;
+      ScratchFolder &operator=(const ScratchFolder &) = delete;
+
+      void write(const std::string &name, const std::string &text) const
+      {
+        FileDescriptor(folder / name, O_WRONLY | O_CREAT | O_EXCL).write(text);
+      }
+      fs::path operator/(const std::string &name) const { return folder / name; }
+      fs::path path() const { return folder; }
+
+    private:
+      fs::path folder;
+    };
+
+    /** Run `gnuplot script` in the folder, its messages going to the file `messages`. @return exit status, or -1 if
+     * killed. */
+    int run_gnuplot(const ScratchFolder &folder)
+    {
+      posix_spawn_file_actions_t actions;
+      posix_spawn_file_actions_init(&actions);
+      posix_spawn_file_actions_addchdir_np(&actions, folder.path().c_str());
+      posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+      posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+      posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "messages", O_WRONLY | O_CREAT, 0666);
+
+      std::string program = "gnuplot", own_settings_only = "-d", script = "script";
+      char *const arguments[] = {program.data(), own_settings_only.data(), script.data(), nullptr};
+      pid_t       child       = 0;
+      const int   error       = ::posix_spawnp(&child, program.c_str(), &actions, nullptr, arguments, environ);
+      posix_spawn_file_actions_destroy(&actions);
+      if (error == ENOENT)
+        throw OutputError("gnuplot is not installed (Debian package gnuplot-nox)");
+      if (error != 0)
+        throw OutputError("gnuplot cannot be started: " + std::generic_category().message(error));
+
+      int status = 0;
+      while (::waitpid(child, &status, 0) < 0 && errno == EINTR)
+        continue;
+      return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+
+    /** The last line that says something: gnuplot repeats the command first and then what is wrong with it. */
+    std::string last_line(const std::string &text)
+    {
+      std::string last = "no message";
+      for (numeric_text::Lines lines(text); lines.next();)
+        if (!numeric_text::trimmed(lines.text()).empty())
+          last = numeric_text::trimmed(lines.text());
+      return last;
+    }
+  } // namespace
+
+  void draw_with_gnuplot(const fs::path &destination, const GnuplotJob &job)
+  {
+    const ScratchFolder folder;
+    for (const auto &[name, text] : job.data)
+      folder.write(name, text);
+    folder.write("script", "set encoding utf8\nset terminal pngcairo enhanced font 'sans,11' size " +
+                             std::to_string(job.width) + "," + std::to_string(job.height) +
+                             "\nset output 'picture.png'\n" + job.script + "\nunset output\n");
+
+    if (const int status = run_gnuplot(folder); status != 0)
+      throw OutputError("gnuplot failed (" + (status < 0 ? "killed" : "status " + std::to_string(status)) +
+                        "): " + last_line(numeric_text::read_whole(folder / "messages")));
+    write_text(destination, numeric_text::read_whole(folder / "picture.png"));
+  }
+
+  std::string gnuplot_quoted(const std::string &text)
+  {
+    std::string quoted = "'";
+    for (const char c : text)
+      {
+        if (c == '\'')
+          quoted += '\'';
+        quoted += c == '\n' ? ' ' : c;
+      }
+    return quoted + "'";
+  }
+} // namespace postprocess

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+namespace postprocess
+{
+  /** What gnuplot needs for one picture; the script refers to the data files by name and sets neither terminal nor
+   * output. */
+  struct GnuplotJob
+  {
+    std::string                        script;
+    std::map<std::string, std::string> data;                  ///< name of the file -> its text
+    int                                width = 0, height = 0; ///< [pixel]
+  };
+
+  /**
+   * Let gnuplot, in a child process, draw a PNG file; the destination is replaced only by a complete picture.
+   * @throws OutputError when gnuplot is not installed or does not understand, or the file cannot be written.
+   */
+  void draw_with_gnuplot(const std::filesystem::path &destination, const GnuplotJob &job);
+
+  /** A text as gnuplot reads it back literally: between single quotes. */
+  std::string gnuplot_quoted(const std::string &text);
+} // namespace postprocess

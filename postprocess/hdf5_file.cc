@@ -1,0 +1,286 @@
+#include "postprocess/hdf5_file.h"
+
+#include "dem/core/errors.h"
+#include "postprocess/errors.h"
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <system_error>
+
+namespace postprocess::hdf5
+{
+  namespace
+  {
+    /** What HDF5 noted first, where it went wrong; the system's own words if a system call failed. */
+    std::string reason()
+    {
+      std::string       text           = "unknown error of HDF5";
+      const H5E_walk2_t keep_innermost = [](const unsigned level, const H5E_error2_t *const error, void *const result) {
+        if (level == 0 && error->desc != nullptr)
+          *static_cast<std::string *>(result) = error->desc;
+        return herr_t(0);
+      };
+      H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_innermost, &text);
+
+      const std::string marker = "errno = ";
+      if (const std::size_t place = text.find(marker); place != std::string::npos)
+        return std::generic_category().message(std::stoi(text.substr(place + marker.size())));
+      return text;
+    }
+
+    /**
+     * Metadata with checksums (file format of HDF5 1.8). Where the file system knows no locks, do without: a file is
+     * written under a name of its own and never changed afterwards.
+     */
+    Handle access_properties()
+    {
+      Handle properties(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+      H5Pset_libver_bounds(properties, H5F_LIBVER_V18, H5F_LIBVER_LATEST);
+      H5Pset_file_locking(properties, true, true);
+      return properties;
+    }
+
+    /** Chunks of about 1 MiB, which checksums need; no time stamps, so that equal contents make equal files. */
+    Handle array_properties(const Shape &shape)
+    {
+      constexpr hsize_t chunk_values = hsize_t(1) << 17;
+
+      Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+      H5Pset_obj_track_times(properties, false);
+      if (shape.empty() || *std::min_element(shape.begin(), shape.end()) == 0)
+        return properties;
+      Shape   chunk = shape;
+      hsize_t row   = 1;
+      for (std::size_t d = 1; d < shape.size(); ++d)
+        row *= shape[d];
+      chunk[0] = std::min(shape[0], std::max<hsize_t>(1, chunk_values / row));
+      H5Pset_chunk(properties, static_cast<int>(chunk.size()), chunk.data());
+      H5Pset_fletcher32(properties);
+      return properties;
+    }
+
+    Handle make_space(const Shape &shape)
+    {
+      if (shape.empty())
+        return {H5Screate(H5S_SCALAR), H5Sclose};
+      return {H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose};
+    }
+  } // namespace
+
+  herr_t Handle::release()
+  {
+    const hid_t closing = id;
+    id                  = H5I_INVALID_HID;
+    return closing >= 0 ? close(closing) : 0;
+  }
+
+  QuietErrors::QuietErrors()
+  {
+    H5Eget_auto2(H5E_DEFAULT, &function, &data);
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  }
+
+  QuietErrors::~QuietErrors() { H5Eset_auto2(H5E_DEFAULT, function, data); }
+
+  OutputFile::OutputFile(const std::filesystem::path &path_)
+    : path(path_)
+    , target(path_)
+    , file(H5Fcreate(target.partial().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access_properties()), H5Fclose)
+  {
+    if (!file.valid())
+      fail("cannot be opened for writing");
+  }
+
+  OutputFile::~OutputFile() { abandon(); }
+
+  /**
+   * Close without leaving anything behind, also on a full disk.
+   *
+   * HDF5 (1.10) cannot close a file whose last blocks it cannot write: the file stays open inside the library, which
+   * then crashes when the program ends. So the file is exchanged for one in memory, where the remaining blocks find
+   * room.
+   */
+  void OutputFile::abandon()
+  {
+    void *descriptor = nullptr;
+    if (!file.valid())
+      return;
+    if (H5Fget_vfd_handle(file, H5P_DEFAULT, &descriptor) >= 0)
+      if (const int in_memory = ::memfd_create("abandoned", MFD_CLOEXEC); in_memory >= 0)
+        {
+          ::dup2(in_memory, *static_cast<const int *>(descriptor));
+          ::close(in_memory);
+        }
+    file.release();
+  }
+
+  void OutputFile::fail(const std::string &what) const
+  {
+    throw OutputError(path.string() + ": " + what + ": " + reason() + ".");
+  }
+
+  void OutputFile::write_array(const std::string &name, const Type &type, const void *const values, const Shape &shape)
+  {
+    const Handle space = make_space(shape), properties = array_properties(shape);
+    const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
+    H5Pset_create_intermediate_group(links, 1);
+    const Handle array(H5Dcreate2(file, name.c_str(), type.in_file, space, links, properties, H5P_DEFAULT), H5Dclose);
+    if (!array.valid() || H5Dwrite(array, type.in_memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
+      fail("\"" + name + "\" cannot be written");
+  }
+
+  void OutputFile::write(const std::string &name, const double *const values, const Shape &shape)
+  {
+    write_array(name, {H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE}, values, shape);
+  }
+
+  void OutputFile::write(const std::string &name, const std::int32_t *const values, const Shape &shape)
+  {
+    write_array(name, {H5T_NATIVE_INT32, H5T_STD_I32LE}, values, shape);
+  }
+
+  void OutputFile::write(const std::string &name, const std::int64_t *const values, const Shape &shape)
+  {
+    write_array(name, {H5T_NATIVE_INT64, H5T_STD_I64LE}, values, shape);
+  }
+
+  void OutputFile::write_text(const std::string &name, const std::string &text)
+  {
+    const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+    H5Tset_size(type, std::max<std::size_t>(text.size(), 1)); // HDF5 has no text of length 0: one zero byte
+    H5Tset_strpad(type, H5T_STR_NULLPAD);
+    H5Tset_cset(type, H5T_CSET_UTF8);
+    write_array(name, {type, type}, text.c_str(), {});
+  }
+
+  void OutputFile::commit()
+  {
+    if (H5Fflush(file, H5F_SCOPE_GLOBAL) < 0)
+      fail("cannot be written");
+    if (file.release() < 0)
+      fail("cannot be closed");
+    target.commit();
+  }
+
+  namespace
+  {
+    void check_exists(const std::filesystem::path &path)
+    {
+      if (!std::filesystem::exists(path))
+        throw dem::InputError(path.string() + ": no such file.");
+      if (!is_hdf5(path))
+        throw dem::InputError(path.string() + ": is not an HDF5 file.");
+    }
+  } // namespace
+
+  InputFile::InputFile(const std::filesystem::path &path_)
+    : path((check_exists(path_), path_))
+    , file(H5Fopen(path_.c_str(), H5F_ACC_RDONLY, access_properties()), H5Fclose)
+  {
+    if (!file.valid())
+      fail("cannot be opened, it is damaged or was cut short");
+  }
+
+  void InputFile::fail(const std::string &what) const
+  {
+    throw dem::InputError(path.string() + ": " + what + ": " + reason() + ".");
+  }
+
+  bool InputFile::has(const std::string &name) const
+  {
+    return Handle(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose).valid();
+  }
+
+  Handle InputFile::open(const std::string &name) const
+  {
+    Handle array(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose);
+    if (!array.valid())
+      throw dem::InputError(path.string() + ": \"" + name + "\" is missing.");
+    return array;
+  }
+
+  Shape InputFile::shape(const std::string &name) const
+  {
+    const Handle array = open(name);
+    const Handle space(H5Dget_space(array), H5Sclose);
+    Shape        result(std::max(0, H5Sget_simple_extent_ndims(space)));
+    H5Sget_simple_extent_dims(space, result.data(), nullptr);
+    return result;
+  }
+
+  void InputFile::read_array(const std::string &name,
+                             const hid_t        type,
+                             const std::string &expected,
+                             void *const        values) const
+  {
+    const Handle array = open(name);
+    const Handle stored(H5Dget_type(array), H5Tclose);
+    if (H5Tget_class(stored) != H5Tget_class(type) || H5Tget_size(stored) > H5Tget_size(type))
+      throw dem::InputError(path.string() + ": \"" + name + "\" is of another type: " + expected + " expected.");
+    if (H5Dread(array, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
+      fail("\"" + name + "\" is damaged");
+  }
+
+  void InputFile::read(const std::string &name, double *const values) const
+  {
+    read_array(name, H5T_NATIVE_DOUBLE, "real numbers", values);
+  }
+
+  void InputFile::read(const std::string &name, std::int32_t *const values) const
+  {
+    read_array(name, H5T_NATIVE_INT32, "whole numbers of 32 bits", values);
+  }
+
+  void InputFile::read(const std::string &name, std::int64_t *const values) const
+  {
+    read_array(name, H5T_NATIVE_INT64, "whole numbers", values);
+  }
+
+  std::string InputFile::read_text(const std::string &name) const
+  {
+    const Handle array = open(name);
+    const Handle type(H5Dget_type(array), H5Tclose);
+    if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0 || !shape(name).empty())
+      throw dem::InputError(path.string() + ": \"" + name +
+                            "\" is of another type: one text of fixed length expected.");
+    std::string text(H5Tget_size(type), '\0');
+    if (H5Dread(array, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) < 0)
+      fail("\"" + name + "\" is damaged");
+    text.erase(std::find(text.begin(), text.end(), '\0'), text.end());
+    return text;
+  }
+
+  std::vector<std::string> InputFile::names(const std::string &group) const
+  {
+    struct Search
+    {
+      std::string              prefix;
+      std::vector<std::string> found;
+    } search{group == "/" ? "" : group + "/", {}};
+
+    const Handle start(H5Gopen2(file, group.c_str(), H5P_DEFAULT), H5Gclose);
+    if (!start.valid())
+      return {};
+    const H5L_iterate_t add = [](const hid_t from, const char *const name, const H5L_info_t *, void *const data) {
+      auto &result = *static_cast<Search *>(data);
+      if (Handle(H5Dopen2(from, name, H5P_DEFAULT), H5Dclose).valid())
+        result.found.push_back(result.prefix + name);
+      return herr_t(0);
+    };
+    if (H5Lvisit(start, H5_INDEX_NAME, H5_ITER_INC, add, &search) < 0)
+      fail("the list of contents is damaged");
+    std::sort(search.found.begin(), search.found.end());
+    return search.found;
+  }
+
+  bool is_hdf5(const std::filesystem::path &path)
+  {
+    constexpr std::string_view signature = "\x89HDF\r\n\x1a\n";
+    char                       begin[signature.size()];
+    std::ifstream              file(path, std::ios::binary);
+    return file.read(begin, sizeof(begin)) && std::string_view(begin, sizeof(begin)) == signature;
+  }
+} // namespace postprocess::hdf5

@@ -1,0 +1,123 @@
+#pragma once
+
+#include "postprocess/atomic_file.h"
+
+#include <hdf5.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/** The part of HDF5 that Breccia uses: files of named arrays of doubles and integers, and texts. */
+namespace postprocess::hdf5
+{
+  /** An HDF5 identifier with the function that closes it. */
+  class Handle
+  {
+  public:
+    using Close = herr_t (*)(hid_t);
+    Handle(const hid_t id, const Close close)
+      : id(id)
+      , close(close)
+    {
+    }
+    ~Handle() { release(); }
+    Handle(Handle &&other) noexcept
+      : id(other.id)
+      , close(other.close)
+    {
+      other.id = H5I_INVALID_HID;
+    }
+    Handle(const Handle &)            = delete;
+    Handle &operator=(const Handle &) = delete;
+
+           operator hid_t() const { return id; }
+    bool   valid() const { return id >= 0; }
+    herr_t release(); ///< close now; negative if HDF5 could not
+
+  private:
+    hid_t id;
+    Close close;
+  };
+
+  /** While it lives, HDF5 does not print its errors: they are turned into ours. */
+  class QuietErrors
+  {
+  public:
+    QuietErrors();
+    ~QuietErrors();
+    QuietErrors(const QuietErrors &)            = delete;
+    QuietErrors &operator=(const QuietErrors &) = delete;
+
+  private:
+    H5E_auto2_t function = nullptr;
+    void       *data     = nullptr;
+  };
+
+  using Shape = std::vector<hsize_t>; ///< empty: one number
+
+  /**
+   * A new file that replaces its destination when commit() is called, and otherwise leaves it as it was.
+   *
+   * Arrays carry a checksum (Fletcher 32). Names may contain `/`: groups are made as needed. Every failure is an
+   * OutputError.
+   */
+  class OutputFile
+  {
+  public:
+    explicit OutputFile(const std::filesystem::path &path);
+    ~OutputFile();
+
+    void write(const std::string &name, const double *values, const Shape &shape);
+    void write(const std::string &name, const std::int32_t *values, const Shape &shape);
+    void write(const std::string &name, const std::int64_t *values, const Shape &shape);
+    void write_text(const std::string &name, const std::string &text);
+    void commit();
+
+  private:
+    struct Type
+    {
+      hid_t in_memory, in_file;
+    };
+    void              write_array(const std::string &name, const Type &type, const void *values, const Shape &shape);
+    [[noreturn]] void fail(const std::string &what) const;
+    void              abandon();
+
+    QuietErrors           quiet;
+    std::filesystem::path path;
+    AtomicFile            target;
+    Handle                file;
+  };
+
+  /** An existing file; what is missing, of another type or shape, or damaged, is a dem::InputError that names file and
+   * item. */
+  class InputFile
+  {
+  public:
+    explicit InputFile(const std::filesystem::path &path);
+
+    bool        has(const std::string &name) const; ///< is there an array or text of this name
+    Shape       shape(const std::string &name) const;
+    std::string read_text(const std::string &name) const;
+
+    /** Read into `values`, which has room for all of shape(name). */
+    void read(const std::string &name, double *values) const;
+    void read(const std::string &name, std::int32_t *values) const;
+    void read(const std::string &name, std::int64_t *values) const;
+
+    /** Full names of all arrays and texts below a group, sorted; none if there is no such group. */
+    std::vector<std::string> names(const std::string &group = "/") const;
+
+  private:
+    Handle            open(const std::string &name) const;
+    void              read_array(const std::string &name, hid_t type, const std::string &expected, void *values) const;
+    [[noreturn]] void fail(const std::string &what) const;
+
+    QuietErrors           quiet;
+    std::filesystem::path path;
+    Handle                file;
+  };
+
+  /** Does the file begin as HDF5 files do? False also when it cannot be read. */
+  bool is_hdf5(const std::filesystem::path &path);
+} // namespace postprocess::hdf5

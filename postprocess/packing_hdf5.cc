@@ -1,0 +1,84 @@
+#include "postprocess/packing_hdf5.h"
+
+#include "dem/core/errors.h"
+#include "postprocess/hdf5_file.h"
+
+namespace postprocess
+{
+  namespace
+  {
+    static_assert(sizeof(Eigen::Vector3d) == 3 * sizeof(double), "centres are stored row by row without gaps");
+
+    constexpr std::int64_t format_version = 1;
+
+    std::string as_text(const hdf5::Shape &shape)
+    {
+      std::string text;
+      for (const hsize_t n : shape)
+        text += (text.empty() ? "" : " x ") + std::to_string(n);
+      return text.empty() ? "one number" : text;
+    }
+
+    void check_shapes(const hdf5::InputFile &file, const std::string &origin)
+    {
+      const hdf5::Shape centre = file.shape("centre"), radius = file.shape("radius");
+      if (centre.size() != 2 || centre[1] != 3)
+        throw dem::InputError(origin + ": \"centre\" has the shape " + as_text(centre) + ", expected N x 3.");
+      if (radius.size() != 1 || radius[0] != centre[0])
+        throw dem::InputError(origin + ": \"radius\" has the shape " + as_text(radius) + ", expected " +
+                              std::to_string(centre[0]) + ", as many as centres.");
+      if (file.has("periodic_cell") && file.shape("periodic_cell") != hdf5::Shape{3})
+        throw dem::InputError(origin + ": \"periodic_cell\" has the shape " + as_text(file.shape("periodic_cell")) +
+                              ", expected 3 edge lengths.");
+    }
+
+    void check_version(const hdf5::InputFile &file, const std::string &origin)
+    {
+      std::int64_t version = format_version; // files of other programs need not have it
+      if (file.has("format_version"))
+        file.read("format_version", &version);
+      if (version != format_version)
+        throw dem::InputError(origin + ": packing format " + std::to_string(version) + ", this program reads format " +
+                              std::to_string(format_version) + ".");
+    }
+  } // namespace
+
+  std::pair<dem::Packing, Metadata> read_packing_hdf5(const std::filesystem::path &path)
+  {
+    const hdf5::InputFile file(path);
+    check_version(file, path.string());
+    check_shapes(file, path.string());
+
+    dem::Packing packing;
+    packing.centre.resize(file.shape("centre")[0]);
+    packing.radius.resize(packing.size());
+    if (packing.size() > 0)
+      {
+        file.read("centre", packing.centre.front().data());
+        file.read("radius", packing.radius.data());
+      }
+    if (file.has("periodic_cell"))
+      file.read("periodic_cell", packing.periodic_cell.emplace().data());
+
+    Metadata          metadata;
+    const std::string folder = "metadata/";
+    for (const std::string &name : file.names("metadata"))
+      metadata[name.substr(folder.size())] = file.read_text(name);
+    return {std::move(packing), std::move(metadata)};
+  }
+
+  void write_packing_hdf5(const dem::Packing &packing, const std::filesystem::path &path, const Metadata &metadata)
+  {
+    hdf5::OutputFile file(path);
+    file.write_text("format", "breccia packing");
+    file.write("format_version", &format_version, {});
+    file.write_text("units", "m");
+    file.write("centre", packing.size() > 0 ? packing.centre.front().data() : nullptr, {packing.size(), 3});
+    file.write("radius", packing.radius.data(), {packing.radius.size()});
+    if (packing.periodic_cell)
+      file.write("periodic_cell", packing.periodic_cell->data(), {3});
+    for (const auto &[key, value] : metadata)
+      file.write_text("metadata/" + key, value);
+    file.commit();
+  }
+} // namespace postprocess

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "postprocess/packing_io.h"
+
+#include <utility>
+
+namespace postprocess
+{
+  /** The HDF5 format of read_packing(); all but the checks of dem::check_packing(). @throws dem::InputError. */
+  std::pair<dem::Packing, Metadata> read_packing_hdf5(const std::filesystem::path &path);
+
+  /** Metadata as for write_packing(). @throws OutputError. */
+  void write_packing_hdf5(const dem::Packing &packing, const std::filesystem::path &path, const Metadata &metadata);
+} // namespace postprocess

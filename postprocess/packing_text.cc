@@ -1,0 +1,185 @@
+#include "postprocess/packing_text.h"
+
+#include "dem/core/errors.h"
+#include "postprocess/numeric_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace postprocess
+{
+  using namespace numeric_text;
+
+  namespace
+  {
+    constexpr std::size_t quantities = 4; // x, y, z, radius
+
+    /** Where x, y, z and radius stand in a row. */
+    struct RowLayout
+    {
+      std::array<std::size_t, quantities> place   = {0, 1, 2, 3};
+      std::size_t                         columns = quantities;
+      bool                                named   = false; ///< taken from a header
+    };
+
+    bool names_quantity(const ColumnName &column, const std::size_t quantity)
+    {
+      static constexpr std::array<std::string_view, quantities> letters = {"x", "y", "z", "r"};
+      std::string                                               name    = column.name;
+      std::transform(name.begin(), name.end(), name.begin(), [](const unsigned char c) { return std::tolower(c); });
+      return name == letters[quantity] || (quantity == 3 && name == "radius");
+    }
+
+    bool names_all_quantities(const std::vector<ColumnName> &names)
+    {
+      for (std::size_t quantity = 0; quantity < quantities; ++quantity)
+        if (std::none_of(names.begin(), names.end(), [&](const auto &name) { return names_quantity(name, quantity); }))
+          return false;
+      return true;
+    }
+
+    /** Reads a text line by line; its members are what it has understood so far. */
+    class PackingParser
+    {
+    public:
+      PackingParser(const std::string &origin, const std::string_view text)
+        : origin(origin)
+        , lines(text)
+      {
+      }
+
+      std::pair<dem::Packing, Metadata> parse()
+      {
+        while (lines.next())
+          {
+            const std::string_view line = trimmed(lines.text());
+            if (line.empty())
+              continue;
+            if (line[0] == '#')
+              read_comment(trimmed(line.substr(1)));
+            else if (packing.size() == 0 && !layout.named && is_header(line))
+              use_header(column_names(line));
+            else
+              read_particle(line);
+          }
+        if (packing.size() == 0)
+          throw dem::InputError(origin + ": holds no particle. Give lines of x y z radius [m].");
+        return {std::move(packing), std::move(metadata)};
+      }
+
+    private:
+      static bool is_header(const std::string_view line)
+      {
+        const bool is_number =
+          number(line.substr(0, line.find_first_of(" \t,"))).has_value(); // nan is one, and refused
+        return std::isalpha(static_cast<unsigned char>(line[0])) && !is_number;
+      }
+
+      void read_comment(const std::string_view line)
+      {
+        split(line, fields);
+        if (!fields.empty() && (fields[0] == "periodic_cell" || fields[0] == "periodic_cell:"))
+          read_periodic_cell();
+        else if (const auto names = column_names(line); packing.size() == 0 && names_all_quantities(names))
+          commented_names = names;
+        else if (const std::size_t colon = line.find(':'); colon != std::string_view::npos)
+          metadata[std::string(trimmed(line.substr(0, colon)))] = trimmed(line.substr(colon + 1));
+      }
+
+      void read_periodic_cell()
+      {
+        if (fields.size() != 4)
+          refuse_line("periodic_cell has " + std::to_string(fields.size() - 1) +
+                      " edge lengths, expected 3: LX LY LZ [m].");
+        packing.periodic_cell.emplace();
+        for (int d = 0; d < 3; ++d)
+          (*packing.periodic_cell)[d] = positive("periodic_cell edge", fields[d + 1]);
+      }
+
+      void use_header(const std::vector<ColumnName> &names)
+      {
+        for (std::size_t quantity = 0; quantity < quantities; ++quantity)
+          {
+            const auto is_wanted = [&](const ColumnName &name) { return names_quantity(name, quantity); };
+            if (std::count_if(names.begin(), names.end(), is_wanted) != 1)
+              refuse_line("the header must name each of the columns x, y, z and radius once.");
+            const auto found       = std::find_if(names.begin(), names.end(), is_wanted);
+            layout.place[quantity] = found - names.begin();
+            if (!found->unit.empty() && found->unit != "m")
+              refuse_line("the column " + found->name + " is in [" + found->unit + "]: lengths must be in [m].");
+          }
+        layout.columns = names.size();
+        layout.named   = true;
+      }
+
+      void read_particle(const std::string_view line)
+      {
+        split(line, fields);
+        // A comment with the four names was the header if it has as many names as there are columns; otherwise it was
+        // prose.
+        if (packing.size() == 0 && !layout.named && commented_names.size() == fields.size())
+          use_header(commented_names);
+        if (fields.size() != layout.columns)
+          refuse_line("found " + std::to_string(fields.size()) + " columns, expected " +
+                      std::to_string(layout.columns) + (layout.named ? " as in the header." : ": x y z radius."));
+        Eigen::Vector3d centre;
+        for (int d = 0; d < 3; ++d)
+          centre[d] = finite_number(fields[layout.place[d]], origin, lines.number());
+        packing.centre.push_back(centre);
+        packing.radius.push_back(positive("radius", fields[layout.place[3]]));
+      }
+
+      double positive(const std::string &what, const std::string_view field) const
+      {
+        const double value = finite_number(field, origin, lines.number());
+        if (!(value > 0))
+          refuse_line(what + " = " + std::string(field) + " m: must be above 0.");
+        return value;
+      }
+
+      [[noreturn]] void refuse_line(const std::string &message) const { refuse(origin, lines.number(), message); }
+
+      std::string                   origin;
+      Lines                         lines;
+      RowLayout                     layout;
+      std::vector<std::string_view> fields;
+      std::vector<ColumnName>       commented_names;
+      dem::Packing                  packing;
+      Metadata                      metadata;
+    };
+  } // namespace
+
+  std::pair<dem::Packing, Metadata> read_packing_text(const std::filesystem::path &path)
+  {
+    const std::string text = read_whole(path);
+    return PackingParser(path.string(), text).parse();
+  }
+
+  std::string packing_as_text(const dem::Packing &packing, const Metadata &metadata, const char separator)
+  {
+    std::string text = "# breccia packing: lengths in m\n";
+    for (const auto &[key, value] : metadata)
+      text += "# " + key + ": " + value + "\n";
+
+    const auto append_row = [&](const std::string &begin, const std::vector<double> &values, const char between) {
+      text += begin;
+      for (std::size_t i = 0; i < values.size(); ++i)
+        {
+          if (i > 0)
+            text += between;
+          append(text, values[i]);
+        }
+      text += '\n';
+    };
+    if (packing.periodic_cell)
+      append_row("# periodic_cell ",
+                 {packing.periodic_cell->x(), packing.periodic_cell->y(), packing.periodic_cell->z()}, ' ');
+    for (const char *const name : {"x", "y", "z", "radius"})
+      (text += name) += *name == 'r' ? '\n' : separator;
+    for (std::size_t i = 0; i < packing.size(); ++i)
+      append_row("", {packing.centre[i].x(), packing.centre[i].y(), packing.centre[i].z(), packing.radius[i]},
+                 separator);
+    return text;
+  }
+} // namespace postprocess

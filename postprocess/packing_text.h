@@ -1,0 +1,14 @@
+#pragma once
+
+#include "postprocess/packing_io.h"
+
+#include <utility>
+
+namespace postprocess
+{
+  /** The text format of read_packing(); all but the checks of dem::check_packing(). @throws dem::InputError. */
+  std::pair<dem::Packing, Metadata> read_packing_text(const std::filesystem::path &path);
+
+  /** The same format as text; fields are separated by `separator`. Metadata as for write_packing(). */
+  std::string packing_as_text(const dem::Packing &packing, const Metadata &metadata, char separator);
+} // namespace postprocess

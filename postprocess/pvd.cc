@@ -1,0 +1,45 @@
+#include "postprocess/pvd.h"
+
+#include "postprocess/atomic_file.h"
+#include "postprocess/errors.h"
+#include "postprocess/numeric_text.h"
+
+#include <cstdio>
+
+namespace postprocess
+{
+  namespace
+  {
+    std::string file_name(const std::string &name, const std::size_t number)
+    {
+      char digits[24];
+      std::snprintf(digits, sizeof(digits), "_%06zu.vtp", number);
+      return name + digits;
+    }
+  } // namespace
+
+  PvdCollection::PvdCollection(const std::filesystem::path &output_folder, const std::string &name_)
+    : folder(output_folder)
+    , name(name_)
+  {
+    std::error_code error;
+    std::filesystem::create_directories(folder / name, error);
+    if (error)
+      throw OutputError((folder / name).string() + ": the folder cannot be made: " + error.message() + ".");
+  }
+
+  std::filesystem::path PvdCollection::next() const { return folder / name / file_name(name, times.size()); }
+
+  void PvdCollection::add(const double time)
+  {
+    times.push_back(time);
+    std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
+    for (std::size_t i = 0; i < times.size(); ++i)
+      {
+        text += "    <DataSet timestep=\"";
+        numeric_text::append(text, times[i]);
+        text += "\" part=\"0\" file=\"" + name + "/" + file_name(name, i) + "\"/>\n";
+      }
+    write_text(folder / (name + ".pvd"), text + "  </Collection>\n</VTKFile>\n");
+  }
+} // namespace postprocess

@@ -1,0 +1,107 @@
+#include "postprocess/series.h"
+
+#include "dem/core/errors.h"
+#include "postprocess/errors.h"
+#include "postprocess/numeric_text.h"
+
+#include <fcntl.h>
+
+#include <stdexcept>
+
+namespace postprocess
+{
+  namespace
+  {
+    std::string header_line(const std::vector<SeriesColumn> &columns)
+    {
+      std::string line;
+      for (const SeriesColumn &column : columns)
+        {
+          line += (line.empty() ? "" : ",") + column.name;
+          if (!column.unit.empty())
+            line += " [" + column.unit + "]";
+        }
+      return line + "\n";
+    }
+
+    /** Length of the header and the first rows of a series, once it is sure that they are there. */
+    std::size_t bytes_to_keep(const std::filesystem::path &path, const std::string &header, const std::int64_t rows)
+    {
+      const std::string text = numeric_text::read_whole(path);
+      if (text.compare(0, header.size(), header) != 0)
+        throw dem::InputError(path.string() +
+                              ": its header is not that of this run, which cannot go on with it. Expected: " +
+                              header.substr(0, header.size() - 1));
+      std::size_t end = header.size();
+      for (std::int64_t row = 0; row < rows; ++row)
+        {
+          const std::size_t line_end = text.find('\n', end);
+          if (line_end == std::string::npos)
+            throw dem::InputError(path.string() + ": holds " + std::to_string(row) + " rows, the checkpoint knows of " +
+                                  std::to_string(rows) + ". It was changed or cut short; start the run afresh.");
+          end = line_end + 1;
+        }
+      return end;
+    }
+  } // namespace
+
+  SeriesWriter::SeriesWriter(const std::filesystem::path &path, const std::vector<SeriesColumn> &columns)
+    : column_count(columns.size())
+    , file(path, O_WRONLY | O_CREAT | O_TRUNC)
+    , buffer(header_line(columns))
+  {
+    write_out();
+  }
+
+  SeriesWriter::SeriesWriter(const std::filesystem::path     &path,
+                             const std::vector<SeriesColumn> &columns,
+                             const std::int64_t               rows)
+    : column_count(columns.size())
+    , row_count(rows)
+    , file(path, O_WRONLY)
+  {
+    file.shorten(bytes_to_keep(path, header_line(columns), rows));
+  }
+
+  SeriesWriter::~SeriesWriter()
+  {
+    try
+      {
+        write_out();
+      }
+    catch (const OutputError &)
+      {
+        // Nobody can be told any more: a caller who must know calls flush().
+      }
+  }
+
+  void SeriesWriter::append(const std::vector<double> &values)
+  {
+    if (values.size() != column_count)
+      throw std::invalid_argument("SeriesWriter::append: " + std::to_string(values.size()) + " values for " +
+                                  std::to_string(column_count) + " columns");
+    for (std::size_t i = 0; i < values.size(); ++i)
+      {
+        if (i > 0)
+          buffer += ',';
+        numeric_text::append(buffer, values[i]);
+      }
+    buffer += '\n';
+    ++row_count;
+    if (std::chrono::steady_clock::now() - last_written > std::chrono::seconds(2))
+      write_out();
+  }
+
+  void SeriesWriter::flush()
+  {
+    write_out();
+    file.sync();
+  }
+
+  void SeriesWriter::write_out()
+  {
+    file.write(buffer);
+    buffer.clear();
+    last_written = std::chrono::steady_clock::now();
+  }
+} // namespace postprocess

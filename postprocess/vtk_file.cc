@@ -1,0 +1,113 @@
+#include "postprocess/vtk_file.h"
+
+#include "postprocess/atomic_file.h"
+#include "postprocess/errors.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkDoubleArray.h>
+#include <vtkErrorCode.h>
+#include <vtkFieldData.h>
+#include <vtkIdTypeArray.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace postprocess::vtk_file
+{
+  namespace
+  {
+    template <typename VtkArray>
+    vtkSmartPointer<VtkArray> make_empty(const std::string &name, const int components, const std::size_t tuples)
+    {
+      auto array = vtkSmartPointer<VtkArray>::New();
+      array->SetName(name.c_str());
+      array->SetNumberOfComponents(components);
+      array->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
+      return array;
+    }
+  } // namespace
+
+  Array make_array(const std::string &name, const std::vector<double> &values)
+  {
+    auto array = make_empty<vtkDoubleArray>(name, 1, values.size());
+    std::copy(values.begin(), values.end(), array->GetPointer(0));
+    return array;
+  }
+
+  Array make_array(const std::string &name, const std::vector<std::int32_t> &values)
+  {
+    auto array = make_empty<vtkIntArray>(name, 1, values.size());
+    std::copy(values.begin(), values.end(), array->GetPointer(0));
+    return array;
+  }
+
+  Array make_array(const std::string &name, const std::vector<Eigen::Vector3d> &values)
+  {
+    auto array = make_empty<vtkDoubleArray>(name, 3, values.size());
+    for (std::size_t i = 0; i < values.size(); ++i)
+      array->SetTypedTuple(static_cast<vtkIdType>(i), values[i].data());
+    return array;
+  }
+
+  Array make_array(const std::string &name, const std::vector<Eigen::Matrix3d> &values)
+  {
+    auto array = make_empty<vtkDoubleArray>(name, 6, values.size());
+    for (std::size_t i = 0; i < values.size(); ++i)
+      {
+        const Eigen::Matrix3d &t        = values[i];
+        const double           tuple[6] = {t(0, 0), t(1, 1), t(2, 2), t(0, 1), t(1, 2), t(0, 2)};
+        array->SetTypedTuple(static_cast<vtkIdType>(i), tuple);
+      }
+    const char *const names[6] = {"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
+    for (int component = 0; component < 6; ++component)
+      array->SetComponentName(component, names[component]);
+    return array;
+  }
+
+  Array make_numbering(const std::string &name, const std::size_t count)
+  {
+    auto array = make_empty<vtkIdTypeArray>(name, 1, count);
+    for (std::size_t i = 0; i < count; ++i)
+      array->SetValue(static_cast<vtkIdType>(i), static_cast<vtkIdType>(i));
+    return array;
+  }
+
+  vtkSmartPointer<vtkPoints> make_points(const std::vector<Eigen::Vector3d> &position)
+  {
+    auto points = vtkSmartPointer<vtkPoints>::New();
+    points->SetData(make_array("position", position));
+    return points;
+  }
+
+  void
+  check_length(const char *const caller, const char *const column, const std::size_t length, const std::size_t expected)
+  {
+    if (length != expected)
+      throw std::invalid_argument(std::string(caller) + ": " + column + " has " + std::to_string(length) +
+                                  " entries, not " + std::to_string(expected));
+  }
+
+  void write(const std::filesystem::path &path, vtkPolyData *const data, const double time)
+  {
+    data->GetFieldData()->AddArray(make_array("TimeValue", std::vector<double>{time}));
+
+    AtomicFile                   target(path);
+    vtkNew<vtkXMLPolyDataWriter> writer;
+    vtkNew<vtkCallbackCommand>   quiet; // errors come back as a code, and are then ours to report
+    quiet->SetCallback([](vtkObject *, unsigned long, void *, void *) {});
+    writer->AddObserver("ErrorEvent", quiet);
+    writer->SetFileName(target.partial().c_str());
+    writer->SetInputData(data);
+    writer->SetDataModeToAppended();
+    writer->EncodeAppendedDataOff();
+    writer->SetCompressorTypeToLZ4();
+    writer->SetHeaderTypeToUInt64();
+    if (writer->Write() == 0 || writer->GetErrorCode() != vtkErrorCode::NoError)
+      throw OutputError(path.string() +
+                        ": cannot be written: " + vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode()) + ".");
+    target.commit();
+  }
+} // namespace postprocess::vtk_file
