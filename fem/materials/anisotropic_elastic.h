@@ -1,0 +1,61 @@
+#pragma once
+
+#include "fem/materials/element_extent.h"
+#include "fem/materials/response.h"
+
+#include <array>
+
+namespace fem
+{
+  struct AnisotropicElasticParameters
+  {
+    std::array<double, 21> upper; ///< D_11 D_12 ... D_16 D_22 ... D_66 [Pa], rows of the upper triangle
+
+    AnisotropicElasticParameters() { upper.fill(required); }
+  };
+
+  /// Linear elasticity from any symmetric positive definite 6 x 6, e.g. a homogenised stiffness.
+  class AnisotropicElastic
+  {
+  public:
+    using Parameters                  = AnisotropicElasticParameters;
+    static constexpr const char *name = "anisotropic elastic";
+
+    struct State
+    {
+    };
+
+    template <typename Entry>
+    static void describe(Parameters &p, Entry &&entry)
+    {
+      static constexpr const char *names[21] = {"D11", "D12", "D13", "D14", "D15", "D16", "D22",
+                                                "D23", "D24", "D25", "D26", "D33", "D34", "D35",
+                                                "D36", "D44", "D45", "D46", "D55", "D56", "D66"};
+      for (unsigned int i = 0; i < 21; ++i)
+        entry(names[i], p.upper[i], "stiffness [Pa], order xx yy zz yz zx xy, engineering shear", -1e300, 1e300);
+    }
+
+    template <typename Column>
+    static void describe_state(State &, Column &&)
+    {
+    }
+
+    /// @throws std::invalid_argument unless the matrix is positive definite.
+    explicit AnisotropicElastic(const Parameters &parameters);
+
+    /// @param stiffness [Pa].
+    /// @throws std::invalid_argument unless symmetric to 1e-10 of its largest entry, and positive definite.
+    explicit AnisotropicElastic(const Stiffness &stiffness);
+
+    Response<State>
+    evaluate(const Voigt &strain, const State &, const ElementExtent &, bool /*with_tangent*/ = true) const
+    {
+      return {stiffness * strain, stiffness, {}};
+    }
+
+    const Stiffness &elastic_stiffness() const { return stiffness; }
+
+  private:
+    Stiffness stiffness;
+  };
+}

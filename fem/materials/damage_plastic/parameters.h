@@ -1,0 +1,64 @@
+#pragma once
+
+#include "fem/materials/response.h"
+
+namespace fem
+{
+  /// Damage-plastic concrete. Defaults are those of Grassl and Jirasek (2006); a constant without one is required.
+  struct DamagePlasticParameters
+  {
+    double young_modulus        = required;  ///< E [Pa]
+    double poisson_ratio        = required;  ///< nu [-]
+    double compressive_strength = required;  ///< f_c [Pa]
+    double tensile_strength     = required;  ///< f_t [Pa]
+    double crack_opening        = 0.0;       ///< w_f [m]; 0: from the fracture energy
+    double fracture_energy      = 0.0;       ///< G_f = w_f f_t [J/m^2]; 0: from the crack opening
+    double eccentricity         = 0.525;     ///< e [-]
+    double initial_hardening    = 0.1;       ///< q_0 [-]
+    double hardening_a          = 0.08;      ///< A_h [-]
+    double hardening_b          = 0.003;     ///< B_h [-]
+    double hardening_c          = 2.0;       ///< C_h [-]
+    double hardening_d          = 1e-6;      ///< D_h [-]
+    double softening            = 15.0;      ///< A_s [-]
+    double dilation             = -0.85;     ///< D_f [-]
+    double element_size         = 0.0;       ///< h_el [m]; 0: from the mesh
+    double reference_size       = 0.0;       ///< h_ref [m]; 0: off
+    double vertex_norm          = 1.0 / 3.0; ///< factor of (3.2); 1/9 reproduces older results
+    double largest_increment    = 2e-4;      ///< strain increment above which a step is divided [-]; 0: never divided
+
+    /// w_f [m] from whichever of crack opening and fracture energy was given.
+    double softening_opening() const { return crack_opening > 0 ? crack_opening : fracture_energy / tensile_strength; }
+
+    double bulk() const { return young_modulus / (3 * (1 - 2 * poisson_ratio)); }
+
+    double shear() const { return young_modulus / (2 * (1 + poisson_ratio)); }
+
+    /// @throws std::invalid_argument naming the first entry that breaks a rule.
+    void validate() const;
+
+    template <typename Entry> // entry(name, value, meaning with unit, lower bound, upper bound)
+    static void describe(DamagePlasticParameters &p, Entry &&entry)
+    {
+      entry("Young modulus", p.young_modulus, "E [Pa]", 1e-300, 1e300);
+      entry("Poisson ratio", p.poisson_ratio, "nu [-]", 0.0, 0.4999999);
+      entry("Compressive strength", p.compressive_strength, "f_c [Pa], uniaxial", 1e-300, 1e300);
+      entry("Tensile strength", p.tensile_strength, "f_t [Pa], uniaxial, below f_c", 1e-300, 1e300);
+      entry("Crack opening", p.crack_opening, "w_f [m], slope of the exponential softening; 0: from G_f", 0.0, 1e300);
+      entry("Fracture energy", p.fracture_energy, "G_f = w_f f_t [J/m^2]; 0: from w_f", 0.0, 1e300);
+      entry("Eccentricity", p.eccentricity, "e [-], roundness of the deviatoric section", 0.5 + 1e-9, 1.0);
+      entry("Initial hardening", p.initial_hardening, "q_0 [-], first yield over strength", 1e-6, 1.0 - 1e-9);
+      entry("Hardening A", p.hardening_a, "A_h [-], hardening ductility", 1e-300, 1e300);
+      entry("Hardening B", p.hardening_b, "B_h [-], hardening ductility", 1e-300, 1e300);
+      entry("Hardening C", p.hardening_c, "C_h [-], hardening ductility", 1e-300, 1e300);
+      entry("Hardening D", p.hardening_d, "D_h [-], hardening ductility", 1e-300, 1e300);
+      entry("Softening A", p.softening, "A_s [-], softening ductility in compression", 0.0, 1e300);
+      entry("Dilation", p.dilation, "D_f [-], lateral over axial plastic strain, uniaxial compression", -0.9999,
+            -0.5001);
+      entry("Element size", p.element_size, "h_el [m]; 0: from the mesh", 0.0, 1e300);
+      entry("Reference size", p.reference_size, "h_ref [m], element size before localisation; 0: off", 0.0, 1e300);
+      entry("Vertex norm", p.vertex_norm, "factor of the volumetric part in the vertex return [-]", 1.0 / 9.0,
+            1.0 / 3.0);
+      entry("Largest increment", p.largest_increment, "strain per sub-step [-]; 0: a step is one sub-step", 0.0, 1e300);
+    }
+  };
+}
