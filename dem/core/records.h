@@ -18,7 +18,7 @@ namespace dem
   constexpr int record_size = 8;
 
   /** Quantity i of record j to lane j of packs[i]. */
-  inline void transpose(Pack (&packs)[8])
+  BRECCIA_KERNEL void transpose(Pack (&packs)[8])
   {
 #ifdef __AVX512F__
     if constexpr (Pack::size() == 8 && sizeof(Pack) == sizeof(__m512d))

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "dem/core/inline.h"
+
 #include <cmath>
 #include <experimental/simd>
 
@@ -19,25 +21,25 @@ namespace dem
   using Pack     = stdx::simd<double, stdx::simd_abi::deduce_t<double, pack_size>>;
   using PackMask = Pack::mask_type;
 
-  inline Pack load(const double *from) { return Pack(from, stdx::vector_aligned); }
-  inline void store(const Pack &values, double *to) { values.copy_to(to, stdx::vector_aligned); }
+  BRECCIA_KERNEL Pack load(const double *from) { return Pack(from, stdx::vector_aligned); }
+  BRECCIA_KERNEL void store(const Pack &values, double *to) { values.copy_to(to, stdx::vector_aligned); }
 
-  inline double select(const bool mask, const double yes, const double no) { return mask ? yes : no; }
-  inline Pack   select(const PackMask &mask, const Pack &yes, const Pack &no)
+  BRECCIA_KERNEL double select(const bool mask, const double yes, const double no) { return mask ? yes : no; }
+  BRECCIA_KERNEL Pack   select(const PackMask &mask, const Pack &yes, const Pack &no)
   {
     Pack result               = no;
     stdx::where(mask, result) = yes;
     return result;
   }
 
-  inline bool any(const bool mask) { return mask; }
-  inline bool any(const PackMask &mask) { return stdx::any_of(mask); }
+  BRECCIA_KERNEL bool any(const bool mask) { return mask; }
+  BRECCIA_KERNEL bool any(const PackMask &mask) { return stdx::any_of(mask); }
 
-  inline double maximum(const double a, const double b) { return a > b ? a : b; }
-  inline Pack   maximum(const Pack &a, const Pack &b) { return stdx::max(a, b); }
+  BRECCIA_KERNEL double maximum(const double a, const double b) { return a > b ? a : b; }
+  BRECCIA_KERNEL Pack   maximum(const Pack &a, const Pack &b) { return stdx::max(a, b); }
 
-  inline double square_root(const double a) { return std::sqrt(a); }
-  inline Pack   square_root(const Pack &a) { return stdx::sqrt(a); }
+  BRECCIA_KERNEL double square_root(const double a) { return std::sqrt(a); }
+  BRECCIA_KERNEL Pack   square_root(const Pack &a) { return stdx::sqrt(a); }
 
   /** Apply a function of one double to every lane. */
   template <typename Function>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "dem/core/inline.h"
+
 namespace dem
 {
   /** n components of a number type (double or Pack); kept free of storage order and of expression templates for the kernel. */
@@ -13,7 +15,7 @@ namespace dem
   };
 
   template <typename T, int n>
-  inline Vec<T, n> operator+(Vec<T, n> a, const Vec<T, n> &b)
+  BRECCIA_KERNEL Vec<T, n> operator+(Vec<T, n> a, const Vec<T, n> &b)
   {
     for (int i = 0; i < n; ++i)
       a.c[i] = a.c[i] + b.c[i];
@@ -21,7 +23,7 @@ namespace dem
   }
 
   template <typename T, int n>
-  inline Vec<T, n> operator-(Vec<T, n> a, const Vec<T, n> &b)
+  BRECCIA_KERNEL Vec<T, n> operator-(Vec<T, n> a, const Vec<T, n> &b)
   {
     for (int i = 0; i < n; ++i)
       a.c[i] = a.c[i] - b.c[i];
@@ -29,7 +31,7 @@ namespace dem
   }
 
   template <typename T, int n>
-  inline Vec<T, n> operator*(const T &s, Vec<T, n> a)
+  BRECCIA_KERNEL Vec<T, n> operator*(const T &s, Vec<T, n> a)
   {
     for (int i = 0; i < n; ++i)
       a.c[i] = s * a.c[i];
@@ -37,7 +39,7 @@ namespace dem
   }
 
   template <typename T, int n>
-  inline T dot(const Vec<T, n> &a, const Vec<T, n> &b)
+  BRECCIA_KERNEL T dot(const Vec<T, n> &a, const Vec<T, n> &b)
   {
     T sum = a.c[0] * b.c[0];
     for (int i = 1; i < n; ++i)
@@ -46,7 +48,7 @@ namespace dem
   }
 
   template <typename T>
-  inline Vec<T, 3> cross(const Vec<T, 3> &a, const Vec<T, 3> &b)
+  BRECCIA_KERNEL Vec<T, 3> cross(const Vec<T, 3> &a, const Vec<T, 3> &b)
   {
     return {{a.c[1] * b.c[2] - a.c[2] * b.c[1], a.c[2] * b.c[0] - a.c[0] * b.c[2], a.c[0] * b.c[1] - a.c[1] * b.c[0]}};
   }

@@ -23,22 +23,26 @@ namespace dem
     return {std::sin(angle) / angle, 2.0 * half_sine * half_sine / angle_squared};
   }
 
+  /** Put the exact coefficients where the angle is too large for the series. */
+  template <typename T>
+  BRECCIA_RARE void replace_large_rotations(const T &angle_squared, RotationCoefficients<T> &c)
+  {
+    const auto large = angle_squared > T(series_angle_squared);
+    const T    safe  = select(large, angle_squared, T(1.0));
+    c.sine = select(large, each_lane(safe, [](const double a) { return exact_rotation_coefficients(a).sine; }), c.sine);
+    c.versine =
+      select(large, each_lane(safe, [](const double a) { return exact_rotation_coefficients(a).versine; }), c.versine);
+  }
+
   /** Taylor series to t^6, remainder below 1e-21 for angles of the series; larger angles, lane by lane, the exact functions. */
   template <typename T>
-  RotationCoefficients<T> rotation_coefficients(const T &angle_squared)
+  BRECCIA_KERNEL RotationCoefficients<T> rotation_coefficients(const T &angle_squared)
   {
     const T                &s = angle_squared;
     RotationCoefficients<T> c{T(1.0) - s * (T(1.0 / 6) - s * (T(1.0 / 120) - s * T(1.0 / 5040))),
                               T(0.5) - s * (T(1.0 / 24) - s * (T(1.0 / 720) - s * T(1.0 / 40320)))};
-    const auto              large = s > T(series_angle_squared);
-    if (any(large))
-      {
-        const T safe = select(large, s, T(1.0));
-        c.sine =
-          select(large, each_lane(safe, [](const double a) { return exact_rotation_coefficients(a).sine; }), c.sine);
-        c.versine = select(
-          large, each_lane(safe, [](const double a) { return exact_rotation_coefficients(a).versine; }), c.versine);
-      }
+    if (any(s > T(series_angle_squared)))
+      replace_large_rotations(s, c);
     return c;
   }
 
@@ -47,14 +51,14 @@ namespace dem
  * the displacement of a rigid rotation exactly (Hughes and Winget, 1980).
  */
   template <typename T>
-  T half_tangent_factor(const RotationCoefficients<T> &c, const T &angle_squared)
+  BRECCIA_KERNEL T half_tangent_factor(const RotationCoefficients<T> &c, const T &angle_squared)
   {
     return c.sine / (T(1.0) - T(0.5) * angle_squared * c.versine);
   }
 
   /** Rotate v by the rotation vector t (Rodrigues): v + a t x v + b t x (t x v). */
   template <typename T>
-  Vec<T, 3> rotate(const RotationCoefficients<T> &c, const Vec<T, 3> &t, const Vec<T, 3> &v)
+  BRECCIA_KERNEL Vec<T, 3> rotate(const RotationCoefficients<T> &c, const Vec<T, 3> &t, const Vec<T, 3> &v)
   {
     const Vec<T, 3> once = cross(t, v);
     return v + c.sine * once + c.versine * cross(t, once);
@@ -66,7 +70,7 @@ namespace dem
  * For v.a = 0 the minimal rotation Q(a -> b) v = v - (a + b) (b.v)/(1 + a.b). @pre a != -b
  */
   template <typename T>
-  Vec<T, 3> transport(const Vec<T, 3> &a, const Vec<T, 3> &b, const Vec<T, 3> &v)
+  BRECCIA_KERNEL Vec<T, 3> transport(const Vec<T, 3> &a, const Vec<T, 3> &b, const Vec<T, 3> &v)
   {
     const T factor = dot(b, v) / (T(1.0) + dot(a, b));
     return v - factor * (a + b);
@@ -101,7 +105,8 @@ namespace dem
  * @tparam rotations the particles spin; otherwise rotation vectors are not looked at
  */
   template <bool rotations, typename T, int stored>
-  LinkFrame<T> advance_shear(const PairMotion<T> &m, const T &inverse_reference, Vec<T, 3> (&shear)[stored])
+  BRECCIA_KERNEL LinkFrame<T>
+                 advance_shear(const PairMotion<T> &m, const T &inverse_reference, Vec<T, 3> (&shear)[stored])
   {
     const Vec<T, 3> l0 = m.branch - m.increment;
     const Vec<T, 3> lm = m.branch - T(0.5) * m.increment;
@@ -146,7 +151,8 @@ namespace dem
 
   /** The same in the plane: shear is a number, positive along the direction turned by +90 degrees, and turns with the pair by itself. */
   template <bool rotations, typename T, int stored>
-  PlaneLinkFrame<T> advance_shear(const PlanePairMotion<T> &m, const T &inverse_reference, Vec<T, 1> (&shear)[stored])
+  BRECCIA_KERNEL PlaneLinkFrame<T>
+                 advance_shear(const PlanePairMotion<T> &m, const T &inverse_reference, Vec<T, 1> (&shear)[stored])
   {
     const Vec<T, 2> lm = m.branch - T(0.5) * m.increment;
     const T         L1 = square_root(dot(m.branch, m.branch)), Lm = square_root(dot(lm, lm));

@@ -40,7 +40,7 @@ namespace dem
     const Pack difference_and_sum([](auto lane) { return lane < 3 || lane > 5 ? -1.0 : 1.0; });
 
     template <typename P>
-    inline void gather(
+    BRECCIA_KERNEL void gather(
       const Particles &particles, const std::int32_t *first, const std::int32_t *second, const Pack &signs, Ends &ends)
     {
       const double *pose = particles.pose.data(), *motion = particles.motion.data();
@@ -62,7 +62,7 @@ namespace dem
 
     /** (r_J - r_K)/L, by which the contact point lies off the middle of the branch; arms are (1 +- this) L/2. */
     template <typename P>
-    inline Pack eccentricity(const Ends &ends, const Pack &length)
+    BRECCIA_KERNEL Pack eccentricity(const Ends &ends, const Pack &length)
     {
       if constexpr (P::equal_radii)
         return Pack(0.0);
@@ -71,7 +71,7 @@ namespace dem
     }
 
     template <typename P>
-    inline Pack arm_rotation(const Ends &ends, const int c, const Pack &eccentric)
+    BRECCIA_KERNEL Pack arm_rotation(const Ends &ends, const int c, const Pack &eccentric)
     {
       if constexpr (P::equal_radii)
         return Pack(0.5) * ends.pose[3 + c];
@@ -80,7 +80,7 @@ namespace dem
     }
 
     template <typename P>
-    inline auto pair_motion(const Ends &ends, const Pack &eccentric)
+    BRECCIA_KERNEL auto pair_motion(const Ends &ends, const Pack &eccentric)
     {
       if constexpr (P::dimension == 3)
         {
@@ -104,11 +104,11 @@ namespace dem
 
     /** Force on the first end, half branch x force, eccentricity: what a particle needs of its link, as records. */
     template <typename P, typename Frame>
-    inline void put_force(const Frame                                  &frame,
-                          const CpmResponse<Pack, P::shear_components> &r,
-                          const Pack                                   &area,
-                          const Pack                                   &eccentric,
-                          double                                       *record)
+    BRECCIA_KERNEL void put_force(const Frame                                  &frame,
+                                  const CpmResponse<Pack, P::shear_components> &r,
+                                  const Pack                                   &area,
+                                  const Pack                                   &eccentric,
+                                  double                                       *record)
     {
       Pack out[8];
       for (auto &o : out)
@@ -145,10 +145,10 @@ namespace dem
     using State = CpmState<Pack, P::shear_components>;
 
     template <typename P>
-    inline void load_state(const LinkSet    &links,
-                           const std::size_t l,
-                           State<P>         &state,
-                           Vec<Pack, P::shear_components> (&shear)[P::stored_shears])
+    BRECCIA_KERNEL void load_state(const LinkSet    &links,
+                                   const std::size_t l,
+                                   State<P>         &state,
+                                   Vec<Pack, P::shear_components> (&shear)[P::stored_shears])
     {
       state.kappa  = load(&links.kappa[l]);
       state.damage = P::contact ? Pack(1.0) : load(&links.damage[l]);
@@ -161,11 +161,11 @@ namespace dem
     }
 
     template <typename P>
-    inline void store_state(LinkSet          &links,
-                            const std::size_t l,
-                            const State<P>   &state,
-                            const State<P>   &before,
-                            const Vec<Pack, P::shear_components> (&shear)[P::stored_shears])
+    BRECCIA_KERNEL void store_state(LinkSet          &links,
+                                    const std::size_t l,
+                                    const State<P>   &state,
+                                    const State<P>   &before,
+                                    const Vec<Pack, P::shear_components> (&shear)[P::stored_shears])
     {
       if constexpr (P::damage != Damage::none)
         if (any(state.kappa > before.kappa))
@@ -183,14 +183,14 @@ namespace dem
 
     /** Eight links: kinematics, law, force. */
     template <typename P>
-    inline void update_pack(LinkSet            &links,
-                            const Particles    &particles,
-                            const CpmConstants &law,
-                            const Pack         &signs,
-                            const std::size_t   l,
-                            Pack               &plastic_work,
-                            Pack               &damage_work,
-                            PackMask           &exhausted)
+    BRECCIA_KERNEL void update_pack(LinkSet            &links,
+                                    const Particles    &particles,
+                                    const CpmConstants &law,
+                                    const Pack         &signs,
+                                    const std::size_t   l,
+                                    Pack               &plastic_work,
+                                    Pack               &damage_work,
+                                    PackMask           &exhausted)
     {
       Ends ends;
       gather<P>(particles, &links.first[l], &links.second[l], signs, ends);

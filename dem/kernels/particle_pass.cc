@@ -31,7 +31,7 @@ namespace dem
     };
 
     template <bool equal_radii>
-    inline Pack weighted(const double *record, const Pack &sign, const Pack &arm)
+    BRECCIA_KERNEL Pack weighted(const double *record, const Pack &sign, const Pack &arm)
     {
       if constexpr (equal_radii)
         return sign * load(record);
@@ -40,7 +40,7 @@ namespace dem
     }
 
     template <bool equal_radii>
-    inline void add_links(const LinkSet &links, const std::size_t i, const Lanes &lanes, Pack &sum)
+    BRECCIA_KERNEL void add_links(const LinkSet &links, const std::size_t i, const Lanes &lanes, Pack &sum)
     {
       const double *force = links.force.data();
       for (std::int32_t l = links.own_begin[i]; l < links.own_begin[i + 1]; ++l)
@@ -51,7 +51,7 @@ namespace dem
     }
 
     /** tan(t/2)/(t/2) of a rotation vector's squared length; a short series for the angles of a stable step. */
-    inline double arm_stretch(const double angle_squared)
+    BRECCIA_KERNEL double arm_stretch(const double angle_squared)
     {
       if (angle_squared <= series_angle_squared) // remainder below 1e-16
         return 1.0 + angle_squared * (1.0 / 12 + angle_squared * (1.0 / 120 + angle_squared * (17.0 / 20160)));
@@ -65,7 +65,7 @@ namespace dem
     };
 
     template <bool damped>
-    inline Pack damp(const Pack &acceleration, const Pack &velocity, const Pack &half_step, const Pack &damping)
+    BRECCIA_KERNEL Pack damp(const Pack &acceleration, const Pack &velocity, const Pack &half_step, const Pack &damping)
     {
       if constexpr (!damped)
         return acceleration;
@@ -76,13 +76,13 @@ namespace dem
 
     /** Leap-frog step of one particle, all components at once. */
     template <bool damped>
-    inline void integrate(Particles        &p,
-                          const std::size_t i,
-                          const Pack       &force,
-                          const Lanes      &lanes,
-                          const Pack       &time_step,
-                          const Pack       &damping,
-                          Sums             &sums)
+    BRECCIA_KERNEL void integrate(Particles        &p,
+                                  const std::size_t i,
+                                  const Pack       &force,
+                                  const Lanes      &lanes,
+                                  const Pack       &time_step,
+                                  const Pack       &damping,
+                                  Sums             &sums)
     {
       const std::size_t at           = record_size * i;
       const Pack        velocity     = load(&p.velocity[at]);

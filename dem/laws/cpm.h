@@ -42,7 +42,7 @@ namespace dem
 
     /** Damage omega = g(kappa), (2.17) of Stransky (2018) or its linear counterpart. @pre kappa > 0 */
     template <typename T>
-    T damage_at(const T &kappa) const
+    BRECCIA_RARE T damage_at(const T &kappa) const
     {
       const T damaged = law == DamageLaw::exponential ?
                           T(T(1.0) - (onset / kappa) * exponential((onset - kappa) * inverse_softening)) :
@@ -98,7 +98,7 @@ namespace dem
   struct Cpm
   {
     template <typename T, int m>
-    static CpmResponse<T, m>
+    BRECCIA_KERNEL static CpmResponse<T, m>
     update(const CpmConstants &k, const T &normal_strain, const T &total_shear_squared, CpmState<T, m> &state)
     {
       CpmResponse<T, m> response;
@@ -116,11 +116,11 @@ namespace dem
 
   private:
     template <typename T, int m>
-    static void grow_damage(const CpmConstants &k,
-                            const T            &opening,
-                            const T            &total_shear_squared,
-                            CpmState<T, m>     &state,
-                            CpmResponse<T, m>  &response)
+    BRECCIA_KERNEL static void grow_damage(const CpmConstants &k,
+                                           const T            &opening,
+                                           const T            &total_shear_squared,
+                                           CpmState<T, m>     &state,
+                                           CpmResponse<T, m>  &response)
     {
       T equivalent = opening;
       if (k.shear_weight > 0)
@@ -137,7 +137,7 @@ namespace dem
     }
 
     template <typename T, int m>
-    static void slide(const CpmConstants &k, CpmState<T, m> &state, CpmResponse<T, m> &response)
+    BRECCIA_KERNEL static void slide(const CpmConstants &k, CpmState<T, m> &state, CpmResponse<T, m> &response)
     {
       const T    limit  = maximum(k.cohesion * (T(1.0) - state.damage) - k.friction * response.normal_stress, T(0.0));
       const T    trial2 = dot(response.shear_stress, response.shear_stress);
