@@ -88,10 +88,12 @@ namespace postprocess::hdf5
   OutputFile::OutputFile(const std::filesystem::path &path_)
     : path(path_)
     , target(path_)
-    , file(H5Fcreate(target.partial().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access_properties()), H5Fclose)
+    , file(H5I_INVALID_HID, H5Fclose)
   {
+    const Handle access = access_properties(); // closed after fail(), since closing clears HDF5's list of errors
+    file = Handle(H5Fcreate(target.partial().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose);
     if (!file.valid())
-      fail("cannot be opened for writing");
+      fail("cannot be written");
   }
 
   OutputFile::~OutputFile() { abandon(); }
@@ -177,9 +179,12 @@ namespace postprocess::hdf5
   } // namespace
 
   InputFile::InputFile(const std::filesystem::path &path_)
-    : path((check_exists(path_), path_))
-    , file(H5Fopen(path_.c_str(), H5F_ACC_RDONLY, access_properties()), H5Fclose)
+    : path(path_)
+    , file(H5I_INVALID_HID, H5Fclose)
   {
+    check_exists(path);
+    const Handle access = access_properties();
+    file                = Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), H5Fclose);
     if (!file.valid())
       fail("cannot be opened, it is damaged or was cut short");
   }

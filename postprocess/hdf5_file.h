@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 /** The part of HDF5 that Breccia uses: files of named arrays of doubles and integers, and texts. */
@@ -16,9 +17,9 @@ namespace postprocess::hdf5
   {
   public:
     using Close = herr_t (*)(hid_t);
-    Handle(const hid_t id, const Close close)
-      : id(id)
-      , close(close)
+    Handle(const hid_t id_, const Close close_)
+      : id(id_)
+      , close(close_)
     {
     }
     ~Handle() { release(); }
@@ -28,8 +29,12 @@ namespace postprocess::hdf5
     {
       other.id = H5I_INVALID_HID;
     }
-    Handle(const Handle &)            = delete;
-    Handle &operator=(const Handle &) = delete;
+    Handle &operator=(Handle &&other) noexcept
+    {
+      std::swap(id, other.id);
+      std::swap(close, other.close);
+      return *this;
+    }
 
            operator hid_t() const { return id; }
     bool   valid() const { return id >= 0; }

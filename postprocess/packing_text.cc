@@ -43,8 +43,8 @@ namespace postprocess
     class PackingParser
     {
     public:
-      PackingParser(const std::string &origin, const std::string_view text)
-        : origin(origin)
+      PackingParser(const std::string &origin_, const std::string_view text)
+        : origin(origin_)
         , lines(text)
       {
       }

@@ -12,7 +12,7 @@ namespace postprocess
   {
     std::string file_name(const std::string &name, const std::size_t number)
     {
-      char digits[24];
+      char digits[32]; // fits the longest number of 64 bits
       std::snprintf(digits, sizeof(digits), "_%06zu.vtp", number);
       return name + digits;
     }

@@ -20,8 +20,8 @@ namespace postprocess
     {
     public:
       View(const dem::ParticleOutput &particles_, const PictureSlab &slab_)
-        : particles(particles)
-        , slab(slab)
+        : particles(particles_)
+        , slab(slab_)
         , right(slab.axis == 0 ? 1 : 0)
         , up(slab.axis == 2 ? 1 : 2)
       {

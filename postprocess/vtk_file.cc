@@ -6,6 +6,7 @@
 #include <vtkCallbackCommand.h>
 #include <vtkDoubleArray.h>
 #include <vtkErrorCode.h>
+#include <vtkExecutive.h>
 #include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
 #include <vtkIntArray.h>
@@ -99,6 +100,7 @@ namespace postprocess::vtk_file
     vtkNew<vtkCallbackCommand>   quiet; // errors come back as a code, and are then ours to report
     quiet->SetCallback([](vtkObject *, unsigned long, void *, void *) {});
     writer->AddObserver("ErrorEvent", quiet);
+    writer->GetExecutive()->AddObserver("ErrorEvent", quiet);
     writer->SetFileName(target.partial().c_str());
     writer->SetInputData(data);
     writer->SetDataModeToAppended();

@@ -1,0 +1,152 @@
+#include "dem/core/errors.h"
+#include "postprocess/errors.h"
+#include "postprocess/hdf5_file.h"
+#include "postprocess/packing_io.h"
+#include "scratch_folder.h"
+
+#include <catch2/catch.hpp>
+
+using namespace postprocess;
+using Catch::Matchers::Contains;
+using Catch::Matchers::EndsWith;
+using postprocess_tests::content_of;
+using postprocess_tests::ScratchFolder;
+
+namespace
+{
+dem::Packing two_particles() { return {{{0, 0, 0}, {1, 0, 0}}, {0.5, 0.5}, std::nullopt}; }
+
+struct Refusal
+{
+  std::string text, message; ///< of the file; after "FILE"
+};
+} // namespace
+
+TEST_CASE("a faulty text packing is refused with file, line and reason", "[postprocess]")
+{
+  const auto refusal = GENERATE(
+    Refusal{"0 0 0 1\n0 0 1\n", ", line 2: found 3 columns, expected 4: x y z radius."},
+    Refusal{"0 0 0 1 7\n", ", line 1: found 5 columns, expected 4: x y z radius."},
+    Refusal{"id x y z r\n1 0 0 0 1\n2 0 0 1\n", ", line 3: found 4 columns, expected 5 as in the header."},
+    Refusal{"# note\n0 0 zero 1\n", ", line 2: \"zero\" is not a number."},
+    Refusal{"0 0 1.5m 1\n", ", line 1: \"1.5m\" is not a number."},
+    Refusal{"0 0 1e999 1\n", ", line 1: \"1e999\" is not a number."},
+    Refusal{"0 0 nan 1\n", ", line 1: \"nan\": only finite numbers are allowed."},
+    Refusal{"nan 0 0 1\n", ", line 1: \"nan\": only finite numbers are allowed."},
+    Refusal{"0 0 0 -inf\n", ", line 1: \"-inf\": only finite numbers are allowed."},
+    Refusal{"0 0 0 1\n9 9 9 0\n", ", line 2: radius = 0 m: must be above 0."},
+    Refusal{"0 0 0 -1e-3\n", ", line 1: radius = -1e-3 m: must be above 0."},
+    Refusal{"x y z\n0 0 0\n", ", line 1: the header must name each of the columns x, y, z and radius once."},
+    Refusal{"x y z r radius\n", ", line 1: the header must name each of the columns x, y, z and radius once."},
+    Refusal{"x y z radius [mm]\n0 0 0 1\n", ", line 1: the column radius is in [mm]: lengths must be in [m]."},
+    Refusal{"0 0 0 1\nx y z radius\n", ", line 2: \"x\" is not a number."},
+    Refusal{"# periodic_cell 1 1\n0 0 0 1\n", ", line 1: periodic_cell has 2 edge lengths, expected 3: LX LY LZ [m]."},
+    Refusal{"# periodic_cell 1 1 -1\n", ", line 1: periodic_cell edge = -1 m: must be above 0."},
+    Refusal{"", ": holds no particle. Give lines of x y z radius [m]."},
+    Refusal{"# only a comment\nx y z radius\n", ": holds no particle. Give lines of x y z radius [m]."});
+  const ScratchFolder folder;
+  const auto          path = folder.file("packing.txt", refusal.text);
+  CAPTURE(refusal.text);
+  REQUIRE_THROWS_AS(read_packing(path), dem::InputError);
+  REQUIRE_THROWS_WITH(read_packing(path), path.string() + refusal.message);
+}
+
+TEST_CASE("a packing that is missing, a folder or not HDF5 is refused", "[postprocess]")
+{
+  const ScratchFolder folder;
+  REQUIRE_THROWS_WITH(read_packing(folder / "none.txt"), Contains("none.txt: no such file"));
+  REQUIRE_THROWS_WITH(read_packing(folder / "none.h5"), Contains("none.h5: no such file"));
+  REQUIRE_THROWS_WITH(read_packing(folder.path), Contains("is a folder"));
+  REQUIRE_THROWS_WITH(read_packing(folder.file("text.h5", "0 0 0 1\n")), EndsWith("text.h5: is not an HDF5 file."));
+}
+
+TEST_CASE("two particles at one place are refused, from text and from HDF5", "[postprocess]")
+{
+  const ScratchFolder folder;
+  const auto          path = folder.file("twins.txt", "0 0 0 1\n5 5 5 1\n5 5 5 2\n");
+  REQUIRE_THROWS_AS(read_packing(path), dem::InputError);
+  REQUIRE_THROWS_WITH(read_packing(path), Contains("twins.txt"));
+
+  dem::Packing twins = two_particles();
+  twins.centre[1]    = twins.centre[0];
+  write_packing(twins, folder / "twins.h5");
+  REQUIRE_THROWS_AS(read_packing(folder / "twins.h5"), dem::InputError);
+}
+
+TEST_CASE("a faulty HDF5 packing is refused naming the dataset", "[postprocess]")
+{
+  const ScratchFolder folder;
+  const auto          path     = folder / "p.h5";
+  const double        zeros[9] = {};
+  const double        radii[3] = {1, 1, 1};
+  const std::int32_t  whole[3] = {1, 1, 1};
+  {
+    hdf5::OutputFile file(path);
+    SECTION("no radius")
+    {
+      file.write("centre", zeros, {3, 3});
+      file.commit();
+      REQUIRE_THROWS_WITH(read_packing(path), EndsWith("p.h5: \"radius\" is missing."));
+    }
+    SECTION("centres in two columns")
+    {
+      file.write("centre", zeros, {3, 2});
+      file.write("radius", radii, {3});
+      file.commit();
+      REQUIRE_THROWS_WITH(read_packing(path), EndsWith("\"centre\" has the shape 3 x 2, expected N x 3."));
+    }
+    SECTION("fewer radii than centres")
+    {
+      file.write("centre", zeros, {3, 3});
+      file.write("radius", radii, {2});
+      file.commit();
+      REQUIRE_THROWS_WITH(read_packing(path), EndsWith("\"radius\" has the shape 2, expected 3, as many as centres."));
+    }
+    SECTION("radii that are whole numbers")
+    {
+      file.write("centre", zeros, {3, 3});
+      file.write("radius", whole, {3});
+      file.commit();
+      REQUIRE_THROWS_WITH(read_packing(path), EndsWith("\"radius\" is of another type: real numbers expected."));
+    }
+    SECTION("a cell with two edges")
+    {
+      file.write("centre", zeros, {3, 3});
+      file.write("radius", radii, {3});
+      file.write("periodic_cell", radii, {2});
+      file.commit();
+      REQUIRE_THROWS_WITH(read_packing(path), EndsWith("\"periodic_cell\" has the shape 2, expected 3 edge lengths."));
+    }
+    SECTION("no particle")
+    {
+      file.write("centre", zeros, {0, 3});
+      file.write("radius", radii, {0});
+      file.commit();
+      REQUIRE_THROWS_AS(read_packing(path), dem::InputError);
+    }
+    SECTION("a format of the future")
+    {
+      const std::int64_t version = 2;
+      file.write("format_version", &version, {});
+      file.commit();
+      REQUIRE_THROWS_WITH(read_packing(path), EndsWith("packing format 2, this program reads format 1."));
+    }
+  }
+}
+
+TEST_CASE("an HDF5 packing that was cut short is refused", "[postprocess]")
+{
+  const ScratchFolder folder;
+  write_packing(two_particles(), folder / "p.h5");
+  std::filesystem::resize_file(folder / "p.h5", std::filesystem::file_size(folder / "p.h5") - 10);
+  REQUIRE_THROWS_AS(read_packing(folder / "p.h5"), dem::InputError);
+  REQUIRE_THROWS_WITH(read_packing(folder / "p.h5"), Contains("p.h5: cannot be opened, it is damaged or was cut short"));
+}
+
+TEST_CASE("a packing cannot be written into a folder that does not exist", "[postprocess]")
+{
+  const ScratchFolder folder;
+  const auto         *name = GENERATE("no/such/p.h5", "no/such/p.txt");
+  REQUIRE_THROWS_AS(write_packing(two_particles(), folder / name), OutputError);
+  REQUIRE_THROWS_WITH(write_packing(two_particles(), folder / name), Contains("no/such does not exist"));
+}

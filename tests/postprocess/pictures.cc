@@ -1,0 +1,147 @@
+#include "postprocess/plot.h"
+#include "postprocess/specimen_picture.h"
+#include "scratch_folder.h"
+#include "specimen_samples.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+
+using namespace postprocess;
+using Catch::Matchers::Contains;
+using postprocess_tests::content_of;
+using postprocess_tests::files_in;
+using postprocess_tests::ScratchFolder;
+
+namespace
+{
+/** Width and height from the header of a PNG file (big-endian numbers at bytes 16 and 20 of the IHDR chunk). */
+std::pair<unsigned, unsigned> size_of_png(const std::filesystem::path &path)
+{
+  const std::string bytes = content_of(path);
+  REQUIRE(bytes.substr(0, 8) == "\x89PNG\r\n\x1a\n");
+  REQUIRE(bytes.substr(bytes.size() - 8, 4) == "IEND"); // complete to its end
+  const auto number = [&](const std::size_t at) {
+    unsigned value = 0;
+    for (std::size_t i = at; i < at + 4; ++i)
+      value = value << 8 | static_cast<unsigned char>(bytes[i]);
+    return value;
+  };
+  return {number(16), number(20)};
+}
+
+PlotPanel simple_panel() { return {"title", "x [m]", "y [Pa]", false, false, {{"s", {1, 2, 3}, {1, 4, 9}, {}}}}; }
+
+/** Sets an environment variable for the length of a scope. */
+class Environment
+{
+public:
+  Environment(const std::string &name_, const std::string &value) : name(name_), previous(::getenv(name.c_str()))
+  {
+    ::setenv(name.c_str(), value.c_str(), 1);
+  }
+  ~Environment() { ::setenv(name.c_str(), previous.c_str(), 1); }
+
+private:
+  std::string name, previous;
+};
+} // namespace
+
+TEST_CASE("a plot of any points is drawn: one, equal, not finite, on logarithmic axes, with errors", "[postprocess]")
+{
+  constexpr double    nan = std::numeric_limits<double>::quiet_NaN();
+  const ScratchFolder folder;
+  PlotPanel           panel = simple_panel();
+  SECTION("three") {}
+  SECTION("one point") { panel.series = {{"", {1}, {1}, {}}}; }
+  SECTION("all equal") { panel.series[0].y = {0, 0, 0}; }
+  SECTION("not finite") { panel.series[0].y = {1, nan, 9}; }
+  SECTION("zero on logarithmic axes")
+  {
+    panel.log_x = panel.log_y = true;
+    panel.series[0].x         = {0, 1, 2};
+    panel.series[0].y_error   = {1, 5, 1}; // larger than the value
+  }
+  SECTION("a name with everything that gnuplot could misread") { panel.title = panel.series[0].name = "it's \"100 %\" _{x}^2 \\ @ & ~\n$`"; }
+  SECTION("peak") { panel.series[0].mark_peak = true; }
+  SECTION("an empty series beside a full one") { panel.series.push_back({"none", {}, {}, {}}); }
+  REQUIRE(plot(folder / "curve.png", {panel}) == "");
+  REQUIRE(size_of_png(folder / "curve.png").first > 400);
+  REQUIRE(files_in(folder.path) == 1);
+}
+
+TEST_CASE("panels stand side by side, three in a row", "[postprocess]")
+{
+  const ScratchFolder folder;
+  REQUIRE(plot(folder / "1.png", {simple_panel()}) == "");
+  REQUIRE(plot(folder / "2.png", {simple_panel(), simple_panel()}) == "");
+  REQUIRE(plot(folder / "4.png", {simple_panel(), simple_panel(), simple_panel(), simple_panel()}) == "");
+  const auto one = size_of_png(folder / "1.png"), two = size_of_png(folder / "2.png"), four = size_of_png(folder / "4.png");
+  REQUIRE(two == std::make_pair(2 * one.first, one.second));
+  REQUIRE(four == std::make_pair(3 * one.first, 2 * one.second));
+}
+
+TEST_CASE("the stress-strain panel is in MPa over 1e-3", "[postprocess]")
+{
+  const PlotPanel panel = stress_strain_panel("tension", {{"seed 1", {0, 1e-4}, {0, 3.5e6}}});
+  REQUIRE(panel.series.size() == 1);
+  REQUIRE(panel.series[0].x[1] == Approx(0.1));
+  REQUIRE(panel.series[0].y[1] == Approx(3.5));
+  REQUIRE(panel.series[0].mark_peak);
+}
+
+TEST_CASE("a plot that cannot be drawn says why, keeps the earlier picture, and does not throw", "[postprocess]")
+{
+  const ScratchFolder folder;
+  const auto          path = folder.file("curve.png", "earlier");
+  SECTION("gnuplot is missing")
+  {
+    const Environment no_programs("PATH", folder.path.string());
+    REQUIRE(plot(path, {simple_panel()}) ==
+            path.string() + ": not drawn: gnuplot is not installed (Debian package gnuplot-nox)");
+  }
+  SECTION("gnuplot fails")
+  {
+    std::filesystem::create_directory(folder / "bin");
+    const auto fake = folder.file("bin/gnuplot", "#!/bin/sh\necho cannot do this >&2\nexit 3\n");
+    std::filesystem::permissions(fake, std::filesystem::perms::owner_all);
+    const Environment only_fake("PATH", (folder / "bin").string());
+    REQUIRE_THAT(plot(path, {simple_panel()}), Contains("gnuplot failed (status 3): cannot do this"));
+  }
+  SECTION("nothing to draw")
+  {
+    REQUIRE_THAT(plot(path, {}), Contains("there is no point to draw"));
+    REQUIRE_THAT(plot(path, {{"t", "x", "y", false, true, {{"s", {1, 2}, {0, -1}, {}}}}}), Contains("no point to draw"));
+  }
+  SECTION("columns of unequal length") { REQUIRE_THAT(plot(path, {{"t", "x", "y", false, false, {{"s", {1}, {}, {}}}}}), Contains("differ in length")); }
+  SECTION("unwritable place") { REQUIRE_THAT(plot(folder / "no/curve.png", {simple_panel()}), Contains("does not exist")); }
+  REQUIRE(content_of(path) == "earlier");
+}
+
+TEST_CASE("a picture of a specimen is drawn across each axis, with and without broken links", "[postprocess]")
+{
+  const ScratchFolder folder;
+  const auto          particles = postprocess_tests::numbered_particles(30);
+  const int           axis      = GENERATE(0, 1, 2);
+  PictureSlab         slab;
+  slab.axis      = axis;
+  slab.thickness = 100; // all
+  slab.magnify   = 10;
+  REQUIRE(picture_of_specimen(folder / "a.png", particles, postprocess_tests::numbered_links(30), "it's", slab) == "");
+  REQUIRE(picture_of_specimen(folder / "b.png", particles, dem::LinkOutput(), "intact", slab) == "");
+  size_of_png(folder / "a.png");
+  size_of_png(folder / "b.png");
+  REQUIRE(content_of(folder / "a.png") != content_of(folder / "b.png"));
+}
+
+TEST_CASE("a picture of nothing is refused in words", "[postprocess]")
+{
+  const ScratchFolder folder;
+  PictureSlab         elsewhere;
+  elsewhere.position = 1e6;
+  REQUIRE_THAT(picture_of_specimen(folder / "p.png", {}, {}, ""), Contains("there is no particle"));
+  REQUIRE_THAT(picture_of_specimen(folder / "p.png", postprocess_tests::numbered_particles(3), {}, "", elsewhere),
+               Contains("there is no particle in the slab"));
+  REQUIRE(files_in(folder.path) == 0);
+}

@@ -1,0 +1,180 @@
+#include "full_disk.h"
+#include "postprocess/errors.h"
+#include "postprocess/pvd.h"
+#include "postprocess/vtk_links.h"
+#include "postprocess/vtk_particles.h"
+#include "scratch_folder.h"
+#include "specimen_samples.h"
+
+#include <catch2/catch.hpp>
+#include <vtkCell.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkXMLPolyDataReader.h>
+
+using namespace postprocess;
+using Catch::Matchers::Contains;
+using postprocess_tests::content_of;
+using postprocess_tests::files_in;
+using postprocess_tests::FullDisk;
+using postprocess_tests::numbered_links;
+using postprocess_tests::numbered_particles;
+using postprocess_tests::ScratchFolder;
+
+namespace
+{
+/** As ParaView would open it. */
+vtkSmartPointer<vtkPolyData> open(const std::filesystem::path &path)
+{
+  const auto reader = vtkSmartPointer<vtkXMLPolyDataReader>::New();
+  REQUIRE(reader->CanReadFile(path.c_str()) == 1);
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  REQUIRE(reader->GetErrorCode() == 0);
+  return reader->GetOutput();
+}
+} // namespace
+
+TEST_CASE("VTK reads back every value of the particles", "[postprocess]")
+{
+  const ScratchFolder folder;
+  const int           n         = GENERATE(0, 1, 2000);
+  const auto          particles = numbered_particles(n);
+  write_vtk_particles(folder / "p.vtp", particles, 0.125);
+  REQUIRE(files_in(folder.path) == 1);
+
+  const auto data = open(folder / "p.vtp");
+  REQUIRE(data->GetNumberOfPoints() == n);
+  REQUIRE(data->GetNumberOfCells() == n);
+  REQUIRE(data->GetFieldData()->GetArray("TimeValue")->GetTuple1(0) == 0.125);
+
+  vtkPointData *const values = data->GetPointData();
+  REQUIRE(values->GetTensors() == values->GetArray("stress"));
+  REQUIRE(values->GetArray("stress")->GetNumberOfComponents() == 6);
+  REQUIRE(std::string(values->GetArray("stress")->GetComponentName(5)) == "XZ");
+  for (int i = 0; i < n; ++i)
+    {
+      const double tensor[6] = {11. + 100 * i, 22. + 100 * i, 33. + 100 * i, 12, 23, 13}; // XX YY ZZ XY YZ XZ
+      for (int d = 0; d < 3; ++d)
+        {
+          REQUIRE(data->GetPoint(i)[d] == particles.position[i][d]);
+          REQUIRE(values->GetArray("displacement")->GetComponent(i, d) == particles.displacement[i][d]);
+          REQUIRE(values->GetArray("velocity")->GetComponent(i, d) == particles.velocity[i][d]);
+          REQUIRE(values->GetArray("angular_velocity")->GetComponent(i, d) == particles.angular_velocity[i][d]);
+        }
+      for (int c = 0; c < 6; ++c)
+        REQUIRE(values->GetArray("stress")->GetComponent(i, c) == tensor[c]);
+      REQUIRE(values->GetArray("radius")->GetTuple1(i) == particles.radius[i]);
+      REQUIRE(values->GetArray("damage")->GetTuple1(i) == particles.damage[i]);
+      REQUIRE(values->GetArray("broken_links")->GetTuple1(i) == i % 4);
+      REQUIRE(values->GetArray("phase")->GetTuple1(i) == 0);
+      REQUIRE(values->GetArray("id")->GetTuple1(i) == i);
+    }
+}
+
+TEST_CASE("VTK reads back every value of the links", "[postprocess]")
+{
+  const ScratchFolder folder;
+  const auto          particles = numbered_particles(500);
+  const auto          links     = numbered_links(500);
+  write_vtk_links(folder / "l.vtp", links, particles, 0.5);
+
+  const auto data = open(folder / "l.vtp");
+  REQUIRE(data->GetNumberOfCells() == 499);
+  REQUIRE(data->GetNumberOfPoints() == 500);
+  vtkCellData *const values = data->GetCellData();
+  for (int l = 0; l < 499; ++l)
+    {
+      vtkCell *const line = data->GetCell(l);
+      REQUIRE(line->GetNumberOfPoints() == 2);
+      for (int end = 0; end < 2; ++end)
+        for (int d = 0; d < 3; ++d)
+          REQUIRE(line->GetPoints()->GetPoint(end)[d] == particles.position[links.ends[l][end]][d]);
+      REQUIRE(values->GetArray("normal_force")->GetTuple1(l) == links.normal_force[l]);
+      REQUIRE(values->GetArray("shear_force")->GetTuple1(l) == links.shear_force[l]);
+      REQUIRE(values->GetArray("normal_stress")->GetTuple1(l) == links.normal_stress[l]);
+      REQUIRE(values->GetArray("shear_stress")->GetTuple1(l) == links.shear_stress[l]);
+      REQUIRE(values->GetArray("normal_strain")->GetTuple1(l) == links.normal_strain[l]);
+      REQUIRE(values->GetArray("damage")->GetTuple1(l) == links.damage[l]);
+      REQUIRE(values->GetArray("kind")->GetTuple1(l) == l % 3);
+      REQUIRE(values->GetArray("broken")->GetTuple1(l) == (l % 3 == 2 ? 1 : 0));
+    }
+  REQUIRE(data->GetPointData()->GetArray("radius")->GetTuple1(3) == particles.radius[3]);
+}
+
+TEST_CASE("a links file without any link opens and has every column", "[postprocess]")
+{
+  const ScratchFolder folder;
+  const int           n = GENERATE(0, 1, 3);
+  write_vtk_links(folder / "l.vtp", dem::LinkOutput(), numbered_particles(n), 0);
+  const auto data = open(folder / "l.vtp");
+  REQUIRE(data->GetNumberOfCells() == 0);
+  REQUIRE(data->GetNumberOfPoints() == n);
+  for (const char *const name :
+       {"normal_force", "shear_force", "normal_stress", "shear_stress", "normal_strain", "damage", "kind", "broken"})
+    {
+      REQUIRE(data->GetCellData()->GetArray(name) != nullptr);
+      REQUIRE(data->GetCellData()->GetArray(name)->GetNumberOfTuples() == 0);
+    }
+}
+
+TEST_CASE("VTK writers refuse columns that do not belong together", "[postprocess]")
+{
+  const ScratchFolder folder;
+  auto                particles = numbered_particles(3);
+  auto                links     = numbered_links(3);
+  links.ends[1][1]              = 3;
+  REQUIRE_THROWS_WITH(write_vtk_links(folder / "l.vtp", links, particles, 0), Contains("a link ends at particle 3 of 3"));
+  links.damage.pop_back();
+  REQUIRE_THROWS_WITH(write_vtk_links(folder / "l.vtp", links, particles, 0), Contains("damage has 1 entries, not 2"));
+  particles.stress.pop_back();
+  REQUIRE_THROWS_WITH(write_vtk_particles(folder / "p.vtp", particles, 0), Contains("stress has 2 entries, not 3"));
+  REQUIRE(files_in(folder.path) == 0);
+}
+
+TEST_CASE("a full disk leaves the earlier VTK file and is reported", "[postprocess]")
+{
+  const ScratchFolder folder;
+  write_vtk_particles(folder / "p.vtp", numbered_particles(2), 0);
+  const std::string earlier   = content_of(folder / "p.vtp");
+  const auto        particles = numbered_particles(5000);
+  std::string       message;
+  {
+    const FullDisk limit(10000);
+    try
+      {
+        write_vtk_particles(folder / "p.vtp", particles, 1);
+      }
+    catch (const OutputError &error)
+      {
+        message = error.what();
+      }
+  }
+  REQUIRE_THAT(message, Contains("p.vtp: cannot be written"));
+  REQUIRE(content_of(folder / "p.vtp") == earlier);
+  REQUIRE(files_in(folder.path) == 1);
+  REQUIRE_THROWS_AS(write_vtk_particles(folder / "no/p.vtp", particles, 1), OutputError);
+}
+
+TEST_CASE("a collection lists its snapshots with times after each of them", "[postprocess]")
+{
+  const ScratchFolder folder;
+  PvdCollection       snapshots(folder / "out", "particles");
+  REQUIRE(snapshots.next() == folder / "out/particles/particles_000000.vtp");
+  snapshots.add(0);
+  REQUIRE(snapshots.next() == folder / "out/particles/particles_000001.vtp");
+  snapshots.add(1e-5 / 3);
+  REQUIRE(snapshots.size() == 2);
+  REQUIRE(content_of(folder / "out/particles.pvd") ==
+          "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n"
+          "    <DataSet timestep=\"0\" part=\"0\" file=\"particles/particles_000000.vtp\"/>\n"
+          "    <DataSet timestep=\"3.3333333333333337e-06\" part=\"0\" file=\"particles/particles_000001.vtp\"/>\n"
+          "  </Collection>\n</VTKFile>\n");
+  REQUIRE(std::filesystem::is_directory(folder / "out/particles"));
+  folder.file("taken", "");
+  REQUIRE_THROWS_AS(PvdCollection(folder / "taken", "particles"), OutputError);
+}
