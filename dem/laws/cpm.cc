@@ -2,6 +2,7 @@
 
 #include "dem/core/errors.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -11,7 +12,7 @@ namespace dem
   {
     void require(const bool fulfilled, const char *entry, const double value, const char *rule)
     {
-      if (fulfilled)
+      if (fulfilled && std::isfinite(value))
         return;
       std::ostringstream message;
       message << "CPM/" << entry << " = " << value << ": " << rule;

@@ -40,14 +40,14 @@ namespace dem
     /** @throws InputError for a value out of range, or a combination without meaning; the message names the entry. */
     explicit CpmConstants(const CpmParameters &parameters);
 
-    /** Damage omega = g(kappa), (2.17) of Stransky (2018) or its linear counterpart. @pre kappa > 0 */
+    /** Damage omega = g(kappa), (2.17) of Stransky (2018) or its linear counterpart; 0 up to the onset. */
     template <typename T>
     BRECCIA_RARE T damage_at(const T &kappa) const
     {
-      const T damaged = law == DamageLaw::exponential ?
-                          T(T(1.0) - (onset / kappa) * exponential((onset - kappa) * inverse_softening)) :
-                          T(select(kappa < T(softening), (T(1.0) - onset / kappa) * linear_factor, T(1.0)));
-      return select(kappa > T(onset), damaged, T(0.0));
+      const T reached = maximum(kappa, T(onset)); // at the onset both laws give exactly 0
+      if (law == DamageLaw::exponential)
+        return T(1.0) - (onset / reached) * exponential((onset - reached) * inverse_softening);
+      return select(reached < T(softening), (T(1.0) - onset / reached) * linear_factor, T(1.0));
     }
 
     /** Inverse of damage_at(): the kappa with g(kappa) = omega, for omega in [0, 1). */
