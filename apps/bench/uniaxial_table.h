@@ -1,0 +1,51 @@
+#pragma once
+
+#include "apps/bench/uniaxial_cases.h"
+#include "apps/drivers/uniaxial_result.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace apps
+{
+  /** Values of one figure, one per seed. */
+  struct Scatter
+  {
+    std::vector<double> values;
+    double              mean() const;
+    double              deviation() const; ///< standard deviation of the sample; 0 for one value
+  };
+
+  /** What one case gave, over its seeds. */
+  struct UniaxialMeasurement
+  {
+    UniaxialCase which;
+
+    Scatter     modulus, tension, compression; ///< [Pa]
+    std::size_t particles = 0, links = 0;      ///< of the last seed
+    double      steps = 0, seconds = 0;        ///< of one seed, both tests, in steps only
+
+    /** One test more; a seed is complete with its two tests. */
+    void add(const UniaxialResult &result);
+    /** One line for the terminal. */
+    std::string text() const;
+
+  private:
+    double all_steps = 0, all_seconds = 0;
+  };
+
+  /** Error over cost of all cases, as table and picture. */
+  class UniaxialTable
+  {
+  public:
+    void add(UniaxialMeasurement measured) { rows.push_back(std::move(measured)); }
+    /** uniaxial.csv and uniaxial.md. @throws postprocess::OutputError. */
+    void write(const std::filesystem::path &folder) const;
+    /** A panel per study, error over cost. @return what went wrong, "" if nothing. */
+    std::string draw(const std::filesystem::path &file) const;
+
+  private:
+    std::vector<UniaxialMeasurement> rows;
+  };
+} // namespace apps

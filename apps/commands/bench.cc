@@ -1,0 +1,44 @@
+#include "apps/bench/uniaxial.h"
+#include "apps/commands/command.h"
+#include "apps/commands/scene_options.h"
+
+#include <CLI/Validators.hpp>
+
+#include <memory>
+
+namespace apps
+{
+  void add_bench(CLI::App &program, Action &chosen)
+  {
+    struct Options : UniaxialBench
+    {
+      int threads = 0;
+    };
+    const auto options = std::make_shared<Options>();
+    options->scene     = "apps/scenes/concrete_uniaxial.prm";
+    options->folder    = "output/bench_uniaxial";
+
+    CLI::App &bench = *program.add_subcommand("bench", "Speed against error, as a table and a picture");
+    bench.require_subcommand(1);
+    CLI::App &command =
+      *bench.add_subcommand("uniaxial", "Strengths and modulus over time step, loading rate and particle size");
+    command.add_option("scene", options->scene, "Scene of kind uniaxial; default: " + options->scene)
+      ->type_name("SCENE");
+    add_overrides(command, options->overrides, "Set an entry of the scene; repeatable");
+    add_threads(command, options->threads);
+    command
+      .add_option("-o,--output", options->folder,
+                  "Folder for the table and the picture; default: " + options->folder.string())
+      ->type_name("DIR");
+    command.add_option("--seeds", options->seeds, "Packings per case; default: 1")
+      ->check(CLI::Range(1, 1000))
+      ->type_name("N");
+    command.add_flag("--quick", options->quick, "Fewer and cheaper cases");
+    command.callback([options, &chosen] {
+      chosen = [options] {
+        use_threads(options->threads);
+        return run_uniaxial_bench(*options);
+      };
+    });
+  }
+} // namespace apps

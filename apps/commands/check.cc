@@ -1,0 +1,31 @@
+#include "apps/commands/command.h"
+#include "apps/commands/scene_options.h"
+#include "apps/exit_status.h"
+#include "apps/scene/load.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace apps
+{
+  namespace
+  {
+    int check(const SceneOptions &options)
+    {
+      use_threads(options.threads);
+      const LoadedScene scene = load_scene(options.scene, options.overrides);
+      fmt::print("{}: valid\n{}", options.scene, scene.scene->forecast());
+      return exit_success;
+    }
+  } // namespace
+
+  void add_check(CLI::App &program, Action &chosen)
+  {
+    const auto options = std::make_shared<SceneOptions>();
+    CLI::App  &command = *program.add_subcommand(
+       "check", "Validate a scene; say its particles, links, steps, memory and roughly how long it takes");
+    add_scene_options(command, *options);
+    command.callback([options, &chosen] { chosen = [options] { return check(*options); }; });
+  }
+} // namespace apps

@@ -1,0 +1,94 @@
+#include "apps/commands/command.h"
+#include "apps/commands/scene_options.h"
+#include "apps/drivers/link_path.h"
+#include "apps/exit_status.h"
+#include "apps/scene/nearest_name.h"
+#include "apps/scene/overrides.h"
+#include "apps/scene/reader.h"
+#include "postprocess/atomic_file.h"
+#include "postprocess/csv_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace apps
+{
+  namespace
+  {
+    struct LinkTestOptions
+    {
+      std::string              law, path, output = "/dev/stdout";
+      std::vector<std::string> constants;
+    };
+
+    const std::array<std::string, 3> path_columns = {"normal_strain", "shear_strain_1", "shear_strain_2"};
+
+    bool has(const postprocess::CsvTable &table, const std::string &name)
+    {
+      return std::find(table.names.begin(), table.names.end(), name) != table.names.end();
+    }
+
+    LinkPath read_path(const std::string &file)
+    {
+      const postprocess::CsvTable    table = postprocess::read_csv_table(file);
+      const std::vector<std::string> known(path_columns.begin(), path_columns.end());
+      for (const std::string &name : table.names)
+        if (std::find(known.begin(), known.end(), name) == known.end())
+          throw dem::InputError(file + ": column \"" + name + "\" is not known. " + did_you_mean(name, known) +
+                                " Columns: normal_strain, and as wanted shear_strain_1, shear_strain_2.");
+      LinkPath path;
+      path.normal = table.column(path_columns[0]);
+      path.shear.resize(path.normal.size());
+      for (std::size_t i = 0; i < 2; ++i)
+        if (has(table, path_columns[i + 1]))
+          for (std::size_t row = 0; row < path.shear.size(); ++row)
+            path.shear[row][i] = table.column(path_columns[i + 1])[row];
+      return path;
+    }
+
+    const DrivenLaw &law_named(const std::string &name)
+    {
+      std::vector<std::string> names;
+      for (const DrivenLaw &law : driven_laws())
+        {
+          if (law.name == name)
+            return law;
+          names.push_back(law.name);
+        }
+      throw dem::InputError("command line: law \"" + name + "\" is not known. " + did_you_mean(name, names));
+    }
+
+    int link_test(const LinkTestOptions &options)
+    {
+      const DrivenLaw &law  = law_named(options.law);
+      const LinkPath   path = read_path(options.path);
+      Section          constants;
+      const auto       read = [&] { assign(constants, read_overrides(options.constants), "command line"); };
+      postprocess::write_text(options.output, law.drive(constants, read, path).as_csv());
+      return exit_success;
+    }
+  } // namespace
+
+  void add_link_test(CLI::App &program, Action &chosen)
+  {
+    const auto options = std::make_shared<LinkTestOptions>();
+    CLI::App  &command =
+      *program.add_subcommand("link-test", "Drive one link along a strain path and write its stresses and state");
+    std::string laws;
+    for (const DrivenLaw &law : driven_laws())
+      laws += (laws.empty() ? "" : ", ") + law.name;
+    command.add_option("--law", options->law, "Law of the link: " + laws)->required()->type_name("NAME");
+    add_overrides(command, options->constants,
+                  "Constant of the law, e.g. -s \"Normal modulus=25e9\"; repeatable; see \"breccia describe\"");
+    command
+      .add_option("--path", options->path,
+                  "Strains, one row a step: CSV with the columns normal_strain, shear_strain_1, shear_strain_2 "
+                  "(missing shear: 0)")
+      ->required()
+      ->type_name("FILE");
+    command.add_option("-o,--output", options->output, "Answer, CSV; default: the terminal")->type_name("FILE");
+    command.callback([options, &chosen] { chosen = [options] { return link_test(*options); }; });
+  }
+} // namespace apps

@@ -1,0 +1,52 @@
+#include "apps/commands/command.h"
+#include "apps/commands/scene_options.h"
+#include "apps/exit_status.h"
+#include "apps/interrupt.h"
+#include "apps/scene/description.h"
+#include "apps/scene/load.h"
+
+#include <memory>
+
+namespace apps
+{
+  namespace
+  {
+    struct RunOptions : SceneOptions
+    {
+      std::string output_folder;
+      bool        resume = false;
+    };
+
+    int run(const RunOptions &options)
+    {
+      use_threads(options.threads);
+      std::vector<std::string> overrides = options.overrides;
+      if (!options.output_folder.empty())
+        overrides.push_back("Output folder=" + options.output_folder);
+      const LoadedScene scene = load_scene(options.scene, overrides);
+      catch_interrupts();
+
+      RunRequest request;
+      request.output_folder = scene.output_folder;
+      request.resume        = options.resume;
+      request.scene_file    = scene.file;
+      request.scene_text    = completed_scene(*scene.root, Completed::everything);
+      request.deciding_text = completed_scene(*scene.root, Completed::what_decides_results);
+      request.overrides     = options.overrides;
+      return scene.scene->run(request);
+    }
+  } // namespace
+
+  void add_run(CLI::App &program, Action &chosen)
+  {
+    const auto options = std::make_shared<RunOptions>();
+    CLI::App  &command = *program.add_subcommand("run", "Run a scene and write its results");
+    add_scene_options(command, *options);
+    command
+      .add_option("-o,--output", options->output_folder, "Folder for the results; default: the scene's, or output/NAME")
+      ->type_name("DIR");
+    command.add_flag("--resume", options->resume,
+                     "Go on from the checkpoint that an interrupted run left in the folder");
+    command.callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+  }
+} // namespace apps

@@ -1,0 +1,34 @@
+#include "apps/commands/scene_options.h"
+
+#include <CLI/Validators.hpp>
+
+#include <omp.h>
+
+namespace apps
+{
+  void add_scene_options(CLI::App &command, SceneOptions &options)
+  {
+    command.add_option("scene", options.scene, "Scene file (.prm or .json)")->required()->type_name("SCENE");
+    add_overrides(command, options.overrides,
+                  "Set an entry of the scene, e.g. -s \"Material/CPM/Cohesion=4e6\"; repeatable");
+    add_threads(command, options.threads);
+  }
+
+  void add_overrides(CLI::App &command, std::vector<std::string> &overrides, const std::string &meaning)
+  {
+    command.add_option("-s,--set", overrides, meaning)->type_name("KEY=VALUE")->allow_extra_args(false);
+  }
+
+  void add_threads(CLI::App &command, int &threads)
+  {
+    command.add_option("--threads", threads, "Threads to use; default: all cores, or OMP_NUM_THREADS")
+      ->type_name("N")
+      ->check(CLI::Range(1, 4096));
+  }
+
+  void use_threads(const int threads)
+  {
+    if (threads > 0)
+      omp_set_num_threads(threads);
+  }
+} // namespace apps

@@ -1,0 +1,23 @@
+#include "apps/drivers/all.h"
+
+#include "apps/drivers/uniaxial.h"
+
+namespace apps
+{
+  namespace
+  {
+    template <typename Kind>
+    std::unique_ptr<Scene> make()
+    {
+      return std::make_unique<Kind>();
+    }
+  } // namespace
+
+  const std::vector<SceneKind> &scene_kinds()
+  {
+    static const std::vector<SceneKind> kinds = {
+      {"uniaxial", "a bonded-particle specimen pulled and crushed", make<UniaxialScene>},
+    };
+    return kinds;
+  }
+} // namespace apps

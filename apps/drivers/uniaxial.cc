@@ -1,0 +1,98 @@
+#include "apps/drivers/uniaxial.h"
+
+#include "apps/drivers/specimen_packing.h"
+#include "apps/drivers/uniaxial_run.h"
+#include "apps/exit_status.h"
+#include "apps/progress.h"
+#include "apps/scene/physics_section.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+namespace apps
+{
+  void UniaxialScene::declare(Section &root)
+  {
+    specimen.declare(root, physics.dimension);
+    material.declare(root);
+    declare_physics(root, physics);
+    time.declare(root);
+    loading.declare(root);
+    output.declare(root);
+  }
+
+  void UniaxialScene::validate(const Section &root) const
+  {
+    specimen.validate(root, physics.dimension);
+    material.validate();
+    if (physics.dimension == 2 && loading.axis == 2)
+      root.find_section("Loading")->refuse(
+        "Axis", "in two dimensions the specimen lies in the plane z = 0. Load it along x or y.");
+  }
+
+  UniaxialModel UniaxialScene::model() const
+  {
+    UniaxialModel model;
+    model.source                     = specimen;
+    model.specimen.physics           = physics;
+    model.specimen.density           = specimen.density;
+    model.specimen.interaction_ratio = specimen.interaction_ratio;
+    model.specimen.thickness         = specimen.thickness;
+    model.specimen.step_factor       = time.step_factor;
+    model.specimen.damping           = time.damping;
+    model.law                        = material.cpm;
+    model.loading                    = loading;
+    model.output                     = output;
+    return model;
+  }
+
+  namespace
+  {
+    /** Seconds per step, from as many steps as fit into about half a second. */
+    double measured_step_cost(dem::Specimen &model)
+    {
+      using Clock        = std::chrono::steady_clock;
+      const auto   start = Clock::now();
+      double       spent = 0;
+      std::int64_t steps = 0;
+      for (std::int64_t batch = 1; spent < 0.5; batch *= 2)
+        {
+          model.advance(batch);
+          steps += batch;
+          spent = std::chrono::duration<double>(Clock::now() - start).count();
+        }
+      return spent / static_cast<double>(steps);
+    }
+
+    std::string megabytes(const std::size_t bytes)
+    {
+      return fmt::format("{:.1f} MB", 1e-6 * static_cast<double>(bytes));
+    }
+  } // namespace
+
+  std::string UniaxialScene::forecast() const
+  {
+    const UniaxialModel asked   = model();
+    const dem::Packing  packing = make_packing(asked.source);
+    dem::Specimen       body(packing, asked.specimen, asked.law);
+    std::string         text;
+    text += fmt::format("  particles    {}\n", body.counts().particles);
+    text += fmt::format("  links        {}\n", body.counts().links);
+    text += fmt::format("  time step    {:.4g} s\n", body.time_step());
+    text += fmt::format("  memory       {} for particles and links\n", megabytes(body.bytes()));
+    double most_steps = 0;
+    for (const UniaxialLoad load : asked.loading.tests)
+      {
+        dem::Specimen           fresh(packing, asked.specimen, asked.law);
+        const dem::UniaxialTest test(fresh, asked.loading.parameters(load));
+        most_steps += static_cast<double>(test.most_steps());
+        text += fmt::format("  {:<12} at most {} steps\n", name_of(load), test.most_steps());
+      }
+    const double seconds = most_steps * measured_step_cost(body);
+    text += fmt::format("  duration     roughly {} at most, on this machine as it is now\n", duration_text(seconds));
+    return text;
+  }
+
+  int UniaxialScene::run(const RunRequest &request) const { return UniaxialRun(request, model()).execute(); }
+} // namespace apps

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "apps/scene/loading_section.h"
+#include "apps/scene/output_section.h"
+#include "apps/scene/specimen_section.h"
+#include "dem/specimen.h"
+
+namespace apps
+{
+  /** Everything that a uniaxial run computes from. */
+  struct UniaxialModel
+  {
+    SpecimenSection         source;
+    dem::SpecimenParameters specimen;
+    dem::CpmParameters      law;
+    UniaxialLoadingSection  loading;
+    OutputSection           output;
+  };
+} // namespace apps

@@ -1,0 +1,133 @@
+#include "apps/drivers/uniaxial_stage.h"
+
+#include "postprocess/specimen_picture.h"
+#include "postprocess/vtk_links.h"
+#include "postprocess/vtk_particles.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace apps
+{
+  namespace
+  {
+    /** 0 for none, otherwise at least 1. */
+    std::int64_t rounded_up(const std::int64_t parts, const std::int64_t into)
+    {
+      return into > 0 ? (parts + into - 1) / into : 0;
+    }
+  } // namespace
+
+  UniaxialStage::UniaxialStage(const UniaxialModel &model, const dem::Packing &packing, const std::size_t which)
+    : name(name_of(model.loading.tests[which]))
+    , number(which)
+    , axis(model.loading.axis)
+    , specimen(packing, model.specimen, model.law)
+    , test(specimen, model.loading.parameters(model.loading.tests[which]))
+    , steps_per_sample(std::max<std::int64_t>(1, test.most_steps() / model.output.samples))
+    , samples_per_snapshot(rounded_up(model.output.samples, model.output.snapshots))
+  {
+    result.load      = model.loading.tests[which];
+    result.time_step = specimen.time_step();
+    result.at_start  = specimen.counts();
+  }
+
+  void UniaxialStage::open(const std::filesystem::path &folder)
+  {
+    if (samples_per_snapshot == 0)
+      return;
+    particles.emplace(folder, name + "_particles");
+    links.emplace(folder, name + "_links");
+  }
+
+  void UniaxialStage::advance()
+  {
+    if (specimen.steps() == 0 && particles)
+      snapshot();
+    const auto start = std::chrono::steady_clock::now();
+    test.advance(steps_per_sample);
+    result.stepping_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+
+    result.at_end  = specimen.counts();
+    result.steps   = specimen.steps();
+    result.energy  = specimen.energy();
+    result.figures = test.figures();
+    result.link_updates +=
+      static_cast<double>(steps_per_sample) * static_cast<double>(result.at_end.links + result.at_end.contacts);
+    result.worst_balance_error = std::max(result.worst_balance_error, result.energy.balance_error());
+    if (particles && static_cast<std::int64_t>(test.curve().size()) % samples_per_snapshot == 0)
+      snapshot();
+  }
+
+  std::vector<postprocess::SeriesColumn> UniaxialStage::series_columns()
+  {
+    std::vector<postprocess::SeriesColumn> columns = {{"test", ""},         {"time", "s"},        {"strain", "-"},
+                                                      {"stress", "Pa"},     {"mean_damage", "-"}, {"links", ""},
+                                                      {"broken_links", ""}, {"contacts", ""}};
+    dem::EnergyAccount().each([&](const std::string &term, double) { columns.push_back({"energy_" + term, "J"}); });
+    return columns;
+  }
+
+  void UniaxialStage::append_row(postprocess::SeriesWriter &series) const
+  {
+    const dem::UniaxialSample &sample = test.curve().back();
+    std::vector<double>        row    = {static_cast<double>(number + 1),
+                                         sample.time,
+                                         sample.strain,
+                                         sample.stress,
+                                         specimen.mean_damage(),
+                                         static_cast<double>(result.at_end.links),
+                                         static_cast<double>(result.at_end.broken),
+                                         static_cast<double>(result.at_end.contacts)};
+    result.energy.each([&](const std::string &, const double value) { row.push_back(value); });
+    series.append(row);
+  }
+
+  void UniaxialStage::snapshot()
+  {
+    const dem::ParticleOutput state = specimen.particles();
+    postprocess::write_vtk_particles(particles->next(), state, specimen.time());
+    particles->add(specimen.time());
+    postprocess::write_vtk_links(links->next(), specimen.links(), state, specimen.time());
+    links->add(specimen.time());
+  }
+
+  void UniaxialStage::finish()
+  {
+    if (particles && static_cast<std::int64_t>(test.curve().size()) % samples_per_snapshot != 0)
+      snapshot();
+    for (const dem::UniaxialSample &sample : test.curve())
+      {
+        result.strain.push_back(sample.strain);
+        result.stress.push_back(sample.stress);
+      }
+    // Ended by the stop strain, the largest stress may be the strength or may still grow.
+    result.peak_passed = std::abs(test.curve().back().strain) > result.figures.strain_at_peak;
+  }
+
+  std::string UniaxialStage::draw_crack(const std::filesystem::path &folder) const
+  {
+    postprocess::PictureSlab slab;
+    slab.axis = axis == 2 ? 1 : 2; // seen across the load
+    return postprocess::picture_of_specimen(folder / (name + "_crack.png"), specimen.particles(), specimen.links(),
+                                            "after " + name, slab);
+  }
+
+  double UniaxialStage::done() const
+  {
+    return std::min(1.0, static_cast<double>(specimen.steps()) / static_cast<double>(test.most_steps()));
+  }
+
+  std::string UniaxialStage::details() const
+  {
+    const double seconds = std::max(result.stepping_seconds, 1e-9);
+    const double strain  = test.curve().empty() ? 0 : test.curve().back().strain,
+                 stress  = test.curve().empty() ? 0 : test.curve().back().stress;
+    return fmt::format("strain {:.2e}, stress {:.3g} MPa, {:.0f} steps/s, {:.1f} million link updates/s", strain,
+                       1e-6 * stress, static_cast<double>(result.steps) / seconds,
+                       1e-6 * result.link_updates / seconds);
+  }
+} // namespace apps

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "apps/drivers/uniaxial_model.h"
+#include "apps/drivers/uniaxial_result.h"
+#include "postprocess/pvd.h"
+#include "postprocess/series.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace apps
+{
+  /** One uniaxial test of a run: a fresh specimen, its curve, its rows of the series and its snapshots. */
+  class UniaxialStage
+  {
+  public:
+    /**
+     * Link the specimen and grip it; writes nothing.
+     * @param number of the test in the scene's list, from 0.
+     * @throws dem::InputError.
+     */
+    UniaxialStage(const UniaxialModel &model, const dem::Packing &packing, std::size_t number);
+    UniaxialStage(const UniaxialStage &)            = delete;
+    UniaxialStage &operator=(const UniaxialStage &) = delete;
+
+    /** From now on snapshots go to this folder; without this call there are none. @throws postprocess::OutputError. */
+    void open(const std::filesystem::path &folder);
+
+    /** One sample further: some steps, and a snapshot when one is due. */
+    void advance();
+    /** The row of the last sample. */
+    void append_row(postprocess::SeriesWriter &series) const;
+    bool finished() const { return test.finished(); }
+    /** Call it when finished: completes the result, and takes the last snapshot. */
+    void finish();
+    /** TEST_crack.png of the present state. @return what went wrong, "" if nothing. */
+    std::string draw_crack(const std::filesystem::path &folder) const;
+
+    double      done() const;    ///< part of the most that the test can take, in [0, 1]
+    std::string details() const; ///< where it is and how fast, for the progress line
+
+    /** Everything to go on to the same bits. @tparam Checkpoint postprocess::CheckpointWriter or CheckpointReader */
+    template <typename Checkpoint>
+    void visit_state(Checkpoint &checkpoint)
+    {
+      checkpoint.group("specimen");
+      specimen.visit_state(checkpoint);
+      checkpoint.group("test");
+      test.visit_state(checkpoint);
+      checkpoint.group("particle_snapshots");
+      if (particles)
+        particles->visit_state(checkpoint);
+      checkpoint.group("link_snapshots");
+      if (links)
+        links->visit_state(checkpoint);
+    }
+
+    UniaxialResult result; ///< up to the last sample
+
+    /** Columns of the series. */
+    static std::vector<postprocess::SeriesColumn> series_columns();
+
+  private:
+    void snapshot();
+
+    std::string                               name; ///< "tension"
+    std::size_t                               number;
+    int                                       axis;
+    dem::Specimen                             specimen;
+    dem::UniaxialTest                         test;
+    std::int64_t                              steps_per_sample, samples_per_snapshot; ///< the latter 0: no snapshots
+    std::optional<postprocess::PvdCollection> particles, links;
+  };
+} // namespace apps

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "apps/drivers/uniaxial_result.h"
+#include "apps/scene/scene.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace apps
+{
+  /** What a complete uniaxial run tells: for programs, for the eye, for the terminal. */
+  struct UniaxialReport
+  {
+    const RunRequest                  &request;
+    const std::vector<UniaxialResult> &results; ///< in the order of the tests, at least one
+    double                             wall_seconds;
+
+    /** summary.json: figures, cost, energy, and the same for each test. */
+    nlohmann::json summary() const;
+    /** curve.png. @return what went wrong, "" if nothing. */
+    std::string draw_curve(const std::filesystem::path &file) const;
+    /** Figures, energy balance, cost and where the results lie. */
+    std::string text() const;
+  };
+} // namespace apps

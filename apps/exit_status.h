@@ -1,0 +1,13 @@
+#pragma once
+
+namespace apps
+{
+  /** How the program leaves. */
+  enum ExitStatus : int
+  {
+    exit_success     = 0,
+    exit_failure     = 1,  ///< the computation broke down, or a mistake in the program
+    exit_bad_input   = 2,  ///< something the user gave, or results that cannot be written
+    exit_interrupted = 130 ///< SIGINT or SIGTERM; a checkpoint was left if there was something to keep
+  };
+} // namespace apps

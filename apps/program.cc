@@ -1,0 +1,95 @@
+#include "apps/program.h"
+
+#include "apps/commands/command.h"
+#include "apps/exit_status.h"
+#include "apps/scene/nearest_name.h"
+#include "apps/version.h"
+#include "dem/core/errors.h"
+#include "postprocess/errors.h"
+
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <fmt/format.h>
+
+namespace apps
+{
+  namespace
+  {
+    std::vector<std::string> command_names(const CLI::App &program)
+    {
+      std::vector<std::string> names;
+      for (const CLI::App *command : program.get_subcommands([](const CLI::App *) { return true; }))
+        names.push_back(command->get_name());
+      return names;
+    }
+
+    /** A wrong command line in one message, with the nearest command where a command was meant. */
+    int refuse_command_line(const CLI::App &program, const CLI::ParseError &error, const char *first_word)
+    {
+      const auto        typed   = program.get_subcommands();
+      const std::string command = typed.empty() ? "" : " " + typed.front()->get_name();
+      std::string       message = error.what();
+      if (typed.empty() && first_word && first_word[0] != '-')
+        message =
+          fmt::format("\"{}\" is not a command. {}", first_word, did_you_mean(first_word, command_names(program)));
+      fmt::print(stderr, "breccia{}: {}\nRun \"breccia{} --help\" for what is possible.\n", command, message, command);
+      return exit_bad_input;
+    }
+
+    int complain(const std::string &message, const int status)
+    {
+      fmt::print(stderr, "breccia: {}\n", message);
+      return status;
+    }
+
+    int perform(const Action &action)
+    {
+      try
+        {
+          return action();
+        }
+      catch (const dem::InputError &error)
+        {
+          return complain(error.what(), exit_bad_input);
+        }
+      catch (const postprocess::OutputError &error)
+        {
+          return complain(error.what(), exit_bad_input);
+        }
+      catch (const dem::NumericalError &error)
+        {
+          return complain(fmt::format("the computation broke down: {}", error.what()), exit_failure);
+        }
+      catch (const std::bad_alloc &)
+        {
+          return complain("not enough memory for this model. \"breccia check SCENE\" says how much it takes.",
+                          exit_failure);
+        }
+      catch (const std::exception &error)
+        {
+          return complain(fmt::format("unexpected error, a mistake in the program: {}", error.what()), exit_failure);
+        }
+    }
+  } // namespace
+
+  int run_program(const int argc, char *argv[])
+  {
+    CLI::App program("Breccia: discrete and finite elements for concrete, mortar and rock", "breccia");
+    program.set_version_flag("--version", "breccia " + version());
+    program.require_subcommand(1);
+    Action chosen;
+    for (const AddCommand add : all_commands())
+      add(program, chosen);
+    try
+      {
+        program.parse(argc, argv);
+      }
+    catch (const CLI::ParseError &error)
+      {
+        if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) // --help, --version
+          return program.exit(error);
+        return refuse_command_line(program, error, argc > 1 ? argv[1] : nullptr);
+      }
+    return perform(chosen);
+  }
+} // namespace apps

@@ -1,0 +1,159 @@
+#include "apps/scene/description.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace apps
+{
+  namespace
+  {
+    std::string unit_in_brackets(const Entry &entry) { return entry.unit.empty() ? "" : " [" + entry.unit + "]"; }
+
+    /** "meaning [unit]; > 0; only if ..." */
+    std::string remark(const Entry &entry)
+    {
+      return entry.meaning + unit_in_brackets(entry) + (entry.allowed.empty() ? "" : "; " + entry.allowed) +
+             (entry.condition.empty() ? "" : "; only if " + entry.condition);
+    }
+
+    std::string margin(const int depth) { return std::string(2 * static_cast<std::size_t>(depth), ' '); }
+
+    void open(const Section &section, const int depth, std::string &text)
+    {
+      text += "\n" + margin(depth) + "subsection " + section.name() + "\n";
+    }
+
+    void describe_in_prm(const Section &section, const int depth, std::string &text)
+    {
+      for (const auto &entry : section.entries())
+        {
+          text += margin(depth) + "# " + remark(*entry) + "\n";
+          text += margin(depth) + (entry->required ? "# set " + entry->name + " =    (no default)\n" :
+                                                     "set " + entry->name + " = " + entry->value + "\n");
+        }
+      for (const auto &subsection : section.sections())
+        {
+          open(*subsection, depth, text);
+          text += margin(depth + 1) + "# " + subsection->meaning() +
+                  (subsection->condition().empty() ? "" : "; only if " + subsection->condition()) + "\n";
+          describe_in_prm(*subsection, depth + 1, text);
+          text += margin(depth) + "end\n";
+        }
+    }
+
+    std::string escaped(std::string text)
+    {
+      for (std::size_t i = 0; (i = text.find('|', i)) != std::string::npos; i += 2)
+        text.insert(i, "\\");
+      return text;
+    }
+
+    void describe_in_markdown(const Section &section, std::string &text)
+    {
+      if (!section.path().empty())
+        text += "\n## " + section.path() + "\n\n" + section.meaning() + "." +
+                (section.condition().empty() ? "" : " Only if " + section.condition() + ".") + "\n";
+      if (!section.entries().empty())
+        text += "\n| Entry | Unit | Default | Allowed | Meaning |\n|---|---|---|---|---|\n";
+      for (const auto &entry : section.entries())
+        text += escaped(entry->name).insert(0, "| ") + " | " + entry->unit + " | " +
+                (entry->required ? "required" : escaped(entry->value)) + " | " +
+                escaped(entry->type + (entry->allowed.empty() ? "" : ", " + entry->allowed)) + " | " +
+                escaped(entry->meaning) + (entry->condition.empty() ? "" : "; only if " + entry->condition) + " |\n";
+      for (const auto &subsection : section.sections())
+        describe_in_markdown(*subsection, text);
+    }
+
+    /** A file name stays valid when the completed scene stands in another folder. */
+    std::string portable_value(const Entry &entry)
+    {
+      if (entry.type != "file")
+        return entry.value;
+      return std::filesystem::absolute(std::filesystem::path(entry.place.file).parent_path() / entry.value)
+        .lexically_normal()
+        .string();
+    }
+
+    std::string completed_line(const Entry &entry, const Completed what)
+    {
+      const std::string line = "set " + entry.name + " = " + portable_value(entry);
+      return what == Completed::everything ?
+               fmt::format("{:<48} # {}{}\n", line, entry.meaning, unit_in_brackets(entry)) :
+               line + "\n";
+    }
+
+    void complete(const Section &section, const Completed what, const int depth, std::string &text)
+    {
+      for (const auto &entry : section.entries())
+        if ((entry->set || (entry->needed() && !entry->required)) && (entry->decides || what == Completed::everything))
+          text += margin(depth) + completed_line(*entry, what);
+      for (const auto &subsection : section.sections())
+        {
+          if (!subsection->needed())
+            continue;
+          open(*subsection, depth, text);
+          complete(*subsection, what, depth + 1, text);
+          text += margin(depth) + "end\n";
+        }
+    }
+  } // namespace
+
+  std::string description_as_prm(const Section &section)
+  {
+    std::string text;
+    std::string path = section.path();
+    std::string opening, closing;
+    for (int depth = 0; !path.empty(); ++depth)
+      {
+        const auto slash = path.find('/');
+        opening += margin(depth) + "subsection " + path.substr(0, slash) + "\n";
+        closing.insert(0, margin(depth) + "end\n");
+        path = slash == std::string::npos ? "" : path.substr(slash + 1);
+      }
+    const auto depth = static_cast<int>(std::count(opening.begin(), opening.end(), '\n'));
+    if (depth > 0)
+      text = opening + margin(depth) + "# " + section.meaning() +
+             (section.condition().empty() ? "" : "; only if " + section.condition()) + "\n";
+    describe_in_prm(section, depth, text);
+    return text + closing;
+  }
+
+  std::string description_as_markdown(const Section &section)
+  {
+    std::string text;
+    describe_in_markdown(section, text);
+    return text;
+  }
+
+  nlohmann::json description_as_json(const Section &section)
+  {
+    nlohmann::json described = {{"path", section.path()}, {"meaning", section.meaning()}};
+    if (!section.condition().empty())
+      described["only_if"] = section.condition();
+    described["entries"] = nlohmann::json::array();
+    for (const auto &entry : section.entries())
+      {
+        nlohmann::json one = {{"name", entry->name}, {"unit", entry->unit},       {"meaning", entry->meaning},
+                              {"type", entry->type}, {"allowed", entry->allowed}, {"required", entry->required}};
+        if (!entry->required)
+          one["default"] = entry->value;
+        if (!entry->condition.empty())
+          one["only_if"] = entry->condition;
+        described["entries"].push_back(std::move(one));
+      }
+    described["sections"] = nlohmann::json::array();
+    for (const auto &subsection : section.sections())
+      described["sections"].push_back(description_as_json(*subsection));
+    return described;
+  }
+
+  std::string completed_scene(const Section &root, const Completed what)
+  {
+    std::string text;
+    complete(root, what, 0, text);
+    return text;
+  }
+} // namespace apps

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "apps/scene/scene.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace apps
+{
+  /** A scene as read: complete, and every value within its range. */
+  struct LoadedScene
+  {
+    std::string              file;          ///< as typed
+    std::string              kind;          ///< entry "Kind"
+    std::string              output_folder; ///< entry "Output folder"
+    std::vector<std::string> overrides;     ///< as typed
+    std::unique_ptr<Section> root;
+    std::unique_ptr<Scene>   scene;
+  };
+
+  /**
+   * Read a scene file, apply the overrides ("Section/Key=value") and check everything that can be without building the model.
+   * @throws dem::InputError.
+   */
+  LoadedScene load_scene(const std::string &file, const std::vector<std::string> &overrides);
+
+  /** The parameters of a kind, unread: what `breccia describe` shows. @throws dem::InputError for an unknown kind. */
+  LoadedScene declare_scene(const std::string &kind);
+} // namespace apps

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "apps/scene/section.h"
+#include "dem/loading/uniaxial.h"
+
+#include <vector>
+
+namespace apps
+{
+  enum class UniaxialLoad
+  {
+    tension,
+    compression
+  };
+
+  /** "tension" or "compression": the word of scenes, files and messages. */
+  const char *name_of(UniaxialLoad load);
+
+  /** Section "Loading": uniaxial tests between two grips, each on a fresh specimen (mesoscale specification 9.3). */
+  struct UniaxialLoadingSection
+  {
+    struct Test
+    {
+      double rate          = 0; ///< [1/s], magnitude
+      double stop_fraction = 0; ///< of the peak stress
+      double stop_strain   = 0; ///< magnitude
+    };
+
+    std::vector<UniaxialLoad> tests           = {UniaxialLoad::tension, UniaxialLoad::compression};
+    int                       axis            = 2;
+    double                    grip_thickness  = 0;
+    bool                      lateral_blocked = false, spin_blocked = false;
+    Test                      tension, compression;
+
+    UniaxialLoadingSection();
+    void declare(Section &root);
+    bool asks_for(UniaxialLoad load) const;
+    /** The test as dem runs it: the rate with its sign. */
+    dem::UniaxialParameters parameters(UniaxialLoad load) const;
+
+  private:
+    void declare_test(Section &loading, UniaxialLoad load);
+  };
+} // namespace apps

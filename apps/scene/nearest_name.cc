@@ -1,0 +1,47 @@
+#include "apps/scene/nearest_name.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace apps
+{
+  std::size_t edit_distance(const std::string &from, const std::string &to)
+  {
+    const auto same = [](const char a, const char b) {
+      return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+    };
+    // Rows of the dynamic programme: the two before this one and this one.
+    std::vector<std::size_t> before_last(to.size() + 1), last(to.size() + 1), row(to.size() + 1);
+    for (std::size_t j = 0; j <= to.size(); ++j)
+      row[j] = j;
+    for (std::size_t i = 1; i <= from.size(); ++i)
+      {
+        before_last = last;
+        last        = row;
+        row[0]      = i;
+        for (std::size_t j = 1; j <= to.size(); ++j)
+          {
+            const bool equal = same(from[i - 1], to[j - 1]);
+            row[j]           = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (equal ? 0 : 1)});
+            if (i > 1 && j > 1 && same(from[i - 1], to[j - 2]) && same(from[i - 2], to[j - 1]))
+              row[j] = std::min(row[j], before_last[j - 2] + 1);
+          }
+      }
+    return row[to.size()];
+  }
+
+  std::string nearest_name(const std::string &typed, const std::vector<std::string> &candidates)
+  {
+    const auto nearer = [&](const std::string &a, const std::string &b) {
+      return edit_distance(typed, a) < edit_distance(typed, b);
+    };
+    const auto nearest = std::min_element(candidates.begin(), candidates.end(), nearer);
+    return nearest == candidates.end() ? std::string() : *nearest;
+  }
+
+  std::string did_you_mean(const std::string &typed, const std::vector<std::string> &candidates)
+  {
+    const std::string name = nearest_name(typed, candidates);
+    return name.empty() ? std::string() : "Did you mean \"" + name + "\"?";
+  }
+} // namespace apps

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace apps
+{
+  /** Fewest insertions, deletions, substitutions and swaps of neighbours that turn one word into the other, case ignored. */
+  std::size_t edit_distance(const std::string &from, const std::string &to);
+
+  /** The candidate with the smallest edit distance, the first of equals; empty if there is no candidate. */
+  std::string nearest_name(const std::string &typed, const std::vector<std::string> &candidates);
+
+  /** "Did you mean "X"?", or "" if there is no candidate. */
+  std::string did_you_mean(const std::string &typed, const std::vector<std::string> &candidates);
+} // namespace apps

@@ -1,0 +1,126 @@
+#include "apps/scene/parameter_lines.h"
+
+#include "apps/scene/value_text.h"
+#include "dem/core/errors.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace apps
+{
+  namespace
+  {
+    std::string lower_case(std::string word)
+    {
+      std::transform(word.begin(), word.end(), word.begin(), [](const unsigned char c) { return std::tolower(c); });
+      return word;
+    }
+
+    /** Runs of blanks become one, as ParameterHandler does with names. */
+    std::string single_spaced(const std::string &text)
+    {
+      std::string result;
+      for (const char c : trimmed(text))
+        {
+          const bool blank = c == ' ' || c == '\t';
+          if (!blank || result.back() != ' ')
+            result += blank ? ' ' : c;
+        }
+      return result;
+    }
+
+    class PrmScan
+    {
+    public:
+      explicit PrmScan(std::string file_name)
+        : file(std::move(file_name))
+      {
+      }
+
+      void line(const std::string &text, const int number)
+      {
+        const auto        blank = text.find_first_of(" \t");
+        const std::string verb  = lower_case(text.substr(0, blank));
+        const std::string rest  = blank == std::string::npos ? "" : trimmed(text.substr(blank));
+        if (verb == "subsection" && !rest.empty())
+          sections.push_back({single_spaced(rest), number});
+        else if (verb == "end" && rest.empty())
+          leave(number);
+        else if (verb == "set" && rest.find('=') != std::string::npos && rest[0] != '=')
+          add(single_spaced(rest.substr(0, rest.find('='))), number);
+        else
+          refuse(number, "\"" + text +
+                           "\" is not understood: expected \"set KEY = VALUE\", \"subsection NAME\", \"end\" or a "
+                           "comment \"# ...\".");
+      }
+
+      std::vector<Assignment> finish() const
+      {
+        if (!sections.empty())
+          refuse(sections.back().line, "subsection \"" + sections.back().name + "\" is not closed. Add its \"end\".");
+        return found;
+      }
+
+    private:
+      struct Open
+      {
+        std::string name;
+        int         line;
+      };
+
+      [[noreturn]] void refuse(const int number, const std::string &message) const
+      {
+        throw dem::InputError(Place{file, number}.text() + ": " + message);
+      }
+
+      void leave(const int number)
+      {
+        if (sections.empty())
+          refuse(number, "\"end\" closes no subsection. Remove it, or add the \"subsection\" it belongs to.");
+        sections.pop_back();
+      }
+
+      void add(const std::string &entry, const int number)
+      {
+        Assignment added;
+        for (const Open &open : sections)
+          added.sections.push_back(open.name);
+        added.entry = entry;
+        added.place = {file, number};
+        for (const Assignment &other : found)
+          if (other.path() == added.path())
+            refuse(number, "\"" + added.path() + "\" is set a second time; first in line " +
+                             std::to_string(other.place.line) + ". Keep one of them.");
+        found.push_back(added);
+      }
+
+      std::string             file;
+      std::vector<Open>       sections;
+      std::vector<Assignment> found;
+    };
+  } // namespace
+
+  std::vector<Assignment> entries_of_prm(std::istream &text, const std::string &file)
+  {
+    PrmScan     scan(file);
+    std::string pending; // of lines that end in a backslash
+    int         number = 0, start = 1;
+    for (std::string raw; std::getline(text, raw);)
+      {
+        ++number;
+        std::string line = trimmed(raw.substr(0, raw.find('#')));
+        if (pending.empty())
+          start = number;
+        const bool continues = !line.empty() && line.back() == '\\';
+        if (continues)
+          line.pop_back();
+        pending += line;
+        if (continues)
+          continue;
+        if (!trimmed(pending).empty())
+          scan.line(trimmed(pending), start);
+        pending.clear();
+      }
+    return scan.finish();
+  }
+} // namespace apps

@@ -1,0 +1,101 @@
+#include "apps/scene/reader.h"
+
+#include "apps/scene/nearest_name.h"
+
+#include <algorithm>
+#include <map>
+
+namespace apps
+{
+  namespace
+  {
+    /** " of section "Material/CPM"", or "" at the top. */
+    std::string inside(const Section &section)
+    {
+      return section.path().empty() ? "" : " in section \"" + section.path() + "\"";
+    }
+
+    /** Paths of all entries with this very name, wherever they are. */
+    void collect_paths(const Section &section, const std::string &entry, std::vector<std::string> &paths)
+    {
+      if (section.find_entry(entry))
+        paths.push_back(section.path_of(entry));
+      for (const auto &subsection : section.sections())
+        collect_paths(*subsection, entry, paths);
+    }
+
+    const Section &section_of(const Section &root, const Assignment &assignment)
+    {
+      const Section *section = &root;
+      for (const std::string &name : assignment.sections)
+        {
+          const Section *next = section->find_section(name);
+          if (!next)
+            throw dem::InputError(assignment.place.text() + ": section \"" +
+                                  (section->path().empty() ? "" : section->path() + "/") + name + "\" is not known. " +
+                                  did_you_mean(name, section->section_names()));
+          section = next;
+        }
+      return *section;
+    }
+
+    [[noreturn]] void refuse_unknown(const Section &root, const Section &section, const Assignment &assignment)
+    {
+      std::string              message = assignment.place.text() + ": \"" + assignment.path() + "\" is not known. ";
+      std::vector<std::string> elsewhere;
+      collect_paths(root, assignment.entry, elsewhere);
+      if (!elsewhere.empty())
+        message += "Did you mean \"" + elsewhere.front() + "\"?";
+      else if (!section.entries().empty())
+        message += did_you_mean(assignment.entry, section.entry_names());
+      else
+        message +=
+          "There is no entry" + inside(section) + ". " + did_you_mean(assignment.entry, section.section_names());
+      throw dem::InputError(message);
+    }
+
+    void store(const Section &section, Entry &entry, const Assignment &assignment)
+    {
+      const std::string wrong = entry.store(assignment.value, assignment.place);
+      if (!wrong.empty())
+        throw dem::InputError(assignment.place.text() + ": " + section.path_of(entry.name) + " = " +
+                              (assignment.value.empty() ? "(nothing)" : assignment.value) + ": " + wrong +
+                              (entry.unit.empty() || entry.unit == "-" ? "" : " [" + entry.unit + "]") +
+                              ". Meaning: " + entry.meaning + ".");
+      entry.value = assignment.value;
+      entry.place = assignment.place;
+      entry.set   = true;
+    }
+
+    void refuse_missing(const Section &section, const std::string &source)
+    {
+      if (!section.needed())
+        return;
+      for (const auto &entry : section.entries())
+        if (entry->required && !entry->set && entry->needed())
+          throw dem::InputError(source + ": \"" + section.path_of(entry->name) + "\"" +
+                                (entry->unit.empty() ? "" : " [" + entry->unit + "]") +
+                                " is not set and has no default. Meaning: " + entry->meaning +
+                                (entry->allowed.empty() ? "" : "; " + entry->allowed) + ".");
+      for (const auto &subsection : section.sections())
+        refuse_missing(*subsection, source);
+    }
+  } // namespace
+
+  void assign(const Section &root, const std::vector<Assignment> &assignments, const std::string &source)
+  {
+    // All names first: a misspelt key explains a "missing" one.
+    std::vector<std::pair<const Section *, Entry *>> targets;
+    for (const Assignment &assignment : assignments)
+      {
+        const Section &section = section_of(root, assignment);
+        Entry         *entry   = section.find_entry(assignment.entry);
+        if (!entry)
+          refuse_unknown(root, section, assignment);
+        targets.emplace_back(&section, entry);
+      }
+    for (std::size_t i = 0; i < assignments.size(); ++i)
+      store(*targets[i].first, *targets[i].second, assignments[i]);
+    refuse_missing(root, source);
+  }
+} // namespace apps

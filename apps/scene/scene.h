@@ -1,0 +1,48 @@
+#pragma once
+
+#include "apps/scene/section.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace apps
+{
+  /** What a run is asked besides its scene. */
+  struct RunRequest
+  {
+    std::filesystem::path    output_folder;
+    bool                     resume = false;
+    std::string              scene_file;    ///< as typed
+    std::string              scene_text;    ///< the scene as completed, to be written beside the results
+    std::string              deciding_text; ///< of it, what decides the results: a checkpoint belongs to this text
+    std::vector<std::string> overrides;     ///< as typed after -s
+  };
+
+  /**
+   * A kind of scene: its parameters, and what to do with them. One class per kind, listed in apps/drivers/all.h.
+   *
+   * Order: declare(), then the reader fills the members, validate(), and then either forecast() or run().
+   */
+  class Scene
+  {
+  public:
+    virtual ~Scene() = default;
+
+    /** Bind every parameter of the kind. The object must stay where it is from now on. */
+    virtual void declare(Section &root) = 0;
+
+    /** Rules between entries. @throws dem::InputError, see Section::refuse(). */
+    virtual void validate(const Section &root) const = 0;
+
+    /** What a run would take, as text for the terminal; sets the model up, but writes nothing. @throws dem::InputError. */
+    virtual std::string forecast() const = 0;
+
+    /**
+     * Do the work and write the results.
+     * @return exit status: 0, or 130 when interrupted by a signal, with a checkpoint left.
+     * @throws dem::InputError before the output folder is touched; postprocess::OutputError; dem::NumericalError.
+     */
+    virtual int run(const RunRequest &request) const = 0;
+  };
+} // namespace apps

@@ -1,0 +1,274 @@
+#include "apps/scene/section.h"
+
+#include "apps/scene/value_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace apps
+{
+  namespace
+  {
+    std::string joined(const std::vector<std::string> &words)
+    {
+      std::string all;
+      for (const std::string &word : words)
+        all += (all.empty() ? "" : ", ") + word;
+      return all;
+    }
+
+    std::string expected(const std::string &what, const std::string &allowed)
+    {
+      return "expected " + what + (allowed.empty() ? "" : " " + allowed);
+    }
+
+    std::string vector_text(const std::array<double, 3> &value)
+    {
+      return fmt::format("{}, {}, {}", value[0], value[1], value[2]);
+    }
+  } // namespace
+
+  bool Range::contains(const double value) const
+  {
+    return std::isfinite(value) && value >= lower && (upper_open ? value < upper : value <= upper);
+  }
+
+  std::string Range::text() const
+  {
+    constexpr double largest  = std::numeric_limits<double>::max();
+    constexpr double smallest = std::numeric_limits<double>::min();
+    const bool       no_lower = lower == -largest, no_upper = upper == largest;
+    if (no_lower && no_upper)
+      return "";
+    if (no_upper)
+      return lower == smallest ? "> 0" : fmt::format(">= {}", lower);
+    if (no_lower)
+      return fmt::format("{} {}", upper_open ? "<" : "<=", upper);
+    return fmt::format("in {}{}, {}{}", lower == smallest ? "(" : "[", lower == smallest ? 0.0 : lower, upper,
+                       upper_open ? ")" : "]");
+  }
+
+  Section::Section(std::string section_name, std::string section_meaning)
+    : own_name(std::move(section_name))
+    , own_meaning(std::move(section_meaning))
+  {
+  }
+
+  Entry &Section::add(const std::string &entry, const std::string &type, const Need need, const std::string &initial)
+  {
+    own_entries.push_back(std::make_unique<Entry>());
+    Entry &added   = *own_entries.back();
+    added.name     = entry;
+    added.type     = type;
+    added.required = need == Need::required;
+    added.value    = added.required ? "" : initial;
+    return added;
+  }
+
+  Entry &Section::number(
+    const std::string &entry, double &member, const std::string &unit, const Range &range, const Need need)
+  {
+    Entry &added  = add(entry, "number", need, fmt::format("{}", member));
+    added.unit    = unit;
+    added.allowed = range.text();
+    added.store   = [&member, range](const std::string &text, const Place &) -> std::string {
+      const auto value = number_in(text);
+      if (!value || !range.contains(*value))
+        return expected("a number", range.text());
+      member = *value;
+      return "";
+    };
+    return added;
+  }
+
+  Entry &Section::integer(
+    const std::string &entry, std::int64_t &member, const std::string &unit, const Range &range, const Need need)
+  {
+    Entry &added  = add(entry, "whole number", need, fmt::format("{}", member));
+    added.unit    = unit;
+    added.allowed = range.text();
+    added.store   = [&member, range](const std::string &text, const Place &) -> std::string {
+      const auto value = integer_in(text);
+      if (!value || !range.contains(static_cast<double>(*value)))
+        return expected("a whole number", range.text());
+      member = *value;
+      return "";
+    };
+    return added;
+  }
+
+  Entry &Section::flag(const std::string &entry, bool &member)
+  {
+    Entry &added  = add(entry, "switch", Need::optional, member ? "true" : "false");
+    added.allowed = "one of: true, false";
+    added.store   = [&member](const std::string &text, const Place &) -> std::string {
+      if (text != "true" && text != "false")
+        return "expected true or false";
+      member = text == "true";
+      return "";
+    };
+    return added;
+  }
+
+  Entry &Section::vector(const std::string     &entry,
+                         std::array<double, 3> &member,
+                         const std::string     &unit,
+                         const Range           &range,
+                         const Need             need)
+  {
+    Entry &added  = add(entry, "three numbers", need, vector_text(member));
+    added.unit    = unit;
+    added.allowed = range.text().empty() ? "" : "each " + range.text();
+    added.store   = [&member, range](const std::string &text, const Place &) -> std::string {
+      const std::vector<std::string> parts = comma_separated(text);
+      std::array<double, 3>          values{};
+      bool                           valid = parts.size() == 3;
+      for (std::size_t i = 0; valid && i < 3; ++i)
+        {
+          const auto value = number_in(parts[i]);
+          valid            = value && range.contains(*value);
+          values[i]        = value.value_or(0.0);
+        }
+      if (!valid)
+        return expected("three numbers \"x, y, z\"", range.text().empty() ? "" : "each " + range.text());
+      member = values;
+      return "";
+    };
+    return added;
+  }
+
+  Entry &Section::file(const std::string &entry, std::string &member)
+  {
+    Entry &added = add(entry, "file", Need::required, "");
+    added.store  = [&member](const std::string &text, const Place &from) -> std::string {
+      if (text.empty())
+        return "expected the name of a file";
+      // A name in a scene is meant from the scene's folder, one on the command line from where the user stands.
+      const std::filesystem::path base = std::filesystem::path(from.file).parent_path();
+      member                           = (base / text).string();
+      return "";
+    };
+    return added;
+  }
+
+  Entry &Section::text(const std::string &entry, std::string &member, const Need need)
+  {
+    Entry &added = add(entry, "text", need, member);
+    added.store  = [&member](const std::string &text, const Place &) -> std::string {
+      member = text;
+      return "";
+    };
+    return added;
+  }
+
+  Entry &Section::add_choice(const std::string               &entry,
+                             const std::vector<std::string>  &words,
+                             const std::size_t                initial,
+                             std::function<void(std::size_t)> assign,
+                             const Need                       need)
+  {
+    Entry &added  = add(entry, "word", need, initial < words.size() ? words[initial] : "");
+    added.allowed = "one of: " + joined(words);
+    added.store   = [words, assign = std::move(assign)](const std::string &text, const Place &) -> std::string {
+      const auto found = std::find(words.begin(), words.end(), text);
+      if (found == words.end())
+        return "expected one of: " + joined(words);
+      assign(static_cast<std::size_t>(found - words.begin()));
+      return "";
+    };
+    return added;
+  }
+
+  Entry &Section::add_choices(const std::string                                    &entry,
+                              const std::vector<std::string>                       &words,
+                              const std::string                                    &initial,
+                              std::function<void(const std::vector<std::size_t> &)> assign,
+                              const Need                                            need)
+  {
+    Entry &added  = add(entry, "list of words", need, initial);
+    added.allowed = "at least one of: " + joined(words);
+    added.store   = [words, assign = std::move(assign)](const std::string &text, const Place &) -> std::string {
+      std::vector<std::size_t> positions;
+      for (const std::string &word : comma_separated(text))
+        {
+          const auto found    = std::find(words.begin(), words.end(), word);
+          const auto position = static_cast<std::size_t>(found - words.begin());
+          if (found == words.end() || std::count(positions.begin(), positions.end(), position) > 0)
+            return "expected words separated by commas, of: " + joined(words) + "; each at most once";
+          positions.push_back(position);
+        }
+      if (positions.empty())
+        return "expected at least one of: " + joined(words);
+      assign(positions);
+      return "";
+    };
+    return added;
+  }
+
+  Section &Section::section(const std::string &subsection, const std::string &subsection_meaning)
+  {
+    subsections.push_back(std::make_unique<Section>(subsection, subsection_meaning));
+    subsections.back()->parent = this;
+    return *subsections.back();
+  }
+
+  void Section::only_if(std::function<bool()> condition, std::string condition_in_words)
+  {
+    holds              = std::move(condition);
+    words_of_condition = std::move(condition_in_words);
+  }
+
+  std::string Section::path() const
+  {
+    if (!parent || parent->path().empty())
+      return own_name;
+    return parent->path() + "/" + own_name;
+  }
+
+  std::string Section::path_of(const std::string &entry) const { return path().empty() ? entry : path() + "/" + entry; }
+
+  bool Section::needed() const { return (!parent || parent->needed()) && (!holds || holds()); }
+
+  Entry *Section::find_entry(const std::string &entry) const
+  {
+    for (const auto &candidate : own_entries)
+      if (candidate->name == entry)
+        return candidate.get();
+    return nullptr;
+  }
+
+  Section *Section::find_section(const std::string &subsection) const
+  {
+    for (const auto &candidate : subsections)
+      if (candidate->own_name == subsection)
+        return candidate.get();
+    return nullptr;
+  }
+
+  std::vector<std::string> Section::entry_names() const
+  {
+    std::vector<std::string> names;
+    for (const auto &entry : own_entries)
+      names.push_back(entry->name);
+    return names;
+  }
+
+  std::vector<std::string> Section::section_names() const
+  {
+    std::vector<std::string> names;
+    for (const auto &subsection : subsections)
+      names.push_back(subsection->own_name);
+    return names;
+  }
+
+  void Section::refuse(const std::string &entry, const std::string &rule) const
+  {
+    const Entry      *refused = find_entry(entry);
+    const std::string where   = refused && refused->set ? refused->place.text() + ": " : "";
+    const std::string value   = refused ? " = " + refused->value : "";
+    throw dem::InputError(where + path_of(entry) + value + ": " + rule);
+  }
+} // namespace apps

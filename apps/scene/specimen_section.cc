@@ -1,0 +1,67 @@
+#include "apps/scene/specimen_section.h"
+
+#include <fmt/format.h>
+
+namespace apps
+{
+  void SpecimenSection::declare(Section &root, const int &dimension)
+  {
+    const auto generated = [this] { return source == Source::generator; };
+    const auto read      = [this] { return source == Source::file; };
+
+    Section &section = root.section("Specimen", "The particles: where they come from, and what is made of them");
+    section.choice("Source", source, {{"generator", Source::generator}, {"file", Source::file}}, Need::required)
+      .means("generator: compact a random packing, tile and crop it; file: read a packing");
+    section.file("File", file)
+      .means("Packing: HDF5, or text with a line \"x y z radius\" [m] per particle; from the scene's folder")
+      .only_if(read, "Specimen/Source = file");
+    section.vector("Box size", box, "m", Range::positive(), Need::required)
+      .means("Edges of the specimen: particles that lie wholly inside are kept; a periodic packing is repeated until "
+             "it covers the box. "
+             "May be left out for a file: its particles are then taken as they are")
+      .only_if(generated, "Specimen/Source = generator");
+    section.number("Density", density, "kg/m^3", Range::positive(), Need::required)
+      .means("Of the particles, not of the bulk: bulk density over packing fraction");
+    section.number("Interaction ratio", interaction_ratio, "-", Range::between(1, 10), Need::required)
+      .means("iota: particles closer than iota times the sum of their radii are linked; a constant of the material "
+             "model, about 1.5");
+    section.number("Thickness", thickness, "m", Range::positive(), Need::required)
+      .means("Of the discs")
+      .only_if([&dimension] { return dimension == 2; }, "Physics/Dimension = 2");
+
+    Section &inner = section.section("Generator", "Random packing of equal spheres, compacted in a periodic cell");
+    inner.only_if(generated, "Specimen/Source = generator");
+    inner.number("Particle radius", generator.radius, "m", Range::positive(), Need::required).means("Of every sphere");
+    inner.integer("Cell particles", generator.cell_count, "", Range::between(8, 1e7), Need::optional)
+      .means("Spheres in the periodic cell, which is repeated to fill the box; 1000 make its edge about ten diameters");
+    inner.integer("Seed", generator.seed, "", Range::between(0, 9007199254740992.0), Need::optional)
+      .means("Another seed gives another random packing; the same seed the same packing");
+    inner.number("Friction coefficient", generator.friction, "-", Range::between(0, 10), Need::optional)
+      .means("Between the spheres while they are compacted; 0 packs densest");
+    inner.number("Damping", generator.damping, "-", Range::from_up_to(0, 1), Need::optional)
+      .means("Local damping while they are compacted; with friction 0.5, 0.6 gives a packing fraction near 0.55");
+  }
+
+  void SpecimenSection::validate(const Section &root, const int dimension) const
+  {
+    const Section &section = *root.find_section("Specimen");
+    if (source != Source::generator)
+      return;
+    if (dimension == 2)
+      section.refuse("Source", "the generator packs spheres, and Physics/Dimension is 2. Read the discs from a file.");
+    for (const double edge : box)
+      if (edge < 2 * generator.radius)
+        section.refuse("Box size",
+                       fmt::format("no sphere of radius {} m fits in. Enlarge the box or check the units: metres.",
+                                   generator.radius));
+    // A specimen beyond this does not fit into the memory of one machine, and is far more likely a wrong unit.
+    constexpr double most_particles = 1e9;
+    const double     estimate       = 0.6 * box[0] * box[1] * box[2] /
+                            (4.0 / 3.0 * 3.141592653589793 * generator.radius * generator.radius * generator.radius);
+    if (estimate > most_particles)
+      section.refuse(
+        "Box size",
+        fmt::format("would hold about {:.0e} spheres of radius {} m. Shrink it, or check the units: metres.", estimate,
+                    generator.radius));
+  }
+} // namespace apps
