@@ -231,6 +231,22 @@ namespace dem
         exhausted = exhausted || (state.kappa > Pack(law.kappa_broken) && strain > Pack(0.0) && area > Pack(0.0));
     }
 
+    /** Links ahead of the present one whose second ends are fetched: measured best between 64 and 128 on 10^6 particles. */
+    constexpr std::size_t prefetch_distance = 64;
+
+    /** First ends follow the links' order and come by themselves; second ends lie all over the particle columns. */
+    BRECCIA_KERNEL void prefetch_second_ends(const LinkSet &links, const Particles &particles, const std::size_t l)
+    {
+      if (l >= links.second.size())
+        return;
+      for (int lane = 0; lane < pack_size; ++lane)
+        {
+          const std::size_t K = record_size * static_cast<std::size_t>(links.second[l + lane]);
+          __builtin_prefetch(&particles.pose[K]);
+          __builtin_prefetch(&particles.motion[K]);
+        }
+    }
+
     template <typename P>
     void update_block(LinkSet &links, const Particles &particles, const CpmConstants &law, const std::size_t block)
     {
@@ -239,7 +255,10 @@ namespace dem
       const Pack        signs = difference_and_sum;
       const std::size_t begin = block * links_per_block, end = std::min(begin + links_per_block, links.first.size());
       for (std::size_t l = begin; l < end; l += pack_size)
-        update_pack<P>(links, particles, law, signs, l, plastic_work, damage_work, exhausted);
+        {
+          prefetch_second_ends(links, particles, l + prefetch_distance);
+          update_pack<P>(links, particles, law, signs, l, plastic_work, damage_work, exhausted);
+        }
 
       LinkBlockAccount &account = links.accounts[block];
       if constexpr (P::sliding)
