@@ -16,6 +16,9 @@ namespace dem
   {
     using Index = std::array<std::int64_t, 3>;
 
+    /// Particles searched in a row by one thread: small enough for an even share, large enough to be worth waking threads.
+    constexpr std::size_t chunk_size = 4096;
+
     std::int64_t floor_division(const std::int64_t a, const std::int64_t b)
     {
       return a >= 0 ? a / b : -((-a + b - 1) / b);
@@ -315,7 +318,7 @@ namespace dem
       for (const auto &part : parts)
         for (const NeighbourPair &pair : part)
           pairs[next[pair.first]++] = pair;
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (particles > chunk_size)
       for (std::size_t i = 0; i < particles; ++i)
         std::sort(pairs.begin() + start[i], pairs.begin() + start[i + 1]);
       return pairs;
@@ -329,15 +332,14 @@ namespace dem
       {
         std::size_t level, begin, end;
       };
-      constexpr std::size_t chunk_size = 4096; // slots; enough for threads to share the work evenly
-      std::vector<Chunk>    chunks;
+      std::vector<Chunk> chunks;
       for (std::size_t level = 0; level < grids.size(); ++level)
         for (std::size_t begin = 0; begin < grids[level].size(); begin += chunk_size)
           chunks.push_back({level, begin, std::min(begin + chunk_size, grids[level].size())});
 
       std::vector<std::vector<NeighbourPair>> parts(chunks.size());
       std::string                             failure; // exceptions must not leave a parallel region
-#pragma omp parallel for schedule(dynamic)
+#pragma omp parallel for schedule(dynamic) if (chunks.size() > 1)
       for (std::size_t c = 0; c < chunks.size(); ++c)
         try
           {

@@ -129,14 +129,14 @@ namespace dem
     for (std::size_t i = 0; i < particles; ++i)
       for (int d = 0; d < 3; ++d)
         searched_at[3 * i + d] = centre[i][d] = place[record_size * i + d];
-    searched_edge        = cell_edge;
-    const auto    cell   = Eigen::Vector3d::Constant(cell_edge);
-    const auto    found  = find_pairs(centre, std::vector<double>(particles, 1.0), 1.0, skin, Eigen::Vector3d(cell));
-    const auto    filled = (found.size() + pack_size - 1) / pack_size * pack_size;
+    searched_edge     = cell_edge;
+    const auto cell   = Eigen::Vector3d::Constant(cell_edge);
+    const auto found  = find_pairs(centre, std::vector<double>(particles, 1.0), 1.0, skin, Eigen::Vector3d(cell));
+    const auto filled = (found.size() + pack_size - 1) / pack_size * pack_size;
 
-    const auto                      old_first = std::move(first), old_second = std::move(second);
-    Column                          old_shift[3], old_branch[3], old_slip[3];
-    const std::size_t               old_candidates = candidates;
+    const auto        old_first = std::move(first), old_second = std::move(second);
+    Column            old_shift[3], old_branch[3], old_slip[3];
+    const std::size_t old_candidates = candidates;
     for (int d = 0; d < 3; ++d)
       {
         old_shift[d]  = std::move(shift[d]);
@@ -144,7 +144,8 @@ namespace dem
         old_slip[d]   = std::move(slip[d]);
       }
     const auto old_pair = [&](const std::size_t c) {
-      return NeighbourPair{old_first[c], old_second[c],
+      return NeighbourPair{old_first[c],
+                           old_second[c],
                            {{static_cast<std::int8_t>(old_shift[0][c]), static_cast<std::int8_t>(old_shift[1][c]),
                              static_cast<std::int8_t>(old_shift[2][c])}}};
     };
@@ -170,9 +171,10 @@ namespace dem
         const bool known = old < old_candidates && old_pair(old) == pair;
         for (int d = 0; d < 3; ++d)
           {
-            shift[d][c]  = pair.shift[d];
-            branch[d][c] = known ? old_branch[d][old] : centre[pair.second][d] + cell_edge * pair.shift[d] - centre[pair.first][d];
-            slip[d][c]   = known ? old_slip[d][old] : 0.0;
+            shift[d][c] = pair.shift[d];
+            branch[d][c] =
+              known ? old_branch[d][old] : centre[pair.second][d] + cell_edge * pair.shift[d] - centre[pair.first][d];
+            slip[d][c] = known ? old_slip[d][old] : 0.0;
           }
       }
   }
@@ -182,8 +184,8 @@ namespace dem
     std::fill(force.begin(), force.end(), 0.0);
     alignas(64) const double reaction_of[record_size] = {-1, -1, -1, 1, 1, 1, 1, 1};
     const Pack               reaction                 = load(reaction_of);
-    const Pack               friction(parameters.friction), shear_ratio(parameters.shear_ratio), half(0.5), one(1.0), zero(0.0);
-    Pack                     virial(0.0), overlaps(0.0), forces(0.0), touching_count(0.0);
+    const Pack friction(parameters.friction), shear_ratio(parameters.shear_ratio), half(0.5), one(1.0), zero(0.0);
+    Pack       virial(0.0), overlaps(0.0), forces(0.0), touching_count(0.0);
 
     for (std::size_t at = 0; at < first.size(); at += pack_size)
       {
@@ -208,11 +210,11 @@ namespace dem
         const auto            touched       = dot(before, before) < Pack(diameter * diameter);
         const Pack            overlap       = select(touching, Pack(diameter - frame.length), zero);
 
-        const Pack trial   = shear_ratio * square_root(dot(tangential[0], tangential[0]));
-        const Pack limit   = friction * overlap;
-        const Pack sticks  = select(trial > limit, Pack(limit / maximum(trial, Pack(1e-300))), one);
-        const Pack kept    = select(touching && touched, sticks, zero);
-        tangential[0]      = select(kept > zero, kept, zero) * tangential[0];
+        const Pack trial  = shear_ratio * square_root(dot(tangential[0], tangential[0]));
+        const Pack limit  = friction * overlap;
+        const Pack sticks = select(trial > limit, Pack(limit / maximum(trial, Pack(1e-300))), one);
+        const Pack kept   = select(touching && touched, sticks, zero);
+        tangential[0]     = select(kept > zero, kept, zero) * tangential[0];
         store3(tangential[0], slip, at);
 
         const Vec<Pack, 3> f      = shear_ratio * tangential[0] - overlap * frame.direction;
@@ -226,7 +228,8 @@ namespace dem
         transpose(record);
         for (int lane = 0; lane < pack_size; ++lane)
           {
-            double *on_first = &force[record_size * first[at + lane]], *on_second = &force[record_size * second[at + lane]];
+            double *on_first  = &force[record_size * first[at + lane]],
+                   *on_second = &force[record_size * second[at + lane]];
             store(load(on_first) + record[lane], on_first);
             store(load(on_second) + reaction * record[lane], on_second);
           }
@@ -237,10 +240,7 @@ namespace dem
     contact_count        = static_cast<std::int64_t>(sum(touching_count));
   }
 
-  double FrictionalAssembly::pressure() const
-  {
-    return overlap_times_length / (3 * cell_edge * cell_edge * cell_edge);
-  }
+  double FrictionalAssembly::pressure() const { return overlap_times_length / (3 * cell_edge * cell_edge * cell_edge); }
 
   AssemblyMeasures FrictionalAssembly::measures() const
   {
@@ -251,8 +251,8 @@ namespace dem
         unbalanced += std::sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
       }
     const double contacts = static_cast<double>(contact_count);
-    const double ratio    = force_sum > 0 ? (unbalanced / static_cast<double>(particles)) / (force_sum / contacts)
-                                          : std::numeric_limits<double>::infinity();
+    const double ratio    = force_sum > 0 ? (unbalanced / static_cast<double>(particles)) / (force_sum / contacts) :
+                                            std::numeric_limits<double>::infinity();
     return {pressure(), ratio, contact_count > 0 ? overlap_sum / contacts : 0.0, contact_count};
   }
 

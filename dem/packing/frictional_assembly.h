@@ -11,18 +11,18 @@ namespace dem
   /** Material of an assembly, in the units of FrictionalAssembly. */
   struct FrictionalAssemblyParameters
   {
-    double friction;        ///< coefficient mu = tan phi [-], >= 0
-    double shear_ratio;     ///< k_s/k_n [-], >= 0
-    double damping;         ///< local (Cundall) damping D [-], in [0, 1)
-    double time_step;       ///< in sqrt(mass/k_n)
+    double friction;    ///< coefficient mu = tan phi [-], >= 0
+    double shear_ratio; ///< k_s/k_n [-], >= 0
+    double damping;     ///< local (Cundall) damping D [-], in [0, 1)
+    double time_step;   ///< in sqrt(mass/k_n)
   };
 
   /** What the compaction steers by. */
   struct AssemblyMeasures
   {
-    double       pressure;           ///< -trace(stress)/3, Love-Weber, in k_n/radius
-    double       unbalanced_ratio;   ///< mean |sum of forces on a particle| / mean |contact force|; infinite without contact
-    double       mean_overlap;       ///< of the contacts, in radii
+    double pressure;         ///< -trace(stress)/3, Love-Weber, in k_n/radius
+    double unbalanced_ratio; ///< mean |sum of forces on a particle| / mean |contact force|; infinite without contact
+    double mean_overlap;     ///< of the contacts, in radii
     std::int64_t contacts;
   };
 

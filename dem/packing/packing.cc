@@ -42,7 +42,8 @@ namespace dem
       const bool images = packing.periodic_cell && same[0].shift != decltype(same[0].shift){};
       refuse(origin, same[0].second,
              "centre = " + place(packing.centre[same[0].second]) + ": the same place as particle " +
-               std::to_string(same[0].first + 1) + (images ? " (its periodic image)" : "") + ". Remove one of the two.");
+               std::to_string(same[0].first + 1) + (images ? " (its periodic image)" : "") +
+               ". Remove one of the two.");
     }
   } // namespace
 
@@ -54,7 +55,8 @@ namespace dem
     if (packing.size() == 0)
       throw InputError(origin + ": no particle. A packing needs at least one.");
     if (packing.periodic_cell && !(packing.periodic_cell->minCoeff() > 0))
-      throw InputError(origin + ": periodic cell = " + place(*packing.periodic_cell) + ": its edges must be above zero.");
+      throw InputError(origin + ": periodic cell = " + place(*packing.periodic_cell) +
+                       ": its edges must be above zero.");
     for (std::size_t i = 0; i < packing.size(); ++i)
       check_particle(packing, i, origin);
     check_coincidence(packing, origin);

@@ -106,8 +106,8 @@ namespace dem
               {
                 std::ostringstream text;
                 text << "random placement: sphere " << packing.centre.size() + 1 << " of " << count
-                     << " found no free place in " << most_draws << " draws. Place them in a larger cell (edge = " << edge
-                     << " m).";
+                     << " found no free place in " << most_draws
+                     << " draws. Place them in a larger cell (edge = " << edge << " m).";
                 throw InputError(text.str());
               }
             for (int d = 0; d < 3; ++d)
