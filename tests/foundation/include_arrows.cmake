@@ -4,15 +4,17 @@
 #
 # A room may include itself, the standard library, and what is listed for it here: rooms by name, outside libraries
 # by the beginning of what stands between < and >. Its sources and its tests (tests/<room>) obey the same list, the
-# tests with Catch2 besides; tests that belong to no room may include everything.
+# tests with Catch2 besides, and may name a header of their own folder without it; tests that belong to no room may
+# include everything.
 
 cmake_minimum_required(VERSION 3.25)
 set(rooms dem fem coupling postprocess apps)
 set(suffixes h hh hpp inl c cc cpp cxx in)
 
 set(dem_rooms "")
-# Spectra is Eigen's eigenvalue solver, headers only; the last two are the compiler's vectors.
-set(dem_libraries Eigen/ Spectra/ omp.h experimental/simd immintrin.h)
+# Spectra is Eigen's eigenvalue solver, headers only; CHOLMOD factorises for statics; the last two are the vectors of
+# the compiler.
+set(dem_libraries Eigen/ Spectra/ cholmod.h omp.h experimental/simd immintrin.h)
 set(fem_rooms "")
 # Eigen carries the 6-vectors of the material points: the library that dem has too, hence no new dependency
 set(fem_libraries deal.II/ umfpack.h cholmod.h mpi.h Eigen/)
@@ -20,9 +22,11 @@ set(fem_libraries deal.II/ umfpack.h cholmod.h mpi.h Eigen/)
 set(coupling_rooms dem fem)
 set(coupling_libraries deal.II/ mpi.h Eigen/)
 set(postprocess_rooms dem fem)
-set(postprocess_libraries deal.II/ mpi.h Eigen/ hdf5 vtk fmt/ nlohmann/ fcntl.h unistd.h sys/)
+set(postprocess_libraries deal.II/ mpi.h Eigen/ hdf5 vtk fmt/ nlohmann/)
 set(apps_rooms dem fem coupling postprocess)
 set(apps_libraries anything)
+# The operating system (POSIX) is under every room.
+set(system_headers fcntl.h signal.h spawn.h stdlib.h sys/ unistd.h)
 
 function(starts_with_any result text)
   set(${result} FALSE PARENT_SCOPE)

@@ -1,0 +1,142 @@
+#include "dem/statics/elastic_network.h"
+
+#include "dem/core/errors.h"
+#include "dem/neighbours/cell_list.h"
+#include "dem/particles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include <Eigen/LU>
+
+namespace dem
+{
+  namespace
+  {
+    void require(const bool holds, const char *entry, const double value, const char *rule)
+    {
+      if (!holds)
+        throw InputError(std::string(entry) + " = " + std::to_string(value) + ": " + rule);
+    }
+
+    void check(const NetworkParameters &p)
+    {
+      require(p.dimension == 2 || p.dimension == 3, "Dimension", p.dimension, "must be 2 or 3.");
+      require(p.interaction_ratio >= 1 && std::isfinite(p.interaction_ratio),
+              "Interaction ratio",
+              p.interaction_ratio,
+              "must be a number not below 1, the ratio at which touching particles link.");
+      require(p.normal_modulus > 0 && std::isfinite(p.normal_modulus),
+              "Normal modulus",
+              p.normal_modulus,
+              "must be above 0 Pa.");
+      require(p.shear_ratio > 0 && std::isfinite(p.shear_ratio),
+              "Shear ratio",
+              p.shear_ratio,
+              "must be above 0: without shear stiffness a particle spins freely.");
+      require(p.dimension == 3 || (p.thickness > 0 && std::isfinite(p.thickness)),
+              "Thickness",
+              p.thickness,
+              "discs must be thicker than 0 m.");
+    }
+
+    /** In the plane nothing repeats along z. */
+    Eigen::Matrix3d effective_cell(const Eigen::Matrix3d &cell, const int dimension, const double third_edge)
+    {
+      if (dimension == 3)
+        return cell;
+      Eigen::Matrix3d H      = Eigen::Matrix3d::Zero();
+      H.topLeftCorner<2, 2>() = cell.topLeftCorner<2, 2>();
+      H(2, 2)                = third_edge;
+      return H;
+    }
+
+    ElasticLink
+    make_link(const CellPacking &packing, const NeighbourPair &pair, const Eigen::Matrix3d &H, const NetworkParameters &p)
+    {
+      const std::size_t J = pair.first, K = pair.second;
+      const double      r_J = packing.radius[J], r_K = packing.radius[K];
+
+      ElasticLink link;
+      link.first  = pair.first;
+      link.second = pair.second;
+      link.shift.setZero();
+      for (int c = 0; c < 3; ++c)
+        if (pair.shift[c] != 0) // the third edge may be infinite
+          link.shift += double(pair.shift[c]) * H.col(c);
+      link.branch         = packing.centre[K] + link.shift - packing.centre[J];
+      const double length = link.branch.norm();
+      link.direction      = link.branch / length;
+      link.arm_first      = 0.5 * (length + r_J - r_K);
+      link.arm_second     = 0.5 * (length - r_J + r_K);
+
+      ParticleShape shape;
+      shape.dimension          = p.dimension;
+      shape.thickness          = p.thickness;
+      link.area                = shape.link_area(r_J, r_K);
+      const double          k_N = p.normal_modulus * link.area / length;
+      const Eigen::Matrix3d nn  = link.direction * link.direction.transpose();
+      link.stiffness            = k_N * (nn + p.shear_ratio * (Eigen::Matrix3d::Identity() - nn));
+      return link;
+    }
+
+    ElasticNetwork link_up(const CellPacking                &packing,
+                           const std::vector<NeighbourPair> &pairs,
+                           const Eigen::Matrix3d            &H,
+                           const NetworkParameters          &p)
+    {
+      if (pairs.empty())
+        throw InputError("Interaction ratio = " + std::to_string(p.interaction_ratio) +
+                         ": no two particles are near enough to be linked. Raise it, or take a denser packing.");
+      ElasticNetwork network;
+      network.dimension = p.dimension;
+      network.rotations = p.rotations;
+      network.centre    = packing.centre;
+      network.links.reserve(pairs.size());
+      for (const NeighbourPair &pair : pairs)
+        network.links.push_back(make_link(packing, pair, H, p));
+      return network;
+    }
+  } // namespace
+
+  bool ElasticNetwork::moves(const int component) const
+  {
+    if (component >= 3 && !rotations)
+      return false;
+    return dimension == 3 || component == 0 || component == 1 || component == 5;
+  }
+
+  ElasticNetwork make_network(const Packing &packing, const NetworkParameters &p)
+  {
+    check(p);
+    check_packing(packing, "packing");
+    CellPacking general{packing.centre, packing.radius, Eigen::Matrix3d::Zero()};
+    std::optional<Eigen::Vector3d> cell = packing.periodic_cell;
+    if (cell && p.dimension == 2)
+      (*cell)[2] = std::numeric_limits<double>::infinity();
+    if (cell)
+      general.cell = cell->asDiagonal();
+    ElasticNetwork network = link_up(
+      general, find_pairs(packing.centre, packing.radius, p.interaction_ratio, 0.0, cell), general.cell, p);
+    if (cell)
+      network.volume = (*cell)[0] * (*cell)[1] * (p.dimension == 2 ? p.thickness : (*cell)[2]);
+    return network;
+  }
+
+  ElasticNetwork make_network(const CellPacking &packing, const NetworkParameters &p)
+  {
+    check(p);
+    check_packing({packing.centre, packing.radius, std::nullopt}, "packing");
+    // Far enough along z that no image of the plane comes near.
+    const double largest = *std::max_element(packing.radius.begin(), packing.radius.end());
+    const Eigen::Matrix3d H = effective_cell(packing.cell, p.dimension, 8 * p.interaction_ratio * largest);
+    const double          determinant = H.determinant();
+    require(determinant > 0 && std::isfinite(determinant), "Periodic cell", determinant, "its volume must be above 0.");
+    ElasticNetwork network =
+      link_up(packing, find_pairs_sheared(packing.centre, packing.radius, p.interaction_ratio, 0.0, H), H, p);
+    network.volume = p.dimension == 3 ? determinant : H.topLeftCorner<2, 2>().determinant() * p.thickness;
+    return network;
+  }
+} // namespace dem

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "dem/packing/packing.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace dem
+{
+  /**
+   * One linear link of a network: force on its first end = stiffness * slip, with
+   *
+   *   slip = u_K - u_J + n x (a_J phi_J + a_K phi_K)
+   *
+   * the relative displacement at the contact point (homogenisation specification 3.1).
+   */
+  struct ElasticLink
+  {
+    std::int32_t    first, second; ///< J, K; equal: a particle and its own periodic image
+    Eigen::Vector3d direction;     ///< n, from J to K
+    Eigen::Vector3d branch;        ///< l = x_K + H k - x_J [m]
+    Eigen::Vector3d shift;         ///< H k, what of the branch is cell [m]
+    double          arm_first, arm_second; ///< a_J, a_K: from either centre to the contact point, a_J + a_K = |l| [m]
+    double          area;                  ///< A [m^2]
+    Eigen::Matrix3d stiffness;             ///< C, symmetric [N/m]
+  };
+
+  /** Particles joined by linear links, in the configuration whose small motions are asked for. */
+  struct ElasticNetwork
+  {
+    int                          dimension = 3;    ///< 3, or 2: only x, y and the rotation about z move
+    bool                         rotations = true; ///< particles rotate; otherwise they only translate
+    std::vector<Eigen::Vector3d> centre;           ///< [m]
+    std::vector<ElasticLink>     links;            ///< sorted by first, then second
+    double                       volume = 0;       ///< of the periodic cell (area times thickness in the plane) [m^3]; 0: free
+
+    std::size_t particles() const { return centre.size(); }
+    bool        periodic() const { return volume > 0; }
+
+    /** Which of a particle's six motions x, y, z, rotation about x, y, z exist at all. */
+    bool moves(int component) const;
+  };
+
+  /** How links are drawn between particles. */
+  struct NetworkParameters
+  {
+    int    dimension         = 3;    ///< 3: spheres, 2: discs in the plane z = 0
+    bool   rotations         = true; ///< particles rotate; off: shear links hold translations only
+    double interaction_ratio = 0;    ///< iota: a link where distance < iota (r_J + r_K), strictly; >= 1
+    double normal_modulus    = 0;    ///< E of the link [Pa], > 0
+    double shear_ratio       = 0;    ///< G/E of the link, > 0
+    double thickness         = 0;    ///< of the discs [m], > 0; two dimensions only
+  };
+
+  /** Spheres or discs in a general periodic cell: what Packing cannot hold. */
+  struct CellPacking
+  {
+    std::vector<Eigen::Vector3d> centre; ///< [m]
+    std::vector<double>          radius; ///< [m]
+    Eigen::Matrix3d              cell;   ///< H, columns are the base vectors [m]; in the plane the third is not looked at
+  };
+
+  /**
+   * Undamaged links of stiffness (A/L)(E n n + G (1 - n n)), A = pi min(r)^2, in the plane 2 min(r) t; L the distance.
+   *
+   * In a periodic cell every image counts, however small the cell.
+   *
+   * @throws InputError for a parameter out of its range, a packing that check_packing() refuses, or no link at all.
+   */
+  ElasticNetwork make_network(const Packing &packing, const NetworkParameters &parameters);
+  ElasticNetwork make_network(const CellPacking &packing, const NetworkParameters &parameters);
+} // namespace dem
