@@ -17,7 +17,8 @@ namespace dem
     constexpr double diameter = 2.0;
     constexpr double inertia  = 0.4; // of a sphere, in mass radius^2
     /// Room between spheres that are taken as candidates: wide enough for few searches, narrow enough for few candidates.
-    constexpr double skin = 0.25;
+    constexpr double skin     = 0.18;
+    constexpr double far_away = 1000; // cells
 
     double sum(const Pack &values)
     {
@@ -150,14 +151,14 @@ namespace dem
                              static_cast<std::int8_t>(old_shift[2][c])}}};
     };
 
-    // The filling joins the first particle with its own image one cell along x, which never touches.
+    // The filling joins the first particle with an image of its own too far away ever to touch.
     candidates = found.size();
     first.assign(filled, 0);
     second.assign(filled, 0);
     for (int d = 0; d < 3; ++d)
       {
-        shift[d].assign(filled, d == 0 ? 1.0 : 0.0);
-        branch[d].assign(filled, d == 0 ? cell_edge : 0.0);
+        shift[d].assign(filled, d == 0 ? far_away : 0.0);
+        branch[d].assign(filled, d == 0 ? far_away * cell_edge : 0.0);
         slip[d].assign(filled, 0.0);
       }
     std::size_t old = 0;

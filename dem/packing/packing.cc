@@ -54,7 +54,7 @@ namespace dem
                        std::to_string(packing.radius.size()) + " radii.");
     if (packing.size() == 0)
       throw InputError(origin + ": no particle. A packing needs at least one.");
-    if (packing.periodic_cell && !(packing.periodic_cell->minCoeff() > 0))
+    if (packing.periodic_cell && !(packing.periodic_cell->array() > 0).all())
       throw InputError(origin + ": periodic cell = " + place(*packing.periodic_cell) +
                        ": its edges must be above zero.");
     for (std::size_t i = 0; i < packing.size(); ++i)

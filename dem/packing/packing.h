@@ -13,7 +13,7 @@ namespace dem
  * Spheres (discs in two dimensions: z = 0) without any material: where a specimen starts from.
  *
  * A periodic packing fills the box [0, cell) of the three edge lengths and repeats along each; centres may lie outside
- * and are then understood modulo the cell.
+ * and are then understood modulo the cell. An infinite edge: no repetition along it (the third edge of discs).
  */
   struct Packing
   {

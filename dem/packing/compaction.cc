@@ -1,0 +1,161 @@
+#include "dem/packing/compaction.h"
+
+#include "dem/core/errors.h"
+#include "dem/packing/frictional_assembly.h"
+#include "dem/packing/sequential_placement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace dem
+{
+  namespace
+  {
+    constexpr std::int64_t steps_between_checks = 20;
+    constexpr double       pressure_tolerance   = 0.01;
+    constexpr double       largest_edge_change  = 0.01; // per step, in diameters
+    /// Strain of the cell per step over the missing pressure p 2r/k_n. A packing with 6 contacts per sphere answers a strain
+    /// with 1.1 times as much pressure, so this closes a twentieth of the gap per step: slower than the spheres' own
+    /// vibrations (20 steps), faster than waves across the cell.
+    constexpr double servo_gain = 0.05;
+
+    struct Stage
+    {
+      int    number;
+      double target; // p 2r/k_n
+      double unbalanced_limit;
+    };
+
+    void require(const bool holds, const char *entry, const double value, const char *rule)
+    {
+      if (holds)
+        return;
+      std::ostringstream text;
+      text << "compaction: " << entry << " = " << value << ": must be " << rule << '.';
+      throw InputError(text.str());
+    }
+
+    void check(const CompactionParameters &p)
+    {
+      require(p.radius > 0 && std::isfinite(p.radius), "radius", p.radius, "a finite length above zero [m]");
+      require(p.count >= 1 && p.count <= 100000000, "count", static_cast<double>(p.count), "from 1 to 1e8 spheres");
+      require(p.friction >= 0 && std::isfinite(p.friction), "friction", p.friction, "finite and not negative");
+      require(p.damping >= 0 && p.damping < 1, "damping", p.damping, "at least 0 and below 1");
+      require(p.shear_ratio >= 0 && p.shear_ratio <= 1, "shear ratio", p.shear_ratio, "from 0 to 1");
+      require(p.initial_spacing >= 2.4 && p.initial_spacing <= 10, "initial spacing", p.initial_spacing,
+              "from 2.4 (denser, random places run out) to 10");
+      require(p.low_pressure > 0, "low pressure", p.low_pressure, "above zero");
+      require(p.high_pressure > p.low_pressure && p.high_pressure <= 0.5, "high pressure", p.high_pressure,
+              "above the low pressure, at most 0.5");
+      require(p.time_step_factor > 0 && p.time_step_factor <= 0.8, "time step factor", p.time_step_factor,
+              "above 0, at most 0.8");
+      require(p.step_limit > 0, "step limit", static_cast<double>(p.step_limit), "above zero");
+    }
+
+    /** One compaction under way; pressures as p 2r/k_n, which is twice that of the assembly's units. */
+    class Compaction
+    {
+    public:
+      Compaction(const CompactionParameters &p, const std::function<bool(const CompactionProgress &)> &tell)
+        : parameters(p)
+        , progress(tell)
+        , assembly(loose_spheres(p), {p.friction, p.shear_ratio, p.damping, time_step(p)})
+      {
+      }
+
+      CompactionResult run()
+      {
+        hold({1, parameters.high_pressure, 1e-2});
+        hold({2, parameters.low_pressure, 1e-3});
+        const AssemblyMeasures m = assembly.measures();
+        return {frozen(),
+                packing_fraction(),
+                m.mean_overlap / 2,
+                m.unbalanced_ratio,
+                2 * static_cast<double>(m.contacts) / static_cast<double>(parameters.count),
+                steps};
+      }
+
+    private:
+      static Packing loose_spheres(const CompactionParameters &p)
+      {
+        return place_sequentially(p.count, 1.0, p.initial_spacing * std::cbrt(static_cast<double>(p.count)), p.seed);
+      }
+
+      /** P-wave time in sqrt(mass/k_n), with k_n = modulus radius. */
+      static double time_step(const CompactionParameters &p)
+      {
+        return p.time_step_factor * std::sqrt(3.0 / (4.0 * M_PI));
+      }
+
+      double packing_fraction() const
+      {
+        return 4.0 / 3.0 * M_PI * static_cast<double>(parameters.count) / std::pow(assembly.edge(), 3);
+      }
+
+      /** Strain of the cell in the next step. */
+      double servo(const Stage &stage) const
+      {
+        const double wanted = servo_gain * (2 * assembly.pressure() - stage.target);
+        const double limit  = 2 * largest_edge_change / assembly.edge();
+        return std::clamp(wanted, -limit, limit);
+      }
+
+      void hold(const Stage &stage)
+      {
+        for (;;)
+          {
+            for (std::int64_t i = 0; i < steps_between_checks; ++i)
+              assembly.step(servo(stage));
+            steps += steps_between_checks;
+
+            const AssemblyMeasures m        = assembly.measures();
+            const double           relative = 2 * m.pressure / stage.target;
+            if (!std::isfinite(relative))
+              throw NumericalError("compaction: the pressure is no longer a number after step " +
+                                   std::to_string(steps) + ".");
+            if (progress && !progress({stage.number, steps, packing_fraction(), relative, m.unbalanced_ratio}))
+              throw CompactionCancelled();
+            if (std::abs(relative - 1) < pressure_tolerance && m.unbalanced_ratio < stage.unbalanced_limit)
+              return;
+            if (steps >= parameters.step_limit)
+              give_up(stage, relative, m.unbalanced_ratio);
+          }
+      }
+
+      [[noreturn]] void give_up(const Stage &stage, const double relative_pressure, const double unbalanced) const
+      {
+        std::ostringstream text;
+        text << "compaction: no equilibrium within step limit = " << parameters.step_limit << ": stage " << stage.number
+             << " of 2, packing fraction " << packing_fraction() << ", pressure " << relative_pressure
+             << " of its target (allowed 0.99 to 1.01), unbalanced ratio " << unbalanced << " (allowed "
+             << stage.unbalanced_limit << "). Raise the step limit or the damping, or take another seed.";
+        throw CompactionFailed(text.str());
+      }
+
+      Packing frozen() const
+      {
+        Packing packing;
+        packing.centre = assembly.centres();
+        for (Eigen::Vector3d &x : packing.centre)
+          x *= parameters.radius;
+        packing.radius.assign(parameters.count, parameters.radius);
+        packing.periodic_cell = Eigen::Vector3d::Constant(assembly.edge() * parameters.radius);
+        return packing;
+      }
+
+      const CompactionParameters                            &parameters;
+      const std::function<bool(const CompactionProgress &)> &progress;
+      FrictionalAssembly                                     assembly;
+      std::int64_t                                           steps = 0;
+    };
+  } // namespace
+
+  CompactionResult compact(const CompactionParameters                            &parameters,
+                           const std::function<bool(const CompactionProgress &)> &progress)
+  {
+    check(parameters);
+    return Compaction(parameters, progress).run();
+  }
+} // namespace dem
