@@ -92,6 +92,7 @@ namespace dem
   {
     Vec<T, 3> direction; ///< n1, from the first end to the second
     T         length;    ///< [m]
+    Vec<T, 3> increment; ///< of the tangential vectors in this step, added after they were turned
   };
 
   /**
@@ -130,7 +131,7 @@ namespace dem
         vector = transport(n0, n1, vector) + added;
         vector = vector - dot(n1, vector) * n1; // round-off
       }
-    return {n1, L1};
+    return {n1, L1, added};
   }
 
   /** Motion of a pair of discs over one step. */
@@ -147,6 +148,7 @@ namespace dem
   {
     Vec<T, 2> direction;
     T         length;
+    Vec<T, 1> increment;
   };
 
   /** The same in the plane: shear is a number, positive along the direction turned by +90 degrees, and turns with the pair by itself. */
@@ -159,8 +161,9 @@ namespace dem
     T               slip = (lm.c[0] * m.increment.c[1] - lm.c[1] * m.increment.c[0]) / Lm;
     if constexpr (rotations)
       slip = slip - m.arm_rotation * Lm;
+    const Vec<T, 1> added{{inverse_reference * slip}};
     for (auto &value : shear)
-      value.c[0] = value.c[0] + inverse_reference * slip;
-    return {(T(1.0) / L1) * m.branch, L1};
+      value = value + added;
+    return {(T(1.0) / L1) * m.branch, L1, added};
   }
 } // namespace dem

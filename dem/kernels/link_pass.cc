@@ -181,6 +181,20 @@ namespace dem
         }
     }
 
+    /**
+     * What makes the law's sigma_T . d eps_p, with the stress after the return, into the same with the mean of the stresses before and
+     * after the step: then the account balances to second order in the step, as the leap-frog work of the link forces does.
+     */
+    template <int m>
+    BRECCIA_KERNEL Pack mean_stress_correction(const CpmConstants &law,
+                                               const Vec<Pack, m> &trial,
+                                               const Vec<Pack, m> &increment,
+                                               const Vec<Pack, m> &after)
+    {
+      const Vec<Pack, m> before = trial - increment;
+      return Pack(0.5 * law.G) * dot(before - after, trial - after);
+    }
+
     /** Eight links: kinematics, law, force. */
     template <typename P>
     BRECCIA_KERNEL void update_pack(LinkSet            &links,
@@ -222,7 +236,9 @@ namespace dem
 
       const Pack volume = area * reference;
       if constexpr (P::sliding)
-        plastic_work += volume * response.plastic_work;
+        if (any(response.plastic_work > Pack(0.0)))
+          plastic_work += volume * (response.plastic_work +
+                                    mean_stress_correction(law, shear[0], frame.increment, state.elastic_shear));
       if constexpr (P::damage == Damage::normal_and_shear)
         damage_work += volume * response.damage_work;
       if constexpr (P::contact)
