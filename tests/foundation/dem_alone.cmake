@@ -7,7 +7,7 @@
 # of include_arrows.
 cmake_minimum_required(VERSION 3.25)
 
-set(hidden deal.II VTK HDF5 MPI CLI11 nlohmann_json fmt spdlog)
+set(hidden deal.II VTK HDF5 MPI CLI11 nlohmann_json fmt)
 list(TRANSFORM hidden REPLACE "(.+)" "-DCMAKE_DISABLE_FIND_PACKAGE_\\1=ON")
 execute_process(COMMAND "${CMAKE_COMMAND}" -S "${SOURCE}" -B "${SCRATCH}" -G Ninja -D BRECCIA_ROOMS=dem ${OPTIONS} ${hidden}
                 COMMAND_ERROR_IS_FATAL ANY)
