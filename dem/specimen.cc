@@ -147,7 +147,8 @@ namespace dem
 
   Counts Specimen::counts() const
   {
-    return {self->particles.count, self->bonds.alive, self->contacts.alive, self->crack_log.size() / 2};
+    return {self->particles.count, self->bonds.alive, self->contacts.alive, self->crack_log.size() / 2,
+            self->search.searches()};
   }
 
   std::size_t Specimen::bytes() const { return self->particles.bytes() + self->bonds.bytes() + self->contacts.bytes(); }
@@ -159,6 +160,7 @@ namespace dem
     for (const std::size_t number : grip.particles)
       held.members.push_back(self->slot.at(number));
     std::sort(held.members.begin(), held.members.end());
+    held.lost_velocity.assign(6 * held.members.size(), 0.0);
     for (const std::int32_t i : held.members)
       for (int c = 0; c < 6; ++c)
         if (grip.prescribed[c])
@@ -175,16 +177,19 @@ namespace dem
     held.grip.velocity = velocity;
     held.grip.spin     = spin;
     Particles &p       = self->particles;
-    for (const std::int32_t i : held.members)
+    for (std::size_t k = 0; k < held.members.size(); ++k)
       for (int c = 0; c < 6; ++c)
         if (held.grip.prescribed[c])
           {
-            double      &v      = p.velocity[record_size * static_cast<std::size_t>(i) + c];
+            const auto   i      = static_cast<std::size_t>(held.members[k]);
+            double      &v      = p.velocity[record_size * i + c];
             const double before = v, mass = c < 3 ? p.mass[i] : p.inertia[i];
             v = held.rate(c);
             // A sudden change is an impulse; before the first step it belongs to the initial energy.
-            if (self->step_count > 0)
-              self->work_before += 0.5 * mass * (v * v - before * before);
+            if (self->step_count == 0)
+              continue;
+            self->work_before += 0.5 * mass * (v * v - before * before);
+            held.lost_velocity[6 * k + c] += before - v;
           }
   }
 
@@ -224,8 +229,17 @@ namespace dem
                                                                   {"energy/broken_damage", &s.broken_damage}})
       visitor.scalar(name, *value);
     for (std::size_t g = 0; g < s.grips.size(); ++g)
-      for (int c = 0; c < 6; ++c)
-        visitor.scalar("grips/" + std::to_string(g) + "/pull_" + std::to_string(c), s.grips[g].pull[c]);
+      {
+        const std::string name = "grips/" + std::to_string(g);
+        for (int c = 0; c < 6; ++c)
+          visitor.scalar(name + "/pull_" + std::to_string(c), s.grips[g].pull[c]);
+        for (int c = 0; c < 3; ++c)
+          {
+            visitor.scalar(name + "/velocity_" + std::to_string(c), s.grips[g].grip.velocity[c]);
+            visitor.scalar(name + "/spin_" + std::to_string(c), s.grips[g].grip.spin[c]);
+          }
+        visitor.column(name + "/lost_velocity", s.grips[g].lost_velocity);
+      }
     Column kinetic(s.accounts.size());
     for (std::size_t b = 0; b < kinetic.size(); ++b)
       kinetic[b] = s.accounts[b].kinetic;

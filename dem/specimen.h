@@ -76,7 +76,8 @@ namespace dem
   /** How much there is of what, at this moment. */
   struct Counts
   {
-    std::size_t particles = 0, links = 0 /* cohesive, alive */, contacts = 0, broken = 0;
+    std::size_t  particles = 0, links = 0 /* cohesive, alive */, contacts = 0, broken = 0;
+    std::int64_t neighbour_searches = 0; ///< since the start: how often motion could have made a contact nobody watched
   };
 
   /**

@@ -17,6 +17,7 @@ namespace dem
     Grip                      grip;
     std::vector<std::int32_t> members;
     std::array<double, 6>     pull = {}; ///< sum of the links' force and moment over the members, at t_n [N, N m]
+    Column lost_velocity; ///< of each member, 6 components: what set_grip_velocity took away since the last step
 
     double rate(const int c) const { return c < 3 ? grip.velocity[c] : grip.spin[c - 3]; }
     /** Power that the grip puts into the specimen [W]. */

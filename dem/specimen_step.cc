@@ -38,7 +38,7 @@ namespace dem
   {
     damped_before += damped_now + damped_after;
     work_before += work_now + work_after;
-    damped_now = damped_after = work_now = 0;
+    damped_now = damped_after = work_now = work_after = 0;
     for (const auto &block : accounts)
       {
         damped_now -= block.damping_before;
@@ -46,13 +46,19 @@ namespace dem
       }
     for (auto &grip : grips)
       {
-        grip.pull = {};
-        for (const std::int32_t i : grip.members)
+        grip.pull         = {};
+        double lost_power = 0; // in the half step before t_n members had the velocities of before the last change
+        for (std::size_t k = 0; k < grip.members.size(); ++k)
           for (int c = 0; c < 6; ++c)
-            grip.pull[c] += particles.force[record_size * static_cast<std::size_t>(i) + c];
-        work_now += 0.5 * time_step * grip.power();
+            {
+              const double force = particles.force[record_size * static_cast<std::size_t>(grip.members[k]) + c];
+              grip.pull[c] += force;
+              lost_power -= force * grip.lost_velocity[6 * k + c];
+            }
+        std::fill(grip.lost_velocity.begin(), grip.lost_velocity.end(), 0.0);
+        work_now += 0.5 * time_step * (grip.power() + lost_power);
+        work_after += 0.5 * time_step * grip.power();
       }
-    work_after = work_now; // the same force and velocity over the half step to come
   }
 
   void Specimen::Implementation::delete_exhausted(LinkSet &links, const bool cohesive)
