@@ -15,8 +15,8 @@ namespace dem
   struct EnergyAccount
   {
     double initial       = 0; ///< kinetic and elastic energy put in before the first step
-    double external_work = 0; ///< by prescribed motion
-    double kinetic       = 0;
+    double external_work = 0; ///< by prescribed motion, and by the stress on a deforming cell, V sigma : G
+    double kinetic       = 0; ///< in a periodic cell: of the motion about the cell's
     double elastic       = 0; ///< stored in links and contacts
     double damage        = 0; ///< dissipated by link damage
     double friction      = 0; ///< dissipated by plastic sliding of links and contacts

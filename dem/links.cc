@@ -13,12 +13,12 @@ namespace dem
   std::size_t LinkSet::bytes() const
   {
     std::size_t doubles = 0;
-    for (const Column *column : {&reference_length, &area, &kappa, &damage, &force})
+    for (const Column *column : {&reference_length, &area, &kappa, &damage, &force, &stress_moments})
       doubles += column->capacity();
     for (int i = 0; i < 3; ++i)
       doubles += elastic_shear[i].capacity() + total_shear[i].capacity();
     std::size_t integers = 0;
-    for (const auto *column : {&first, &second, &own_begin, &other_begin, &others})
+    for (const auto *column : {&first, &second, &image, &own_begin, &other_begin, &others})
       integers += column->capacity();
     return doubles * sizeof(double) + integers * sizeof(std::int32_t) + accounts.capacity() * sizeof(LinkBlockAccount);
   }
@@ -31,6 +31,12 @@ namespace dem
     second.resize(lines);
     std::fill(first.begin() + n, first.end(), static_cast<std::int32_t>(particles));
     std::fill(second.begin() + n, second.end(), static_cast<std::int32_t>(particles + 1));
+    if (periodic)
+      {
+        image.resize(lines);
+        std::fill(image.begin() + n, image.end(), 0);
+        stress_moments.assign(stress_record * std::max<std::size_t>(lines / links_per_block, 1), 0.0);
+      }
     reference_length.resize(lines);
     std::fill(reference_length.begin() + n, reference_length.end(), 1.0);
     for (Column *column : {&area, &kappa, &damage})
@@ -74,8 +80,10 @@ namespace dem
 
   void LinkSet::copy_line(const LinkSet &source, const std::size_t from, const std::size_t to)
   {
-    first[to]            = source.first[from];
-    second[to]           = source.second[from];
+    first[to]  = source.first[from];
+    second[to] = source.second[from];
+    if (periodic)
+      image[to] = source.image[from];
     reference_length[to] = source.reference_length[from];
     area[to]             = source.area[from];
     kappa[to]            = source.kappa[from];
@@ -100,6 +108,7 @@ namespace dem
   {
     LinkSet kept;
     kept.shear_components = shear_components;
+    kept.periodic         = periodic;
     kept.alive            = alive;
     kept.resize(alive, particles, !total_shear[0].empty());
     std::size_t to = 0;
@@ -115,21 +124,30 @@ namespace dem
     *this = std::move(kept);
   }
 
+  Eigen::Vector3d branch_of(const Particles &particles, const LinkSet &links, const std::size_t link)
+  {
+    const Eigen::Vector3d branch = particles.position_of(links.second[link]) - particles.position_of(links.first[link]);
+    return links.periodic ? Eigen::Vector3d(branch + particles.cell.offset_of(links.image[link])) : branch;
+  }
+
   void make_links(LinkSet                          &links,
                   const std::vector<NeighbourPair> &pairs,
-                  const Particles                  &particles,
+                  Particles                        &particles,
                   const ParticleShape              &shape,
                   const bool                        with_total_shear)
   {
     links.shear_components = shape.dimension == 3 ? 3 : 1;
+    links.periodic         = particles.cell.repeats();
     links.alive            = pairs.size();
     links.resize(pairs.size(), particles.count, with_total_shear);
     for (std::size_t l = 0; l < pairs.size(); ++l)
       {
-        const auto [J, K, shift]  = pairs[l];
-        links.first[l]            = J;
-        links.second[l]           = K;
-        links.reference_length[l] = (particles.position_of(K) - particles.position_of(J)).norm();
+        const auto [J, K, shift] = pairs[l];
+        links.first[l]           = J;
+        links.second[l]          = K;
+        if (links.periodic)
+          links.image[l] = particles.cell.enter(shift);
+        links.reference_length[l] = branch_of(particles, links, l).norm();
         links.area[l]             = shape.link_area(particles.radius_of(J), particles.radius_of(K));
       }
     links.tabulate(particles.count);
@@ -144,6 +162,8 @@ namespace dem
     alive = static_cast<std::size_t>(living);
     visitor.column(name + "/first", first);
     visitor.column(name + "/second", second);
+    if (periodic)
+      visitor.column(name + "/image", image);
     visitor.column(name + "/reference_length", reference_length);
     visitor.column(name + "/area", area);
     visitor.column(name + "/kappa", kappa);
@@ -169,6 +189,8 @@ namespace dem
         accounts[b].plastic_work = sums[2 * b];
         accounts[b].damage_work  = sums[2 * b + 1];
       }
+    if (periodic)
+      stress_moments.assign(stress_record * accounts.size(), 0.0); // of the step to come
     tabulate(particles);
   }
 } // namespace dem

@@ -14,6 +14,9 @@ namespace dem
   /** Links that one thread updates in a row; the unit of deterministic sums. Multiple of pack_size. */
   constexpr std::size_t links_per_block = 512;
 
+  /** Numbers of a block's stress moment: nine, filled up to two cache lines. */
+  constexpr std::size_t stress_record = 16;
+
   /** What a block of links tells besides forces. Padded to a cache line: one writer each. */
   struct alignas(64) LinkBlockAccount
   {
@@ -31,8 +34,11 @@ namespace dem
     std::size_t count            = 0; ///< lines in use, deleted ones included
     std::size_t alive            = 0;
     int         shear_components = 3;
+    bool        periodic = false; ///< links reach to images of particles, and their share of stress is summed up
 
-    std::vector<std::int32_t> first, second;    ///< particle numbers in the order of Particles, first < second
+    std::vector<std::int32_t> first,
+      second;                        ///< particle numbers in the order of Particles, first < second (<= if periodic)
+    std::vector<std::int32_t> image; ///< of the second end, number in the cell's table; only if periodic
     Column                    reference_length; ///< L0 [m]
     Column                    area;             ///< A [m^2]; 0: deleted
     Column                    kappa;            ///< largest equivalent strain
@@ -41,6 +47,7 @@ namespace dem
     std::array<Column, 3>     total_shear;      ///< eps_T; only where shear damages
     Column                    force; ///< records: f on the first end (3) [N] | half l x f (3) [N m] | (r_J - r_K)/L | 0
     std::vector<LinkBlockAccount> accounts;
+    Column stress_moments; ///< of each block a record of 16: sum l (x) f by rows (9) [N m] | 0 ..; only if periodic
 
     std::vector<std::int32_t> own_begin;   ///< links whose first end is particle i: own_begin[i] .. own_begin[i + 1]
     std::vector<std::int32_t> other_begin; ///< as own_begin, into `others`
@@ -63,10 +70,14 @@ namespace dem
     void visit_state(StateVisitor &visitor, const std::string &name, std::size_t particles);
   };
 
-  /** Fill a set with undamaged links between the pairs, each with its present distance as reference length. */
+  /** Branch l from the first end to the (image of the) second where the particles are now [m]. */
+  Eigen::Vector3d branch_of(const Particles &particles, const LinkSet &links, std::size_t link);
+
+  /** Fill a set with undamaged links between the pairs, each with its present distance as reference length.
+   * Images that the cell does not know yet are entered into its table. */
   void make_links(LinkSet                          &links,
                   const std::vector<NeighbourPair> &pairs,
-                  const Particles                  &particles,
+                  Particles                        &particles,
                   const ParticleShape              &shape,
                   bool                              with_total_shear);
 } // namespace dem

@@ -79,7 +79,7 @@ namespace dem
     for (const Column *column : {&pose, &motion, &velocity, &force, &inverse_mass, &reference, &mass, &inertia})
       doubles += column->capacity();
     return doubles * sizeof(double) +
-           (number.capacity() + made_links.capacity() + broken_links.capacity()) * sizeof(std::int32_t);
+           (number.capacity() + made_links.capacity() + broken_links.capacity()) * sizeof(std::int32_t) + cell.bytes();
   }
 
   void Particles::visit_state(StateVisitor &visitor)
@@ -91,5 +91,7 @@ namespace dem
     visitor.column("particles/inverse_mass", inverse_mass);
     visitor.column("particles/number", number);
     visitor.column("particles/broken_links", broken_links);
+    if (cell.repeats())
+      cell.visit_state(visitor);
   }
 } // namespace dem

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "dem/cell.h"
 #include "dem/core/column.h"
 #include "dem/core/records.h"
 #include "dem/packing/packing.h"
@@ -19,14 +20,17 @@ namespace dem
   {
     std::size_t count = 0;
 
-    Column pose;         ///< x y z [m] | tau theta (3) | radius [m] | 0, at the start of the step to come
-    Column motion;       ///< displacement (3) [m] | rotation vector theta (3) | 0 0, of the last step
-    Column velocity;     ///< v (3) [m/s] | w (3) [rad/s] | 0 0, at half steps
-    Column force;        ///< F (3) [N] | T (3) [N m] | 0 0, of links and contacts, at the last step's start
+    Column pose;   ///< x y z [m] | tau theta (3) | radius [m] | 0, at the start of the step to come
+    Column motion; ///< displacement (3) [m] | rotation vector theta (3) | 0 0, of the last step
+    Column
+      velocity;   ///< v (3) [m/s] | w (3) [rad/s] | 0 0, at half steps; in a periodic cell v is the fluctuation v - G x
+    Column force; ///< F (3) [N] | T (3) [N m] | 0 0, of links and contacts, at the last step's start
     Column inverse_mass; ///< 1/m (3) | 1/I (3) | 0 0; zero where motion is prescribed or not modelled
     Column reference;    ///< x y z at the start [m], three per particle
     Column mass;         ///< [kg]
     Column inertia;      ///< [kg m^2]
+
+    Cell cell; ///< periodic, or none
 
     std::vector<std::int32_t> number;       ///< of each particle in the packing
     std::vector<std::int32_t> made_links;   ///< cohesive links at the start

@@ -1,6 +1,7 @@
 #include "dem/specimen.h"
 
 #include "dem/core/errors.h"
+#include "dem/neighbours/particle_pairs.h"
 #include "dem/specimen_implementation.h"
 
 #include <algorithm>
@@ -47,7 +48,29 @@ namespace dem
           }
     }
 
-    /** Bounding box of the particles over their own volume: how much space, voids included, stands for one volume of particle. */
+    /** The packing's cell, or none. In the plane the third base vector is the thickness. */
+    Cell make_cell(const Packing &packing, const SpecimenParameters &p)
+    {
+      if (!p.physics.periodic)
+        return {};
+      if (!packing.periodic_cell)
+        throw InputError("Periodic: the packing has no periodic cell. Use a periodic packing, or a free specimen.");
+      Eigen::Vector3d edges = *packing.periodic_cell;
+      if (p.physics.dimension == 2)
+        edges.z() = p.thickness;
+      if (!edges.allFinite())
+        throw InputError("Periodic: the edges of the packing's periodic cell must be finite.");
+      return Cell(edges.asDiagonal(), p.physics.dimension);
+    }
+
+    Particles make_particles_in_cell(const Packing &packing, const ParticleShape &shape, const SpecimenParameters &p)
+    {
+      Particles particles = make_particles(packing, shape, p.physics.rotations);
+      particles.cell      = make_cell(packing, p);
+      return particles;
+    }
+
+    /** Bounding box of the particles (or their cell) over their own volume: how much space, voids included, stands for one volume of particle. */
     double bulk_over_solid(const Particles &p, const ParticleShape &shape)
     {
       Eigen::Array3d low = Eigen::Array3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
@@ -58,6 +81,8 @@ namespace dem
           high = high.max(p.position_of(i).array() + p.radius_of(i));
           solid += shape.volume(p.radius_of(i));
         }
+      if (p.cell.repeats())
+        return p.cell.volume() / solid;
       const Eigen::Array3d box = high - low;
       return (shape.dimension == 3 ? box.prod() : box[0] * box[1] * shape.thickness) / solid;
     }
@@ -69,7 +94,7 @@ namespace dem
     : parameters(p)
     , law(law_parameters)
     , shape{p.physics.dimension, p.density, p.thickness}
-    , particles(make_particles(packing, shape, p.physics.rotations))
+    , particles(make_particles_in_cell(packing, shape, p))
     , equal_radii(std::all_of(
         packing.radius.begin(), packing.radius.end(), [&](const double r) { return r == packing.radius[0]; }))
     , search(particles,
@@ -82,7 +107,7 @@ namespace dem
   {
     for (std::size_t i = 0; i < particles.count; ++i)
       slot[particles.number[i]] = static_cast<std::int32_t>(i);
-    link(packing);
+    link();
     time_step = parameters.step_factor * stable();
     if (!std::isfinite(time_step))
       throw InputError("Interaction ratio = " + std::to_string(p.interaction_ratio) +
@@ -90,15 +115,9 @@ namespace dem
                        "the ratio or check the packing.");
   }
 
-  void Specimen::Implementation::link(const Packing &packing)
+  void Specimen::Implementation::link()
   {
-    Packing ordered;
-    for (std::size_t i = 0; i < particles.count; ++i)
-      {
-        ordered.centre.push_back(packing.centre[particles.number[i]]);
-        ordered.radius.push_back(packing.radius[particles.number[i]]);
-      }
-    const auto pairs = find_pairs(ordered.centre, ordered.radius, parameters.interaction_ratio, 0.0, std::nullopt);
+    const auto pairs = particle_pairs(particles, parameters.interaction_ratio, 0.0);
     make_links(bonds, pairs, particles, shape, shear_damages());
     made_links = pairs.size();
     for (const auto &pair : pairs)
@@ -155,6 +174,8 @@ namespace dem
 
   std::size_t Specimen::add_grip(const Grip &grip)
   {
+    if (self->parameters.physics.periodic)
+      throw InputError("Grips: a periodic cell has no place for them; it is loaded by its deformation.");
     HeldGrip held;
     held.grip = grip;
     for (const std::size_t number : grip.particles)
@@ -214,6 +235,10 @@ namespace dem
     s.contacts.visit_state(visitor, "contacts", s.particles.count);
     s.search.visit_state(visitor);
     visitor.column("crack_log", s.crack_log);
+    visitor.column("crack_geometry", s.crack_geometry);
+    if (s.parameters.physics.periodic)
+      for (int c = 0; c < 9; ++c)
+        visitor.scalar("cell/stress_moment_" + std::to_string(c), s.stress_moment.data()[c]);
     visitor.scalar("step", s.step_count);
     for (const auto &[name, value] :
          std::initializer_list<std::pair<const char *, double *>>{{"time", &s.time},

@@ -2,6 +2,8 @@
 
 #include "dem/energy.h"
 #include "dem/laws/cpm.h"
+#include "dem/measures/loads.h"
+#include "dem/measures/mandel.h"
 #include "dem/packing/packing.h"
 #include "dem/state.h"
 
@@ -22,6 +24,8 @@ namespace dem
     bool damage    = true; ///< links soften and break in tension; off: they stay as stiff as they were
     bool friction  = true; ///< shear is limited by cohesion and friction; off: shear stays elastic
     bool contacts  = true; ///< particles that meet after their link is gone (or never had one) touch with friction
+    bool periodic =
+      false; ///< the packing's periodic cell repeats and can be deformed; off: the packing is a body of its own
   };
 
   /** How the specimen is made from a packing and integrated in time. */
@@ -71,6 +75,20 @@ namespace dem
     std::vector<double>                     shear_stress;  ///< [Pa], magnitude
     std::vector<double>                     normal_strain; ///< [-]
     std::vector<double>                     damage;        ///< omega [-]
+    std::vector<double>
+      strength_damage;              ///< lost part of the strength, (6.6) of Stransky (2018); broken and contacts: 1
+    std::vector<double> dissipated; ///< by the link's damage so far [J]; zero where shear damages (then only summed up)
+    std::vector<LinkLoad> load;     ///< force and geometry at t_n; of a broken link its last geometry without force
+  };
+
+  /** The periodic cell of a specimen. */
+  struct CellState
+  {
+    Eigen::Matrix3d base;                  ///< H, columns are the base vectors, where the particles are now [m]
+    Eigen::Matrix3d deformation;           ///< F since the start, where the particles are now
+    Eigen::Matrix3d deformation_at_forces; ///< F at t_n of the last step, when forces and stress were found
+    Eigen::Matrix3d stress; ///< Love-Weber at t_n over the whole cell; unsymmetric part: net couples [Pa]
+    double          volume; ///< at t_n [m^3]
   };
 
   /** How much there is of what, at this moment. */
@@ -90,7 +108,8 @@ namespace dem
   public:
     /**
    * Link the packing and set it at rest.
-   * @throws InputError when nothing can be made of it: see check_packing(); or when no two particles are near enough to be linked.
+   * @throws InputError when nothing can be made of it: see check_packing(); when no two particles are near enough to be linked; or
+   *         when it is to be periodic and the packing is not.
    */
     Specimen(const Packing &packing, const SpecimenParameters &parameters, const CpmParameters &law);
     ~Specimen();
@@ -110,13 +129,28 @@ namespace dem
     Counts counts() const;
     std::size_t bytes() const; ///< memory held by particles, links and contacts
 
-    /** Prescribe motion of a group from now on. @return its number for reaction(). */
+    /** Prescribe motion of a group from now on. @return its number for reaction(). @throws InputError in a periodic cell */
     std::size_t add_grip(const Grip &grip);
     void        set_grip_velocity(std::size_t grip, const Eigen::Vector3d &velocity, const Eigen::Vector3d &spin);
     /** Force that the grip exerts on its particles, at t_n of the last step [N]. */
     Eigen::Vector3d reaction(std::size_t grip) const;
 
-    /** Set velocities (by packing number) before the first step; they count as initial energy. */
+    /**
+   * Deform the periodic cell, and the particles with it, at velocity gradient G [1/s] from the next step on.
+   * @throws InputError without a periodic cell, or for a gradient that is not finite or leaves a plane specimen's plane
+   */
+    void      set_velocity_gradient(const Eigen::Matrix3d &gradient);
+    CellState cell() const; ///< @throws InputError without a periodic cell
+
+    /**
+   * Stiffness of the cell if every particle followed its strain without turning, of the links as damaged as they are (secant; closed
+   * links whole) [Pa]: engineering shears, order 11 22 33 23 31 12. An upper bound of the true one (homogenisation specification 2).
+   */
+    Matrix6d affine_stiffness() const;
+    /** Mean |force on a particle| over mean |link or contact force| at t_n; how far from equilibrium. Prescribed particles do not count. */
+    double unbalanced_ratio() const;
+
+    /** Set velocities (by packing number) before the first step; they count as initial energy. In a periodic cell: about its motion. */
     void set_velocity(std::size_t particle, const Eigen::Vector3d &velocity, const Eigen::Vector3d &spin);
 
     EnergyAccount  energy() const;      ///< at t_n of the last step

@@ -55,17 +55,21 @@ namespace dem
            work_after                       = 0; ///< by grips: before t_n's half step, it, the half after
     double                    damped_before = 0, damped_now = 0, damped_after = 0; ///< dissipated, likewise
     double                    released = 0, broken_damage = 0;                     ///< of deleted links
+    Eigen::Matrix3d           stress_moment = Eigen::Matrix3d::Zero(); ///< sum l (x) f at t_n [N m]; only if periodic
     std::vector<std::int32_t> crack_log; ///< ends of the cohesive links deleted so far, flattened
+    Column crack_geometry;               ///< records: last branch (3) [m] | contact point (3) [m] | dissipated [J] | 0
 
     Implementation(const Packing &packing, const SpecimenParameters &p, const CpmParameters &law_parameters);
     bool   shear_damages() const { return parameters.physics.damage && law.shear_weight > 0; }
-    void   link(const Packing &packing);
+    void   link();
     double stable() const { return dem::stable_step(particles, bonds, &contacts, law, parameters.physics.rotations); }
     /** Particles' kinetic energy with the velocities as they are [J]. */
     double kinetic_of_velocities() const;
     /** One leap-frog step: links, contacts, break tests, particles, accounts, new contacts. */
     void step();
-    /** Sum up what blocks and grips say of the step, in their order. */
+    /** Stress moment of all links and contacts as the link passes have left it. */
+    void sum_stress();
+    /** Sum up what blocks, grips and cell say of the step, in their order. */
     void account();
     void delete_exhausted(LinkSet &links, bool cohesive);
     void delete_link(LinkSet &links, std::size_t link, bool cohesive);

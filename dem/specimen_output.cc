@@ -1,6 +1,8 @@
 #include "dem/measures/link_measures.h"
 #include "dem/specimen_implementation.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 
 namespace dem
@@ -72,22 +74,27 @@ namespace dem
     for (std::size_t i = 0; i < n; ++i)
       {
         const std::size_t     to     = static_cast<std::size_t>(p.number[i]);
-        const Eigen::Matrix3d moment = moments[i] / (self->space_per_solid * self->shape.volume(p.radius_of(i)));
+        const double          space  = self->space_per_solid * p.cell.deformation().determinant(); // 1 without a cell
+        const Eigen::Matrix3d moment = moments[i] / (space * self->shape.volume(p.radius_of(i)));
         out.position[to]             = p.position_of(i);
         out.displacement[to]         = p.position_of(i) - Eigen::Vector3d(&p.reference[3 * i]);
-        out.velocity[to]             = Eigen::Vector3d(&p.velocity[record_size * i]);
-        out.angular_velocity[to]     = Eigen::Vector3d(&p.velocity[record_size * i + 3]);
-        out.radius[to]               = p.radius_of(i);
-        out.damage[to]               = p.made_links[i] > 0 ? (damage[i] + p.broken_links[i]) / p.made_links[i] : 0.0;
-        out.broken_links[to]         = p.broken_links[i];
-        out.stress[to]               = 0.5 * (moment + moment.transpose());
+        out.velocity[to]         = Eigen::Vector3d(&p.velocity[record_size * i]) + p.cell.gradient() * p.position_of(i);
+        out.angular_velocity[to] = Eigen::Vector3d(&p.velocity[record_size * i + 3]);
+        out.radius[to]           = p.radius_of(i);
+        out.damage[to]           = p.made_links[i] > 0 ? (damage[i] + p.broken_links[i]) / p.made_links[i] : 0.0;
+        out.broken_links[to]     = p.broken_links[i];
+        out.stress[to]           = 0.5 * (moment + moment.transpose());
       }
     return out;
   }
 
   namespace
   {
-    void append(LinkOutput &out, const Particles &particles, const LinkSet &links, const LinkOutput::Kind kind)
+    void append(LinkOutput            &out,
+                const Particles       &particles,
+                const LinkSet         &links,
+                const CpmConstants    &law,
+                const LinkOutput::Kind kind)
     {
       for (std::size_t l = 0; l < links.count; ++l)
         {
@@ -103,7 +110,11 @@ namespace dem
           out.normal_stress.push_back(normal / links.area[l]);
           out.shear_stress.push_back(shear / links.area[l]);
           out.normal_strain.push_back(view.strain);
-          out.damage.push_back(kind == LinkOutput::contact ? 1.0 : links.damage[l]);
+          const bool cohesive = kind == LinkOutput::cohesive;
+          out.damage.push_back(cohesive ? links.damage[l] : 1.0);
+          out.strength_damage.push_back(cohesive ? law.strength_damage(links.kappa[l], links.damage[l]) : 1.0);
+          out.dissipated.push_back(cohesive ? damage_dissipation(links, l, law) : 0.0);
+          out.load.push_back(load_at(particles, links, l));
         }
     }
   } // namespace
@@ -111,14 +122,21 @@ namespace dem
   LinkOutput Specimen::links() const
   {
     LinkOutput out;
-    append(out, self->particles, self->bonds, LinkOutput::cohesive);
-    append(out, self->particles, self->contacts, LinkOutput::contact);
+    append(out, self->particles, self->bonds, self->law, LinkOutput::cohesive);
+    append(out, self->particles, self->contacts, self->law, LinkOutput::contact);
     for (std::size_t i = 0; i < self->crack_log.size(); i += 2)
       {
         out.ends.push_back({static_cast<std::size_t>(self->particles.number[self->crack_log[i]]),
                             static_cast<std::size_t>(self->particles.number[self->crack_log[i + 1]])});
         out.kind.push_back(LinkOutput::broken);
         out.damage.push_back(1.0);
+        out.strength_damage.push_back(1.0);
+        const double         *geometry = &self->crack_geometry[record_size * (i / 2)];
+        const Eigen::Vector3d branch(geometry), contact(geometry + 3);
+        const double          arm = 0.5 * (branch.norm() + self->particles.radius_of(self->crack_log[i]) -
+                                  self->particles.radius_of(self->crack_log[i + 1]));
+        out.dissipated.push_back(geometry[6]);
+        out.load.push_back({contact - arm * branch.normalized(), branch, contact, {0, 0, 0}, {0, 0, 0}});
         for (auto *column :
              {&out.normal_force, &out.shear_force, &out.normal_stress, &out.shear_stress, &out.normal_strain})
           column->push_back(0.0);

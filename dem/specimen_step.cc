@@ -21,17 +21,31 @@ namespace dem
     bond_pass(bonds, particles, law);
     if (contacts.alive > 0)
       contact_pass(contacts, particles, law);
+    if (parameters.physics.periodic)
+      sum_stress();
     delete_exhausted(bonds, true);
     delete_exhausted(contacts, false);
-    select_particle_pass(contacts.alive > 0, parameters.damping > 0,
-                         equal_radii)(particles, bonds, &contacts, time_step, parameters.damping, accounts);
+    select_particle_pass(contacts.alive > 0, parameters.damping > 0, equal_radii, parameters.physics.periodic)(
+      particles, bonds, &contacts, time_step, parameters.damping, accounts);
     account();
+    if (parameters.physics.periodic)
+      particles.cell.advance(time_step);
     ++step_count;
     time += time_step;
     if (parameters.physics.contacts)
       make_contacts();
     if (step_count % steps_between_checks == 0)
       check_state();
+  }
+
+  void Specimen::Implementation::sum_stress()
+  {
+    stress_moment.setZero();
+    for (const LinkSet *links : {&bonds, &contacts})
+      if (links->alive > 0)
+        for (std::size_t b = 0; b < links->blocks(); ++b)
+          stress_moment +=
+            Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(&links->stress_moments[stress_record * b]);
   }
 
   void Specimen::Implementation::account()
@@ -59,6 +73,14 @@ namespace dem
         work_now += 0.5 * time_step * (grip.power() + lost_power);
         work_after += 0.5 * time_step * grip.power();
       }
+    if (parameters.physics.periodic)
+      {
+        const auto work = [&](const Eigen::Matrix3d &increment) {
+          return 0.5 * stress_moment.transpose().cwiseProduct(increment).sum(); // V sigma^T : G dt/2
+        };
+        work_now += work(particles.cell.last_increment());
+        work_after += work(time_step * particles.cell.gradient());
+      }
   }
 
   void Specimen::Implementation::delete_exhausted(LinkSet &links, const bool cohesive)
@@ -82,11 +104,20 @@ namespace dem
 
   void Specimen::Implementation::delete_link(LinkSet &links, const std::size_t l, const bool cohesive)
   {
-    const std::int32_t J = links.first[l], K = links.second[l];
+    const std::int32_t    J = links.first[l], K = links.second[l];
+    const Eigen::Vector3d branch = branch_of(particles, links, l);
+    if (links.periodic)
+      stress_moment -= branch * Eigen::RowVector3d(&links.force[record_size * l]);
     released += elastic_energy(particles, links, l, law);
     if (cohesive)
       {
-        broken_damage += damage_dissipation(links, l, law);
+        const double          dissipated = damage_dissipation(links, l, law), length = branch.norm();
+        const double          arm     = 0.5 * (length + particles.radius_of(J) - particles.radius_of(K));
+        const Eigen::Vector3d contact = particles.position_of(J) + arm / length * branch;
+        broken_damage += dissipated;
+        crack_geometry.insert(crack_geometry.end(), branch.data(), branch.data() + 3);
+        crack_geometry.insert(crack_geometry.end(), contact.data(), contact.data() + 3);
+        crack_geometry.insert(crack_geometry.end(), {dissipated, 0.0});
         ++particles.broken_links[J];
         ++particles.broken_links[K];
         crack_log.push_back(J);
@@ -94,7 +125,7 @@ namespace dem
       }
     links.remove(l);
     if (parameters.physics.contacts)
-      search.watch(particles, J, K);
+      search.watch(particles, {J, K, links.periodic ? links.image[l] : 0});
   }
 
   void Specimen::Implementation::make_contacts()
@@ -102,7 +133,7 @@ namespace dem
     double fastest = 0;
     for (const auto &block : accounts)
       fastest = std::max(fastest, block.fastest);
-    if (!search.moved(std::sqrt(fastest)))
+    if (!search.moved(std::sqrt(fastest), (time_step * particles.cell.gradient()).norm()))
       return;
     const auto born = search.look(particles, bonds, contacts);
     if (!born.empty())

@@ -1,23 +1,31 @@
 #include "dem/contacts/contact_search.h"
 
-#include <algorithm>
+#include "dem/neighbours/particle_pairs.h"
+
+#include <Eigen/LU>
+#include <Eigen/SVD>
+
 #include <cmath>
 #include <limits>
 
 namespace dem
 {
-  double gap(const Particles &particles, const std::int32_t first, const std::int32_t second)
+  double gap(const Particles &particles, const std::array<std::int32_t, 3> &pair)
   {
-    return (particles.position_of(second) - particles.position_of(first)).norm() - particles.radius_of(first) -
-           particles.radius_of(second);
+    const auto [first, second, image] = pair;
+    Eigen::Vector3d branch            = particles.position_of(second) - particles.position_of(first);
+    if (image != 0)
+      branch += particles.cell.offset_of(image);
+    return branch.norm() - particles.radius_of(first) - particles.radius_of(second);
   }
 
-  bool joined(const LinkSet &links, const std::int32_t first, const std::int32_t second)
+  bool joined(const LinkSet &links, const std::array<std::int32_t, 3> &pair)
   {
     if (links.count == 0)
       return false;
+    const auto [first, second, image] = pair;
     for (std::int32_t l = links.own_begin[first]; l < links.own_begin[first + 1]; ++l)
-      if (links.second[l] == second && links.is_alive(l))
+      if (links.second[l] == second && (!links.periodic || links.image[l] == image) && links.is_alive(l))
         return true;
     return false;
   }
@@ -26,59 +34,76 @@ namespace dem
     : reference(particles.reference)
     , margin(start_margin)
     , list_margin(0)
+    , largest_diameter(0)
     , next_look(0.5 * start_margin)
   {
+    for (std::size_t i = 0; i < particles.count; ++i)
+      largest_diameter = std::max(largest_diameter, 2 * particles.radius_of(i));
+    if (particles.cell.repeats())
+      reference_base.assign(particles.cell.base().data(), particles.cell.base().data() + 9);
     // Lists that reach a quarter of the mean radius are short, and last for many steps of a body that breaks.
     for (std::size_t i = 0; i < particles.count; ++i)
       list_margin += 0.25 * particles.radius_of(i) / static_cast<double>(particles.count);
   }
 
-  bool ContactSearch::moved(const double largest)
+  bool ContactSearch::moved(const double largest, const double strain)
   {
-    path += largest;
-    path_of_list += largest;
+    const double closer = largest + 0.5 * strain * reach();
+    path += closer;
+    path_of_list += closer;
     return path >= next_look;
   }
 
-  void ContactSearch::watch(const Particles &particles, const std::int32_t first, const std::int32_t second)
+  void ContactSearch::watch(const Particles &particles, const std::array<std::int32_t, 3> &pair)
   {
-    watched.push_back(first);
-    watched.push_back(second);
-    next_look = std::min(next_look, path + 0.5 * gap(particles, first, second));
+    watched.insert(watched.end(), pair.begin(), pair.end());
+    next_look = std::min(next_look, path + 0.5 * watched_gap(particles, pair));
+  }
+
+  /** A wider gap first has to close to what `reach` allows for; only a cell's strain cares. */
+  double ContactSearch::watched_gap(const Particles &particles, const std::array<std::int32_t, 3> &pair) const
+  {
+    const double distance = gap(particles, pair);
+    return particles.cell.repeats() ? std::min(distance, std::max(margin, list_margin)) : distance;
   }
 
   double ContactSearch::largest_displacement(const Particles &particles) const
   {
-    double squared = 0;
+    double          squared = 0, by_strain = 0;
+    Eigen::Matrix3d stretch = Eigen::Matrix3d::Identity();
+    if (particles.cell.repeats())
+      {
+        const Eigen::Matrix3d before = Eigen::Map<const Eigen::Matrix3d>(reference_base.data());
+        stretch                      = particles.cell.base() * before.inverse();
+        const double shrinkage       = 1.0 - Eigen::JacobiSVD<Eigen::Matrix3d>(stretch).singularValues()[2];
+        by_strain                    = 0.5 * std::max(shrinkage, 0.0) * reach();
+      }
     for (std::size_t i = 0; i < particles.count; ++i)
-      squared = std::max(squared, (particles.position_of(i) - Eigen::Vector3d(&reference[3 * i])).squaredNorm());
-    return std::sqrt(squared);
+      squared =
+        std::max(squared, (particles.position_of(i) - stretch * Eigen::Vector3d(&reference[3 * i])).squaredNorm());
+    return std::sqrt(squared) + by_strain;
   }
 
-  void ContactSearch::rebuild(const Particles &particles, const LinkSet &bonds, const LinkSet &contacts)
+  void ContactSearch::rebuild(Particles &particles, const LinkSet &bonds, const LinkSet &contacts)
   {
-    std::vector<Eigen::Vector3d> centre(particles.count);
-    std::vector<double>          radius(particles.count);
     for (std::size_t i = 0; i < particles.count; ++i)
-      {
-        centre[i] = particles.position_of(i);
-        radius[i] = particles.radius_of(i);
-        std::copy_n(centre[i].data(), 3, &reference[3 * i]);
-      }
+      std::copy_n(particles.pose_of(i), 3, &reference[3 * i]);
+    if (particles.cell.repeats())
+      reference_base.assign(particles.cell.base().data(), particles.cell.base().data() + 9);
     watched.clear();
-    for (const auto &pair : find_pairs(centre, radius, 1.0, list_margin, std::nullopt))
-      if (!joined(bonds, pair.first, pair.second) && !joined(contacts, pair.first, pair.second))
-        {
-          watched.push_back(pair.first);
-          watched.push_back(pair.second);
-        }
+    for (const auto &[first, second, shift] : particle_pairs(particles, 1.0, list_margin))
+      {
+        const std::array<std::int32_t, 3> pair = {first, second,
+                                                  particles.cell.repeats() ? particles.cell.enter(shift) : 0};
+        if (!joined(bonds, pair) && !joined(contacts, pair))
+          watched.insert(watched.end(), pair.begin(), pair.end());
+      }
     margin       = list_margin;
     path_of_list = 0;
     ++neighbour_searches;
   }
 
-  std::vector<NeighbourPair>
-  ContactSearch::look(const Particles &particles, const LinkSet &bonds, const LinkSet &contacts)
+  std::vector<NeighbourPair> ContactSearch::look(Particles &particles, const LinkSet &bonds, const LinkSet &contacts)
   {
     if (2 * path_of_list >= margin)
       {
@@ -90,15 +115,15 @@ namespace dem
     std::vector<NeighbourPair> born;
     std::vector<std::int32_t>  apart;
     double                     smallest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < watched.size(); i += 2)
+    for (std::size_t i = 0; i < watched.size(); i += 3)
       {
-        const std::int32_t J = watched[i], K = watched[i + 1];
-        const double       distance = gap(particles, J, K);
+        const std::array<std::int32_t, 3> pair     = {watched[i], watched[i + 1], watched[i + 2]};
+        const double                      distance = watched_gap(particles, pair);
         if (distance < 0)
-          born.push_back({J, K, {0, 0, 0}});
+          born.push_back({pair[0], pair[1], pair[2] == 0 ? CellShift{{0, 0, 0}} : particles.cell.shift_of(pair[2])});
         else
           {
-            apart.insert(apart.end(), {J, K});
+            apart.insert(apart.end(), pair.begin(), pair.end());
             smallest = std::min(smallest, distance);
           }
       }
@@ -113,6 +138,8 @@ namespace dem
   {
     visitor.column("contact_search/watched", watched);
     visitor.column("contact_search/reference", reference);
+    if (!reference_base.empty())
+      visitor.column("contact_search/reference_base", reference_base);
     visitor.scalar("contact_search/margin", margin);
     visitor.scalar("contact_search/path", path);
     visitor.scalar("contact_search/path_of_list", path_of_list);
@@ -122,13 +149,14 @@ namespace dem
 
   void add_contacts(LinkSet                          &contacts,
                     const std::vector<NeighbourPair> &born,
-                    const Particles                  &particles,
+                    Particles                        &particles,
                     const ParticleShape              &shape)
   {
     LinkSet fresh;
     make_links(fresh, born, particles, shape, false);
     LinkSet merged;
     merged.shear_components = contacts.shear_components;
+    merged.periodic         = particles.cell.repeats();
     merged.alive            = contacts.alive + born.size();
     merged.resize(merged.alive, particles.count, false);
     for (const auto &account : contacts.accounts)

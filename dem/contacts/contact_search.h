@@ -4,6 +4,8 @@
 #include "dem/particles.h"
 #include "dem/state.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -17,6 +19,9 @@ namespace dem
  * the margin since it was made, and (2) the list itself need not be looked at before `path` has grown by half its smallest gap.
  * At the start all pairs within the interaction ratio are linked, so the first list is empty and its margin is the gap that the ratio
  * leaves between unlinked particles.
+ *
+ * In a periodic cell displacements are the fluctuations about the cell's motion; its strain brings a pair closer by its part of their
+ * distance, which is below `reach`, the distance of the widest watched pair, from the moment the pair can matter.
  */
   class ContactSearch
   {
@@ -24,41 +29,49 @@ namespace dem
     /** @param start_margin no unlinked pair has a gap below this at the start [m] */
     ContactSearch(const Particles &particles, double start_margin);
 
-    /** Account for one step, in which no particle moved further than `largest` [m]. @return whether look() must be called now */
-    bool moved(double largest);
+    /**
+     * Account for one step. @param largest no particle moved further [m] @param strain of the cell in the step, its norm
+     * @return whether look() must be called now
+     */
+    bool moved(double largest, double strain);
 
-    /** A pair that is no longer linked: watch it. */
-    void watch(const Particles &particles, std::int32_t first, std::int32_t second);
+    /** A pair (first, second, image) that is no longer linked: watch it. */
+    void watch(const Particles &particles, const std::array<std::int32_t, 3> &pair);
 
     /** Unlinked pairs that overlap now, sorted; they are no longer watched. */
-    std::vector<NeighbourPair> look(const Particles &particles, const LinkSet &bonds, const LinkSet &contacts);
+    std::vector<NeighbourPair> look(Particles &particles, const LinkSet &bonds, const LinkSet &contacts);
 
     std::int64_t searches() const { return neighbour_searches; } ///< how often neighbours were searched so far
 
     void visit_state(StateVisitor &visitor);
 
   private:
-    void   rebuild(const Particles &particles, const LinkSet &bonds, const LinkSet &contacts);
+    void   rebuild(Particles &particles, const LinkSet &bonds, const LinkSet &contacts);
     double largest_displacement(const Particles &particles) const;
+    double watched_gap(const Particles &particles, const std::array<std::int32_t, 3> &pair) const;
+    /** Not below the distance of a pair that is watched for, of centres [m]. */
+    double reach() const { return largest_diameter + std::max(margin, list_margin); }
 
-    std::vector<std::int32_t> watched;     ///< pairs of particle numbers, flattened
+    std::vector<std::int32_t> watched;     ///< first, second, image of each pair, flattened
     Column                    reference;   ///< positions at the last rebuild, three per particle [m]
     double                    margin;      ///< gap that unwatched pairs had at least at the last rebuild [m]
     double                    list_margin; ///< margin of the lists to come [m]
+    double                    largest_diameter;
+    Column                    reference_base; ///< H at the last rebuild, by columns; empty without a cell [m]
     double                    path = 0, path_of_list = 0; ///< now; not below the largest displacement since the rebuild
     double                    next_look;
     std::int64_t              neighbour_searches = 0;
   };
 
-  /** Distance between the surfaces of two particles, negative when they overlap [m]. */
-  double gap(const Particles &particles, std::int32_t first, std::int32_t second);
+  /** Distance between the surfaces of two particles (first, second, image of the second), negative when they overlap [m]. */
+  double gap(const Particles &particles, const std::array<std::int32_t, 3> &pair);
 
-  /** Whether an undeleted line of the set joins the two (first < second). */
-  bool joined(const LinkSet &links, std::int32_t first, std::int32_t second);
+  /** Whether an undeleted line of the set joins the two (first, second, image of the second). */
+  bool joined(const LinkSet &links, const std::array<std::int32_t, 3> &pair);
 
   /** Put new contacts, at their present distance, among the living ones; deleted lines go. */
   void add_contacts(LinkSet                          &contacts,
                     const std::vector<NeighbourPair> &born,
-                    const Particles                  &particles,
+                    Particles                        &particles,
                     const ParticleShape              &shape);
 } // namespace dem

@@ -72,7 +72,7 @@ namespace dem
             Spring s;
             s.J                 = links.first[l];
             s.K                 = links.second[l];
-            s.n                 = p.position_of(s.K) - p.position_of(s.J);
+            s.n                 = branch_of(p, links, l);
             const double length = s.n.norm(), eccentric = p.radius_of(s.J) - p.radius_of(s.K),
                          stiffness = links.area[l] / links.reference_length[l];
             s.n /= length;

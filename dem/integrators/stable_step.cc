@@ -17,7 +17,7 @@ namespace dem
           if (!links.is_alive(l))
             continue;
           const std::int32_t J = links.first[l], K = links.second[l];
-          const double       length = (p.position_of(K) - p.position_of(J)).norm(),
+          const double       length = branch_of(p, links, l).norm(),
                        eccentric    = p.radius_of(J) - p.radius_of(K);
           const double stiffness    = links.area[l] / links.reference_length[l];
           const auto   seen_from    = [&](const std::int32_t i, const double arm) {

@@ -74,8 +74,16 @@ namespace dem
                                                 select(ahead < Pack(0.0), Pack(0.0) - damping, Pack(0.0))));
     }
 
+    /** Velocity G x of the cell at a particle. */
+    BRECCIA_KERNEL Pack cell_velocity(const Particles &p, const std::size_t at)
+    {
+      const double *rate = p.cell.rate.data(), *x = &p.pose[at];
+      return Pack(x[0]) * load(rate) + Pack(x[1]) * load(rate + record_size) +
+             Pack(x[2]) * load(rate + 2 * record_size);
+    }
+
     /** Leap-frog step of one particle, all components at once. */
-    template <bool damped>
+    template <bool damped, bool periodic>
     BRECCIA_KERNEL void integrate(Particles        &p,
                                   const std::size_t i,
                                   const Pack       &force,
@@ -96,10 +104,13 @@ namespace dem
       const double rotation[3] = {displacement[3], displacement[4], displacement[5]};
       const double stretch =
         arm_stretch(rotation[0] * rotation[0] + rotation[1] * rotation[1] + rotation[2] * rotation[2]);
+      Pack moved = displacement;
+      if constexpr (periodic)
+        moved += time_step * cell_velocity(p, at);
       const Pack pose =
-        load(&p.pose[at]) * lanes.keep_pose + displacement * (lanes.translates + Pack(stretch) * lanes.rotates);
+        load(&p.pose[at]) * lanes.keep_pose + moved * (lanes.translates + Pack(stretch) * lanes.rotates);
       store(pose, &p.pose[at]);
-      store(displacement, &p.motion[at]);
+      store(moved, &p.motion[at]);
       store(next, &p.velocity[at]);
       store(force, &p.force[at]);
 
@@ -114,7 +125,7 @@ namespace dem
         }
     }
 
-    template <bool with_contacts, bool damped, bool equal_radii>
+    template <bool with_contacts, bool damped, bool equal_radii, bool periodic>
     void particle_pass(Particles                         &particles,
                        const LinkSet                     &bonds,
                        const LinkSet                     *contacts,
@@ -137,24 +148,34 @@ namespace dem
               add_links<equal_radii>(bonds, i, lanes, force);
               if constexpr (with_contacts)
                 add_links<equal_radii>(*contacts, i, lanes, force);
-              integrate<damped>(particles, i, force, lanes, step, coefficient, sums);
+              integrate<damped, periodic>(particles, i, force, lanes, step, coefficient, sums);
             }
           accounts[b] = {stdx::reduce(sums.damping_before), stdx::reduce(sums.damping_after),
                          stdx::reduce(sums.kinetic), stdx::reduce(sums.fastest)};
         }
     }
 
-    template <bool with_contacts, bool damped>
-    ParticlePass select_radii(const bool equal_radii)
+    template <bool with_contacts, bool damped, bool equal_radii>
+    ParticlePass select_cell(const bool periodic)
     {
-      return equal_radii ? particle_pass<with_contacts, damped, true> : particle_pass<with_contacts, damped, false>;
+      return periodic ? particle_pass<with_contacts, damped, equal_radii, true> :
+                        particle_pass<with_contacts, damped, equal_radii, false>;
+    }
+
+    template <bool with_contacts, bool damped>
+    ParticlePass select_radii(const bool equal_radii, const bool periodic)
+    {
+      return equal_radii ? select_cell<with_contacts, damped, true>(periodic) :
+                           select_cell<with_contacts, damped, false>(periodic);
     }
   } // namespace
 
-  ParticlePass select_particle_pass(const bool contacts, const bool damped, const bool equal_radii)
+  ParticlePass select_particle_pass(const bool contacts, const bool damped, const bool equal_radii, const bool periodic)
   {
     if (contacts)
-      return damped ? select_radii<true, true>(equal_radii) : select_radii<true, false>(equal_radii);
-    return damped ? select_radii<false, true>(equal_radii) : select_radii<false, false>(equal_radii);
+      return damped ? select_radii<true, true>(equal_radii, periodic) :
+                      select_radii<true, false>(equal_radii, periodic);
+    return damped ? select_radii<false, true>(equal_radii, periodic) :
+                    select_radii<false, false>(equal_radii, periodic);
   }
 } // namespace dem

@@ -15,7 +15,7 @@ namespace dem
   {
     double damping_before = 0; ///< work of damping forces of this step over the half step before t_n, < 0 [J]
     double damping_after  = 0; ///< the same over the half step after t_n
-    double kinetic        = 0; ///< 1/2 m v(n-1/2).v(n+1/2) + the same of rotation [J]
+    double kinetic        = 0; ///< 1/2 m v(n-1/2).v(n+1/2) + the same of rotation [J]; in a cell of the fluctuation
     double fastest =
       0; ///< not below the largest squared displacement of the step (sum of the components' largest) [m^2]
   };
@@ -23,6 +23,10 @@ namespace dem
   /**
  * Second of the two passes: every particle adds up its links in a fixed order (its own, then those of which it is the second end,
  * then contacts the same way), and takes a leap-frog step with local damping (mesoscale specification 4 and 5.1).
+ *
+ * In a periodic cell the velocity is the fluctuation u = v - G x, and the step is u += dt a, x += dt (G x + u). This is the
+ * specification's section 6 in other variables: v += (G_new - G_old) x_n + dt G_old v_(n-1/2) + dt a leaves u_(n+1/2) =
+ * u_(n-1/2) + dt a exactly. Damping and kinetic energy are those of u.
  *
  * @param contacts may be null: there are none
  */
@@ -34,7 +38,7 @@ namespace dem
                                 std::vector<ParticleBlockAccount> &accounts);
 
   /** The pass compiled for what the specimen has. */
-  ParticlePass select_particle_pass(bool contacts, bool damped, bool equal_radii);
+  ParticlePass select_particle_pass(bool contacts, bool damped, bool equal_radii, bool periodic = false);
 
   inline std::size_t particle_blocks(const std::size_t particles)
   {

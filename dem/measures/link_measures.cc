@@ -9,12 +9,27 @@ namespace dem
     const std::size_t J = links.first[link], K = links.second[link];
     const auto        moved = [&](const std::size_t i) { return Eigen::Vector3d(&particles.motion[record_size * i]); };
     LinkView          view;
-    view.direction = (particles.position_of(K) - particles.position_of(J)) - (moved(K) - moved(J));
-    view.length    = view.direction.norm();
+    view.direction = branch_of(particles, links, link) - (moved(K) - moved(J));
+    if (links.periodic)
+      view.direction -= particles.cell.motion_of(links.image[link]);
+    view.length = view.direction.norm();
     view.direction /= view.length;
     view.strain = (view.length - links.reference_length[link]) / links.reference_length[link];
     view.force  = Eigen::Vector3d(&links.force[record_size * link]);
     return view;
+  }
+
+  LinkLoad load_at(const Particles &particles, const LinkSet &links, const std::size_t link)
+  {
+    const std::size_t J = links.first[link], K = links.second[link];
+    const LinkView    view = link_at(particles, links, link);
+    const double      arm  = 0.5 * (view.length + particles.radius_of(J) - particles.radius_of(K));
+    LinkLoad          load;
+    load.first   = particles.position_of(J) - Eigen::Vector3d(&particles.motion[record_size * J]);
+    load.branch  = view.length * view.direction;
+    load.contact = load.first + arm * view.direction;
+    load.force   = view.force;
+    return load;
   }
 
   double

@@ -2,6 +2,7 @@
 
 #include "dem/laws/cpm.h"
 #include "dem/links.h"
+#include "dem/measures/loads.h"
 #include "dem/particles.h"
 
 namespace dem
@@ -16,6 +17,9 @@ namespace dem
   };
 
   LinkView link_at(const Particles &particles, const LinkSet &links, std::size_t link);
+
+  /** The same as what measures of stress and couple stress take. */
+  LinkLoad load_at(const Particles &particles, const LinkSet &links, std::size_t link);
 
   /** Energy stored in one link [J]; mesoscale specification 8. */
   double elastic_energy(const Particles &particles, const LinkSet &links, std::size_t link, const CpmConstants &law);
