@@ -91,7 +91,7 @@ namespace postprocess::hdf5
     , file(H5I_INVALID_HID, H5Fclose)
   {
     const Handle access = access_properties(); // closed after fail(), since closing clears HDF5's list of errors
-    file = Handle(H5Fcreate(target.partial().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose);
+    file                = Handle(H5Fcreate(target.partial().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose);
     if (!file.valid())
       fail("cannot be written");
   }

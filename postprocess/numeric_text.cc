@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <sstream>
 
@@ -105,6 +106,13 @@ namespace postprocess::numeric_text
     char       digits[32]; // the longest is -2.2250738585072014e-308
     const auto end = std::to_chars(digits, digits + sizeof(digits), value).ptr;
     text.append(digits, end);
+  }
+
+  std::string rounded(const double value)
+  {
+    char text[32];
+    std::snprintf(text, sizeof(text), "%.3g", value);
+    return text;
   }
 
   std::vector<ColumnName> column_names(std::string_view line)

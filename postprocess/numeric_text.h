@@ -44,6 +44,9 @@ namespace postprocess::numeric_text
   /** Append the shortest text that reads back to the same bits. */
   void append(std::string &text, double value);
 
+  /** Three significant digits, for readers. */
+  std::string rounded(double value);
+
   struct ColumnName
   {
     std::string name, unit; ///< `name [unit]`; unit is empty when there are no brackets

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <exception>
 #include <stdexcept>
 
@@ -81,13 +80,6 @@ namespace postprocess
       return peak;
     }
 
-    std::string short_number(const double value)
-    {
-      char text[32];
-      std::snprintf(text, sizeof(text), "%.3g", value);
-      return text;
-    }
-
     std::string legend_of(const PlotPanel &panel, const PlotSeries &series)
     {
       if (series.name.empty())
@@ -96,7 +88,8 @@ namespace postprocess
       if (series.mark_peak)
         {
           const std::size_t peak = peak_of(panel, series);
-          text += " (peak " + short_number(series.y[peak]) + " at " + short_number(series.x[peak]) + ")";
+          text +=
+            " (peak " + numeric_text::rounded(series.y[peak]) + " at " + numeric_text::rounded(series.x[peak]) + ")";
         }
       return " title " + gnuplot_quoted(text) + " noenhanced";
     }
@@ -128,7 +121,7 @@ namespace postprocess
     std::string axes_of(const PlotPanel &panel)
     {
       std::string text = "set title " + gnuplot_quoted(panel.title) + " noenhanced font ',12'\n";
-      text += "set xlabel " + gnuplot_quoted(panel.x_label) + " noenhanced\n";
+      text += "set xlabel " + gnuplot_quoted(panel.x_label) + " noenhanced offset 0,0.3\n";
       text += "set ylabel " + gnuplot_quoted(panel.y_label) + " noenhanced\n";
       text += panel.log_x ? "set logscale x\nset format x '%h'\n" : "unset logscale x\nset format x '%h'\n";
       text += panel.log_y ? "set logscale y\nset format y '%h'\n" : "unset logscale y\nset format y '%h'\n";
@@ -166,11 +159,11 @@ namespace postprocess
       GnuplotJob job;
       job.width  = columns * panel_width;
       job.height = rows * (panel_height + legend * legend_row_height);
-      job.script =
-        "set multiplot layout " + std::to_string(rows) + "," + std::to_string(columns) + "\n" +
-        "set border 3 lw 1.2 lc rgb '#404040'\nset tics nomirror out scale 0.6\n" +
-        "set grid xtics ytics lc rgb '#d8d8d8' lt 1 lw 1\nset key below left Left reverse maxcols 1 samplen 2\n" +
-        "set offsets graph 0, 0, graph 0.05, 0\n";
+      job.script = "set multiplot layout " + std::to_string(rows) + "," + std::to_string(columns) + "\n" +
+                   "set border 3 lw 1.2 lc rgb '#404040'\nset tics nomirror out scale 0.6\n" +
+                   "set grid xtics ytics lc rgb '#d8d8d8' lt 1 lw 1\nset key below left Left reverse maxcols 1 samplen "
+                   "2 height 0.7\n" +
+                   "set offsets graph 0, 0, graph 0.05, 0\n";
       for (std::size_t p = 0; p < panels.size(); ++p)
         add_panel(job, panels[p], p);
       job.script += "unset multiplot\n";

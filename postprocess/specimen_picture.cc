@@ -3,10 +3,11 @@
 #include "postprocess/gnuplot.h"
 #include "postprocess/numeric_text.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <exception>
-#include <numeric>
 #include <stdexcept>
 
 namespace postprocess
@@ -56,12 +57,15 @@ namespace postprocess
         return {drawn[right] * millimetres, drawn[up] * millimetres};
       }
 
+      Eigen::Vector2d projected(const Eigen::Vector3d &vector) const { return {vector[right], vector[up]}; }
+
+      /** Where the particle was when the specimen was made. */
+      Eigen::Vector3d origin(const std::size_t i) const { return particles.position[i] - particles.displacement[i]; }
+
       char name_of_right() const { return "xyz"[right]; }
       char name_of_up() const { return "xyz"[up]; }
 
     private:
-      Eigen::Vector3d origin(const std::size_t i) const { return particles.position[i] - particles.displacement[i]; }
-
       const dem::ParticleOutput &particles;
       const PictureSlab         &slab;
       int                        right, up;
@@ -75,14 +79,34 @@ namespace postprocess
       text += '\n';
     }
 
-    std::string circles(const dem::ParticleOutput &particles, const View &view)
+    /** Particles in the slab, the farthest first, so that nearer ones are drawn over them. */
+    std::vector<std::size_t> shown_particles(const dem::ParticleOutput &particles, const View &view)
     {
-      std::vector<std::size_t> shown(particles.position.size());
-      std::iota(shown.begin(), shown.end(), 0);
-      shown.erase(std::remove_if(shown.begin(), shown.end(), [&](const auto i) { return !view.shows(i); }),
-                  shown.end());
-      std::sort(shown.begin(), shown.end(), [&](const auto i, const auto j) { return view.is_behind(i, j); });
+      std::vector<std::size_t> shown;
+      for (std::size_t i = 0; i < particles.position.size(); ++i)
+        if (view.shows(i))
+          shown.push_back(i);
+      if (shown.empty())
+        throw std::invalid_argument("there is no particle in the slab");
+      std::stable_sort(shown.begin(), shown.end(), [&](const auto i, const auto j) { return view.is_behind(i, j); });
+      return shown;
+    }
 
+    Eigen::AlignedBox2d
+    box_of(const dem::ParticleOutput &particles, const View &view, const std::vector<std::size_t> &shown)
+    {
+      Eigen::AlignedBox2d box;
+      for (const std::size_t i : shown)
+        {
+          const Eigen::Vector2d radius = Eigen::Vector2d::Constant(particles.radius[i] * millimetres);
+          box.extend(view.on_paper(i) - radius).extend(view.on_paper(i) + radius);
+        }
+      return box;
+    }
+
+    std::string
+    circle_rows(const dem::ParticleOutput &particles, const View &view, const std::vector<std::size_t> &shown)
+    {
       std::string text;
       for (const std::size_t i : shown)
         append_row(
@@ -90,19 +114,77 @@ namespace postprocess
       return text;
     }
 
-    /** Start and direction of each broken link with both ends in the slab. */
-    std::string broken_links(const dem::LinkOutput &links, const View &view)
+    /** A damaged or broken link that has opened: its facet seen as a segment across the link. */
+    struct CrackSegment
     {
-      std::string text;
+      Eigen::Vector2d start, along; ///< [mm]
+      double          opening;      ///< relative displacement of the two particles along the link [m]
+    };
+
+    std::vector<CrackSegment>
+    find_cracks(const dem::ParticleOutput &particles, const dem::LinkOutput &links, const View &view)
+    {
+      std::vector<CrackSegment> cracks;
       for (std::size_t l = 0; l < links.ends.size(); ++l)
         {
-          const auto [first, second] = links.ends[l];
-          if (links.kind[l] != dem::LinkOutput::broken || !view.shows(first) || !view.shows(second))
+          const auto [i, j]    = links.ends[l];
+          const bool has_crack = links.kind[l] == dem::LinkOutput::broken ||
+                                 (links.kind[l] == dem::LinkOutput::cohesive && links.damage[l] > 0);
+          if (!has_crack || !view.shows(i) || !view.shows(j))
             continue;
-          const Eigen::Vector2d from = view.on_paper(first), along = view.on_paper(second) - from;
-          append_row(text, {from.x(), from.y(), along.x(), along.y()});
+          const Eigen::Vector3d normal  = (view.origin(j) - view.origin(i)).normalized();
+          const double          opening = normal.dot(particles.displacement[j] - particles.displacement[i]);
+          const Eigen::Vector2d across  = view.projected(normal);
+          if (opening <= 0 || across.norm() < 0.1) // closed, or seen from the front
+            continue;
+          const double          size  = 2 * std::min(particles.radius[i], particles.radius[j]) * millimetres;
+          const Eigen::Vector2d along = Eigen::Vector2d(-across.y(), across.x()).normalized() * size;
+          cracks.push_back({(view.on_paper(i) + view.on_paper(j) - along) / 2, along, opening});
+        }
+      return cracks;
+    }
+
+    /** The opening that is drawn in full red: few facets, of debris, are wider. */
+    double wide_opening(std::vector<CrackSegment> cracks)
+    {
+      const auto wide = cracks.begin() + static_cast<std::ptrdiff_t>(cracks.size() * 9 / 10);
+      std::nth_element(cracks.begin(), wide, cracks.end(),
+                       [](const auto &a, const auto &b) { return a.opening < b.opening; });
+      return wide->opening;
+    }
+
+    /** Rows of start, direction, and red whose opacity grows with the opening (gnuplot's 0xAARRGGBB, A = 0 is opaque).
+     */
+    std::string crack_rows(const std::vector<CrackSegment> &cracks, const double wide)
+    {
+      constexpr double red = 0xc1272d, one_alpha = 1 << 24;
+
+      std::string text;
+      for (const CrackSegment &crack : cracks)
+        {
+          const double transparency = std::round(255 * (1 - std::min(1.0, crack.opening / wide)));
+          if (transparency < 240) // the rest could not be seen
+            append_row(text, {crack.start.x(), crack.start.y(), crack.along.x(), crack.along.y(),
+                              transparency * one_alpha + red});
         }
       return text;
+    }
+
+    /** Script lines of the frame: ranges that hold every circle, and a picture in their proportion. */
+    void set_frame(GnuplotJob &job, const Eigen::AlignedBox2d &box)
+    {
+      constexpr int longer_side = 760, left_and_right = 190, above_and_below = 130; // [pixel]
+      const double  scale = longer_side / box.sizes().maxCoeff();
+      job.width           = static_cast<int>(box.sizes().x() * scale) + left_and_right;
+      job.height          = static_cast<int>(box.sizes().y() * scale) + above_and_below;
+      const auto range    = [&](const char axis, const int d) {
+        job.script += std::string("set ") + axis + "range [";
+        numeric_text::append(job.script, box.min()[d]);
+        numeric_text::append(job.script += ':', box.max()[d]);
+        job.script += "]\n";
+      };
+      range('x', 0);
+      range('y', 1);
     }
   } // namespace
 
@@ -114,22 +196,28 @@ namespace postprocess
   {
     try
       {
-        const View        view(particles, slab);
-        const std::string shown = circles(particles, view), broken = broken_links(links, view);
-        if (shown.empty())
-          throw std::invalid_argument("there is no particle in the slab");
+        const View view(particles, slab);
+        const auto shown  = shown_particles(particles, view);
+        const auto cracks = find_cracks(particles, links, view);
 
         GnuplotJob job;
-        job.width = 900, job.height = 900;
-        job.data = {{"particles", shown}, {"broken", broken}};
-        job.script =
-          "set title " + gnuplot_quoted(title) + " noenhanced\nset size ratio -1\nset border lc rgb '#404040'\n" +
-          "set tics out nomirror\nset xlabel '" + view.name_of_right() + " [mm]'\nset ylabel '" + view.name_of_up() +
-          " [mm]'\nset cblabel 'Damage'\nset cbrange [0:1]\n" +
-          "set palette defined (0 '#f2f2f2', 0.5 '#9ebcda', 1 '#2a3f6f')\nset style fill solid 1 noborder\n" +
-          "plot 'particles' using 1:2:3:4 with circles lc palette notitle";
-        if (!broken.empty())
-          job.script += ", 'broken' using 1:2:3:4 with vectors nohead lw 1.5 lc rgb '#D55E00' title 'broken links'";
+        set_frame(job, box_of(particles, view, shown));
+        job.data["particles"] = circle_rows(particles, view, shown);
+        job.script += "set title " + gnuplot_quoted(title) +
+                      " noenhanced\nset size ratio -1\nset border lc rgb '#404040'\n" +
+                      "set tics out nomirror\nset xlabel '" + view.name_of_right() + " [mm]'\nset ylabel '" +
+                      view.name_of_up() + " [mm]'\nset cblabel 'Damage'\nset cbrange [0:1]\n" +
+                      "set palette defined (0 '#f0f0f0', 1 '#5b7fb0')\nset style fill solid 1 noborder\n" +
+                      "set key outside below center Left reverse\n" +
+                      "plot 'particles' using 1:2:3:4 with circles lc palette notitle";
+        if (!cracks.empty())
+          {
+            const double wide  = wide_opening(cracks);
+            job.data["cracks"] = crack_rows(cracks, wide);
+            job.script += ", 'cracks' using 1:2:3:4:5 with vectors nohead lw 2.5 lc rgb variable notitle, " +
+                          std::string("NaN with lines lw 2.5 lc rgb '#c1272d' title 'open links, full red from ") +
+                          numeric_text::rounded(wide * 1e6) + " µm'";
+          }
         draw_with_gnuplot(path, job);
         return {};
       }

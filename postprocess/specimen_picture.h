@@ -19,7 +19,10 @@ namespace postprocess
   };
 
   /**
-   * Draw the particles of a slab as circles coloured by damage, with its broken links as red segments, into a PNG file.
+   * Draw the particles of a slab as circles coloured by damage, and its cracks, into a PNG file.
+   *
+   * A crack is drawn as red segments across damaged or broken links that have opened, the redder the wider (the legend
+   * names the opening of full red): relative displacement of the two particles along the link.
    *
    * @return empty when drawn, otherwise why not; nothing is thrown (see plot()).
    */

@@ -86,6 +86,7 @@ TEST_CASE("a place where no file can be is refused with its name", "[postprocess
   REQUIRE_THROWS_WITH(write_text(folder / "missing/result", ""), Contains("missing does not exist"));
   REQUIRE_THROWS_WITH(write_text(folder / "file/result", ""), Contains("file does not exist"));
   REQUIRE_THROWS_WITH(write_text(folder.path, ""), Contains(folder.path.string() + ": is a folder"));
-  REQUIRE_THROWS_WITH(write_text("/proc/self/result", ""), Contains("cannot be opened for writing")); // unwritable, also for root
+  REQUIRE_THROWS_WITH(write_text("/proc/self/result", ""),
+                      Contains("cannot be opened for writing")); // unwritable, also for root
   REQUIRE_THROWS_AS(write_text("/proc/self/result", ""), OutputError);
 }

@@ -23,71 +23,71 @@ using postprocess_tests::ScratchFolder;
 
 namespace
 {
-const std::string scene = "set Damping = 0.3\nset Seed = 1\n";
+  const std::string scene = "set Damping = 0.3\nset Seed = 1\n";
 
-/** A state with every kind of item, and numbers that a careless writer would change. */
-struct State
-{
-  dem::Column               column;
-  std::vector<std::int32_t> numbers;
-  dem::Column               none;
-  double                    time  = 0;
-  std::int64_t              steps = 0;
-
-  void visit_state(dem::StateVisitor &visitor)
+  /** A state with every kind of item, and numbers that a careless writer would change. */
+  struct State
   {
-    visitor.column("column", column);
-    visitor.column("numbers", numbers);
-    visitor.column("none", none);
-    visitor.scalar("time", time);
-    visitor.scalar("steps", steps);
+    dem::Column               column;
+    std::vector<std::int32_t> numbers;
+    dem::Column               none;
+    double                    time  = 0;
+    std::int64_t              steps = 0;
+
+    void visit_state(dem::StateVisitor &visitor)
+    {
+      visitor.column("column", column);
+      visitor.column("numbers", numbers);
+      visitor.column("none", none);
+      visitor.scalar("time", time);
+      visitor.scalar("steps", steps);
+    }
+  };
+
+  State sample_state(const std::size_t size = 300)
+  {
+    State state;
+    state.column = {-0.0, 5e-324, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()};
+    for (std::size_t i = state.column.size(); i < size; ++i)
+      state.column.push_back(std::sqrt(i) / 3);
+    state.numbers = {-2147483647 - 1, 0, 2147483647};
+    state.time    = 1.0 / 3;
+    state.steps   = (std::int64_t(1) << 62) + 1; // would not survive as a double
+    return state;
   }
-};
 
-State sample_state(const std::size_t size = 300)
-{
-  State state;
-  state.column = {-0.0, 5e-324, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()};
-  for (std::size_t i = state.column.size(); i < size; ++i)
-    state.column.push_back(std::sqrt(i) / 3);
-  state.numbers = {-2147483647 - 1, 0, 2147483647};
-  state.time    = 1.0 / 3;
-  state.steps   = (std::int64_t(1) << 62) + 1; // would not survive as a double
-  return state;
-}
+  void write(const std::filesystem::path &path, State state, const std::string &of_scene = scene)
+  {
+    CheckpointWriter writer(path, of_scene);
+    writer.group("specimen");
+    state.visit_state(writer);
+    writer.commit();
+  }
 
-void write(const std::filesystem::path &path, State state, const std::string &of_scene = scene)
-{
-  CheckpointWriter writer(path, of_scene);
-  writer.group("specimen");
-  state.visit_state(writer);
-  writer.commit();
-}
+  State read(const std::filesystem::path &path)
+  {
+    State            state;
+    CheckpointReader reader(path, scene);
+    reader.group("specimen");
+    state.visit_state(reader);
+    reader.finish();
+    return state;
+  }
 
-State read(const std::filesystem::path &path)
-{
-  State            state;
-  CheckpointReader reader(path, scene);
-  reader.group("specimen");
-  state.visit_state(reader);
-  reader.finish();
-  return state;
-}
-
-/** The message of the refusal. */
-template <typename Action>
-std::string refusal(const Action &action)
-{
-  try
-    {
-      action();
-    }
-  catch (const dem::InputError &error)
-    {
-      return error.what();
-    }
-  return "accepted";
-}
+  /** The message of the refusal. */
+  template <typename Action>
+  std::string refusal(const Action &action)
+  {
+    try
+      {
+        action();
+      }
+    catch (const dem::InputError &error)
+      {
+        return error.what();
+      }
+    return "accepted";
+  }
 } // namespace
 
 TEST_CASE("a checkpoint gives back the same bits", "[postprocess]")
@@ -124,8 +124,9 @@ TEST_CASE("reading a checkpoint resizes columns, and groups keep equal names apa
   back.visit_state(reader);
   REQUIRE(back.column.size() == 20);
   REQUIRE(refusal([&] { reader.finish(); }) ==
-          (folder / "c.h5").string() + ": holds \"state/first/column\", which this program does not know: it was made by "
-                                       "another version. Start the run afresh.");
+          (folder / "c.h5").string() +
+            ": holds \"state/first/column\", which this program does not know: it was made by "
+            "another version. Start the run afresh.");
   reader.group("first");
   back.visit_state(reader);
   REQUIRE(back.column.size() == 10);
@@ -207,8 +208,8 @@ TEST_CASE("a checkpoint that was cut short or has a wrong byte is refused", "[po
   }
   SECTION("one byte of the stored column changed")
   {
-    const double      value = sample_state(1000).column[500];
-    char              bytes[sizeof(value)];
+    const double value = sample_state(1000).column[500];
+    char         bytes[sizeof(value)];
     std::memcpy(bytes, &value, sizeof(value));
     const std::size_t place = whole.find(std::string(bytes, sizeof(value)));
     REQUIRE(place != std::string::npos);
@@ -226,7 +227,8 @@ TEST_CASE("a full disk leaves the earlier checkpoint, is reported, and the progr
   write(path, sample_state(50));
   const std::string earlier = content_of(path);
   const State       state   = sample_state(400000);
-  for (const rlim_t bytes : {1, 5000, 100000, 2000000}) // in the first block, in metadata, in the first and a later chunk
+  for (const rlim_t bytes :
+       {1, 5000, 100000, 2000000}) // in the first block, in metadata, in the first and a later chunk
     {
       std::string message = "written";
       {

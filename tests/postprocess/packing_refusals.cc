@@ -14,12 +14,12 @@ using postprocess_tests::ScratchFolder;
 
 namespace
 {
-dem::Packing two_particles() { return {{{0, 0, 0}, {1, 0, 0}}, {0.5, 0.5}, std::nullopt}; }
+  dem::Packing two_particles() { return {{{0, 0, 0}, {1, 0, 0}}, {0.5, 0.5}, std::nullopt}; }
 
-struct Refusal
-{
-  std::string text, message; ///< of the file; after "FILE"
-};
+  struct Refusal
+  {
+    std::string text, message; ///< of the file; after "FILE"
+  };
 } // namespace
 
 TEST_CASE("a faulty text packing is refused with file, line and reason", "[postprocess]")
@@ -140,7 +140,8 @@ TEST_CASE("an HDF5 packing that was cut short is refused", "[postprocess]")
   write_packing(two_particles(), folder / "p.h5");
   std::filesystem::resize_file(folder / "p.h5", std::filesystem::file_size(folder / "p.h5") - 10);
   REQUIRE_THROWS_AS(read_packing(folder / "p.h5"), dem::InputError);
-  REQUIRE_THROWS_WITH(read_packing(folder / "p.h5"), Contains("p.h5: cannot be opened, it is damaged or was cut short"));
+  REQUIRE_THROWS_WITH(read_packing(folder / "p.h5"),
+                      Contains("p.h5: cannot be opened, it is damaged or was cut short"));
 }
 
 TEST_CASE("a packing cannot be written into a folder that does not exist", "[postprocess]")

@@ -13,36 +13,36 @@ using postprocess_tests::ScratchFolder;
 
 namespace
 {
-/** Numbers with all 53 bits in use, of different size. */
-dem::Packing awkward_packing(const std::size_t particles)
-{
-  std::mt19937_64                        random(7);
-  std::uniform_real_distribution<double> unit(0.1, 1);
-  dem::Packing                           packing;
-  for (std::size_t i = 0; i < particles; ++i)
-    {
-      packing.centre.emplace_back(i + unit(random) / 3, -unit(random) * 1e-7, unit(random) * 1e3);
-      packing.radius.push_back(unit(random) * std::pow(10, -double(i % 4)));
-    }
-  return packing;
-}
+  /** Numbers with all 53 bits in use, of different size. */
+  dem::Packing awkward_packing(const std::size_t particles)
+  {
+    std::mt19937_64                        random(7);
+    std::uniform_real_distribution<double> unit(0.1, 1);
+    dem::Packing                           packing;
+    for (std::size_t i = 0; i < particles; ++i)
+      {
+        packing.centre.emplace_back(i + unit(random) / 3, -unit(random) * 1e-7, unit(random) * 1e3);
+        packing.radius.push_back(unit(random) * std::pow(10, -double(i % 4)));
+      }
+    return packing;
+  }
 
-void require_same_bits(const dem::Packing &a, const dem::Packing &b)
-{
-  REQUIRE(a.centre == b.centre); // no tolerance: == on doubles without NaN or signed zeros is equality of bits
-  REQUIRE(a.radius == b.radius);
-  REQUIRE(a.periodic_cell.has_value() == b.periodic_cell.has_value());
-  if (a.periodic_cell)
-    REQUIRE(*a.periodic_cell == *b.periodic_cell);
-}
+  void require_same_bits(const dem::Packing &a, const dem::Packing &b)
+  {
+    REQUIRE(a.centre == b.centre); // no tolerance: == on doubles without NaN or signed zeros is equality of bits
+    REQUIRE(a.radius == b.radius);
+    REQUIRE(a.periodic_cell.has_value() == b.periodic_cell.has_value());
+    if (a.periodic_cell)
+      REQUIRE(*a.periodic_cell == *b.periodic_cell);
+  }
 } // namespace
 
 TEST_CASE("a packing read back from any format has the same bits", "[postprocess]")
 {
   const ScratchFolder folder;
-  const auto         *name = GENERATE("p.txt", "p.csv", "p.h5", "p.hdf5");
+  const auto         *name    = GENERATE("p.txt", "p.csv", "p.h5", "p.hdf5");
   dem::Packing        packing = awkward_packing(400);
-  packing.centre[0]          = {1.0 / 3, 5e-324, -0.0}; // among them the smallest number, and a signed zero
+  packing.centre[0]           = {1.0 / 3, 5e-324, -0.0}; // among them the smallest number, and a signed zero
   CAPTURE(name);
 
   SECTION("free") {}
@@ -80,15 +80,15 @@ TEST_CASE("packings written by other programs are understood", "[postprocess]")
 {
   const ScratchFolder folder;
   // Two particles, in every dress: (1, 2, 3) with radius 0.5 and (4, 5, 6.25) with radius 0.25.
-  const std::string text = GENERATE(as<std::string>{}, "1 2 3 0.5\n4 5 6.25 0.25\n",            // bare
-                                    "1\t2\t3\t0.5\r\n4\t5\t6.25\t0.25\r\n",                      // tabs, line ends of Windows
-                                    "1,2,3,0.5\n4,5,6.25,0.25",                                  // commas, no last line end
-                                    "1 , 2 , 3 , .5\n\n  4 , 5 , 6.25 , 2.5e-1  \n\n",           // blanks everywhere
+  const std::string text = GENERATE(as<std::string>{}, "1 2 3 0.5\n4 5 6.25 0.25\n",   // bare
+                                    "1\t2\t3\t0.5\r\n4\t5\t6.25\t0.25\r\n",            // tabs, line ends of Windows
+                                    "1,2,3,0.5\n4,5,6.25,0.25",                        // commas, no last line end
+                                    "1 , 2 , 3 , .5\n\n  4 , 5 , 6.25 , 2.5e-1  \n\n", // blanks everywhere
                                     "\xEF\xBB\xBF# made by X: 1 2 3 4\nx y z radius\n+1 2 3 5E-1\n4 5 6.25 0.25\n",
-                                    "radius z y x\n0.5 3 2 1\n0.25 6.25 5 4\n",                  // another order
+                                    "radius z y x\n0.5 3 2 1\n0.25 6.25 5 4\n", // another order
                                     "id,r [m],X [m],Y [m],Z [m],name\n1,0.5,1,2,3,7\n2,0.25,4,5,6.25,8\n",
                                     "x [m] y [m] z [m] radius [m]\n1 2 3 0.5\n4 5 6.25 0.25\n",
-                                    "# z y x radius\n3 2 1 0.5\n6.25 5 4 0.25\n",                // the header as a comment
+                                    "# z y x radius\n3 2 1 0.5\n6.25 5 4 0.25\n", // the header as a comment
                                     "# lengths x y z radius in m\n1 2 3 0.5\n# a remark\n4 5 6.25 0.25\n");
   CAPTURE(text);
   const dem::Packing packing = read_packing(folder.file("packing.dat", text));
@@ -102,7 +102,7 @@ TEST_CASE("packings written by other programs are understood", "[postprocess]")
 TEST_CASE("the periodic cell of a text packing is read from its comment", "[postprocess]")
 {
   const ScratchFolder folder;
-  const std::string   line = GENERATE("# periodic_cell 1 2 3.5\n", "#periodic_cell: 1, 2, 3.5\n");
+  const std::string   line    = GENERATE("# periodic_cell 1 2 3.5\n", "#periodic_cell: 1, 2, 3.5\n");
   const dem::Packing  packing = read_packing(folder.file("p.txt", line + "0 0 0 0.1\n"));
   REQUIRE(packing.periodic_cell.has_value());
   REQUIRE(*packing.periodic_cell == Eigen::Vector3d(1, 2, 3.5));

@@ -16,36 +16,38 @@ using postprocess_tests::ScratchFolder;
 
 namespace
 {
-/** Width and height from the header of a PNG file (big-endian numbers at bytes 16 and 20 of the IHDR chunk). */
-std::pair<unsigned, unsigned> size_of_png(const std::filesystem::path &path)
-{
-  const std::string bytes = content_of(path);
-  REQUIRE(bytes.substr(0, 8) == "\x89PNG\r\n\x1a\n");
-  REQUIRE(bytes.substr(bytes.size() - 8, 4) == "IEND"); // complete to its end
-  const auto number = [&](const std::size_t at) {
-    unsigned value = 0;
-    for (std::size_t i = at; i < at + 4; ++i)
-      value = value << 8 | static_cast<unsigned char>(bytes[i]);
-    return value;
-  };
-  return {number(16), number(20)};
-}
-
-PlotPanel simple_panel() { return {"title", "x [m]", "y [Pa]", false, false, {{"s", {1, 2, 3}, {1, 4, 9}, {}}}}; }
-
-/** Sets an environment variable for the length of a scope. */
-class Environment
-{
-public:
-  Environment(const std::string &name_, const std::string &value) : name(name_), previous(::getenv(name.c_str()))
+  /** Width and height from the header of a PNG file (big-endian numbers at bytes 16 and 20 of the IHDR chunk). */
+  std::pair<unsigned, unsigned> size_of_png(const std::filesystem::path &path)
   {
-    ::setenv(name.c_str(), value.c_str(), 1);
+    const std::string bytes = content_of(path);
+    REQUIRE(bytes.substr(0, 8) == "\x89PNG\r\n\x1a\n");
+    REQUIRE(bytes.substr(bytes.size() - 8, 4) == "IEND"); // complete to its end
+    const auto number = [&](const std::size_t at) {
+      unsigned value = 0;
+      for (std::size_t i = at; i < at + 4; ++i)
+        value = value << 8 | static_cast<unsigned char>(bytes[i]);
+      return value;
+    };
+    return {number(16), number(20)};
   }
-  ~Environment() { ::setenv(name.c_str(), previous.c_str(), 1); }
 
-private:
-  std::string name, previous;
-};
+  PlotPanel simple_panel() { return {"title", "x [m]", "y [Pa]", false, false, {{"s", {1, 2, 3}, {1, 4, 9}, {}}}}; }
+
+  /** Sets an environment variable for the length of a scope. */
+  class Environment
+  {
+  public:
+    Environment(const std::string &name_, const std::string &value)
+      : name(name_)
+      , previous(::getenv(name.c_str()))
+    {
+      ::setenv(name.c_str(), value.c_str(), 1);
+    }
+    ~Environment() { ::setenv(name.c_str(), previous.c_str(), 1); }
+
+  private:
+    std::string name, previous;
+  };
 } // namespace
 
 TEST_CASE("a plot of any points is drawn: one, equal, not finite, on logarithmic axes, with errors", "[postprocess]")
@@ -63,7 +65,10 @@ TEST_CASE("a plot of any points is drawn: one, equal, not finite, on logarithmic
     panel.series[0].x         = {0, 1, 2};
     panel.series[0].y_error   = {1, 5, 1}; // larger than the value
   }
-  SECTION("a name with everything that gnuplot could misread") { panel.title = panel.series[0].name = "it's \"100 %\" _{x}^2 \\ @ & ~\n$`"; }
+  SECTION("a name with everything that gnuplot could misread")
+  {
+    panel.title = panel.series[0].name = "it's \"100 %\" _{x}^2 \\ @ & ~\n$`";
+  }
   SECTION("peak") { panel.series[0].mark_peak = true; }
   SECTION("an empty series beside a full one") { panel.series.push_back({"none", {}, {}, {}}); }
   REQUIRE(plot(folder / "curve.png", {panel}) == "");
@@ -77,7 +82,8 @@ TEST_CASE("panels stand side by side, three in a row", "[postprocess]")
   REQUIRE(plot(folder / "1.png", {simple_panel()}) == "");
   REQUIRE(plot(folder / "2.png", {simple_panel(), simple_panel()}) == "");
   REQUIRE(plot(folder / "4.png", {simple_panel(), simple_panel(), simple_panel(), simple_panel()}) == "");
-  const auto one = size_of_png(folder / "1.png"), two = size_of_png(folder / "2.png"), four = size_of_png(folder / "4.png");
+  const auto one = size_of_png(folder / "1.png"), two = size_of_png(folder / "2.png"),
+             four = size_of_png(folder / "4.png");
   REQUIRE(two == std::make_pair(2 * one.first, one.second));
   REQUIRE(four == std::make_pair(3 * one.first, 2 * one.second));
 }
@@ -112,10 +118,17 @@ TEST_CASE("a plot that cannot be drawn says why, keeps the earlier picture, and 
   SECTION("nothing to draw")
   {
     REQUIRE_THAT(plot(path, {}), Contains("there is no point to draw"));
-    REQUIRE_THAT(plot(path, {{"t", "x", "y", false, true, {{"s", {1, 2}, {0, -1}, {}}}}}), Contains("no point to draw"));
+    REQUIRE_THAT(plot(path, {{"t", "x", "y", false, true, {{"s", {1, 2}, {0, -1}, {}}}}}),
+                 Contains("no point to draw"));
   }
-  SECTION("columns of unequal length") { REQUIRE_THAT(plot(path, {{"t", "x", "y", false, false, {{"s", {1}, {}, {}}}}}), Contains("differ in length")); }
-  SECTION("unwritable place") { REQUIRE_THAT(plot(folder / "no/curve.png", {simple_panel()}), Contains("does not exist")); }
+  SECTION("columns of unequal length")
+  {
+    REQUIRE_THAT(plot(path, {{"t", "x", "y", false, false, {{"s", {1}, {}, {}}}}}), Contains("differ in length"));
+  }
+  SECTION("unwritable place")
+  {
+    REQUIRE_THAT(plot(folder / "no/curve.png", {simple_panel()}), Contains("does not exist"));
+  }
   REQUIRE(content_of(path) == "earlier");
 }
 

@@ -19,13 +19,13 @@ using postprocess_tests::ScratchFolder;
 
 namespace
 {
-const std::vector<SeriesColumn> columns = {{"time", "s"}, {"damage", "-"}, {"broken", ""}};
+  const std::vector<SeriesColumn> columns = {{"time", "s"}, {"damage", "-"}, {"broken", ""}};
 
-void append_rows(SeriesWriter &series, const int first, const int end)
-{
-  for (int i = first; i < end; ++i)
-    series.append({i / 3.0, std::sqrt(i), double(i)});
-}
+  void append_rows(SeriesWriter &series, const int first, const int end)
+  {
+    for (int i = first; i < end; ++i)
+      series.append({i / 3.0, std::sqrt(i), double(i)});
+  }
 } // namespace
 
 TEST_CASE("a series has units in its header and values that keep every bit", "[postprocess]")
@@ -126,7 +126,8 @@ TEST_CASE("a series refuses a row of another length and shows NaN as such", "[po
   series.append({1, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()});
   series.flush();
   REQUIRE_THAT(content_of(folder / "series.csv"), EndsWith("\n1,nan,inf\n"));
-  REQUIRE_THROWS_WITH(read_csv_table(folder / "series.csv"), Contains("line 2: \"nan\": only finite numbers are allowed."));
+  REQUIRE_THROWS_WITH(read_csv_table(folder / "series.csv"),
+                      Contains("line 2: \"nan\": only finite numbers are allowed."));
   const CsvTable table = read_csv_table(folder / "series.csv", /*accept_not_finite=*/true);
   REQUIRE(std::isnan(table.column("damage")[0]));
   REQUIRE(std::isinf(table.column("broken")[0]));

@@ -1,5 +1,4 @@
 #include "postprocess/summary.h"
-
 #include "scratch_folder.h"
 
 #include <catch2/catch.hpp>
@@ -27,7 +26,8 @@ TEST_CASE("a number that JSON cannot hold becomes null and is named", "[postproc
 {
   constexpr double    nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   const ScratchFolder folder;
-  write_json(folder / "summary.json", {{"figures", {{"strength", {{"value", nan}}}}}, {"list", {1.0, -inf}}, {"x", inf}});
+  write_json(folder / "summary.json",
+             {{"figures", {{"strength", {{"value", nan}}}}}, {"list", {1.0, -inf}}, {"x", inf}});
   const json read = json::parse(content_of(folder / "summary.json"));
   REQUIRE(read["figures"]["strength"]["value"].is_null());
   REQUIRE(read["list"][0] == 1.0);

@@ -27,16 +27,16 @@ using postprocess_tests::ScratchFolder;
 
 namespace
 {
-/** As ParaView would open it. */
-vtkSmartPointer<vtkPolyData> open(const std::filesystem::path &path)
-{
-  const auto reader = vtkSmartPointer<vtkXMLPolyDataReader>::New();
-  REQUIRE(reader->CanReadFile(path.c_str()) == 1);
-  reader->SetFileName(path.c_str());
-  reader->Update();
-  REQUIRE(reader->GetErrorCode() == 0);
-  return reader->GetOutput();
-}
+  /** As ParaView would open it. */
+  vtkSmartPointer<vtkPolyData> open(const std::filesystem::path &path)
+  {
+    const auto reader = vtkSmartPointer<vtkXMLPolyDataReader>::New();
+    REQUIRE(reader->CanReadFile(path.c_str()) == 1);
+    reader->SetFileName(path.c_str());
+    reader->Update();
+    REQUIRE(reader->GetErrorCode() == 0);
+    return reader->GetOutput();
+  }
 } // namespace
 
 TEST_CASE("VTK reads back every value of the particles", "[postprocess]")
@@ -128,7 +128,8 @@ TEST_CASE("VTK writers refuse columns that do not belong together", "[postproces
   auto                particles = numbered_particles(3);
   auto                links     = numbered_links(3);
   links.ends[1][1]              = 3;
-  REQUIRE_THROWS_WITH(write_vtk_links(folder / "l.vtp", links, particles, 0), Contains("a link ends at particle 3 of 3"));
+  REQUIRE_THROWS_WITH(write_vtk_links(folder / "l.vtp", links, particles, 0),
+                      Contains("a link ends at particle 3 of 3"));
   links.damage.pop_back();
   REQUIRE_THROWS_WITH(write_vtk_links(folder / "l.vtp", links, particles, 0), Contains("damage has 1 entries, not 2"));
   particles.stress.pop_back();
