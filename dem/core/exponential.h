@@ -7,13 +7,29 @@
 
 namespace dem
 {
-  /** 2^k for an integer-valued k in [-1022, 1023], exact, by writing the exponent bits. */
+  /**
+   * 2^k for an integer-valued k in [-1022, 1023], exact, by writing the exponent bits.
+   *
+   * k + 1023 + 2^52 has the biased exponent in its lowest bits; shifted up by 52 they are the bits of 2^k.
+   */
   inline double power_of_two(const double k)
   {
-    const std::int64_t bits = (static_cast<std::int64_t>(k) + 1023) << 52;
-    double             result;
+    const double biased = k + (0x1p52 + 1023.0);
+    std::int64_t bits;
+    std::memcpy(&bits, &biased, sizeof(bits));
+    bits = static_cast<std::int64_t>(static_cast<std::uint64_t>(bits) << 52);
+    double result;
     std::memcpy(&result, &bits, sizeof(result));
     return result;
+  }
+
+  inline Pack power_of_two(const Pack &k)
+  {
+    alignas(64) double lanes[pack_size];
+    store(k, lanes);
+    for (double &lane : lanes) // becomes one add and one shift of the whole pack
+      lane = power_of_two(lane);
+    return load(lanes);
   }
 
   inline double round_to_integer(const double a) { return std::nearbyint(a); }
@@ -26,7 +42,7 @@ namespace dem
  * Elementary Functions); e^r by its Taylor polynomial of degree 13, whose remainder is below 5e-18.
  */
   template <typename T>
-  T exponential(const T &x)
+  BRECCIA_KERNEL T exponential(const T &x)
   {
     constexpr double ln2_high = 0x1.62e42fee00000p-1, ln2_low = 0x1.a39ef35793c76p-33, log2_e = 0x1.71547652b82fep+0;
     const T          bounded = maximum(x, T(-700.0));
@@ -36,7 +52,6 @@ namespace dem
     T series = T(1.0);
     for (int degree = 13; degree >= 1; --degree) // Horner: 1 + r (1 + r/2 (1 + r/3 (...)))
       series = T(1.0) + series * r * T(1.0 / degree);
-    const T scale = each_lane(k, power_of_two);
-    return select(x < T(-700.0), T(0.0), T(series * scale));
+    return select(x < T(-700.0), T(0.0), T(series * power_of_two(k)));
   }
 } // namespace dem

@@ -42,7 +42,7 @@ namespace dem
 
     /** Damage omega = g(kappa), (2.17) of Stransky (2018) or its linear counterpart; 0 up to the onset. */
     template <typename T>
-    BRECCIA_RARE T damage_at(const T &kappa) const
+    BRECCIA_BRANCH T damage_at(const T &kappa) const
     {
       const T reached = maximum(kappa, T(onset)); // at the onset both laws give exactly 0
       if (law == DamageLaw::exponential)

@@ -1,0 +1,159 @@
+// Link updates per second of the CPM kernel, from the 50 mm cube to a million particles, beside the machine's own rates.
+//
+// Run:     build/release/tests/performance/bench_kernel [particles ...]      (a minute; default 14556 100000 1000000)
+// Expect:  the roofline of one link update, then a row per size, state and number of threads
+//
+// Whole steps of dem::Specimen are timed: link pass, particle pass, accounts, search for contacts. Rotations, damage, friction,
+// contacts and the exactly objective shear update are on.
+#include "dem/packing/compaction.h"
+#include "dem/packing/tiling.h"
+#include "dem/specimen.h"
+#include "machine_rates.h"
+#include "operation_count.h"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <vector>
+
+namespace
+{
+  /** How hard the links work while they are timed. */
+  enum class State
+  {
+    elastic,  ///< below the onset of damage
+    softening ///< every link stretched past it and further at every step: the exponential is evaluated for all
+  };
+
+  dem::CpmParameters concrete()
+  {
+    dem::CpmParameters p;
+    p.normal_modulus       = 25e9;
+    p.shear_ratio          = 0.2;
+    p.limit_elastic_strain = 1e-4;
+    p.relative_ductility   = 30;
+    p.cohesion             = 3e6;
+    p.friction_coefficient = 0.8;
+    return p;
+  }
+
+  /** The periodic cell of the uniaxial scene, repeated and cropped to a cube of about the given number of particles. */
+  dem::Packing cube(const dem::Packing &cell, const double particles)
+  {
+    const double per_volume = static_cast<double>(cell.size()) / cell.periodic_cell->prod();
+    return dem::tile_and_crop(cell, Eigen::Vector3d::Constant(std::cbrt(particles / per_volume))).packing;
+  }
+
+  dem::Specimen specimen_in(const State state, const dem::Packing &packing)
+  {
+    dem::SpecimenParameters parameters;
+    parameters.density           = 4800;
+    parameters.interaction_ratio = 1.5;
+    parameters.damping           = 0.3;
+    dem::Specimen specimen(packing, parameters, concrete());
+    // A uniform expansion: the lower strain rate stays elastic for the steps timed; the higher one damages every link from the fourth
+    // step on and breaks none before the thousandth.
+    const double rate = state == State::elastic ? 1e-2 : 250.0;
+    for (std::size_t i = 0; i < packing.size(); ++i)
+      specimen.set_velocity(i, rate * packing.centre[i], Eigen::Vector3d(1.0, -2.0, 0.5));
+    return specimen;
+  }
+
+  /** Best of three runs [link updates/s]; the best is the one least disturbed. */
+  double updates_per_second(dem::Specimen &specimen, const int threads)
+  {
+    omp_set_num_threads(threads);
+    const double links = static_cast<double>(specimen.counts().links);
+    const auto   steps = static_cast<std::int64_t>(std::max(4.0, 8e6 / links));
+    specimen.advance(5);
+    double best = 0;
+    for (int run = 0; run < 3; ++run)
+      {
+        const auto start = std::chrono::steady_clock::now();
+        specimen.advance(steps);
+        const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        best                 = std::max(best, links * static_cast<double>(steps) / seconds);
+      }
+    return best;
+  }
+
+  /**
+   * Bytes that a link update moves between memory and core when no column stays in a cache, for a link's share of particles.
+   *
+   * Link: read two ends, L0, A, kappa, omega, three shears; write the shears; write the force record (a written line is read first),
+   * read it at both ends. Particle: read both records of the pass, then pose and velocity read and written, motion and force
+   * written (and read first), inverse mass, mass, inertia, tables read.
+   */
+  double bytes_per_update(const double links_per_particle)
+  {
+    const double link     = 2 * 4 + 4 * 8 + 3 * 8 + 3 * 8 + 2 * 64 + 2 * 64 + 4;
+    const double particle = 2 * 64 + 2 * (64 + 64) + 2 * (64 + 64) + 64 + 2 * 8 + 2 * 4;
+    return link + particle / links_per_particle;
+  }
+
+  void print_roofline(const int most_threads, const double links_per_particle)
+  {
+    const performance::Operations o = performance::count_link_update();
+    std::printf("One link update: %ld operations (%ld + or -, %ld *, %ld /, %ld sqrt, %ld comparisons), %.0f bytes if "
+                "nothing stays in a cache\n\n",
+                o.all(), o.additions, o.multiplications, o.divisions, o.roots, o.comparisons,
+                bytes_per_update(links_per_particle));
+    std::printf("| threads | triad GB/s | read GB/s | multiply-adds Gop/s | bound by memory M/s | bound by arithmetic "
+                "M/s |\n|---|---|---|---|---|---|\n");
+    for (int threads = 1; threads <= most_threads; threads *= 2)
+      {
+        const double triad = performance::triad_bandwidth(threads), read = performance::read_bandwidth(threads),
+                     rate = performance::arithmetic_rate(threads);
+        std::printf("| %d | %.1f | %.1f | %.1f | %.1f | %.1f |\n", threads, 1e-9 * triad, 1e-9 * read, 1e-9 * rate,
+                    1e-6 * read / bytes_per_update(links_per_particle), 1e-6 * rate / static_cast<double>(o.all()));
+      }
+    std::printf("\n");
+  }
+
+  void print_case(const dem::Packing &packing, const int most_threads)
+  {
+    for (const State state : {State::elastic, State::softening})
+      {
+        dem::Specimen     specimen = specimen_in(state, packing);
+        const dem::Counts counts   = specimen.counts();
+        double            alone    = 0;
+        for (int threads = 1; threads <= most_threads; threads *= 2)
+          {
+            const double rate = updates_per_second(specimen, threads);
+            alone             = threads == 1 ? rate : alone;
+            std::printf("| %zu | %zu | %s | %d | %.1f | %.1f | %.2f | %.0f |\n", counts.particles, counts.links,
+                        state == State::elastic ? "elastic" : "softening", threads, 1e-6 * rate, 1e9 / rate,
+                        rate / alone, static_cast<double>(specimen.bytes()) / static_cast<double>(counts.links));
+            std::fflush(stdout);
+          }
+      }
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  std::vector<double> sizes;
+  for (int i = 1; i < argc; ++i)
+    sizes.push_back(std::atof(argv[i]));
+  if (sizes.empty())
+    sizes = {14556, 1e5, 1e6};
+
+  dem::CompactionParameters parameters;
+  parameters.radius               = 1e-3;
+  parameters.count                = 1000;
+  parameters.seed                 = 1;
+  parameters.friction             = 0.5;
+  parameters.damping              = 0.6;
+  const dem::Packing cell         = dem::compact(parameters).packing;
+  const int          most_threads = omp_get_max_threads();
+
+  print_roofline(most_threads, 6.3);
+  std::printf("| particles | links | state | threads | M link updates/s | ns per link | over one thread | bytes per "
+              "link |\n|---|---|---|---|---|---|---|---|\n");
+  for (const double size : sizes)
+    print_case(cube(cell, size), most_threads);
+}
