@@ -39,7 +39,8 @@ namespace dem
   ElasticConstants closed_form(const LinkStatistics &statistics, double normal_modulus, double shear_ratio);
 
   /** The same as a stiffness; in the plane that of plane stress. */
-  MacroscopicStiffness closed_form_stiffness(const LinkStatistics &statistics, double normal_modulus, double shear_ratio);
+  MacroscopicStiffness
+  closed_form_stiffness(const LinkStatistics &statistics, double normal_modulus, double shear_ratio);
 
   /**
    * Stiffness if every particle followed the macroscopic strain without turning, from the actual links: (1/V) sum H^T C H,

@@ -57,8 +57,7 @@ namespace dem
     Eigen::Matrix<double, 3, 6> M = strain_operator(link.branch) + K.topRows<3>() - J.topRows<3>();
     for (int c = 0; c < 6; ++c)
       {
-        const Eigen::Vector3d spin =
-          link.arm_first * J.col(c).tail<3>() + link.arm_second * K.col(c).tail<3>();
+        const Eigen::Vector3d spin = link.arm_first * J.col(c).tail<3>() + link.arm_second * K.col(c).tail<3>();
         M.col(c) += link.direction.cross(spin);
       }
     return M / link.branch.norm();

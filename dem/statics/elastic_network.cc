@@ -4,12 +4,12 @@
 #include "dem/neighbours/cell_list.h"
 #include "dem/particles.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
-
-#include <Eigen/LU>
 
 namespace dem
 {
@@ -24,21 +24,13 @@ namespace dem
     void check(const NetworkParameters &p)
     {
       require(p.dimension == 2 || p.dimension == 3, "Dimension", p.dimension, "must be 2 or 3.");
-      require(p.interaction_ratio >= 1 && std::isfinite(p.interaction_ratio),
-              "Interaction ratio",
-              p.interaction_ratio,
+      require(p.interaction_ratio >= 1 && std::isfinite(p.interaction_ratio), "Interaction ratio", p.interaction_ratio,
               "must be a number not below 1, the ratio at which touching particles link.");
-      require(p.normal_modulus > 0 && std::isfinite(p.normal_modulus),
-              "Normal modulus",
-              p.normal_modulus,
+      require(p.normal_modulus > 0 && std::isfinite(p.normal_modulus), "Normal modulus", p.normal_modulus,
               "must be above 0 Pa.");
-      require(p.shear_ratio > 0 && std::isfinite(p.shear_ratio),
-              "Shear ratio",
-              p.shear_ratio,
+      require(p.shear_ratio > 0 && std::isfinite(p.shear_ratio), "Shear ratio", p.shear_ratio,
               "must be above 0: without shear stiffness a particle spins freely.");
-      require(p.dimension == 3 || (p.thickness > 0 && std::isfinite(p.thickness)),
-              "Thickness",
-              p.thickness,
+      require(p.dimension == 3 || (p.thickness > 0 && std::isfinite(p.thickness)), "Thickness", p.thickness,
               "discs must be thicker than 0 m.");
     }
 
@@ -47,14 +39,16 @@ namespace dem
     {
       if (dimension == 3)
         return cell;
-      Eigen::Matrix3d H      = Eigen::Matrix3d::Zero();
+      Eigen::Matrix3d H       = Eigen::Matrix3d::Zero();
       H.topLeftCorner<2, 2>() = cell.topLeftCorner<2, 2>();
-      H(2, 2)                = third_edge;
+      H(2, 2)                 = third_edge;
       return H;
     }
 
-    ElasticLink
-    make_link(const CellPacking &packing, const NeighbourPair &pair, const Eigen::Matrix3d &H, const NetworkParameters &p)
+    ElasticLink make_link(const CellPacking       &packing,
+                          const NeighbourPair     &pair,
+                          const Eigen::Matrix3d   &H,
+                          const NetworkParameters &p)
     {
       const std::size_t J = pair.first, K = pair.second;
       const double      r_J = packing.radius[J], r_K = packing.radius[K];
@@ -73,9 +67,9 @@ namespace dem
       link.arm_second     = 0.5 * (length - r_J + r_K);
 
       ParticleShape shape;
-      shape.dimension          = p.dimension;
-      shape.thickness          = p.thickness;
-      link.area                = shape.link_area(r_J, r_K);
+      shape.dimension           = p.dimension;
+      shape.thickness           = p.thickness;
+      link.area                 = shape.link_area(r_J, r_K);
       const double          k_N = p.normal_modulus * link.area / length;
       const Eigen::Matrix3d nn  = link.direction * link.direction.transpose();
       link.stiffness            = k_N * (nn + p.shear_ratio * (Eigen::Matrix3d::Identity() - nn));
@@ -112,14 +106,14 @@ namespace dem
   {
     check(p);
     check_packing(packing, "packing");
-    CellPacking general{packing.centre, packing.radius, Eigen::Matrix3d::Zero()};
+    CellPacking                    general{packing.centre, packing.radius, Eigen::Matrix3d::Zero()};
     std::optional<Eigen::Vector3d> cell = packing.periodic_cell;
     if (cell && p.dimension == 2)
       (*cell)[2] = std::numeric_limits<double>::infinity();
     if (cell)
       general.cell = cell->asDiagonal();
-    ElasticNetwork network = link_up(
-      general, find_pairs(packing.centre, packing.radius, p.interaction_ratio, 0.0, cell), general.cell, p);
+    ElasticNetwork network =
+      link_up(general, find_pairs(packing.centre, packing.radius, p.interaction_ratio, 0.0, cell), general.cell, p);
     if (cell)
       network.volume = (*cell)[0] * (*cell)[1] * (p.dimension == 2 ? p.thickness : (*cell)[2]);
     return network;
@@ -130,8 +124,8 @@ namespace dem
     check(p);
     check_packing({packing.centre, packing.radius, std::nullopt}, "packing");
     // Far enough along z that no image of the plane comes near.
-    const double largest = *std::max_element(packing.radius.begin(), packing.radius.end());
-    const Eigen::Matrix3d H = effective_cell(packing.cell, p.dimension, 8 * p.interaction_ratio * largest);
+    const double          largest     = *std::max_element(packing.radius.begin(), packing.radius.end());
+    const Eigen::Matrix3d H           = effective_cell(packing.cell, p.dimension, 8 * p.interaction_ratio * largest);
     const double          determinant = H.determinant();
     require(determinant > 0 && std::isfinite(determinant), "Periodic cell", determinant, "its volume must be above 0.");
     ElasticNetwork network =

@@ -19,10 +19,10 @@ namespace dem
    */
   struct ElasticLink
   {
-    std::int32_t    first, second; ///< J, K; equal: a particle and its own periodic image
-    Eigen::Vector3d direction;     ///< n, from J to K
-    Eigen::Vector3d branch;        ///< l = x_K + H k - x_J [m]
-    Eigen::Vector3d shift;         ///< H k, what of the branch is cell [m]
+    std::int32_t    first, second;         ///< J, K; equal: a particle and its own periodic image
+    Eigen::Vector3d direction;             ///< n, from J to K
+    Eigen::Vector3d branch;                ///< l = x_K + H k - x_J [m]
+    Eigen::Vector3d shift;                 ///< H k, what of the branch is cell [m]
     double          arm_first, arm_second; ///< a_J, a_K: from either centre to the contact point, a_J + a_K = |l| [m]
     double          area;                  ///< A [m^2]
     Eigen::Matrix3d stiffness;             ///< C, symmetric [N/m]
@@ -35,7 +35,7 @@ namespace dem
     bool                         rotations = true; ///< particles rotate; otherwise they only translate
     std::vector<Eigen::Vector3d> centre;           ///< [m]
     std::vector<ElasticLink>     links;            ///< sorted by first, then second
-    double                       volume = 0;       ///< of the periodic cell (area times thickness in the plane) [m^3]; 0: free
+    double volume = 0; ///< of the periodic cell (area times thickness in the plane) [m^3]; 0: free
 
     std::size_t particles() const { return centre.size(); }
     bool        periodic() const { return volume > 0; }
@@ -60,7 +60,7 @@ namespace dem
   {
     std::vector<Eigen::Vector3d> centre; ///< [m]
     std::vector<double>          radius; ///< [m]
-    Eigen::Matrix3d              cell;   ///< H, columns are the base vectors [m]; in the plane the third is not looked at
+    Eigen::Matrix3d              cell; ///< H, columns are the base vectors [m]; in the plane the third is not looked at
   };
 
   /**

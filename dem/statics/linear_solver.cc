@@ -55,13 +55,14 @@ namespace dem
       }
 
       /** Iterate until converged, or `most` more iterations are spent. @return whether converged */
-      bool iterate(const Preconditioner &preconditioner, const int most)
+      template <typename Method>
+      bool iterate(const Method &method, const Preconditioner &preconditioner, const int most)
       {
         const int end = report.iterations + most;
         while (report.iterations < end)
           {
             const IterationReport r =
-              conjugate_gradients(stiffness, preconditioner, b, x, reference, {p.tolerance, end - report.iterations});
+              method(stiffness, preconditioner, b, x, reference, {p.tolerance, end - report.iterations});
             report.iterations += r.iterations;
             report.residual  = *std::max_element(r.residual.begin(), r.residual.begin() + first_probe);
             largest_residual = r.largest_residual();
@@ -100,7 +101,8 @@ namespace dem
 
       /**
        * Link forces of the solution may be far smaller than those of the start (a displacement prescribed to a few
-       * particles); then the residual must follow. Not below 1e-4 of the start: under a rigid motion all link forces vanish.
+       * particles); then the residual must follow. Not below 1e-2 of the start: under a rigid motion, or in a
+       * cell that nothing spans, all link forces vanish.
        */
       bool tighten_reference()
       {
@@ -108,8 +110,8 @@ namespace dem
         bool        tightens = false;
         for (int lane = 0; lane < first_probe; ++lane)
           {
-            const double next = std::max(now[lane], 1e-4 * start_reference[lane]);
-            if (next < 0.9 * reference[lane])
+            const double next = std::max(now[lane], 1e-2 * start_reference[lane]);
+            if (next < 0.5 * reference[lane])
               {
                 reference[lane] = next;
                 tightens        = true;
@@ -128,7 +130,7 @@ namespace dem
       solution.report.method = SolverMethod::direct;
       solution.report.operations += operations_of(factor.cost());
       constexpr int refinements = 60; // one or two do, unless the network is at the edge of rigidity
-      return solution.iterate(factor, refinements);
+      return solution.iterate(refine, factor, refinements);
     }
 
     bool worth_factorising(const LinearSolution &solution, const FactorCost &factor, const double iterations)
@@ -147,7 +149,7 @@ namespace dem
         {
           const int chunk = std::min(look, solution.p.max_iterations - solution.report.iterations);
           solution.report.operations += chunk * operations_per_iteration(solution.stiffness);
-          if (solution.iterate(preconditioner, chunk))
+          if (solution.iterate(conjugate_gradients, preconditioner, chunk))
             return;
           if (!may_switch)
             continue;
@@ -170,8 +172,7 @@ namespace dem
   {
     std::ostringstream out;
     out << (method == SolverMethod::direct ? "direct (sparse Cholesky), " : "iterative (conjugate gradients), ")
-        << iterations << " iterations, residual " << residual
-        << (converged ? "" : "; the tolerance was not reached");
+        << iterations << " iterations, residual " << residual << (converged ? "" : "; the tolerance was not reached");
     return out.str();
   }
 

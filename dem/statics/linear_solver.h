@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dem/statics/conjugate_gradients.h"
+#include "dem/statics/iterations.h"
 #include "dem/statics/mechanisms.h"
 #include "dem/statics/sparse_factor.h"
 
@@ -19,9 +19,9 @@ namespace dem
   struct SolverParameters
   {
     SolverMethod method         = SolverMethod::automatic;
-    double       tolerance      = 1e-10;     ///< unbalanced force over link forces, both as root of the sum of squares
-    int          max_iterations = 20000;     ///< of the iterative method
-    double       memory_limit   = 4.0 * (1ull << 30); ///< of the factor [bytes]; a larger one is not tried automatically
+    double       tolerance      = 1e-10; ///< unbalanced force over link forces, both as root of the sum of squares
+    int          max_iterations = 20000; ///< of the iterative method
+    double       memory_limit = 4.0 * (1ull << 30); ///< of the factor [bytes]; a larger one is not tried automatically
   };
 
   /** How a linear static problem was solved. */
@@ -29,10 +29,10 @@ namespace dem
   {
     SolverMethod           method     = SolverMethod::iterative; ///< that gave the answer
     bool                   converged  = false;
-    int                    iterations = 0;  ///< of all methods tried
-    double                 residual   = 0;  ///< largest of all load cases
-    double                 operations = 0;  ///< predicted, multiplications and additions
-    FactorCost             factor;          ///< zero where none was analysed
+    int                    iterations = 0; ///< of all methods tried
+    double                 residual   = 0; ///< largest of all load cases
+    double                 operations = 0; ///< predicted, multiplications and additions
+    FactorCost             factor;         ///< zero where none was analysed
     std::vector<Mechanism> mechanisms;
 
     /** One sentence: method, iterations, residual. */

@@ -124,9 +124,8 @@ namespace dem
         std::sort(mechanism.particles.begin(), mechanism.particles.end());
         mechanisms.push_back(std::move(mechanism));
       }
-    std::sort(mechanisms.begin(), mechanisms.end(), [](const Mechanism &a, const Mechanism &b) {
-      return a.particles.front() < b.particles.front();
-    });
+    std::sort(mechanisms.begin(), mechanisms.end(),
+              [](const Mechanism &a, const Mechanism &b) { return a.particles.front() < b.particles.front(); });
     return mechanisms;
   }
 

@@ -52,8 +52,8 @@ namespace dem
     /** Lower triangle of the particle graph, one entry per pair and diagonal. */
     Lower particle_graph(const std::vector<std::vector<std::int32_t>> &neighbours)
     {
-      const Index n = static_cast<Index>(neighbours.size());
-      Lower       graph(n, n);
+      const Index        n = static_cast<Index>(neighbours.size());
+      Lower              graph(n, n);
       std::vector<Index> sizes(n);
       for (Index i = 0; i < n; ++i)
         sizes[i] = 1 + static_cast<Index>(neighbours[i].size());
@@ -136,13 +136,13 @@ namespace dem
 
   struct SparseFactor::Implementation
   {
-    cholmod_common        common;
-    cholmod_factor       *factor = nullptr;
+    cholmod_common         common;
+    cholmod_factor        *factor = nullptr;
     mutable cholmod_dense *x = nullptr, *y = nullptr, *e = nullptr; // kept between solutions
-    Lower                 matrix;
-    std::vector<Index>    unknown;  // of each motion, -1: held
-    std::vector<Index>    supports; // unknowns that take up the rigid translations
-    double                added = 0;
+    Lower                  matrix;
+    std::vector<Index>     unknown;  // of each motion, -1: held
+    std::vector<Index>     supports; // unknowns that take up the rigid translations
+    double                 added = 0;
 
     Implementation()
     {
@@ -268,8 +268,8 @@ namespace dem
 
   void SparseFactor::apply(const Fields &r, Fields &z) const
   {
-    Implementation &s = *self;
-    const Index     n = s.matrix.cols();
+    Implementation                                   &s = *self;
+    const Index                                       n = s.matrix.cols();
     Eigen::Matrix<double, Eigen::Dynamic, load_lanes> b(n, load_lanes);
     for (std::size_t k = 0; k < s.unknown.size(); ++k)
       if (s.unknown[k] >= 0)

@@ -102,12 +102,12 @@ namespace dem
     for (const ElasticLink &l : network.links)
       {
         Record r;
-        r.first      = place[l.first];
-        r.second     = place[l.second];
-        r.n          = l.direction;
-        r.macro      = formulation == CellFormulation::fluctuation ? l.branch : l.shift;
-        r.arm_first  = l.arm_first / scale;
-        r.arm_second = l.arm_second / scale;
+        r.first                  = place[l.first];
+        r.second                 = place[l.second];
+        r.n                      = l.direction;
+        r.macro                  = formulation == CellFormulation::fluctuation ? l.branch : l.shift;
+        r.arm_first              = l.arm_first / scale;
+        r.arm_second             = l.arm_second / scale;
         const Eigen::Matrix3d &C = l.stiffness;
         r.c11 = C(0, 0), r.c22 = C(1, 1), r.c33 = C(2, 2), r.c23 = C(1, 2), r.c31 = C(2, 0), r.c12 = C(0, 1);
         records.push_back(r);
@@ -149,8 +149,8 @@ namespace dem
             const double *const J      = values + stride * l.first;
             const double *const K      = values + stride * l.second;
             const Vec<Pack, 3>  a      = broadcast(l.n);
-            const Vec<Pack, 3>  spin   = Pack(l.arm_first) * load3(J + 3 * load_lanes) +
-                                      Pack(l.arm_second) * load3(K + 3 * load_lanes);
+            const Vec<Pack, 3>  spin =
+              Pack(l.arm_first) * load3(J + 3 * load_lanes) + Pack(l.arm_second) * load3(K + 3 * load_lanes);
             Vec<Pack, 3> slip = load3(K) - load3(J) + cross(a, spin);
             if constexpr (strained)
               slip = slip + E * l.macro;
@@ -188,7 +188,7 @@ namespace dem
   Eigen::Matrix<double, 3, 6>
   StiffnessOperator::slips(const Record &l, const Fields &x, const LaneStrains &strain) const
   {
-    using Columns = Eigen::Map<const Eigen::Matrix<double, 3, load_lanes, Eigen::RowMajor>>;
+    using Columns   = Eigen::Map<const Eigen::Matrix<double, 3, load_lanes, Eigen::RowMajor>>;
     const auto part = [&](const std::int32_t i, const int half) {
       return Columns(&x[stride * i + half * 3 * load_lanes]).leftCols<6>();
     };
@@ -205,10 +205,10 @@ namespace dem
     Pack              sum = 0.0;
     for (const Record &l : records)
       {
-        const double *const J    = x.data() + stride * l.first;
-        const double *const K    = x.data() + stride * l.second;
-        const Vec<Pack, 3>  spin = Pack(l.arm_first) * load3(J + 3 * load_lanes) +
-                                  Pack(l.arm_second) * load3(K + 3 * load_lanes);
+        const double *const J = x.data() + stride * l.first;
+        const double *const K = x.data() + stride * l.second;
+        const Vec<Pack, 3>  spin =
+          Pack(l.arm_first) * load3(J + 3 * load_lanes) + Pack(l.arm_second) * load3(K + 3 * load_lanes);
         const Vec<Pack, 3> s = load3(K) - load3(J) + cross(broadcast(l.n), spin) + E * l.macro;
         const Vec<Pack, 3> f = {{l.c11 * s[0] + l.c12 * s[1] + l.c31 * s[2], l.c12 * s[0] + l.c22 * s[1] + l.c23 * s[2],
                                  l.c31 * s[0] + l.c23 * s[1] + l.c33 * s[2]}};

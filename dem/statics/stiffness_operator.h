@@ -96,7 +96,7 @@ namespace dem
     struct Record
     {
       std::int32_t    first, second;
-      Eigen::Vector3d n, macro; ///< direction; E macro is the slip of a macroscopic strain
+      Eigen::Vector3d n, macro;              ///< direction; E macro is the slip of a macroscopic strain
       double          arm_first, arm_second; ///< over the length scale
       double          c11, c22, c33, c23, c31, c12;
     };
@@ -106,7 +106,7 @@ namespace dem
     };
 
     template <bool strained>
-    void gather(const Fields &x, const LaneStrains &strain, Fields &y) const;
+    void                        gather(const Fields &x, const LaneStrains &strain, Fields &y) const;
     Eigen::Matrix<double, 3, 6> slips(const Record &link, const Fields &x, const LaneStrains &strain) const;
 
     std::vector<Record>       records;

@@ -1,4 +1,4 @@
-#include "dem/statics/conjugate_gradients.h"
+#include "dem/statics/iterations.h"
 
 #include "dem/core/errors.h"
 #include "dem/core/simd.h"
@@ -94,6 +94,14 @@ namespace dem
           throw NumericalError("static solution: the residual of load case " + std::to_string(lane + 1) +
                                " is not a number after " + std::to_string(iteration) + " iterations.");
     }
+
+    void conclude(const Lanes &squares, const Lanes &target, const Lanes &scale, IterationReport &report)
+    {
+      report.converged     = !any(squares > target);
+      const Lanes relative = square_root(quotient(squares, scale * scale));
+      for (int lane = 0; lane < load_lanes; ++lane)
+        report.residual[lane] = relative[lane];
+    }
   } // namespace
 
   double IterationReport::largest_residual() const { return *std::max_element(residual.begin(), residual.end()); }
@@ -136,10 +144,36 @@ namespace dem
         squares = residual(stiffness, b, x, r);
       }
 
-    report.converged = !any(squares > target);
-    const Lanes relative = square_root(quotient(squares, scale * scale));
-    for (int lane = 0; lane < load_lanes; ++lane)
-      report.residual[lane] = relative[lane];
+    conclude(squares, target, scale, report);
+    return report;
+  }
+
+  IterationReport refine(const StiffnessOperator              &stiffness,
+                         const Preconditioner                 &factor,
+                         const Fields                         &b,
+                         Fields                               &x,
+                         const std::array<double, load_lanes> &reference,
+                         const IterationLimits                &limits)
+  {
+    const Lanes     scale  = pack_of(reference);
+    const Lanes     target = Lanes(limits.tolerance * limits.tolerance) * scale * scale;
+    Fields          r(x.size()), z(x.size());
+    IterationReport report;
+    Lanes           squares = residual(stiffness, b, x, r);
+    require_numbers(squares, 0);
+    while (any(squares > target) && report.iterations < limits.max_iterations)
+      {
+        factor.apply(r, z);
+        const Lanes step = select(squares > target, Lanes(1.0), Lanes(0.0));
+        sum_over(x.size(), [&](const std::int64_t i) {
+          store(load(&x[i]) + step * load(&z[i]), &x[i]);
+          return Lanes(0.0);
+        });
+        squares = residual(stiffness, b, x, r);
+        ++report.iterations;
+        require_numbers(squares, report.iterations);
+      }
+    conclude(squares, target, scale, report);
     return report;
   }
 } // namespace dem

@@ -40,4 +40,15 @@ namespace dem
                                       Fields                               &x,
                                       const std::array<double, load_lanes> &reference,
                                       const IterationLimits                &limits);
+
+  /**
+   * The same for a preconditioner as good as exact (a factor): x += M^-1 (b - K x) until converged. Unlike conjugate gradients
+   * it cannot be led astray by rounding in motions that K does not see and M^-1 enlarges.
+   */
+  IterationReport refine(const StiffnessOperator              &stiffness,
+                         const Preconditioner                 &factor,
+                         const Fields                         &b,
+                         Fields                               &x,
+                         const std::array<double, load_lanes> &reference,
+                         const IterationLimits                &limits);
 } // namespace dem
