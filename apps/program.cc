@@ -5,6 +5,7 @@
 #include "apps/scene/nearest_name.h"
 #include "apps/version.h"
 #include "dem/core/errors.h"
+#include "dem/packing/compaction.h"
 #include "postprocess/errors.h"
 
 #include <CLI/Config.hpp>
@@ -59,6 +60,14 @@ namespace apps
       catch (const dem::NumericalError &error)
         {
           return complain(fmt::format("the computation broke down: {}", error.what()), exit_failure);
+        }
+      catch (const dem::CompactionCancelled &)
+        {
+          return complain("interrupted while the packing was made; nothing was written.", exit_interrupted);
+        }
+      catch (const dem::CompactionFailed &error)
+        {
+          return complain(error.what(), exit_failure);
         }
       catch (const std::bad_alloc &)
         {

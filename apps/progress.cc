@@ -41,19 +41,36 @@ namespace apps
       fmt::print(stderr, "\r\033[K");
   }
 
-  void Progress::update(const double done, const std::string &details)
+  bool Progress::is_due()
   {
     const auto now = Clock::now();
+    if (now - last_shown < (terminal ? Clock::duration(terminal_interval) : Clock::duration(log_interval)))
+      return false;
+    last_shown = now;
+    return true;
+  }
+
+  void Progress::update(const double done, const std::string &details)
+  {
     if (done_at_start < 0)
       done_at_start = done;
-    if (now - last_shown < (terminal ? Clock::duration(terminal_interval) : Clock::duration(log_interval)))
+    if (!is_due())
       return;
-    last_shown           = now;
-    const double elapsed = std::chrono::duration<double>(now - start).count();
+    const double elapsed = std::chrono::duration<double>(last_shown - start).count();
     const double gained  = done - done_at_start;
-    const double left    = gained > 0 ? elapsed * (1 - done) / gained : 0;
-    fmt::print(stderr, "{}{}: {:.0f} %, {}{}{}", terminal ? "\r" : "", title, 100 * done, details,
-               gained > 0 ? ", at most " + duration_text(left) + " left" : "", terminal ? "\033[K" : "\n");
+    show(fmt::format("{:.0f} %, {}{}", 100 * done, details,
+                     gained > 0 ? ", at most " + duration_text(elapsed * (1 - done) / gained) + " left" : ""));
+  }
+
+  void Progress::update(const std::string &details)
+  {
+    if (is_due())
+      show(details);
+  }
+
+  void Progress::show(const std::string &text)
+  {
+    fmt::print(stderr, "{}{}: {}{}", terminal ? "\r" : "", title, text, terminal ? "\033[K" : "\n");
     std::fflush(stderr);
   }
 } // namespace apps

@@ -26,10 +26,16 @@ namespace apps
      */
     void update(double done, const std::string &details);
 
+    /** The same for work whose end is not known: no part, no time left. */
+    void update(const std::string &details);
+
     /** Take the updating line away, before something else is written. */
     void clear();
 
   private:
+    bool is_due();
+    void show(const std::string &text);
+
     using Clock = std::chrono::steady_clock;
     std::string       title;
     bool              terminal;

@@ -1,6 +1,7 @@
 #include "apps/commands/command.h"
 #include "apps/commands/scene_options.h"
 #include "apps/exit_status.h"
+#include "apps/interrupt.h"
 #include "apps/scene/load.h"
 
 #include <fmt/format.h>
@@ -15,6 +16,7 @@ namespace apps
     {
       use_threads(options.threads);
       const LoadedScene scene = load_scene(options.scene, options.overrides);
+      catch_interrupts();
       fmt::print("{}: valid\n{}", options.scene, scene.scene->forecast());
       return exit_success;
     }

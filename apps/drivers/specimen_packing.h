@@ -1,13 +1,22 @@
 #pragma once
 
 #include "apps/scene/specimen_section.h"
+#include "dem/packing/compaction.h"
 #include "dem/packing/packing.h"
 
 namespace apps
 {
-  /** The particles that a scene asks for: generated or read, repeated and cropped to its box. @throws dem::InputError. */
+  /**
+   * The particles that a scene asks for: generated or read, repeated and cropped to its box. Long generation shows progress;
+   * what the user should know about the packing goes to the standard error.
+   *
+   * @throws dem::InputError; dem::CompactionCancelled when interrupted, dem::CompactionFailed.
+   */
   dem::Packing make_packing(const SpecimenSection &specimen);
 
-  /** Solid volume over the volume of the periodic cell, or of the box that encloses the spheres. */
-  double packing_fraction(const dem::Packing &packing);
+  /** dem::compact() with progress on the standard error, ended by an interrupt. */
+  dem::CompactionResult compact_with_progress(const dem::CompactionParameters &parameters);
+
+  /** dem::tile_and_crop(), its note shown. */
+  dem::Packing cropped(const dem::Packing &packing, const Eigen::Vector3d &box);
 } // namespace apps

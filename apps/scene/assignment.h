@@ -7,13 +7,15 @@
 
 namespace apps
 {
-  /** "Sections/entry = value", and where it was written. */
+  /** "Sections/entry = value", and where it was written; without an entry, the opening of a section. */
   struct Assignment
   {
     std::vector<std::string> sections; ///< from the outermost
-    std::string              entry;
+    std::string              entry;    ///< "": the section is opened here
     std::string              value;
     Place                    place;
+
+    bool opens_section() const { return entry.empty(); }
 
     /** "Material/CPM/Cohesion" */
     std::string path() const

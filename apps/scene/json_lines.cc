@@ -61,7 +61,10 @@ namespace apps
       bool start_object(std::size_t) override
       {
         if (depth++ > 0)
-          sections.push_back(current);
+          {
+            sections.push_back(current);
+            found.push_back({sections, "", "", {file, line}});
+          }
         return true;
       }
       bool end_object() override

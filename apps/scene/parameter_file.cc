@@ -51,7 +51,8 @@ namespace apps
       {
         for (const std::string &section : assignment.sections)
           handler.enter_subsection(section);
-        handler.declare_entry(assignment.entry, "", dealii::Patterns::Anything());
+        if (!assignment.opens_section())
+          handler.declare_entry(assignment.entry, "", dealii::Patterns::Anything());
         for (std::size_t i = 0; i < assignment.sections.size(); ++i)
           handler.leave_subsection();
       }
@@ -67,7 +68,8 @@ namespace apps
         throw dem::InputError(file + ": cannot be read: " + plain_message(exception));
       }
     for (Assignment &assignment : found)
-      assignment.value = handler.get(assignment.sections, assignment.entry);
+      if (!assignment.opens_section())
+        assignment.value = handler.get(assignment.sections, assignment.entry);
     return found;
   }
 } // namespace apps

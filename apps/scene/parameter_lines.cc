@@ -43,7 +43,7 @@ namespace apps
         const std::string verb  = lower_case(text.substr(0, blank));
         const std::string rest  = blank == std::string::npos ? "" : trimmed(text.substr(blank));
         if (verb == "subsection" && !rest.empty())
-          sections.push_back({single_spaced(rest), number});
+          enter(single_spaced(rest), number);
         else if (verb == "end" && rest.empty())
           leave(number);
         else if (verb == "set" && rest.find('=') != std::string::npos && rest[0] != '=')
@@ -73,6 +73,20 @@ namespace apps
         throw dem::InputError(Place{file, number}.text() + ": " + message);
       }
 
+      std::vector<std::string> path() const
+      {
+        std::vector<std::string> names;
+        for (const Open &open : sections)
+          names.push_back(open.name);
+        return names;
+      }
+
+      void enter(const std::string &section, const int number)
+      {
+        sections.push_back({section, number});
+        found.push_back({path(), "", "", {file, number}});
+      }
+
       void leave(const int number)
       {
         if (sections.empty())
@@ -82,11 +96,7 @@ namespace apps
 
       void add(const std::string &entry, const int number)
       {
-        Assignment added;
-        for (const Open &open : sections)
-          added.sections.push_back(open.name);
-        added.entry = entry;
-        added.place = {file, number};
+        const Assignment added{path(), entry, "", {file, number}};
         for (const Assignment &other : found)
           if (other.path() == added.path())
             refuse(number, "\"" + added.path() + "\" is set a second time; first in line " +

@@ -9,7 +9,7 @@
 namespace apps
 {
   /**
-   * Which entries a `.prm` file sets, and on which lines; the values are left to deal.II.
+   * Which entries a `.prm` file sets and which sections it opens, and on which lines; the values are left to deal.II.
    *
    * deal.II's ParameterHandler knows what a file says but not where it says it. This scan finds the places, and refuses
    * what is not a line of a parameter file.

@@ -89,13 +89,14 @@ namespace apps
     for (const Assignment &assignment : assignments)
       {
         const Section &section = section_of(root, assignment);
-        Entry         *entry   = section.find_entry(assignment.entry);
-        if (!entry)
+        Entry         *entry   = assignment.opens_section() ? nullptr : section.find_entry(assignment.entry);
+        if (!entry && !assignment.opens_section())
           refuse_unknown(root, section, assignment);
         targets.emplace_back(&section, entry);
       }
     for (std::size_t i = 0; i < assignments.size(); ++i)
-      store(*targets[i].first, *targets[i].second, assignments[i]);
+      if (targets[i].second)
+        store(*targets[i].first, *targets[i].second, assignments[i]);
     refuse_missing(root, source);
   }
 } // namespace apps

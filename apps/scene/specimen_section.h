@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/scene/section.h"
+#include "dem/packing/compaction.h"
 
 #include <string>
 
@@ -15,16 +16,16 @@ namespace apps
       file
     };
 
-    /** Sub-section "Generator": periodic isotropic compaction (mesoscale specification 9.1). */
+    /** Sub-section "Generator": periodic isotropic compaction (mesoscale specification 9.1), with the defaults of dem. */
     struct Generator
     {
-      double       radius     = 0;    ///< [m]
-      std::int64_t cell_count = 1000; ///< enough that the period is not seen: about 10 diameters
-      std::int64_t seed       = 1;
-      // Friction and damping stop the compaction early: 0.5 and 0.6 give a packing fraction near 0.55, as in the published
-      // tests (Stransky, 2018); less of both gives denser packings, up to 0.64.
-      double friction = 0.5;
-      double damping  = 0.6;
+      double       radius     = 0; ///< [m]
+      std::int64_t cell_count = static_cast<std::int64_t>(dem::CompactionParameters().count);
+      std::int64_t seed       = static_cast<std::int64_t>(dem::CompactionParameters().seed);
+      double       friction   = dem::CompactionParameters().friction;
+      double       damping    = dem::CompactionParameters().damping;
+
+      dem::CompactionParameters parameters() const;
     };
 
     Source                source = Source::generator;
@@ -39,5 +40,7 @@ namespace apps
     void declare(Section &root, const int &dimension);
     void validate(const Section &root, int dimension) const;
     bool has_box() const { return box[0] > 0; }
+    /** The entry as a vector. @pre has_box() */
+    Eigen::Vector3d box_edges() const { return {box[0], box[1], box[2]}; }
   };
 } // namespace apps

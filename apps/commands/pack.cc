@@ -1,0 +1,131 @@
+#include "apps/commands/command.h"
+#include "apps/commands/scene_options.h"
+#include "apps/drivers/specimen_packing.h"
+#include "apps/exit_status.h"
+#include "apps/interrupt.h"
+#include "apps/scene/value_text.h"
+#include "apps/version.h"
+#include "dem/core/errors.h"
+#include "postprocess/packing_io.h"
+
+#include <CLI/Validators.hpp>
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace apps
+{
+  namespace
+  {
+    struct PackOptions
+    {
+      dem::CompactionParameters generator;
+      std::string               from, box, output;
+      bool                      periodic = false;
+      int                       threads  = 0;
+    };
+
+    Eigen::Vector3d box_edges(const std::string &text)
+    {
+      const std::vector<std::string> parts = comma_separated(text);
+      Eigen::Vector3d                edges = Eigen::Vector3d::Zero();
+      bool                           valid = parts.size() == 3;
+      for (std::size_t i = 0; valid && i < 3; ++i)
+        {
+          const auto edge                     = number_in(parts[i]);
+          valid                               = edge && *edge > 0;
+          edges[static_cast<Eigen::Index>(i)] = edge.value_or(0);
+        }
+      if (!valid)
+        throw dem::InputError("command line: --box " + text + ": expected three edges \"lx,ly,lz\", each > 0 [m].");
+      return edges;
+    }
+
+    /** Solid volume over that of the cell or of the box; overlaps counted twice. */
+    double packing_fraction(const dem::Packing &packing, const Eigen::Vector3d &box)
+    {
+      return dem::solid_volume(packing) / (packing.periodic_cell ? packing.periodic_cell->prod() : box.prod());
+    }
+
+    postprocess::Metadata metadata_of(const dem::CompactionParameters &generator, const dem::CompactionResult &result)
+    {
+      return {{"made by", "breccia " + version() + ", periodic isotropic compaction"},
+              {"seed", fmt::format("{}", generator.seed)},
+              {"friction", fmt::format("{}", generator.friction)},
+              {"damping", fmt::format("{}", generator.damping)},
+              {"packing fraction of the cell", fmt::format("{}", result.packing_fraction)}};
+    }
+
+    /** A new packing, or the one of --from, as it is before cropping. */
+    dem::Packing source_packing(const PackOptions &options, postprocess::Metadata &metadata)
+    {
+      if (!options.from.empty())
+        {
+          metadata = postprocess::read_packing_metadata(options.from);
+          return postprocess::read_packing(options.from);
+        }
+      dem::CompactionResult result = compact_with_progress(options.generator);
+      metadata                     = metadata_of(options.generator, result);
+      fmt::print("cell: {} spheres, edge {:.6g} m, packing fraction {:.4f}\n", result.packing.size(),
+                 result.packing.periodic_cell->x(), result.packing_fraction);
+      fmt::print("      {:.2f} contacts per sphere, mean overlap {:.2e} of a diameter, {} steps\n", result.coordination,
+                 result.mean_overlap, result.steps);
+      return std::move(result.packing);
+    }
+
+    int pack(const PackOptions &options)
+    {
+      use_threads(options.threads);
+      if (options.from.empty() && !(options.generator.radius > 0))
+        throw dem::InputError(
+          "command line: give --radius (> 0, in m) for a new packing, or --from FILE for an existing one.");
+      Eigen::Vector3d box = Eigen::Vector3d::Zero();
+      if (!options.box.empty())
+        box = box_edges(options.box);
+      catch_interrupts();
+
+      postprocess::Metadata metadata;
+      dem::Packing          packing = source_packing(options, metadata);
+      if (!options.box.empty())
+        {
+          packing = cropped(packing, box);
+          fmt::print("box:  {} spheres, packing fraction {:.4f}\n", packing.size(), packing_fraction(packing, box));
+        }
+      postprocess::write_packing(packing, options.output, metadata);
+      fmt::print("written to {}\n", options.output);
+      return exit_success;
+    }
+  } // namespace
+
+  void add_pack(CLI::App &program, Action &chosen)
+  {
+    const auto                 options = std::make_shared<PackOptions>();
+    dem::CompactionParameters &make    = options->generator;
+    CLI::App                  &command =
+      *program.add_subcommand("pack", "Make a random packing of equal spheres by compaction, or crop an existing one");
+    const auto with_default = [](const std::string &meaning, const auto value) {
+      return fmt::format("{}; default: {}", meaning, value);
+    };
+    command.add_option("--radius", make.radius, "Of every sphere [m]")->type_name("R");
+    command.add_option("--count", make.count, with_default("Spheres in the periodic cell", make.count))->type_name("N");
+    command.add_option("--seed", make.seed, with_default("Another seed, another packing", make.seed))->type_name("N");
+    command
+      .add_option("--friction", make.friction,
+                  with_default("During compaction; 0 gives a packing fraction of 0.65, 1 0.55", make.friction))
+      ->type_name("MU");
+    command
+      .add_option("--damping", make.damping, with_default("Local damping during compaction, in [0, 1)", make.damping))
+      ->type_name("D");
+    command.add_option("--from", options->from, "Take this packing instead of making one")->type_name("FILE");
+    CLI::Option *box =
+      command.add_option("--box", options->box, "Repeat the cell to fill this box, and crop to it [m]")
+        ->type_name("LX,LY,LZ");
+    command.add_flag("--periodic", options->periodic, "Keep the periodic cell (as without --box)")->excludes(box);
+    command
+      .add_option("-o,--output", options->output, "Packing: HDF5 for a name in .h5, otherwise text \"x y z radius\"")
+      ->required()
+      ->type_name("FILE");
+    add_threads(command, options->threads);
+    command.callback([options, &chosen] { chosen = [options] { return pack(*options); }; });
+  }
+} // namespace apps

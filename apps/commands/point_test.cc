@@ -1,0 +1,100 @@
+#include "apps/commands/command.h"
+#include "apps/commands/scene_options.h"
+#include "apps/drivers/material_path.h"
+#include "apps/exit_status.h"
+#include "apps/scene/nearest_name.h"
+#include "apps/scene/overrides.h"
+#include "apps/scene/reader.h"
+#include "fem/materials/voigt.h"
+#include "postprocess/atomic_file.h"
+#include "postprocess/csv_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace apps
+{
+  namespace
+  {
+    struct PointTestOptions
+    {
+      std::string              material, path, output = "/dev/stdout";
+      std::vector<std::string> constants;
+    };
+
+    MaterialPath read_path(const std::string &file)
+    {
+      const postprocess::CsvTable table = postprocess::read_csv_table(file);
+      MaterialPath                path;
+      path.origin = file;
+      path.rows.assign(table.rows(), {});
+      std::vector<std::string> known;
+      for (const char *component : fem::voigt_names)
+        for (const char *quantity : {"strain_", "stress_"})
+          known.push_back(std::string(quantity) + component);
+      std::array<bool, 6> given{};
+      for (const std::string &name : table.names)
+        {
+          const auto found = std::find(known.begin(), known.end(), name);
+          if (found == known.end())
+            throw dem::InputError(file + ": column \"" + name + "\" is not known. " + did_you_mean(name, known) +
+                                  " Columns: strain_xx ... strain_xy or stress_xx ... stress_xy.");
+          const auto position  = static_cast<std::size_t>(found - known.begin());
+          const auto component = position / 2;
+          if (given[component])
+            throw dem::InputError(file + ": column \"" + name +
+                                  "\": strain and stress of the same component cannot both be given.");
+          given[component]             = true;
+          path.stress_given[component] = position % 2 == 1;
+          for (std::size_t row = 0; row < path.rows.size(); ++row)
+            path.rows[row][component] = table.column(name)[row];
+        }
+      return path;
+    }
+
+    const DrivenMaterial &material_named(const std::string &name)
+    {
+      std::vector<std::string> names;
+      for (const DrivenMaterial &material : driven_materials())
+        {
+          if (material.name == name)
+            return material;
+          names.push_back(material.name);
+        }
+      throw dem::InputError("command line: material \"" + name + "\" is not known. " + did_you_mean(name, names));
+    }
+
+    int point_test(const PointTestOptions &options)
+    {
+      const DrivenMaterial &material = material_named(options.material);
+      const MaterialPath    path     = read_path(options.path);
+      Section               constants;
+      const auto            read = [&] { assign(constants, read_overrides(options.constants), "command line"); };
+      postprocess::write_text(options.output, material.drive(constants, read, path).as_csv());
+      return exit_success;
+    }
+  } // namespace
+
+  void add_point_test(CLI::App &program, Action &chosen)
+  {
+    const auto options = std::make_shared<PointTestOptions>();
+    CLI::App  &command = *program.add_subcommand(
+       "point-test", "Drive one material point along a path of strains and stresses and write its answer");
+    std::string materials;
+    for (const DrivenMaterial &material : driven_materials())
+      materials += (materials.empty() ? "" : ", ") + material.name;
+    command.add_option("--material", options->material, "Material: " + materials)->required()->type_name("NAME");
+    add_overrides(command, options->constants, "Constant of the material, e.g. -s \"Young modulus=30e9\"; repeatable");
+    command
+      .add_option(
+        "--path", options->path,
+        "One row a step: CSV with the columns strain_xx ... strain_xy (order xx yy zz yz zx xy, engineering shear) or "
+        "stress_xx ... [Pa]; a component without a column keeps zero strain")
+      ->required()
+      ->type_name("FILE");
+    command.add_option("-o,--output", options->output, "Answer, CSV; default: the terminal")->type_name("FILE");
+    command.callback([options, &chosen] { chosen = [options] { return point_test(*options); }; });
+  }
+} // namespace apps

@@ -1,0 +1,141 @@
+#include "tests/apps/program.h"
+#include "tests/apps/scenes.h"
+#include "tests/apps/scratch_folder.h"
+
+#include <catch2/catch.hpp>
+
+using namespace apps_tests;
+using Catch::Contains;
+
+namespace
+{
+  /** The scene with one change is refused by this message; nothing is computed and no output folder appears. */
+  void refused(const std::string &from, const std::string &to, const std::string &message)
+  {
+    const ScratchFolder folder;
+    folder.file("packing.txt", pair_packing());
+    folder.file("x.prm", replaced(scene_with_file(), from, to));
+    const Outcome outcome = run(folder.path(), {"run", "x.prm", "-o", "results"});
+    INFO(outcome.err);
+    CHECK(outcome.status == 2);
+    CHECK_THAT(outcome.err, Contains(message));
+    CHECK(outcome.err.find('\n') == outcome.err.size() - 1); // one line
+    CHECK(outcome.out.empty());
+    CHECK_FALSE(std::filesystem::exists(folder / "results"));
+  }
+} // namespace
+
+TEST_CASE("An unknown key is refused with file, line and the nearest name", "[apps][S14]")
+{
+  refused("Normal modulus       = 25e9", "Normal modulsu = 25e9",
+          "breccia: x.prm:11: \"Material/CPM/Normal modulsu\" is not known. Did you mean \"Normal modulus\"?");
+  refused("set Kind = uniaxial\n", "set Kind = uniaxial\nset Cohesion = 3e6\n",
+          "x.prm:2: \"Cohesion\" is not known. Did you mean \"Material/CPM/Cohesion\"?");
+}
+
+TEST_CASE("An unknown section is refused with file, line and the nearest name", "[apps][S14]")
+{
+  refused("subsection CPM", "subsection CMP", "x.prm:10: section \"Material/CMP\" is not known. Did you mean \"CPM\"?");
+  refused("subsection Output", "subsection Outptu\nend\nsubsection Output",
+          "x.prm:28: section \"Outptu\" is not known. Did you mean \"Output\"?");
+}
+
+TEST_CASE("A value that is no number, or outside its range, is refused with place, finding and range", "[apps][S14]")
+{
+  refused("Cohesion             = 3e6", "Cohesion = three",
+          "x.prm:15: Material/CPM/Cohesion = three: expected a number >= 0 [Pa]");
+  refused("Cohesion             = 3e6", "Cohesion = -3e6",
+          "x.prm:15: Material/CPM/Cohesion = -3e6: expected a number >= 0 [Pa]");
+  refused("Cohesion             = 3e6", "Cohesion = nan", "Cohesion = nan: expected a number");
+  refused("Cohesion             = 3e6", "Cohesion = 1e999", "Cohesion = 1e999: expected a number");
+  refused("Cohesion             = 3e6", "Cohesion = 3 MPa", "Cohesion = 3 MPa: expected a number");
+  refused("Cohesion             = 3e6", "Cohesion =", "x.prm:15: Material/CPM/Cohesion = (nothing): expected a number");
+  refused("Density           = 4800", "Density = 0", "x.prm:5: Specimen/Density = 0: expected a number > 0 [kg/m^3]");
+  refused("Interaction ratio = 1.5", "Interaction ratio = 0.5", "expected a number in [1, 10]");
+  refused("Samples   = 50", "Samples = 1.5", "Output/Samples = 1.5: expected a whole number");
+  refused("Source            = file", "Source = files", "Specimen/Source = files: expected one of: generator, file");
+  refused("subsection Loading", "subsection Time\n  set Step factor = 1\nend\nsubsection Loading",
+          "Time/Step factor = 1: expected a number in (0, 1). Meaning: Time step");
+  refused("subsection Loading", "subsection Physics\n  set Damage = yes\nend\nsubsection Loading",
+          "Physics/Damage = yes: expected true or false");
+  refused("subsection Loading", "subsection Loading\n  set Tests = tension, bending",
+          "Loading/Tests = tension, bending: expected words separated by commas, of: tension, compression");
+  refused("subsection Loading",
+          "subsection Loading\n  set Tests =", "Loading/Tests = (nothing): expected at least one of");
+}
+
+TEST_CASE("A material constant that nobody sets is refused by name, with its unit and meaning", "[apps][S14]")
+{
+  refused("    set Cohesion             = 3e6\n", "",
+          "x.prm: \"Material/CPM/Cohesion\" [Pa] is not set and has no default. Meaning: c_0");
+  refused("set Kind = uniaxial\n", "", "x.prm: \"Kind\" is not set and has no default. Known kinds: uniaxial");
+  refused("  set Law = CPM\n", "", "\"Material/Law\" is not set and has no default");
+  refused("    set Strain rate = 4\n", "", "\"Loading/Tension/Strain rate\" [1/s] is not set and has no default");
+}
+
+TEST_CASE("An unknown kind of scene is refused with the kinds there are", "[apps][S14]")
+{
+  refused("Kind = uniaxial", "Kind = uniaxail", "x.prm:1: Kind = uniaxail is not known. Did you mean \"uniaxial\"?");
+}
+
+TEST_CASE("Rules between entries are refused with the place of the entry", "[apps][S14]")
+{
+  refused("File              = packing.txt", "File = none.txt",
+          "x.prm:4: Specimen/File = none.txt: there is no such file");
+  refused("subsection Loading", "subsection Physics\n  set Dimension = 2\nend\nsubsection Loading",
+          "\"Specimen/Thickness\" [m] is not set and has no default");
+  refused("set Relative ductility   = 30", "set Relative ductility = 0.5\n    set Damage law = linear",
+          "Relative ductility = 0.5");
+  refused("Grip thickness = 0.5e-3", "Grip thickness = 1", "Loading/Grip thickness = 1");
+}
+
+TEST_CASE("What is not a line of a parameter file is refused with its line", "[apps][S14]")
+{
+  refused("  set Law = CPM\n", "  sett Law = CPM\n",
+          "x.prm:9: \"sett Law = CPM\" is not understood: expected \"set KEY = VALUE\"");
+  refused("set Kind = uniaxial\n", "set Kind = uniaxial\nend\n", "x.prm:2: \"end\" closes no subsection");
+  refused("subsection Output", "subsection Output\nsubsection Open",
+          "x.prm:28: subsection \"Output\" is not closed. Add its \"end\".");
+  refused("  set Law = CPM\n", "  set Law = CPM\n  set Law = CPM\n",
+          "x.prm:10: \"Material/Law\" is set a second time; first in line 9");
+}
+
+TEST_CASE("A missing scene, a folder and another kind of file are refused by name", "[apps][S14]")
+{
+  const ScratchFolder folder;
+  folder.file("scene.txt", "");
+  std::filesystem::create_directory(folder / "folder.prm");
+  CHECK_THAT(run(folder.path(), {"run", "none.prm"}).err,
+             Contains("none.prm: cannot be opened: No such file or directory"));
+  CHECK_THAT(run(folder.path(), {"run", "folder.prm"}).err, Contains("folder.prm: cannot be opened: it is a folder"));
+  CHECK_THAT(run(folder.path(), {"run", "scene.txt"}).err, Contains("scene.txt: a scene's name ends in .prm or .json"));
+  CHECK(run(folder.path(), {"run", "none.prm"}).status == 2);
+}
+
+TEST_CASE("Changes on the command line pass the same checks, with the command line as their place", "[apps][S14]")
+{
+  const ScratchFolder folder;
+  folder.file("packing.txt", pair_packing());
+  folder.file("x.prm", scene_with_file());
+  const auto changed = [&](const std::string &change) { return run(folder.path(), {"check", "x.prm", "-s", change}); };
+  CHECK_THAT(changed("Material/CPM/Cohesio=1").err,
+             Contains("command line: \"Material/CPM/Cohesio\" is not known. Did you mean \"Cohesion\"?"));
+  CHECK_THAT(changed("Material/CPM/Cohesion=-1").err,
+             Contains("command line: Material/CPM/Cohesion = -1: expected a number >= 0 [Pa]"));
+  CHECK_THAT(changed("Cohesion").err, Contains("-s \"Cohesion\": expected \"Section/Key=value\""));
+  CHECK(changed("Material/CPM/Cohesion=-1").status == 2);
+  CHECK(changed("Material/CPM/Cohesion=4e6").status == 0);
+}
+
+TEST_CASE("A scene in JSON is refused with its line as well", "[apps][S14]")
+{
+  const ScratchFolder folder;
+  folder.file("a.json", "{\n\"Kind\": \"uniaxial\",\n\"Material\": {\n  \"Lwa\": \"CPM\"\n}}");
+  folder.file("b.json", "{\n\"Kind\": \"uniaxial\",\n\"Time\" {}\n}");
+  folder.file("c.json", "{\"Kind\": \"uniaxial\",\n\"Specimen\": {\"Box size\": [1, 2, 3]}}");
+  CHECK_THAT(run(folder.path(), {"run", "a.json"}).err,
+             Contains("a.json:4: \"Material/Lwa\" is not known. Did you mean \"Law\"?"));
+  CHECK_THAT(run(folder.path(), {"run", "b.json"}).err, Contains("b.json:3: not valid JSON"));
+  CHECK_THAT(run(folder.path(), {"run", "c.json"}).err,
+             Contains("c.json:2: \"Box size\" is a list in brackets: expected a text"));
+}

@@ -1,0 +1,40 @@
+#include "tests/apps/program.h"
+#include "tests/apps/scratch_folder.h"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+using apps_tests::Outcome;
+using apps_tests::run;
+using apps_tests::ScratchFolder;
+using Catch::Contains;
+
+TEST_CASE("Help and version are answered with status 0", "[apps]")
+{
+  const ScratchFolder folder;
+  const Outcome       help = run(folder.path(), {"--help"});
+  CHECK(help.status == 0);
+  for (const char *command : {"run", "check", "describe", "pack", "link-test", "bench"})
+    CHECK_THAT(help.out, Contains(command));
+  const Outcome version = run(folder.path(), {"--version"});
+  CHECK(version.status == 0);
+  CHECK_THAT(version.out, Catch::StartsWith("breccia 0."));
+}
+
+TEST_CASE("A wrong command line is refused with one message and status 2", "[apps]")
+{
+  const ScratchFolder folder;
+  const auto          refused = [&](const std::vector<std::string> &arguments, const std::string &message) {
+    const Outcome outcome = run(folder.path(), arguments);
+    CHECK(outcome.status == 2);
+    CHECK_THAT(outcome.err, Contains(message));
+    CHECK(outcome.out.empty());
+  };
+  refused({}, "A subcommand is required");
+  refused({"rnu", "x.prm"}, "\"rnu\" is not a command. Did you mean \"run\"?");
+  refused({"run"}, "breccia run: scene is required");
+  refused({"run", "x.prm", "--threads", "0"}, "--threads: Value 0 not in range");
+  refused({"run", "x.prm", "--wrong"}, "not expected: --wrong");
+  refused({"link-test", "--law", "CPN", "--path", "x.csv"}, "law \"CPN\" is not known. Did you mean \"CPM\"?");
+  refused({"describe", "Materail"}, "section \"Materail\" is not known. Did you mean \"Material\"?");
+}

@@ -1,0 +1,110 @@
+#include "tests/apps/program.h"
+#include "tests/apps/scenes.h"
+#include "tests/apps/scratch_folder.h"
+
+#include <catch2/catch.hpp>
+
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+using namespace apps_tests;
+using Catch::Contains;
+
+namespace
+{
+  /** Start the scene and, as soon as there is a checkpoint and some rows of the series, signal it. */
+  Outcome interrupted_run(const ScratchFolder &folder, const std::vector<std::string> &arguments, const int signal)
+  {
+    Program program(folder.path(), arguments);
+    while (program.running())
+      {
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        std::error_code not_yet;
+        const auto      rows = std::filesystem::file_size(folder / "results/running/series.csv", not_yet);
+        if (!not_yet && rows > 1000 && std::filesystem::exists(folder / "results/running/checkpoint.h5"))
+          {
+            program.send(signal);
+            return program.wait();
+          }
+      }
+    return program.wait();
+  }
+
+  /** Slow enough to be interrupted in the middle, with a checkpoint after nearly every sample. */
+  std::string slow_scene()
+  {
+    std::string scene = scene_with_file();
+    scene             = replaced(scene, "set Strain rate = 4", "set Strain rate = 1");
+    scene             = replaced(scene, "set Strain rate = 20", "set Strain rate = 5");
+    return replaced(scene, "  set Samples   = 50", "  set Checkpoint interval = 0.01\n  set Samples = 50");
+  }
+
+  /** Results that must be equal to the last bit: everything but timings and pictures. */
+  std::string reproducible_part(const std::filesystem::path &results)
+  {
+    std::string all;
+    for (const auto &entry : std::filesystem::directory_iterator(results))
+      {
+        if (entry.is_directory())
+          all += entry.path().filename().string() + "\n" + listing_of(entry.path());
+      }
+    return all + content_of(results / "series.csv") + content_of(results / "tension_particles.pvd") +
+           content_of(results / "compression_links.pvd");
+  }
+} // namespace
+
+TEST_CASE("An interrupted run checkpoints, leaves with 130, and goes on to the same bits", "[apps][slow][S13]")
+{
+  const ScratchFolder folder;
+  folder.file("packing.txt", stack_packing());
+  folder.file("x.prm", slow_scene());
+  REQUIRE(run(folder.path(), {"run", "x.prm", "-o", "whole"}).status == 0);
+  for (const int signal : {SIGINT, SIGTERM})
+    {
+      const Outcome stopped = interrupted_run(folder, {"run", "x.prm", "-o", "results"}, signal);
+      INFO(stopped.err);
+      REQUIRE(stopped.status == 130);
+      CHECK_THAT(stopped.err, Contains("interrupted") && Contains("--resume"));
+      CHECK_FALSE(std::filesystem::exists(folder / "results/summary.json"));
+      REQUIRE(run(folder.path(), {"run", "x.prm", "-o", "results", "--resume"}).status == 0);
+      CHECK(reproducible_part(folder / "results") == reproducible_part(folder / "whole"));
+      std::filesystem::remove_all(folder / "results");
+    }
+}
+
+TEST_CASE("A killed run goes on from its last checkpoint to the same bits", "[apps][slow][S13]")
+{
+  const ScratchFolder folder;
+  folder.file("packing.txt", stack_packing());
+  folder.file("x.prm", slow_scene());
+  REQUIRE(run(folder.path(), {"run", "x.prm", "-o", "whole"}).status == 0);
+  REQUIRE(interrupted_run(folder, {"run", "x.prm", "-o", "results"}, SIGKILL).status == 128 + SIGKILL);
+  const Outcome resumed = run(folder.path(), {"run", "x.prm", "-o", "results", "--resume"});
+  INFO(resumed.err);
+  REQUIRE(resumed.status == 0);
+  CHECK(reproducible_part(folder / "results") == reproducible_part(folder / "whole"));
+}
+
+TEST_CASE("A run cannot be resumed with another scene, or where there is nothing to resume", "[apps][slow][S14]")
+{
+  const ScratchFolder folder;
+  folder.file("packing.txt", stack_packing());
+  folder.file("x.prm", slow_scene());
+  const Outcome nothing = run(folder.path(), {"run", "x.prm", "-o", "results", "--resume"});
+  CHECK(nothing.status == 2);
+  CHECK_THAT(nothing.err, Contains("results: nothing to resume"));
+  CHECK_FALSE(std::filesystem::exists(folder / "results"));
+
+  REQUIRE(interrupted_run(folder, {"run", "x.prm", "-o", "results"}, SIGINT).status == 130);
+  const std::string before = listing_of(folder / "results");
+  const Outcome     other =
+    run(folder.path(), {"run", "x.prm", "-o", "results", "--resume", "-s", "Material/CPM/Cohesion=4e6"});
+  CHECK(other.status == 2);
+  CHECK_THAT(other.err, Contains("Cohesion"));
+  CHECK(listing_of(folder / "results") == before);
+  // How often to checkpoint does not change the results, and may differ.
+  CHECK(
+    run(folder.path(), {"run", "x.prm", "-o", "results", "--resume", "-s", "Output/Checkpoint interval=100"}).status ==
+    0);
+}

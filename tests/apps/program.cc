@@ -1,0 +1,101 @@
+#include "tests/apps/program.h"
+
+#include "tests/apps/scratch_folder.h"
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <csignal>
+#include <stdexcept>
+
+namespace apps_tests
+{
+  namespace
+  {
+    /** A file beside the test's own, so that what the program says does not show up among its results. */
+    std::filesystem::path transcript(const std::filesystem::path &folder, const char *stream)
+    {
+      static std::atomic<int> number{0};
+      return folder.string() + "." + std::to_string(++number) + "." + stream;
+    }
+
+    void redirect(const std::filesystem::path &file, const int stream)
+    {
+      const int descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+      if (descriptor < 0 || dup2(descriptor, stream) < 0)
+        _exit(120);
+    }
+
+    std::string taken(const std::filesystem::path &file)
+    {
+      std::string content = content_of(file);
+      std::filesystem::remove(file);
+      return content;
+    }
+  } // namespace
+
+  Program::Program(const std::filesystem::path    &folder,
+                   const std::vector<std::string> &arguments,
+                   const long                      largest_file)
+    : out(transcript(folder, "out"))
+    , err(transcript(folder, "err"))
+  {
+    std::vector<std::string> words = {BRECCIA_PROGRAM};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<char *> argv;
+    for (std::string &word : words)
+      argv.push_back(word.data());
+    argv.push_back(nullptr);
+
+    process = fork();
+    if (process < 0)
+      throw std::runtime_error("the program could not be started");
+    if (process > 0)
+      return;
+    redirect(out, STDOUT_FILENO);
+    redirect(err, STDERR_FILENO);
+    if (largest_file > 0)
+      {
+        const auto   bytes = static_cast<rlim_t>(largest_file);
+        const rlimit limit = {bytes, bytes};
+        setrlimit(RLIMIT_FSIZE, &limit);
+      }
+    if (chdir(folder.c_str()) == 0)
+      execv(BRECCIA_PROGRAM, argv.data());
+    _exit(121);
+  }
+
+  Program::~Program()
+  {
+    if (!ended)
+      {
+        send(SIGKILL);
+        wait();
+      }
+  }
+
+  bool Program::running()
+  {
+    if (!ended)
+      ended = waitpid(process, &status, WNOHANG) == process;
+    return !ended;
+  }
+
+  void Program::send(const int signal) { kill(process, signal); }
+
+  Outcome Program::wait()
+  {
+    if (!ended)
+      waitpid(process, &status, 0);
+    ended = true;
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), taken(out), taken(err)};
+  }
+
+  Outcome run(const std::filesystem::path &folder, const std::vector<std::string> &arguments, const long largest_file)
+  {
+    return Program(folder, arguments, largest_file).wait();
+  }
+} // namespace apps_tests

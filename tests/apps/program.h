@@ -1,0 +1,41 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace apps_tests
+{
+  /** How the program ended and what it said. */
+  struct Outcome
+  {
+    int         status; ///< exit status; 128 + signal if a signal ended it
+    std::string out, err;
+  };
+
+  /** The built program `breccia`, running in a folder of its own choice. */
+  class Program
+  {
+  public:
+    /** Start it. @param largest_file bytes beyond which writing fails, as on a full disk; 0: no limit */
+    Program(const std::filesystem::path &folder, const std::vector<std::string> &arguments, long largest_file = 0);
+    ~Program(); ///< kills it if it still runs
+    Program(const Program &)            = delete;
+    Program &operator=(const Program &) = delete;
+
+    bool    running();
+    void    send(int signal);
+    Outcome wait();
+
+  private:
+    std::filesystem::path out, err;
+    pid_t                 process;
+    bool                  ended  = false;
+    int                   status = 0;
+  };
+
+  /** Start it and wait for its end. */
+  Outcome run(const std::filesystem::path &folder, const std::vector<std::string> &arguments, long largest_file = 0);
+} // namespace apps_tests

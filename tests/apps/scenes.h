@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+namespace apps_tests
+{
+  /**
+   * A close hexagonal stack of 5 x 5 x 7 spheres of 1 mm radius, a little apart, as a text packing: enough for damage,
+   * sliding and broken links, and run in about a second.
+   */
+  std::string stack_packing();
+
+  /** Two spheres of 1 mm on the z axis, 2 mm apart. */
+  std::string pair_packing();
+
+  /** A scene that reads the packing "packing.txt" beside it, with the concrete of the mesoscale specification 9.3. */
+  std::string scene_with_file();
+
+  /** The text with its first occurrence of `from` replaced. @throws std::logic_error if there is none */
+  std::string replaced(std::string text, const std::string &from, const std::string &to);
+} // namespace apps_tests
