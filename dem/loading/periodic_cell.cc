@@ -1,0 +1,338 @@
+#include "dem/loading/periodic_cell.h"
+
+#include "dem/core/errors.h"
+#include "dem/particles.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <tuple>
+#include <utility>
+
+namespace dem
+{
+  namespace
+  {
+    constexpr double least_servo_steps = 10;   ///< T in time steps: stress is known one step late
+    constexpr double surely_not_chance = 1e-3; ///< Rayleigh test
+
+    const char *const component_names[6] = {"11", "22", "33", "23", "31", "12"};
+
+    /** Symmetric tensor of a strain with engineering shears. */
+    Eigen::Matrix3d strain_tensor(const Vector6d &e)
+    {
+      Eigen::Matrix3d t;
+      t << e[0], e[5] / 2, e[4] / 2, e[5] / 2, e[1], e[3] / 2, e[4] / 2, e[3] / 2, e[2];
+      return t;
+    }
+
+    /** Components of the symmetric part; shears times `shear`: 1 for stress, 2 for engineering strain. */
+    Vector6d components(const Eigen::Matrix3d &t, const double shear)
+    {
+      const double half = 0.5 * shear;
+      Vector6d     c;
+      c << t(0, 0), t(1, 1), t(2, 2), half * (t(1, 2) + t(2, 1)), half * (t(2, 0) + t(0, 2)),
+        half * (t(0, 1) + t(1, 0));
+      return c;
+    }
+
+    bool in_plane(const int component) { return component == 0 || component == 1 || component == 5; }
+
+    void check(const CellTestParameters &p, const int dimension)
+    {
+      const auto refuse = [](const std::string &message) { throw InputError("Loading/" + message); };
+      if (p.path.empty())
+        refuse("path: at least one leg is needed.");
+      if (!(p.servo_time > 0))
+        refuse("servo time: must be above 0.");
+      if (!(p.strain_limit > 0))
+        refuse("strain limit: must be above 0.");
+      if (!(p.localised_above > 0 && p.localised_above < 1))
+        refuse("localised above: must lie between 0 and 1.");
+      for (std::size_t i = 0; i < p.path.size(); ++i)
+        {
+          const std::string name = "path, leg " + std::to_string(i + 1) + ": ";
+          if (!(p.path[i].duration > 0) || !std::isfinite(p.path[i].duration))
+            refuse(name + "its duration must be above 0 s.");
+          if (!p.path[i].target.allFinite())
+            refuse(name + "its targets must be finite numbers.");
+          for (int c = 0; c < 6; ++c)
+            if (dimension == 2 && !in_plane(c) && (p.path[i].stress_given[c] || p.path[i].target[c] != 0))
+              refuse(name + "component " + component_names[c] + " does not exist in two dimensions.");
+        }
+    }
+
+    /** Time of a pressure wave across the cell: largest height over the wave's speed in the undamaged cell [s]. */
+    double crossing_time(const Specimen &specimen, const Matrix6d &stiffness)
+    {
+      const SpecimenParameters &p = specimen.parameters();
+      const ParticleShape       shape{p.physics.dimension, p.density, p.thickness};
+      const CellState           cell = specimen.cell();
+      double                    mass = 0;
+      for (const double radius : specimen.particles().radius)
+        mass += shape.mass(radius);
+      const Eigen::Vector3d height  = cell.base.inverse().rowwise().norm().cwiseInverse();
+      const double          modulus = stiffness.diagonal().head(3).maxCoeff();
+      return height.head(p.physics.dimension).maxCoeff() / std::sqrt(modulus * cell.volume / mass);
+    }
+  } // namespace
+
+  CellTest::CellTest(Specimen &body, const CellTestParameters &p)
+    : specimen(&body)
+    , parameters(p)
+    , stiffness(body.affine_stiffness())
+    , servo_constant(std::max(p.servo_time * crossing_time(body, stiffness), least_servo_steps * body.time_step()))
+  {
+    check(p, body.parameters().physics.dimension);
+    lost = lost_strength();
+    begin_leg();
+  }
+
+  void CellTest::begin_leg()
+  {
+    const CellLeg &now      = parameters.path[leg];
+    const Vector6d measured = stress();
+    for (int c = 0; c < 6; ++c)
+      if (!now.stress_given[c])
+        start[c] = strain[c];
+      else
+        start[c] =
+          leg > 0 && parameters.path[leg - 1].stress_given[c] ? parameters.path[leg - 1].target[c] : measured[c];
+    step_of_leg  = 0;
+    steps_of_leg = std::max<std::int64_t>(1, std::llround(now.duration / specimen->time_step()));
+  }
+
+  Vector6d CellTest::asked(const std::int64_t step) const
+  {
+    const double part = static_cast<double>(step) / static_cast<double>(steps_of_leg);
+    return step == steps_of_leg ? parameters.path[leg].target :
+                                  Vector6d(start + part * (parameters.path[leg].target - start));
+  }
+
+  Vector6d CellTest::stress() const { return components(specimen->cell().stress, 1.0); }
+
+  /** Strains of the next step. */
+  Vector6d CellTest::servo(const Vector6d &now, const Vector6d &next) const
+  {
+    std::vector<int> given; // components of given stress
+    for (int c = 0; c < 6; ++c)
+      if (parameters.path[leg].stress_given[c])
+        given.push_back(c);
+    Vector6d result = strain;
+    for (int c = 0; c < 6; ++c)
+      if (!parameters.path[leg].stress_given[c])
+        result[c] = next[c];
+    if (given.empty())
+      return result;
+
+    const Vector6d  foretold = stiffness * (result - strain); // by the imposed strains
+    const Vector6d  measured = stress();
+    const auto      unknowns = static_cast<Eigen::Index>(given.size());
+    Eigen::MatrixXd K(unknowns, unknowns);
+    Eigen::VectorXd wanted(unknowns);
+    for (Eigen::Index i = 0; i < unknowns; ++i)
+      {
+        const int c = given[i];
+        wanted[i] = (next[c] - now[c]) - foretold[c] + specimen->time_step() / servo_constant * (now[c] - measured[c]);
+        for (Eigen::Index j = 0; j < unknowns; ++j)
+          K(i, j) = stiffness(c, given[j]);
+      }
+    const Eigen::VectorXd change = K.ldlt().solve(wanted);
+    for (Eigen::Index i = 0; i < unknowns; ++i)
+      {
+        result[given[i]] += change[i];
+        if (!(std::abs(result[given[i]]) <= parameters.strain_limit))
+          {
+            std::ostringstream message;
+            message << "cell test, time " << specimen->time() << " s: stress " << component_names[given[i]] << " = "
+                    << next[given[i]] << " Pa is not reached, it is " << measured[given[i]] << " Pa at strain "
+                    << result[given[i]] << ": the cell cannot carry it. Ask for less, or raise the strain limit ("
+                    << parameters.strain_limit << ").";
+            throw NumericalError(message.str());
+          }
+      }
+    return result;
+  }
+
+  void CellTest::step()
+  {
+    const double          dt  = specimen->time_step();
+    const Vector6d        now = asked(step_of_leg), next = asked(step_of_leg + 1);
+    const Vector6d        to       = servo(now, next);
+    const Eigen::Matrix3d one      = Eigen::Matrix3d::Identity();
+    Eigen::Matrix3d       gradient = ((one + strain_tensor(to)) * specimen->cell().deformation.inverse() - one) / dt;
+    if (specimen->parameters().physics.dimension == 2)
+      {
+        gradient.row(2).setZero(); // round-off of the inverse
+        gradient.col(2).setZero();
+      }
+    specimen->set_velocity_gradient(gradient);
+    aim           = now;
+    aim_is_stress = parameters.path[leg].stress_given;
+    specimen->advance(1);
+    strain = to;
+    if (++step_of_leg < steps_of_leg)
+      return;
+    ++leg;
+    if (!finished())
+      begin_leg();
+  }
+
+  CellSample CellTest::advance(const std::int64_t steps)
+  {
+    for (std::int64_t s = 0; s < steps && !finished(); ++s)
+      step();
+    if (finished())
+      specimen->set_velocity_gradient(Eigen::Matrix3d::Zero());
+    CellSample now = sample();
+    watch(now);
+    samples.push_back(now);
+    return now;
+  }
+
+  CellSample CellTest::sample() const
+  {
+    const CellState       cell = specimen->cell();
+    const Eigen::Matrix3d skew = 0.5 * (cell.stress - cell.stress.transpose());
+    CellSample            s;
+    s.time        = specimen->time() - specimen->time_step(); // forces are those of the last step's start
+    s.strain      = components(cell.deformation_at_forces - Eigen::Matrix3d::Identity(), 2.0);
+    s.stress      = components(cell.stress, 1.0);
+    s.skew_stress = skew.cwiseAbs().maxCoeff();
+    s.servo_error = 0;
+    for (int c = 0; c < 6; ++c)
+      if (aim_is_stress[c])
+        s.servo_error = std::max(s.servo_error, std::abs(s.stress[c] - aim[c]));
+    s.unbalanced = specimen->unbalanced_ratio();
+    s.dissipated = specimen->energy().damage;
+    s.localised  = found.has_value();
+    return s;
+  }
+
+  std::vector<double> CellTest::lost_strength() const
+  {
+    const LinkOutput    links = specimen->links();
+    std::vector<double> sum(specimen->counts().particles, 0.0);
+    for (std::size_t l = 0; l < links.ends.size(); ++l)
+      if (links.kind[l] != LinkOutput::contact)
+        for (const std::size_t end : links.ends[l])
+          sum[end] += 0.5 * links.strength_damage[l];
+    return sum;
+  }
+
+  void CellTest::watch(CellSample &now)
+  {
+    const std::vector<double> before = std::exchange(lost, lost_strength());
+    if (found || samples.empty())
+      return;
+    const auto second_order_work = [&](const CellSample &from) {
+      return (now.stress - from.stress).dot(now.strain - from.strain);
+    };
+    const bool damages = now.dissipated > samples.back().dissipated;
+    if (onset && damages && second_order_work(*onset) > 0)
+      onset.reset(); // the stress has risen past it: a wave, not a peak
+    if (!onset && damages && second_order_work(samples.back()) < 0)
+      {
+        onset         = samples.back();
+        lost_at_onset = before;
+      }
+    if (!onset)
+      return;
+    std::vector<double> since(lost.size());
+    for (std::size_t i = 0; i < lost.size(); ++i)
+      since[i] = std::max(lost[i] - lost_at_onset[i], 0.0); // below 0 by round-off only
+    const Band band = strongest_band(specimen->cell().base, specimen->particles().position, since,
+                                     specimen->parameters().physics.dimension);
+    if (band.concentration > parameters.localised_above && band.by_chance < surely_not_chance)
+      {
+        now.localised = true;
+        found         = Localisation{*onset, now, band};
+      }
+  }
+
+  namespace
+  {
+    constexpr std::size_t numbers_per_sample = 18;
+
+    void put(const CellSample &s, Column &flat)
+    {
+      flat.push_back(s.time);
+      flat.insert(flat.end(), s.strain.data(), s.strain.data() + 6);
+      flat.insert(flat.end(), s.stress.data(), s.stress.data() + 6);
+      flat.insert(flat.end(), {s.skew_stress, s.servo_error, s.unbalanced, s.dissipated, s.localised ? 1.0 : 0.0});
+    }
+
+    CellSample sample_from(const double *flat)
+    {
+      return {flat[0], Vector6d(flat + 1), Vector6d(flat + 7), flat[13], flat[14], flat[15], flat[16], flat[17] > 0};
+    }
+
+    void put(const Band &b, Column &flat)
+    {
+      flat.insert(flat.end(), b.wave.begin(), b.wave.end());
+      flat.insert(flat.end(), b.normal.data(), b.normal.data() + 3);
+      flat.insert(flat.end(), {b.concentration, b.place, b.period, b.thickness, b.by_chance, b.participation});
+    }
+
+    Band band_from(const double *flat)
+    {
+      Band b;
+      for (int c = 0; c < 3; ++c)
+        b.wave[c] = static_cast<int>(flat[c]);
+      b.normal = Eigen::Vector3d(flat + 3);
+      std::tie(b.concentration, b.place, b.period, b.thickness, b.by_chance, b.participation) =
+        std::tie(flat[6], flat[7], flat[8], flat[9], flat[10], flat[11]);
+      return b;
+    }
+  } // namespace
+
+  void CellTest::visit_state(StateVisitor &visitor)
+  {
+    visitor.scalar("cell_test/leg", leg);
+    visitor.scalar("cell_test/step_of_leg", step_of_leg);
+    visitor.scalar("cell_test/steps_of_leg", steps_of_leg);
+    Column numbers;
+    for (const Vector6d *v : {&strain, &start, &aim})
+      numbers.insert(numbers.end(), v->data(), v->data() + 6);
+    for (const bool is_stress : aim_is_stress)
+      numbers.push_back(is_stress ? 1.0 : 0.0);
+    visitor.column("cell_test/numbers", numbers);
+    strain = Vector6d(numbers.data());
+    start  = Vector6d(numbers.data() + 6);
+    aim    = Vector6d(numbers.data() + 12);
+    for (int c = 0; c < 6; ++c)
+      aim_is_stress[c] = numbers[18 + c] > 0;
+
+    Column curve, localised(lost.begin(), lost.end()), at_onset(lost_at_onset.begin(), lost_at_onset.end());
+    for (const CellSample &s : samples)
+      put(s, curve);
+    visitor.column("cell_test/curve", curve);
+    samples.clear();
+    for (std::size_t i = 0; i < curve.size(); i += numbers_per_sample)
+      samples.push_back(sample_from(&curve[i]));
+
+    visitor.column("cell_test/lost_strength", localised);
+    visitor.column("cell_test/lost_strength_at_onset", at_onset);
+    lost.assign(localised.begin(), localised.end());
+    lost_at_onset.assign(at_onset.begin(), at_onset.end());
+
+    Column events; // onset | detected | band
+    if (onset)
+      put(*onset, events);
+    if (found)
+      {
+        put(found->detected, events);
+        put(found->band, events);
+      }
+    visitor.column("cell_test/localisation", events);
+    onset.reset();
+    found.reset();
+    if (!events.empty())
+      onset = sample_from(events.data());
+    if (events.size() > numbers_per_sample)
+      found =
+        Localisation{*onset, sample_from(&events[numbers_per_sample]), band_from(&events[2 * numbers_per_sample])};
+  }
+} // namespace dem
