@@ -6,13 +6,14 @@ namespace apps
   void add_check(CLI::App &program, Action &chosen);
   void add_describe(CLI::App &program, Action &chosen);
   void add_pack(CLI::App &program, Action &chosen);
+  void add_homogenise(CLI::App &program, Action &chosen);
   void add_link_test(CLI::App &program, Action &chosen);
   void add_bench(CLI::App &program, Action &chosen);
 
   const std::vector<AddCommand> &all_commands()
   {
-    static const std::vector<AddCommand> commands = {add_run,  add_check,     add_describe,
-                                                     add_pack, add_link_test, add_bench};
+    static const std::vector<AddCommand> commands = {add_run,        add_check,     add_describe, add_pack,
+                                                     add_homogenise, add_link_test, add_bench};
     return commands;
   }
 } // namespace apps

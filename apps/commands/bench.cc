@@ -8,6 +8,8 @@
 
 namespace apps
 {
+  void add_homogenise_bench(CLI::App &bench, Action &chosen);
+
   void add_bench(CLI::App &program, Action &chosen)
   {
     struct Options : UniaxialBench
@@ -20,6 +22,7 @@ namespace apps
 
     CLI::App &bench = *program.add_subcommand("bench", "Speed against error, as a table and a picture");
     bench.require_subcommand(1);
+    add_homogenise_bench(bench, chosen);
     CLI::App &command =
       *bench.add_subcommand("uniaxial", "Strengths and modulus over time step, loading rate and particle size");
     command.add_option("scene", options->scene, "Scene of kind uniaxial; default: " + options->scene)

@@ -87,7 +87,7 @@ namespace
   }
 } // namespace
 
-TEST_CASE("random packings: moduli of every row of the published table", "[dem][homogenisation][slow]")
+TEST_CASE("random packings: moduli of every row of the published table", "[dem][homogenisation]")
 {
   const auto packings = five(500);
   for (const Published &row : table)
@@ -100,7 +100,7 @@ TEST_CASE("random packings: moduli of every row of the published table", "[dem][
     }
 }
 
-TEST_CASE("random packings: relaxed over affine modulus as published", "[dem][homogenisation][slow]")
+TEST_CASE("random packings: relaxed over affine modulus as published", "[dem][homogenisation]")
 {
   const auto packings = five(500);
   for (const auto &[interaction_ratio, expected] :
@@ -112,7 +112,7 @@ TEST_CASE("random packings: relaxed over affine modulus as published", "[dem][ho
     }
 }
 
-TEST_CASE("random packings: anisotropy falls as the root of the number of spheres", "[dem][homogenisation][slow]")
+TEST_CASE("random packings: anisotropy falls as the root of the number of spheres", "[dem][homogenisation]")
 {
   const Means few = means(five(100), 1.5, 0.1), many = means(five(900), 1.5, 0.1);
   // A third for nine times as many; means of five maxima scatter by about a third.

@@ -1,0 +1,232 @@
+#include "apps/bench/homogenise.h"
+
+#include "apps/drivers/homogenisation_report.h"
+#include "apps/drivers/specimen_packing.h"
+#include "apps/exit_status.h"
+#include "dem/statics/dynamic_relaxation.h"
+#include "postprocess/atomic_file.h"
+#include "postprocess/errors.h"
+#include "postprocess/plot.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <ctime>
+#include <string>
+
+namespace apps
+{
+  namespace
+  {
+    struct Row
+    {
+      std::string study, solver;
+      std::size_t particles = 0, links = 0;
+      double      tolerance = 0, residual = 0;
+      int         iterations = 0;
+      double      cost       = 0; ///< [s], processor time
+      double      error      = 0; ///< relative, of the stiffness; in the study of seeds of the modulus
+    };
+
+    double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+    dem::ElasticNetwork cell(const HomogeniseBench &bench, const int particles, const int seed)
+    {
+      dem::CompactionParameters make;
+      make.radius   = 1e-3;
+      make.count    = static_cast<std::size_t>(particles);
+      make.seed     = static_cast<std::uint64_t>(seed);
+      make.friction = bench.friction;
+      dem::NetworkParameters links;
+      links.interaction_ratio = bench.interaction_ratio;
+      links.shear_ratio       = bench.shear_ratio;
+      links.normal_modulus    = 1;
+      return dem::make_network(compact_with_progress(make).packing, links);
+    }
+
+    double difference(const dem::MacroscopicStiffness &a, const dem::MacroscopicStiffness &exact)
+    {
+      return (a - exact).norm() / exact.norm();
+    }
+
+    Row solve(const dem::ElasticNetwork &network,
+              const dem::SolverMethod    method,
+              const double               tolerance,
+              dem::MacroscopicStiffness &stiffness)
+    {
+      dem::SolverParameters solver;
+      solver.method        = method;
+      solver.tolerance     = tolerance;
+      const double start   = processor_seconds();
+      const auto   relaxed = dem::relaxed_stiffness(network, solver);
+      Row          row;
+      row.cost       = processor_seconds() - start;
+      row.iterations = relaxed.solver.iterations;
+      row.residual   = relaxed.solver.residual;
+      stiffness      = relaxed.stiffness;
+      return row;
+    }
+
+    /** The six load cases shaken to rest; the stiffness from the mean stress of the links, as a particle code would. */
+    Row relax(const dem::ElasticNetwork &network, const double tolerance, dem::MacroscopicStiffness &stiffness)
+    {
+      const double                 start = processor_seconds();
+      const dem::StiffnessOperator K(network, {});
+      dem::LaneStrains             strain;
+      for (int lane = 0; lane < dem::load_lanes; ++lane)
+        strain[lane] = lane < dem::first_probe ? Eigen::Matrix<double, 6, 1>(Eigen::Matrix<double, 6, 1>::Unit(lane)) :
+                                                 Eigen::Matrix<double, 6, 1>(Eigen::Matrix<double, 6, 1>::Zero());
+      dem::Fields x(network.particles() * dem::motions * dem::load_lanes, 0.0), b(x.size());
+      K.apply(x, strain, b);
+      for (double &value : b)
+        value = -value;
+      dem::DynamicRelaxationParameters parameters;
+      parameters.limits.tolerance      = tolerance;
+      parameters.limits.max_iterations = 100000;
+      const auto report =
+        dem::relax_dynamically(K, b, x, K.link_force_norm(dem::Fields(x.size(), 0.0), strain), parameters);
+      stiffness = K.energy_product(x, strain) / network.volume;
+      Row row;
+      row.cost       = processor_seconds() - start;
+      row.iterations = report.iterations;
+      row.residual   = report.largest_residual();
+      return row;
+    }
+
+    void announce(const Row &row)
+    {
+      fmt::print("{:<8} {:>6} particles  {:<10} tolerance {:.0e}  {:>6} iterations  {:>9.4f} s  error {:.2e}\n",
+                 row.study, row.particles, row.solver, row.tolerance, row.iterations, row.cost, row.error);
+      std::fflush(stdout);
+    }
+
+    void study_solvers(const HomogeniseBench &bench, std::vector<Row> &rows)
+    {
+      for (const int particles : bench.particles)
+        {
+          const dem::ElasticNetwork network = cell(bench, particles, 1);
+          dem::MacroscopicStiffness exact, stiffness;
+          solve(network, dem::SolverMethod::direct, 1e-13, exact);
+          const auto add = [&](Row row, const char *solver, const double tolerance) {
+            row.study     = "solver";
+            row.solver    = solver;
+            row.tolerance = tolerance;
+            row.particles = network.particles();
+            row.links     = network.links.size();
+            row.error     = difference(stiffness, exact);
+            announce(row);
+            rows.push_back(row);
+          };
+          add(solve(network, dem::SolverMethod::direct, 1e-10, stiffness), "direct", 1e-10);
+          for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10})
+            add(solve(network, dem::SolverMethod::iterative, tolerance, stiffness), "iterative", tolerance);
+          for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-6})
+            add(relax(network, tolerance, stiffness), "dynamic", tolerance);
+        }
+    }
+
+    void study_seeds(const HomogeniseBench &bench, std::vector<Row> &rows)
+    {
+      for (const int particles : bench.seed_particles)
+        {
+          std::vector<double> young;
+          Row                 row;
+          row.study     = "seeds";
+          row.solver    = "iterative";
+          row.tolerance = 1e-10;
+          for (int seed = 1; seed <= bench.seeds; ++seed)
+            {
+              const dem::ElasticNetwork network = cell(bench, particles, seed);
+              dem::MacroscopicStiffness stiffness;
+              const Row                 one = solve(network, dem::SolverMethod::iterative, 1e-10, stiffness);
+              row.cost += one.cost / bench.seeds;
+              row.iterations = one.iterations;
+              row.residual   = std::max(row.residual, one.residual);
+              row.particles  = network.particles();
+              row.links      = network.links.size();
+              young.push_back(dem::isotropy_measures(stiffness, 3).mean.young);
+            }
+          const SampleFigure sample = sample_figure(young);
+          row.error                 = sample.deviation / sample.mean;
+          announce(row);
+          rows.push_back(row);
+        }
+    }
+
+    void write(const std::filesystem::path &folder, const std::vector<Row> &rows)
+    {
+      std::string csv = "study,solver,particles,links,tolerance,iterations,residual,cost [s],error [-]\n";
+      std::string md = "| Study | Solver | Particles | Links | Tolerance | Iterations | Residual | Cost [s] | Error |\n"
+                       "|---|---|---|---|---|---|---|---|---|\n";
+      for (const Row &r : rows)
+        {
+          csv += fmt::format("{},{},{},{},{},{},{},{},{}\n", r.study, r.solver, r.particles, r.links, r.tolerance,
+                             r.iterations, r.residual, r.cost, r.error);
+          md += fmt::format("| {} | {} | {} | {} | {:.0e} | {} | {:.1e} | {:.4f} | {:.2e} |\n", r.study, r.solver,
+                            r.particles, r.links, r.tolerance, r.iterations, r.residual, r.cost, r.error);
+        }
+      postprocess::write_text(folder / "homogenise.csv", csv);
+      postprocess::write_text(folder / "homogenise.md", md);
+    }
+
+    /** A panel per size of cell: error over cost of each solver, and the scatter of such cells as a level to stay below. */
+    std::string draw(const std::filesystem::path &file, const HomogeniseBench &bench, const std::vector<Row> &rows)
+    {
+      std::vector<postprocess::PlotPanel> panels;
+      const auto                          panel_of = [](const std::string &title, const std::string &y) {
+        postprocess::PlotPanel panel;
+        panel.title   = title;
+        panel.x_label = "Processor time of six load cases [s]";
+        panel.y_label = y;
+        panel.log_x = panel.log_y = true;
+        return panel;
+      };
+      for (const int particles : bench.particles)
+        {
+          postprocess::PlotPanel panel =
+            panel_of(fmt::format("{} spheres", particles), "Relative error of the stiffness");
+          for (const char *solver : {"direct", "iterative", "dynamic"})
+            {
+              postprocess::PlotSeries series;
+              series.name = solver;
+              for (const Row &r : rows)
+                if (r.study == "solver" && r.solver == solver && r.particles == static_cast<std::size_t>(particles))
+                  {
+                    series.x.push_back(r.cost);
+                    series.y.push_back(std::max(r.error, 1e-16));
+                  }
+              panel.series.push_back(series);
+            }
+          panels.push_back(panel);
+        }
+      postprocess::PlotPanel  scatter = panel_of("one cell for the material", "Standard deviation of E over seeds");
+      postprocess::PlotSeries series;
+      for (const Row &r : rows)
+        if (r.study == "seeds")
+          {
+            series.x.push_back(r.cost);
+            series.y.push_back(r.error);
+          }
+      scatter.series.push_back(series);
+      panels.push_back(scatter);
+      return postprocess::plot(file, panels);
+    }
+  } // namespace
+
+  int run_homogenise_bench(const HomogeniseBench &bench)
+  {
+    std::error_code error;
+    std::filesystem::create_directories(bench.folder, error);
+    if (error)
+      throw postprocess::OutputError(bench.folder.string() + ": cannot be made: " + error.message() + ".");
+    std::vector<Row> rows;
+    study_solvers(bench, rows);
+    study_seeds(bench, rows);
+    write(bench.folder, rows);
+    const std::string problem = draw(bench.folder / "homogenise.png", bench, rows);
+    if (!problem.empty())
+      fmt::print(stderr, "no picture: {}\n", problem);
+    fmt::print("written to {}\n", bench.folder.string());
+    return exit_success;
+  }
+} // namespace apps
