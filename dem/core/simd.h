@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <experimental/simd>
+#include <utility>
 
 /**
  * Eight doubles at a time, and the few functions that let one source serve a single number and a pack of eight.
@@ -31,6 +32,10 @@ namespace dem
     stdx::where(mask, result) = yes;
     return result;
   }
+
+  /** What a comparison of two T gives: bool, or one bit per lane. */
+  template <typename T>
+  using Comparison = decltype(std::declval<T>() > std::declval<T>());
 
   BRECCIA_KERNEL bool any(const bool mask) { return mask; }
   BRECCIA_KERNEL bool any(const PackMask &mask) { return stdx::any_of(mask); }

@@ -273,9 +273,13 @@ namespace dem
 
       const Pack volume = area * reference;
       if constexpr (P::sliding)
-        if (any(response.plastic_work > Pack(0.0)))
-          sums.plastic_work += volume * (response.plastic_work +
-                                         mean_stress_correction(law, shear[0], frame.increment, state.elastic_shear));
+        if (any(response.slides))
+          {
+            const Pack work =
+              response.plastic_work + mean_stress_correction(law, shear[0], frame.increment, state.elastic_shear);
+            // Below zero where one step reverses the stress: energy that the step made, not the link. The balance shows it.
+            sums.plastic_work += volume * maximum(work, Pack(0.0));
+          }
       if constexpr (P::damage == Damage::normal_and_shear)
         sums.damage_work += volume * response.damage_work;
       if constexpr (P::contact)

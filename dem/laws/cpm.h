@@ -80,8 +80,9 @@ namespace dem
   {
     T                        normal_stress; ///< [Pa]
     Vec<T, shear_components> shear_stress;  ///< [Pa]
-    T                        plastic_work;  ///< dissipated by sliding in this update [J/m^3]
-    T                        damage_work;   ///< dissipated by damage in this update [J/m^3]; only where shear damages
+    T                        plastic_work; ///< sigma_T after the return times the plastic strain of this update [J/m^3]
+    T                        damage_work;  ///< dissipated by damage in this update [J/m^3]; only where shear damages
+    Comparison<T>            slides;       ///< whether the shear stress was returned to the strength
   };
 
   /**
@@ -104,6 +105,7 @@ namespace dem
       CpmResponse<T, m> response;
       response.damage_work  = T(0.0);
       response.plastic_work = T(0.0);
+      response.slides       = Comparison<T>(false);
       const T opening       = maximum(normal_strain, T(0.0));
       if constexpr (damage)
         grow_damage(k, opening, total_shear_squared, state, response);
@@ -144,6 +146,7 @@ namespace dem
       const auto slides = trial2 > limit * limit;
       if (!any(slides))
         return;
+      response.slides       = slides;
       const T trial         = square_root(select(slides, trial2, T(1.0)));
       const T keep          = select(slides, limit / trial, T(1.0));
       state.elastic_shear   = keep * state.elastic_shear;
