@@ -13,15 +13,17 @@ namespace dem
    * How a random packing of equal spheres is made. Everything but the radius is a pure number: the packing does not depend
    * on the stiffness or density of the spheres, only on these ratios.
    *
-   * What the friction coefficient makes of 1000 spheres (packing fraction, mean and standard deviation over 12 seeds,
-   * everything else by default; damping 0.8 for the first three):
+   * Friction decides how dense it becomes. Packing fraction of 1000 spheres, mean and standard deviation over 12 seeds,
+   * everything else by default:
    *
-   *     friction           0       0.1     0.2     0.5     0.8     1.0     2.0
-   *     packing fraction   0.646   0.612   0.593   0.565   0.557   0.552   0.546
-   *     standard deviation 0.001   0.0013  0.003   0.0023  0.002   0.004   0.003
+   *     friction             0       0.1     0.2     0.5     0.8     1.0     2.0
+   *     packing fraction     0.6456  0.6133  0.5923  0.5640  0.5557  0.5515  0.5466
+   *     standard deviation   0.0008  0.0016  0.0021  0.0021  0.0026  0.0039  0.0018
    *
-   * from random close to random loose packing, as it must be (Silbert, 2010, Soft Matter 6, 2918). Damping, shear ratio, initial spacing, pressures,
-   * rate and time step move the result by less than 0.005.
+   * that is from random close to random loose packing (Silbert, 2010, Soft Matter 6, 2918). Damping, shear ratio, initial
+   * spacing, pressures, servo and time step move it by 0.005 at most. Stransky (2018) prints 0.55 with friction 0.5 and
+   * damping 0.6: no choice of the others gives that; friction 1.0 does, and the same number of neighbours with it, so it is
+   * the default. His dense packings (0.612 to 0.615 with friction 0.1 and damping 0.8) come out as 0.612.
    */
   struct CompactionParameters
   {
@@ -29,9 +31,7 @@ namespace dem
     std::size_t   count  = 1000; ///< spheres in the periodic cell, >= 1; 1000 make the edge about 10 diameters
     std::uint64_t seed   = 1;
 
-    /// Between the spheres while they are compacted, >= 0. The default gives the packing fraction 0.55 of concrete specimens
-    /// in Stransky (2018); 0.1 gives 0.61.
-    double friction = 1.0;
+    double friction = 1.0; ///< coefficient tan(phi) between the spheres while they are compacted, >= 0; see above
     double damping  = 0.6; ///< local (Cundall) damping, in [0, 1)
 
     double shear_ratio = 0.3; ///< k_s/k_n of the contacts, >= 0
@@ -90,7 +90,7 @@ namespace dem
    * Coulomb friction, Cundall and Strack, 1979, Geotechnique 29, 47) reaches the high target and is in equilibrium
    * (unbalanced ratio below 1e-2, pressure within 1 %), and grows back to the low target (1e-3 and 1 %). There it is frozen.
    * The edge of the cell follows the missing pressure, by at most 1 % of a diameter per step. The high pressure erases the memory of the
-   * start: from 0.03 to 0.5 and from any spacing the result is the same within its scatter.
+   * start.
    *
    * The same parameters give the same packing, for any number of threads.
    *

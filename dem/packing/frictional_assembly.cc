@@ -72,6 +72,22 @@ namespace dem
     update_forces();
   }
 
+  void
+  FrictionalAssembly::set_motion(const std::size_t sphere, const Eigen::Vector3d &velocity, const Eigen::Vector3d &spin)
+  {
+    for (int d = 0; d < 3; ++d)
+      {
+        motion[record_size * sphere + d]     = parameters.time_step * velocity[d];
+        motion[record_size * sphere + 3 + d] = parameters.time_step * spin[d];
+      }
+  }
+
+  Eigen::Vector3d FrictionalAssembly::spin(const std::size_t sphere) const
+  {
+    const double *m = &motion[record_size * sphere + 3];
+    return Eigen::Vector3d(m[0], m[1], m[2]) / parameters.time_step;
+  }
+
   void FrictionalAssembly::step(const double strain)
   {
     move(strain);

@@ -40,6 +40,10 @@ namespace dem
     /** @param start equal spheres of radius 1 in a cubic cell, at rest */
     FrictionalAssembly(const Packing &start, const FrictionalAssemblyParameters &parameters);
 
+    /** Give a sphere a velocity [radius/sqrt(mass/k_n)] and a spin [1/sqrt(mass/k_n)], half a step before now. */
+    void            set_motion(std::size_t sphere, const Eigen::Vector3d &velocity, const Eigen::Vector3d &spin);
+    Eigen::Vector3d spin(std::size_t sphere) const; ///< half a step before now [1/sqrt(mass/k_n)]
+
     /** One step, in which every length of the cell grows by the factor 1 + strain. */
     void step(double strain);
 

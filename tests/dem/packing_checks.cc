@@ -1,0 +1,88 @@
+#include "dem/core/errors.h"
+#include "dem/packing/packing.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace
+{
+  dem::Packing two_spheres()
+  {
+    dem::Packing packing;
+    packing.centre = {{0.0, 0.0, 0.0}, {0.003, 0.0, 0.0}};
+    packing.radius = {0.001, 0.002};
+    return packing;
+  }
+} // namespace
+
+TEST_CASE("solid volume of spheres is that of Archimedes", "[dem][packing]")
+{
+  // 4/3 pi (1^3 + 2^3) mm^3 = 12 pi mm^3; rounding of a few operations.
+  REQUIRE(dem::solid_volume(two_spheres()) == Approx(12e-9 * std::acos(-1.0)).epsilon(1e-14));
+  REQUIRE(dem::solid_volume({}) == 0.0);
+}
+
+TEST_CASE("a sound packing passes the check", "[dem][packing]")
+{
+  dem::Packing packing = two_spheres();
+  REQUIRE_NOTHROW(dem::check_packing(packing, "a.txt"));
+  packing.periodic_cell = Eigen::Vector3d(0.01, 0.01, std::numeric_limits<double>::infinity());
+  REQUIRE_NOTHROW(dem::check_packing(packing, "a.txt"));
+}
+
+TEST_CASE("what no specimen can be made of is refused by file and particle", "[dem][packing]")
+{
+  using Catch::Contains;
+  const double nan     = std::numeric_limits<double>::quiet_NaN();
+  dem::Packing packing = two_spheres();
+  const auto   refusal = [&packing] { dem::check_packing(packing, "a.txt"); };
+
+  SECTION("no particle")
+  {
+    packing = {};
+    REQUIRE_THROWS_WITH(refusal(), Contains("a.txt: no particle"));
+  }
+  SECTION("columns of unequal length")
+  {
+    packing.radius.pop_back();
+    REQUIRE_THROWS_WITH(refusal(), Contains("2 centres but 1 radii"));
+  }
+  SECTION("a centre that is not a number")
+  {
+    packing.centre[1][2] = nan;
+    REQUIRE_THROWS_WITH(refusal(), Contains("a.txt: particle 2: centre = (0.003, 0, nan)"));
+  }
+  SECTION("radii that are not above zero")
+  {
+    for (const double radius : {0.0, -1.0, nan, std::numeric_limits<double>::infinity()})
+      {
+        packing.radius[0] = radius;
+        REQUIRE_THROWS_WITH(refusal(), Contains("particle 1: radius = ") && Contains("above zero"));
+      }
+  }
+  SECTION("coincident centres")
+  {
+    packing.centre[1] = packing.centre[0];
+    REQUIRE_THROWS_WITH(refusal(), Contains("particle 2") && Contains("same place as particle 1."));
+  }
+  SECTION("centres that coincide across the periodic cell")
+  {
+    packing.periodic_cell = Eigen::Vector3d(0.003, 0.01, 0.01);
+    REQUIRE_THROWS_WITH(refusal(), Contains("particle 2") && Contains("particle 1 (its periodic image)"));
+  }
+  SECTION("a periodic cell without extent")
+  {
+    for (const double edge : {0.0, -0.01, nan})
+      {
+        packing.periodic_cell = Eigen::Vector3d(0.01, edge, 0.01);
+        REQUIRE_THROWS_WITH(refusal(), Contains("periodic cell") && Contains("above zero"));
+      }
+  }
+  SECTION("as an input error, which the program answers with exit status 2")
+  {
+    packing = {};
+    REQUIRE_THROWS_AS(refusal(), dem::InputError);
+  }
+}
