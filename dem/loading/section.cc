@@ -1,7 +1,5 @@
 #include "dem/loading/section.h"
 
-#include "dem/core/errors.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -44,19 +42,17 @@ namespace dem
       return 0.5 * twice;
     }
 
-    /** Smallest over the planes of measure(height); zero measure means that the plane misses the body. */
+    /** Smallest over the planes of measure(height); zero measure: the plane meets nothing and does not count. */
     template <typename Measure>
     double smallest_over_planes(const double low, const double high, Measure &&measure)
     {
       double smallest = std::numeric_limits<double>::infinity();
       for (int i = 0; i < planes; ++i)
         {
-          const double height = low + (high - low) * (i + 0.5) / planes;
-          smallest            = std::min(smallest, measure(height));
+          const double found = measure(low + (high - low) * (i + 0.5) / planes);
+          if (found > 0)
+            smallest = std::min(smallest, found);
         }
-      if (!(smallest > 0))
-        throw InputError("Loading: a plane across the axis between the grips meets no particle, the specimen does not "
-                         "reach from grip to grip.");
       return smallest;
     }
   } // namespace
@@ -71,14 +67,13 @@ namespace dem
       std::vector<Eigen::Vector2d> points;
       for (std::size_t i = 0; i < centre.size(); ++i)
         {
-          const double distance = height - centre[i][axis], squared = radius[i] * radius[i] - distance * distance;
-          if (squared <= 0)
+          if (std::abs(height - centre[i][axis]) >= radius[i])
             continue;
           const Eigen::Vector2d middle(centre[i][(axis + 1) % 3], centre[i][(axis + 2) % 3]);
           for (int k = 0; k < points_per_circle; ++k)
             {
               const double angle = 2.0 * M_PI * k / points_per_circle;
-              points.push_back(middle + std::sqrt(squared) * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+              points.push_back(middle + radius[i] * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
             }
         }
       return points.empty() ? 0.0 : hull_area(std::move(points));
@@ -96,12 +91,11 @@ namespace dem
       double least = std::numeric_limits<double>::infinity(), most = -least;
       for (std::size_t i = 0; i < centre.size(); ++i)
         {
-          const double distance = height - centre[i][axis], squared = radius[i] * radius[i] - distance * distance;
-          if (squared <= 0)
+          if (std::abs(height - centre[i][axis]) >= radius[i])
             continue;
           const double across = centre[i][1 - axis];
-          least               = std::min(least, across - std::sqrt(squared));
-          most                = std::max(most, across + std::sqrt(squared));
+          least               = std::min(least, across - radius[i]);
+          most                = std::max(most, across + radius[i]);
         }
       return most > least ? (most - least) * thickness : 0.0;
     });

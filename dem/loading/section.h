@@ -9,7 +9,8 @@ namespace dem
   /**
  * Smallest convex-hull area of a body of spheres over planes across an axis between two heights [m^2].
  *
- * Each plane cuts spheres in circles; the section is the area of the convex hull of these circles, counted with its voids.
+ * Spheres that a plane meets are projected on it at their full radius, so that a crop of a packing keeps the area of its box; the section
+   * is the area of the convex hull of these circles, counted with its voids.
  *
  * @param axis 0, 1, 2: normal of the planes
  * @throws InputError when some plane between the heights cuts no sphere

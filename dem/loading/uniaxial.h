@@ -12,7 +12,7 @@ namespace dem
   {
     int    axis            = 2;     ///< 0, 1, 2: x, y, z
     double strain_rate     = 0;     ///< [1/s], > 0 pulls, < 0 crushes
-    double grip_thickness  = 0;     ///< [m], > 0: layers of particles whose centre is within it of the extreme centres
+    double grip_thickness  = 0;     ///< [m], > 0: layers of particles whose centre is within it of the specimen's end
     bool   lateral_blocked = false; ///< grips hold their particles sideways
     bool   spin_blocked    = false; ///< grips hold their particles' rotation
     double stop_fraction   = 0;     ///< stop when stress has fallen to this part of the peak, in (0, 1)
