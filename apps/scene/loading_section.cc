@@ -25,8 +25,9 @@ namespace apps
       .means("Tests to make, in this order");
     section.choice("Axis", axis, {{"x", 0}, {"y", 1}, {"z", 2}}, Need::optional).means("Direction of loading");
     section.number("Grip thickness", grip_thickness, "m", Range::positive(), Need::required)
-      .means(
-        "Particles whose centre is within this of the extreme centres are gripped; 2.2 radii hold about one layer");
+      .means("Particles whose centre is within this of the specimen's ends are gripped: more than their radius; 2.2 "
+             "radii hold "
+             "about one layer");
     section.flag("Grip lateral motion blocked", lateral_blocked)
       .means("Grips hold their particles sideways too, as rough platens do");
     section.flag("Grip rotation blocked", spin_blocked).means("Grips keep their particles from spinning");

@@ -70,7 +70,7 @@ TEST_CASE("The completed scene, the scene in JSON and any number of threads give
     "Specimen": {"Source": "file", "File": "packing.txt", "Density": 4800, "Interaction ratio": 1.5},
     "Material": {"Law": "CPM", "CPM": {"Normal modulus": 25e9, "Shear ratio": 0.2, "Limit elastic strain": 1e-4,
                  "Relative ductility": "30", "Cohesion": 3e6, "Friction coefficient": 0.8}},
-    "Loading": {"Grip thickness": 0.5e-3, "Tension": {"Strain rate": 4}, "Compression": {"Strain rate": 20}},
+    "Loading": {"Grip thickness": 1.5e-3, "Tension": {"Strain rate": 4}, "Compression": {"Strain rate": 20}},
     "Output": {"Samples": 50, "Snapshots": 5}})");
   REQUIRE(run(folder.path(), {"run", "x.prm", "-o", "first", "--threads", "1"}).status == 0);
   REQUIRE(run(folder.path(), {"run", "first/scene.prm", "-o", "second", "--threads", "2"}).status == 0);
@@ -85,9 +85,9 @@ TEST_CASE("Two particles give the curve of their one link, in closed form", "[ap
   const ScratchFolder folder;
   folder.file("packing.txt", pair_packing());
   folder.file("x.prm", scene_with_file());
-  REQUIRE(run(folder.path(), {"run", "x.prm", "-o", "results", "-s", "Loading/Tests=tension", "-s",
-                              "Loading/Tension/Stop strain=0.03", "-s", "Output/Samples=2000", "-s",
-                              "Loading/Tension/Stop fraction=1e-5", "-s", "Loading/Grip thickness=1e-4"})
+  REQUIRE(run(folder.path(),
+              {"run", "x.prm", "-o", "results", "-s", "Loading/Tests=tension", "-s", "Loading/Tension/Stop strain=0.03",
+               "-s", "Output/Samples=2000", "-s", "Loading/Tension/Stop fraction=1e-5"})
             .status == 0);
   // Pulled along its axis, the pair is one link of section pi r^2 and length 2 r, whose stress follows the envelope of the law
   // (mesoscale specification 3.3) until it is deleted with 1e-4 of its strength. The specimen's section, between spheres
@@ -122,7 +122,7 @@ TEST_CASE("A chain of three radii stores the energy of its links in series", "[a
   folder.file("x.prm", scene_with_file());
   REQUIRE(run(folder.path(), {"run", "x.prm", "-o", "results", "-s", "Loading/Tests=tension", "-s",
                               "Specimen/Interaction ratio=1.05", "-s", "Loading/Tension/Strain rate=0.05", "-s",
-                              "Loading/Tension/Stop strain=5e-5", "-s", "Loading/Grip thickness=1e-4"})
+                              "Loading/Tension/Stop strain=5e-5", "-s", "Loading/Grip thickness=2.1e-3"})
             .status == 0);
   // Two springs E A/L in series, A = pi min(r)^2 (mesoscale specification 1.1): lengths 3.5 and 2.5 mm, radii 1.5 and 1 mm.
   const double                compliance = (3.5e-3 / (pi * 2.25e-6) + 2.5e-3 / (pi * 1e-6)) / 25e9;
