@@ -102,14 +102,14 @@ namespace dem
     for (const ElasticLink &l : network.links)
       {
         Record r;
-        r.first                  = place[l.first];
-        r.second                 = place[l.second];
-        r.n                      = l.direction;
-        r.macro                  = formulation == CellFormulation::fluctuation ? l.branch : l.shift;
-        r.arm_first              = l.arm_first / scale;
-        r.arm_second             = l.arm_second / scale;
-        const Eigen::Matrix3d &C = l.stiffness;
-        r.c11 = C(0, 0), r.c22 = C(1, 1), r.c33 = C(2, 2), r.c23 = C(1, 2), r.c31 = C(2, 0), r.c12 = C(0, 1);
+        r.first      = place[l.first];
+        r.second     = place[l.second];
+        r.n          = l.direction;
+        r.macro      = formulation == CellFormulation::fluctuation ? l.branch : l.shift;
+        r.arm_first  = l.arm_first / scale;
+        r.arm_second = l.arm_second / scale;
+        r.number     = static_cast<std::int32_t>(records.size());
+        r.set_stiffness(l.stiffness);
         records.push_back(r);
       }
     // Nothing but memory locality hangs on the order.
@@ -130,6 +130,17 @@ namespace dem
         entries[next[records[l].first]++]  = {static_cast<std::int32_t>(l), 0};
         entries[next[records[l].second]++] = {static_cast<std::int32_t>(l), 1};
       }
+  }
+
+  void StiffnessOperator::Record::set_stiffness(const Eigen::Matrix3d &C)
+  {
+    c11 = C(0, 0), c22 = C(1, 1), c33 = C(2, 2), c23 = C(1, 2), c31 = C(2, 0), c12 = C(0, 1);
+  }
+
+  void StiffnessOperator::set_stiffness(const std::vector<Eigen::Matrix3d> &stiffness)
+  {
+    for (Record &r : records)
+      r.set_stiffness(stiffness[r.number]);
   }
 
   template <bool strained>

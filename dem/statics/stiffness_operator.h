@@ -58,6 +58,9 @@ namespace dem
     /** order()[k]: number in the network of the k-th particle here. */
     const std::vector<std::int32_t> &order() const { return numbers; }
 
+    /** Give every link, in the network's order, another stiffness (as it is damaged). */
+    void set_stiffness(const std::vector<Eigen::Matrix3d> &stiffness);
+
     /** y = K x on all particles, held ones included (there: what the supports have to give). */
     void apply(const Fields &x, Fields &y) const;
     /** Internal forces under the fields x and the macroscopic strains. */
@@ -99,6 +102,9 @@ namespace dem
       Eigen::Vector3d n, macro;              ///< direction; E macro is the slip of a macroscopic strain
       double          arm_first, arm_second; ///< over the length scale
       double          c11, c22, c33, c23, c31, c12;
+      std::int32_t    number; ///< of the link in the network
+
+      void set_stiffness(const Eigen::Matrix3d &C);
     };
     struct Entry
     {
