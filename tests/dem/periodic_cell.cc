@@ -266,12 +266,12 @@ TEST_CASE("a cell goes on from a saved state to the same bits, with any number o
     dem::CellTestParameters p;
     const double            dt = specimen.time_step();
     dem::CellLeg            mixed;
-    mixed.duration     = 300 * dt;
+    mixed.duration     = 200 * dt;
     mixed.stress_given = {{false, true, true, true, true, true}};
     mixed.target << 3e-3, 0, 0, 0, 0, 0;
     dem::Vector6d crushed;
     crushed << -0.08, 0.03, 0.03, 0, 0, 0.02;
-    p.path = {mixed, strain_leg(600 * dt, crushed)};
+    p.path = {mixed, strain_leg(300 * dt, crushed)};
     return p;
   };
   const int   threads = omp_get_max_threads();
@@ -280,9 +280,9 @@ TEST_CASE("a cell goes on from a saved state to the same bits, with any number o
   {
     dem::Specimen specimen = make();
     dem::CellTest test(specimen, path(specimen));
-    test.advance(250), test.advance(300);
+    test.advance(150), test.advance(270);
     specimen.visit_state(saved), test.visit_state(saved);
-    test.advance(200), test.advance(150);
+    test.advance(50), test.advance(30);
     REQUIRE(specimen.counts().contacts > 0);
     REQUIRE(specimen.counts().broken > 0);
     specimen.visit_state(whole), test.visit_state(whole);
@@ -293,7 +293,7 @@ TEST_CASE("a cell goes on from a saved state to the same bits, with any number o
     dem::CellTest test(specimen, path(specimen));
     saved.reading = true;
     specimen.visit_state(saved), test.visit_state(saved);
-    test.advance(200), test.advance(150);
+    test.advance(50), test.advance(30);
     specimen.visit_state(resumed), test.visit_state(resumed);
   }
   omp_set_num_threads(threads);
