@@ -89,8 +89,7 @@ namespace dem
             if (!correct(target))
               break;
           }
-        motion = before;
-        links.evaluate(motion);
+        restore(before);
         return false;
       }
 
@@ -102,13 +101,39 @@ namespace dem
         return sum / static_cast<double>(controlling.size());
       }
 
-      /** Links that damaged in the step just found control the next. Call before commit(). */
+      /** Links that damaged in the step just found control the next; if none did, those of before go on. Call before commit(). */
       void choose_controlling_links()
       {
-        controlling.clear();
+        std::vector<std::int32_t> damaging;
         for (std::size_t l = 0; l < network.links.size(); ++l)
           if (links.growth(l) > 0)
-            controlling.push_back(static_cast<std::int32_t>(l));
+            damaging.push_back(static_cast<std::int32_t>(l));
+        if (!damaging.empty())
+          controlling = damaging;
+      }
+
+      /** The most stretched link controls: it is about to damage. */
+      void let_most_stretched_link_control()
+      {
+        controlling = {0};
+        for (std::size_t l = 1; l < network.links.size(); ++l)
+          if (links.normal_strain(l) > links.normal_strain(controlling[0]))
+            controlling[0] = static_cast<std::int32_t>(l);
+      }
+
+      double largest_growth() const
+      {
+        double largest = 0;
+        for (std::size_t l = 0; l < network.links.size(); ++l)
+          largest = std::max(largest, links.growth(l));
+        return largest;
+      }
+
+      /** Back to a motion of before. */
+      void restore(const CellMotion &earlier)
+      {
+        motion = earlier;
+        links.evaluate(motion);
       }
 
       const ElasticNetwork        &network;
@@ -326,13 +351,25 @@ namespace dem
         points.push_back(point);
       }
 
+      /** Elastic steps. The one in which damage begins is shortened, lest it jump over a peak and the snap-back behind it. */
       void advance_by_strain()
       {
-        const double next = std::min(p.sign * axial() + p.strain_step, p.end_strain);
-        if (cell.step({StepControl::strain, p.sign * next}, false))
-          accept(StepControl::strain);
-        else
-          relax(p.sign * next);
+        constexpr double shortest = 1.0 / 64;
+        const CellMotion before   = cell.motion;
+        for (double part = 1; part >= shortest; part /= 2)
+          {
+            const double next = std::min(p.sign * axial() + part * p.strain_step, p.end_strain);
+            if (cell.step({StepControl::strain, p.sign * next}, false))
+              {
+                if (cell.largest_growth() <= p.opening_step * onset)
+                  {
+                    accept(StepControl::strain);
+                    return;
+                  }
+                cell.restore(before);
+              }
+          }
+        cell.let_most_stretched_link_control();
       }
 
       void advance_by_opening()
