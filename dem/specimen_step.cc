@@ -93,7 +93,7 @@ namespace dem
           links.accounts[b].exhausted = false;
           const std::size_t end       = std::min((b + 1) * links_per_block, links.count);
           for (std::size_t l = b * links_per_block; l < end; ++l)
-            if (links.is_alive(l) && link_at(particles, links, l).strain > 0 &&
+            if (links.is_alive(l) && link_at(particles, links, l, Geometry::present).strain > 0 &&
                 (!cohesive || links.kappa[l] > law.kappa_broken))
               delete_link(links, l, cohesive);
         }
@@ -108,7 +108,7 @@ namespace dem
     const Eigen::Vector3d branch = branch_of(particles, links, l);
     if (links.periodic)
       stress_moment -= branch * Eigen::RowVector3d(&links.force[record_size * l]);
-    released += elastic_energy(particles, links, l, law);
+    released += elastic_energy(particles, links, l, law, Geometry::present);
     if (cohesive)
       {
         const double          dissipated = damage_dissipation(links, l, law), length = branch.norm();

@@ -4,14 +4,18 @@
 
 namespace dem
 {
-  LinkView link_at(const Particles &particles, const LinkSet &links, const std::size_t link)
+  LinkView link_at(const Particles &particles, const LinkSet &links, const std::size_t link, const Geometry geometry)
   {
     const std::size_t J = links.first[link], K = links.second[link];
     const auto        moved = [&](const std::size_t i) { return Eigen::Vector3d(&particles.motion[record_size * i]); };
     LinkView          view;
-    view.direction = branch_of(particles, links, link) - (moved(K) - moved(J));
-    if (links.periodic)
-      view.direction -= particles.cell.motion_of(links.image[link]);
+    view.direction = branch_of(particles, links, link);
+    if (geometry == Geometry::before_motion)
+      {
+        view.direction -= moved(K) - moved(J);
+        if (links.periodic)
+          view.direction -= particles.cell.motion_of(links.image[link]);
+      }
     view.length = view.direction.norm();
     view.direction /= view.length;
     view.strain = (view.length - links.reference_length[link]) / links.reference_length[link];
@@ -32,10 +36,13 @@ namespace dem
     return load;
   }
 
-  double
-  elastic_energy(const Particles &particles, const LinkSet &links, const std::size_t link, const CpmConstants &law)
+  double elastic_energy(const Particles    &particles,
+                        const LinkSet      &links,
+                        const std::size_t   link,
+                        const CpmConstants &law,
+                        const Geometry      geometry)
   {
-    const double strain = link_at(particles, links, link).strain;
+    const double strain = link_at(particles, links, link, geometry).strain;
     double       shear2 = 0;
     for (int c = 0; c < links.shear_components; ++c)
       shear2 += links.elastic_shear[c][link] * links.elastic_shear[c][link];

@@ -7,6 +7,13 @@
 
 namespace dem
 {
+  /** Which positions belong to the links' forces and state. */
+  enum class Geometry
+  {
+    before_motion, ///< those of before the last step's motion: between steps, when particles have moved on
+    present        ///< the present ones: within a step, between link pass and particle pass
+  };
+
   /** A link at the instant t_n of the last force evaluation: particles have moved on since, the link's state and force have not. */
   struct LinkView
   {
@@ -16,13 +23,20 @@ namespace dem
     Eigen::Vector3d force;     ///< on the first end [N]
   };
 
-  LinkView link_at(const Particles &particles, const LinkSet &links, std::size_t link);
+  LinkView link_at(const Particles &particles,
+                   const LinkSet   &links,
+                   std::size_t      link,
+                   Geometry         geometry = Geometry::before_motion);
 
   /** The same as what measures of stress and couple stress take. */
   LinkLoad load_at(const Particles &particles, const LinkSet &links, std::size_t link);
 
   /** Energy stored in one link [J]; mesoscale specification 8. */
-  double elastic_energy(const Particles &particles, const LinkSet &links, std::size_t link, const CpmConstants &law);
+  double elastic_energy(const Particles    &particles,
+                        const LinkSet      &links,
+                        std::size_t         link,
+                        const CpmConstants &law,
+                        Geometry            geometry = Geometry::before_motion);
 
   /** Sum over all living links [J]. */
   double elastic_energy(const Particles &particles, const LinkSet &links, const CpmConstants &law);
