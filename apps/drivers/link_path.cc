@@ -84,7 +84,7 @@ namespace apps
       {
         broken              = true;
         state.elastic_shear = {{0, 0}};
-        response            = {0, {{0, 0}}, 0, 0};
+        response            = {};
       }
 
       double elastic_energy() const
@@ -102,7 +102,7 @@ namespace apps
 
       dem::CpmConstants           constants;
       dem::CpmState<double, 2>    state{0, 0, {{0, 0}}};
-      dem::CpmResponse<double, 2> response{0, {{0, 0}}, 0, 0};
+      dem::CpmResponse<double, 2> response     = {};
       double                      normal       = 0;
       std::array<double, 2>       shear        = {};
       bool                        broken       = false;

@@ -1,0 +1,66 @@
+#include "apps/scene/value_text.h"
+#include "tests/apps/program.h"
+#include "tests/apps/scenes.h"
+#include "tests/apps/scratch_folder.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <sstream>
+
+using namespace apps_tests;
+using Catch::Contains;
+
+namespace
+{
+  std::string small_generated_scene()
+  {
+    std::string scene = replaced(scene_with_file(), "Source            = file",
+                                 "Source = generator\n  set Box size = 0.014, 0.014, 0.02");
+    scene             = replaced(scene, "  set File              = packing.txt\n", "");
+    scene             = replaced(scene, "set Grip thickness = 1.5e-3", "set Grip thickness = 2.2e-3");
+    return scene + "subsection Specimen\n  subsection Generator\n    set Particle radius = 1e-3\n    set Cell "
+                   "particles = 200\n  end\nend\n";
+  }
+} // namespace
+
+TEST_CASE("bench uniaxial writes a row per case with a reference per study", "[apps][slow]")
+{
+  const ScratchFolder folder;
+  folder.file("x.prm", small_generated_scene());
+  const Outcome outcome = run(folder.path(), {"bench", "uniaxial", "x.prm", "--quick", "-o", "bench"});
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  std::istringstream csv(content_of(folder / "bench/uniaxial.csv"));
+  std::string        line;
+  REQUIRE(std::getline(csv, line));
+  const auto commas = std::count(line.begin(), line.end(), ',');
+  int        rows = 0, references = 0;
+  while (std::getline(csv, line))
+    {
+      ++rows;
+      CHECK(std::count(line.begin(), line.end(), ',') == commas);
+      const std::vector<std::string> fields = apps::comma_separated(line);
+      REQUIRE(fields.size() > 8);
+      references += fields[3] == "1" ? 1 : 0;
+      for (std::size_t i = 8; i < fields.size(); ++i)
+        CHECK(apps::number_in(fields[i]).has_value()); // a figure or an error, finite
+    }
+  CHECK(rows == 10);
+  CHECK(references == 3);
+  for (const char *study : {"time step", "loading rate", "particle size"})
+    CHECK_THAT(content_of(folder / "bench/uniaxial.md"), Contains(study));
+  CHECK(std::filesystem::file_size(folder / "bench/uniaxial.png") > 0);
+}
+
+TEST_CASE("bench uniaxial refuses a scene that it cannot vary", "[apps][S14]")
+{
+  const ScratchFolder folder;
+  folder.file("packing.txt", pair_packing());
+  folder.file("x.prm", scene_with_file());
+  const Outcome outcome = run(folder.path(), {"bench", "uniaxial", "x.prm", "-o", "bench"});
+  CHECK(outcome.status == 2);
+  CHECK_THAT(outcome.err,
+             Contains("x.prm: Specimen/Source = file: this bench varies the particle size and needs the generator"));
+  CHECK_FALSE(std::filesystem::exists(folder / "bench"));
+}
