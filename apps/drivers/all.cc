@@ -1,5 +1,6 @@
 #include "apps/drivers/all.h"
 
+#include "apps/drivers/homogenisation_scene.h"
 #include "apps/drivers/uniaxial.h"
 
 namespace apps
@@ -16,6 +17,8 @@ namespace apps
   const std::vector<SceneKind> &scene_kinds()
   {
     static const std::vector<SceneKind> kinds = {
+      {"homogenisation", "macroscopic stiffness of periodic packings, swept over link parameters",
+       make<HomogenisationScene>},
       {"uniaxial", "a bonded-particle specimen pulled and crushed", make<UniaxialScene>},
     };
     return kinds;

@@ -1,0 +1,103 @@
+#include "tests/apps/program.h"
+#include "tests/apps/scratch_folder.h"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+using namespace apps_tests;
+using Catch::Contains;
+
+namespace
+{
+  // Homogenisation specification 7.1.
+  const char *eight_spheres = "# periodic_cell 1 1 1\n"
+                              "0.625 0.897 0.776 0.22\n0.225 0.300 0.874 0.22\n0.468 0.303 0.278 0.22\n"
+                              "0.036 0.515 0.466 0.22\n0.508 0.871 0.361 0.22\n0.123 0.967 0.658 0.22\n"
+                              "0.815 0.730 0.113 0.22\n0.921 0.123 0.092 0.22\n";
+  // Homogenisation specification 7.2.
+  const char *six_discs = "# periodic_cell 1 1 1\n"
+                          "0.10 0.20 0 0.22\n0.55 0.15 0 0.22\n0.30 0.55 0 0.22\n"
+                          "0.80 0.60 0 0.22\n0.05 0.85 0 0.22\n0.60 0.90 0 0.22\n";
+
+  const std::vector<std::string> moduli = {"--normal-modulus", "1", "--shear-ratio", "0.2"};
+
+  std::vector<std::string> command(std::vector<std::string> arguments)
+  {
+    arguments.insert(arguments.begin(), "homogenise");
+    arguments.insert(arguments.end(), moduli.begin(), moduli.end());
+    return arguments;
+  }
+} // namespace
+
+TEST_CASE("homogenise writes the specification's numbers of the cell of eight spheres", "[apps]")
+{
+  const ScratchFolder folder;
+  folder.file("eight.txt", eight_spheres);
+  const Outcome outcome = run(folder.path(), command({"eight.txt", "--interaction-ratio", "1.5", "-o", "out"}));
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  CHECK_THAT(outcome.out, Contains("relaxed"));
+  const auto json = nlohmann::json::parse(content_of(folder / "out/homogenised.json"));
+  CHECK(json["particles"] == 8);
+  CHECK(json["links"] == 37);
+  CHECK(json["floaters"] == 0);
+  CHECK(json["sum_LA_over_3V"].get<double>() == Approx(1.012725).margin(0.6e-6)); // digits printed there, all below
+  CHECK(json["relaxed"]["E"].get<double>() == Approx(0.552921).margin(0.6e-6));
+  CHECK(json["relaxed"]["nu"].get<double>() == Approx(0.199718).margin(0.6e-6));
+  CHECK(json["relaxed"]["stiffness"][0][4].get<double>() == Approx(-0.07683566).margin(0.6e-8));
+  CHECK(json["relaxed"]["stiffness"][5][5].get<double>() == Approx(0.2291952).margin(0.6e-7));
+  CHECK(json["affine"]["E"].get<double>() == Approx(0.624201).margin(0.6e-6));
+  CHECK(json["statistics"]["E"].get<double>() == Approx(0.626925).margin(0.6e-6));
+  CHECK(json["isotropy"]["G"].get<double>() == Approx(0.22704).margin(0.6e-5));
+  CHECK(json["isotropy"]["off"].get<double>() == Approx(0.13896).margin(0.6e-5));
+  CHECK(json["residual"].get<double>() <= 1e-10);
+}
+
+TEST_CASE("homogenise gives plane stiffnesses of discs", "[apps]")
+{
+  const ScratchFolder folder;
+  folder.file("six.txt", six_discs);
+  const Outcome outcome =
+    run(folder.path(), command({"six.txt", "--interaction-ratio", "1.25", "--thickness", "1", "-o", "out"}));
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  const auto D = nlohmann::json::parse(content_of(folder / "out/homogenised.json"))["relaxed"]["stiffness"];
+  CHECK(D[0][0].get<double>() == Approx(0.829303).margin(0.6e-6));
+  CHECK(D[5][5].get<double>() == Approx(0.259156).margin(0.6e-6));
+  CHECK(D[2][2].get<double>() == 0);
+}
+
+TEST_CASE("homogenise refuses what has no stiffness, with one message and status 2", "[apps]")
+{
+  const ScratchFolder folder;
+  folder.file("free.txt", "0 0 0 1\n2 0 0 1\n");
+  folder.file("eight.txt", eight_spheres);
+  folder.file("six.txt", six_discs);
+  const auto refused = [&](const std::vector<std::string> &arguments, const std::string &reason) {
+    const Outcome outcome = run(folder.path(), command(arguments));
+    CHECK(outcome.status == 2);
+    CHECK_THAT(outcome.err, Contains(reason));
+  };
+  refused({"free.txt", "--interaction-ratio", "1.5", "-o", "out"}, "not a periodic packing");
+  refused({"six.txt", "--interaction-ratio", "1.5"}, "--thickness");
+  refused({"eight.txt", "--interaction-ratio", "1.5", "--thickness", "1"}, "do not lie in one plane");
+  refused({"eight.txt", "--interaction-ratio", "0.5"}, "Interaction ratio = 0.5");
+  refused({"missing.txt", "--interaction-ratio", "1.5"}, "missing.txt");
+  CHECK(!std::filesystem::exists(folder / "out"));
+}
+
+TEST_CASE("a homogenisation scene sweeps over both ratios", "[apps]")
+{
+  const ScratchFolder folder;
+  folder.file("eight.txt", eight_spheres);
+  folder.file("sweep.prm",
+              "set Kind = homogenisation\nsubsection Homogenisation\n  set Source = file\n  set File = eight.txt\n"
+              "  set Normal modulus = 1\n  set Interaction ratios = 1.4, 1.5\n  set Shear ratios = 0.2, 1\nend\n");
+  const Outcome outcome = run(folder.path(), {"run", "sweep.prm", "-o", "out"});
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  const auto cases = nlohmann::json::parse(content_of(folder / "out/summary.json"))["cases"];
+  REQUIRE(cases.size() == 4);
+  CHECK(cases[2]["relaxed"]["E"].get<double>() == Approx(0.552921).margin(0.6e-6));
+  CHECK(std::filesystem::exists(folder / "out/homogenised.csv"));
+}
