@@ -3,9 +3,6 @@
 #include "dem/core/errors.h"
 #include "postprocess/errors.h"
 
-#include <sys/mman.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <fstream>
 #include <system_error>
@@ -14,7 +11,7 @@ namespace postprocess::hdf5
 {
   namespace
   {
-    /** What HDF5 noted first, where it went wrong; the system's own words if a system call failed. */
+    /** What HDF5 noted first, where it went wrong. */
     std::string reason()
     {
       std::string       text           = "unknown error of HDF5";
@@ -25,9 +22,6 @@ namespace postprocess::hdf5
       };
       H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_innermost, &text);
 
-      const std::string marker = "errno = ";
-      if (const std::size_t place = text.find(marker); place != std::string::npos)
-        return std::generic_category().message(std::stoi(text.substr(place + marker.size())));
       return text;
     }
 
@@ -88,40 +82,28 @@ namespace postprocess::hdf5
   OutputFile::OutputFile(const std::filesystem::path &path_)
     : path(path_)
     , target(path_)
+    , driver(target.partial())
     , file(H5I_INVALID_HID, H5Fclose)
   {
-    const Handle access = access_properties(); // closed after fail(), since closing clears HDF5's list of errors
-    file                = Handle(H5Fcreate(target.partial().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose);
-    if (!file.valid())
-      fail("cannot be written");
+    const Handle access = access_properties();
+    driver.use_in(access);
+    file = Handle(H5Fcreate(target.partial().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose);
+    check(file.valid(), "the file");
   }
 
-  OutputFile::~OutputFile() { abandon(); }
-
-  /**
-   * Close without leaving anything behind, also on a full disk.
-   *
-   * HDF5 (1.10) cannot close a file whose last blocks it cannot write: the file stays open inside the library, which
-   * then crashes when the program ends. So the file is exchanged for one in memory, where the remaining blocks find
-   * room.
-   */
-  void OutputFile::abandon()
+  OutputFile::~OutputFile()
   {
-    void *descriptor = nullptr;
-    if (!file.valid())
-      return;
-    if (H5Fget_vfd_handle(file, H5P_DEFAULT, &descriptor) >= 0)
-      if (const int in_memory = ::memfd_create("abandoned", MFD_CLOEXEC); in_memory >= 0)
-        {
-          ::dup2(in_memory, *static_cast<const int *>(descriptor));
-          ::close(in_memory);
-        }
+    driver.abandon();
     file.release();
   }
 
-  void OutputFile::fail(const std::string &what) const
+  void OutputFile::check(const bool succeeded, const std::string &what) const
   {
-    throw OutputError(path.string() + ": " + what + ": " + reason() + ".");
+    if (driver.error() != 0)
+      throw OutputError(path.string() + ": cannot be written: " + std::generic_category().message(driver.error()) +
+                        ".");
+    if (!succeeded)
+      throw OutputError(path.string() + ": " + what + " cannot be written: " + reason() + ".");
   }
 
   void OutputFile::write_array(const std::string &name, const Type &type, const void *const values, const Shape &shape)
@@ -130,8 +112,8 @@ namespace postprocess::hdf5
     const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
     H5Pset_create_intermediate_group(links, 1);
     const Handle array(H5Dcreate2(file, name.c_str(), type.in_file, space, links, properties, H5P_DEFAULT), H5Dclose);
-    if (!array.valid() || H5Dwrite(array, type.in_memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
-      fail("\"" + name + "\" cannot be written");
+    check(array.valid() && H5Dwrite(array, type.in_memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0,
+          "\"" + name + "\"");
   }
 
   void OutputFile::write(const std::string &name, const double *const values, const Shape &shape)
@@ -160,10 +142,7 @@ namespace postprocess::hdf5
 
   void OutputFile::commit()
   {
-    if (H5Fflush(file, H5F_SCOPE_GLOBAL) < 0)
-      fail("cannot be written");
-    if (file.release() < 0)
-      fail("cannot be closed");
+    check(H5Fflush(file, H5F_SCOPE_GLOBAL) >= 0 && file.release() >= 0, "the file");
     target.commit();
   }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "postprocess/atomic_file.h"
+#include "postprocess/hdf5_output_driver.h"
 
 #include <hdf5.h>
 
@@ -84,13 +85,13 @@ namespace postprocess::hdf5
     {
       hid_t in_memory, in_file;
     };
-    void              write_array(const std::string &name, const Type &type, const void *values, const Shape &shape);
-    [[noreturn]] void fail(const std::string &what) const;
-    void              abandon();
+    void write_array(const std::string &name, const Type &type, const void *values, const Shape &shape);
+    void check(bool succeeded, const std::string &what) const; ///< @throws OutputError unless all went well
 
     QuietErrors           quiet;
     std::filesystem::path path;
     AtomicFile            target;
+    OutputDriver          driver;
     Handle                file;
   };
 

@@ -148,6 +148,28 @@ TEST_CASE("a picture of a specimen is drawn across each axis, with and without b
   REQUIRE(content_of(folder / "a.png") != content_of(folder / "b.png"));
 }
 
+TEST_CASE("only a link that has opened is drawn as a crack", "[postprocess]")
+{
+  const ScratchFolder folder;
+  auto                particles = postprocess_tests::numbered_particles(3);
+  dem::LinkOutput     link      = postprocess_tests::numbered_links(2);
+  link.kind                     = {dem::LinkOutput::broken};
+  const auto picture            = [&](const std::string &name, const dem::LinkOutput &links) {
+    REQUIRE(picture_of_specimen(folder / name, particles, links, "title") == "");
+    return content_of(folder / name);
+  };
+
+  // The second particle has moved away from the first along the link, see numbered_particles().
+  const std::string without_link = picture("none.png", {});
+  REQUIRE(picture("open.png", link) != without_link);
+  link.kind = {dem::LinkOutput::contact};
+  REQUIRE(picture("contact.png", link) == without_link);
+  link.kind = {dem::LinkOutput::broken};
+  particles.position[1].x() -= 2 * particles.displacement[1].x(); // now it has moved towards the first
+  particles.displacement[1].x() *= -1;
+  REQUIRE(picture("closed.png", link) == picture("none.png", {}));
+}
+
 TEST_CASE("a picture of nothing is refused in words", "[postprocess]")
 {
   const ScratchFolder folder;
