@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace dem
@@ -27,9 +28,9 @@ namespace dem
       double unbalanced_limit;
     };
 
-    void require(const bool holds, const char *entry, const double value, const char *rule)
+    void require(const char *entry, const double value, const double low, const double high, const char *rule)
     {
-      if (holds)
+      if (std::isfinite(value) && value >= low && value <= high)
         return;
       std::ostringstream text;
       text << "compaction: " << entry << " = " << value << ": must be " << rule << '.';
@@ -38,19 +39,19 @@ namespace dem
 
     void check(const CompactionParameters &p)
     {
-      require(p.radius > 0 && std::isfinite(p.radius), "radius", p.radius, "a finite length above zero [m]");
-      require(p.count >= 1 && p.count <= 100000000, "count", static_cast<double>(p.count), "from 1 to 1e8 spheres");
-      require(p.friction >= 0 && std::isfinite(p.friction), "friction", p.friction, "finite and not negative");
-      require(p.damping >= 0 && p.damping < 1, "damping", p.damping, "at least 0 and below 1");
-      require(p.shear_ratio >= 0 && p.shear_ratio <= 1, "shear ratio", p.shear_ratio, "from 0 to 1");
-      require(p.initial_spacing >= 2.4 && p.initial_spacing <= 10, "initial spacing", p.initial_spacing,
-              "from 2.4 (denser, random places run out) to 10");
-      require(p.low_pressure > 0, "low pressure", p.low_pressure, "above zero");
-      require(p.high_pressure > p.low_pressure && p.high_pressure <= 0.5, "high pressure", p.high_pressure,
+      constexpr double largest = std::numeric_limits<double>::max(), above_zero = std::numeric_limits<double>::min();
+      const double     below_one = std::nextafter(1.0, 0.0);
+      require("radius", p.radius, above_zero, largest, "a finite length above zero [m]");
+      require("count", static_cast<double>(p.count), 1, 1e8, "from 1 to 1e8 spheres");
+      require("friction", p.friction, 0, largest, "finite and not negative");
+      require("damping", p.damping, 0, below_one, "at least 0 and below 1");
+      require("shear ratio", p.shear_ratio, 0, 1, "from 0 to 1");
+      require("initial spacing", p.initial_spacing, 2.4, 10, "from 2.4 (denser, random places run out) to 10");
+      require("low pressure", p.low_pressure, above_zero, 0.5, "above zero and below the high pressure");
+      require("high pressure", p.high_pressure, std::nextafter(p.low_pressure, 1.0), 0.5,
               "above the low pressure, at most 0.5");
-      require(p.time_step_factor > 0 && p.time_step_factor <= 0.8, "time step factor", p.time_step_factor,
-              "above 0, at most 0.8");
-      require(p.step_limit > 0, "step limit", static_cast<double>(p.step_limit), "above zero");
+      require("time step factor", p.time_step_factor, above_zero, 0.8, "above 0, at most 0.8");
+      require("step limit", static_cast<double>(p.step_limit), 1, largest, "above zero");
     }
 
     /** One compaction under way; pressures as p 2r/k_n, which is twice that of the assembly's units. */

@@ -21,7 +21,7 @@ namespace dem
    *     standard deviation   0.0008  0.0016  0.0021  0.0021  0.0026  0.0039  0.0018
    *
    * that is from random close to random loose packing (Silbert, 2010, Soft Matter 6, 2918). Damping, shear ratio, initial
-   * spacing, pressures, servo and time step move it by 0.005 at most. Stransky (2018) prints 0.55 with friction 0.5 and
+   * spacing, pressures, servo and time step move it by about 0.005. Stransky (2018) prints 0.55 with friction 0.5 and
    * damping 0.6: no choice of the others gives that; friction 1.0 does, and the same number of neighbours with it, so it is
    * the default. His dense packings (0.612 to 0.615 with friction 0.1 and damping 0.8) come out as 0.612.
    */

@@ -40,7 +40,7 @@ namespace dem
   {
     const UnitCell unit   = unit_cell(lattice);
     const bool     planar = unit.edge[2] == 0;
-    if (!(radius > 0) || !std::isfinite(radius))
+    if (!std::isfinite(radius) || radius <= 0)
       throw InputError("lattice: radius = " + std::to_string(radius) + ": must be a finite length above zero [m].");
     for (int d = 0; d < 3; ++d)
       if (cells[d] < 1 || (d == 2 && planar && cells[d] != 1))

@@ -24,8 +24,9 @@ namespace dem
 
     void check_particle(const Packing &packing, const std::size_t i, const std::string &origin)
     {
-      if (!packing.centre[i].allFinite())
-        refuse(origin, i, "centre = " + place(packing.centre[i]) + ": not finite numbers.");
+      for (int d = 0; d < 3; ++d)
+        if (!std::isfinite(packing.centre[i][d]))
+          refuse(origin, i, "centre = " + place(packing.centre[i]) + ": not finite numbers.");
       if (std::isfinite(packing.radius[i]) && packing.radius[i] > 0)
         return;
       std::ostringstream found;
@@ -54,9 +55,10 @@ namespace dem
                        std::to_string(packing.radius.size()) + " radii.");
     if (packing.size() == 0)
       throw InputError(origin + ": no particle. A packing needs at least one.");
-    if (packing.periodic_cell && !(packing.periodic_cell->array() > 0).all())
-      throw InputError(origin + ": periodic cell = " + place(*packing.periodic_cell) +
-                       ": its edges must be above zero.");
+    for (int d = 0; d < 3 && packing.periodic_cell; ++d)
+      if (const double edge = (*packing.periodic_cell)[d]; std::isnan(edge) || edge <= 0)
+        throw InputError(origin + ": periodic cell = " + place(*packing.periodic_cell) +
+                         ": its edges must be above zero.");
     for (std::size_t i = 0; i < packing.size(); ++i)
       check_particle(packing, i, origin);
     check_coincidence(packing, origin);

@@ -84,8 +84,9 @@ namespace dem
 
   Tiling tile_and_crop(const Packing &packing, const Eigen::Vector3d &box)
   {
-    if (!(box.array() > 0).all())
-      throw InputError(text_of(box) + ": its edges must be above zero.");
+    for (int d = 0; d < 3; ++d)
+      if (std::isnan(box[d]) || box[d] <= 0)
+        throw InputError(text_of(box) + ": its edges must be above zero.");
     if (packing.size() == 0)
       throw InputError(text_of(box) + ": there is no sphere to fill it with.");
     Tiling        tiling;

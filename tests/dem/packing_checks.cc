@@ -53,6 +53,8 @@ TEST_CASE("what no specimen can be made of is refused by file and particle", "[d
   {
     packing.centre[1][2] = nan;
     REQUIRE_THROWS_WITH(refusal(), Contains("a.txt: particle 2: centre = (0.003, 0, nan)"));
+    packing.centre[1][2] = std::numeric_limits<double>::infinity();
+    REQUIRE_THROWS_WITH(refusal(), Contains("centre = (0.003, 0, inf)"));
   }
   SECTION("radii that are not above zero")
   {
