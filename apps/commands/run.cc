@@ -41,6 +41,13 @@ namespace apps
   {
     const auto options = std::make_shared<RunOptions>();
     CLI::App  &command = *program.add_subcommand("run", "Run a scene and write its results");
+    command.footer("Results of a complete run stand in the folder: summary.json, series.csv, pictures, .pvd files for "
+                   "ParaView, and\n"
+                   "scene.prm with every entry. Until then they grow in its sub-folder \"running\", and results of an "
+                   "earlier run stay\n"
+                   "as they are. Ctrl-C saves the state there; --resume goes on to the same bits.\n"
+                   "Exit status: 0 done, 1 the computation failed, 2 something given is wrong or cannot be written, "
+                   "130 interrupted.");
     add_scene_options(command, *options);
     command
       .add_option("-o,--output", options->output_folder, "Folder for the results; default: the scene's, or output/NAME")

@@ -17,6 +17,7 @@ namespace apps
 {
   namespace
   {
+    constexpr const char *scene_name   = "scene.prm";
     constexpr const char *packing_name = "packing.h5";
     constexpr const char *series_name  = "series.csv";
 
@@ -49,6 +50,9 @@ namespace apps
       resume();
     else
       begin();
+    fmt::print(stderr, "{}: {} particles, {} links; results {} in {}\n", request.scene_file,
+               stage->result.at_start.particles, stage->result.at_start.links, request.resume ? "go on" : "grow",
+               folder->running().string());
     while (true)
       {
         if (!complete_stage())
@@ -71,7 +75,7 @@ namespace apps
 
     folder = std::make_unique<ResultFolder>(request.output_folder, ResultFolder::Start::afresh);
     const std::filesystem::path &location = folder->running();
-    postprocess::write_text(location / "scene.prm", request.scene_text);
+    postprocess::write_text(location / scene_name, request.scene_text);
     postprocess::write_packing(packing, location / packing_name);
     series = std::make_unique<postprocess::SeriesWriter>(location / series_name, UniaxialStage::series_columns());
     stage->open(location);
@@ -141,9 +145,8 @@ namespace apps
           {
             save();
             progress.clear();
-            fmt::print(stderr,
-                       "breccia: interrupted in {}. Go on with: breccia run {} -o {} --resume (and the same -s)\n",
-                       name, request.scene_file, request.output_folder.string());
+            fmt::print(stderr, "breccia: interrupted in {}, state saved. Go on with: breccia run {} --resume\n", name,
+                       (folder->running() / scene_name).string());
             return false;
           }
         if (seconds_since(last_saved) > model.output.checkpoint_interval)
