@@ -77,7 +77,5 @@ namespace dem
     void make_contacts();
     /** NaN and infinity spread to velocities within a step. */
     void check_numbers() const;
-    /** NaN, and the time step against the stiffness that contacts have added. */
-    void check_state();
   };
 } // namespace dem

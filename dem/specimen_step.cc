@@ -10,7 +10,7 @@ namespace dem
 {
   namespace
   {
-    /** How often the state is looked at for NaN, and the step for contacts that have stiffened particles. */
+    /** How often the state is looked at for NaN. */
     constexpr std::int64_t steps_between_checks = 100;
     /** Deleted links stay as idle lines until they are this part of all. */
     constexpr double idle_lines_allowed = 0.05;
@@ -35,7 +35,7 @@ namespace dem
     if (parameters.physics.contacts)
       make_contacts();
     if (step_count % steps_between_checks == 0)
-      check_state();
+      check_numbers();
   }
 
   void Specimen::Implementation::sum_stress()
@@ -136,8 +136,14 @@ namespace dem
     if (!search.moved(std::sqrt(fastest), (time_step * particles.cell.gradient()).norm()))
       return;
     const auto born = search.look(particles, bonds, contacts);
-    if (!born.empty())
-      add_contacts(contacts, born, particles, shape);
+    if (born.empty())
+      return;
+    add_contacts(contacts, born, particles, shape);
+    // Links only soften, but contacts stiffen the particles they join: keep the factor on the present bound.
+    for (const auto &pair : born)
+      for (const std::int32_t i : {pair.first, pair.second})
+        time_step = std::min(time_step, parameters.step_factor * stable_step_of(particles, bonds, contacts, law,
+                                                                                parameters.physics.rotations, i));
   }
 
   void Specimen::Implementation::check_numbers() const
@@ -152,16 +158,5 @@ namespace dem
                     << ") or the loading rate, and check the material.";
             throw NumericalError(message.str());
           }
-  }
-
-  void Specimen::Implementation::check_state()
-  {
-    check_numbers();
-    if (contacts.alive == 0)
-      return;
-    // Links only soften, but contacts stiffen the particles they join: keep the factor on the present bound.
-    const double allowed = parameters.step_factor * stable();
-    if (allowed < time_step)
-      time_step = allowed;
   }
 } // namespace dem

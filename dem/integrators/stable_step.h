@@ -4,6 +4,8 @@
 #include "dem/links.h"
 #include "dem/particles.h"
 
+#include <cstdint>
+
 namespace dem
 {
   /**
@@ -17,6 +19,14 @@ namespace dem
  */
   double stable_step(
     const Particles &particles, const LinkSet &bonds, const LinkSet *contacts, const CpmConstants &law, bool rotations);
+
+  /** The same bound of one particle alone [s], in time proportional to its links. @pre it has one */
+  double stable_step_of(const Particles    &particles,
+                        const LinkSet      &bonds,
+                        const LinkSet      &contacts,
+                        const CpmConstants &law,
+                        bool                rotations,
+                        std::int32_t        particle);
 
   /**
  * Sharp critical step 2/sqrt(largest eigenvalue of M^-1 K) of the undamaged links at the present positions [s], by Lanczos iteration

@@ -9,7 +9,7 @@ namespace dem
   namespace
   {
     constexpr int planes            = 20; ///< how many cuts are looked at
-    constexpr int points_per_circle = 24; ///< area of the circles' hull within 1e-3 of a circle's own area
+    constexpr int points_per_circle = 24; ///< exact along the axes; the hull of one lone circle comes out 1.2 % small
 
     double turn(const Eigen::Vector2d &o, const Eigen::Vector2d &a, const Eigen::Vector2d &b)
     {

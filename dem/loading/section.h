@@ -10,10 +10,10 @@ namespace dem
  * Smallest convex-hull area of a body of spheres over planes across an axis between two heights [m^2].
  *
  * Spheres that a plane meets are projected on it at their full radius, so that a crop of a packing keeps the area of its box; the section
-   * is the area of the convex hull of these circles, counted with its voids.
+ * is the area of the convex hull of these circles, counted with its voids. Planes that meet no sphere do not count.
  *
  * @param axis 0, 1, 2: normal of the planes
- * @throws InputError when some plane between the heights cuts no sphere
+ * @return infinity when no plane between the heights meets a sphere
  */
   double smallest_section(
     const std::vector<Eigen::Vector3d> &centre, const std::vector<double> &radius, int axis, double low, double high);
