@@ -18,6 +18,7 @@
 
 #include "clusters.h"
 #include "dem/specimen.h"
+#include "dense_stiffness.h"
 
 #include <Eigen/Dense>
 #include <catch2/catch.hpp>
@@ -111,46 +112,33 @@ TEST_CASE("single row of spinning bonded spheres is a mechanism in bending", "[d
 
 namespace
 {
-  /**
-   * Stiffness of a small bonded body against moving one particle along y while others are held, by a dense solve. A link's energy is
-   * A/(2 L0) [E (n.s)^2 + G |s - n n.s|^2] of the slip s = u_K - u_J + n x (d_J theta_J + d_K theta_K).
-   */
+  /** Stiffness of a small bonded body against moving one particle along y while another is held, by a dense solve. */
   double
   dense_stiffness(const dem::Packing &packing, const double iota, const std::size_t held, const std::size_t moved)
   {
-    const int       n = static_cast<int>(packing.size());
-    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(6 * n, 6 * n);
-    for (int J = 0; J < n; ++J)
-      for (int k = J + 1; k < n; ++k)
+    const std::size_t n = packing.size();
+    Eigen::MatrixXd   K = Eigen::MatrixXd::Zero(6 * n, 6 * n);
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = i + 1; j < n; ++j)
         {
-          const Vector3d branch = packing.centre[k] - packing.centre[J];
-          const double   L = branch.norm(), r_J = packing.radius[J], r_K = packing.radius[k];
-          if (L >= iota * (r_J + r_K))
-            continue;
-          const Vector3d  e   = branch / L;
-          const double    d_J = r_J + 0.5 * (L - r_J - r_K), area = M_PI * std::pow(std::min(r_J, r_K), 2);
-          Eigen::Matrix3d across;
-          across << 0, -e[2], e[1], e[2], 0, -e[0], -e[1], e[0], 0;
-          Eigen::MatrixXd slip           = Eigen::MatrixXd::Zero(3, 6 * n);
-          slip.block<3, 3>(0, 6 * J)     = -Eigen::Matrix3d::Identity();
-          slip.block<3, 3>(0, 6 * k)     = Eigen::Matrix3d::Identity();
-          slip.block<3, 3>(0, 6 * J + 3) = d_J * across;
-          slip.block<3, 3>(0, 6 * k + 3) = (L - d_J) * across;
-          const Eigen::Matrix3d D        = area / L * (G * Eigen::Matrix3d::Identity() + (E - G) * e * e.transpose());
-          K += slip.transpose() * D * slip;
+          const Vector3d branch = packing.centre[j] - packing.centre[i];
+          const double   L = branch.norm(), r_i = packing.radius[i], r_j = packing.radius[j];
+          const double   area = M_PI * std::pow(std::min(r_i, r_j), 2);
+          if (L < iota * (r_i + r_j))
+            dense::add(K, {i, j, branch, r_i + 0.5 * (L - r_i - r_j), E * area / L, G * area / L});
         }
-    std::vector<int> free;
-    const int        prescribed = static_cast<int>(6 * moved + 1);
-    for (int i = 0; i < 6 * n; ++i)
-      if (i / 6 != static_cast<int>(held) && i != prescribed)
+    std::vector<Eigen::Index> free;
+    const auto                prescribed = static_cast<Eigen::Index>(6 * moved + 1);
+    for (Eigen::Index i = 0; i < K.rows(); ++i)
+      if (i / 6 != static_cast<Eigen::Index>(held) && i != prescribed)
         free.push_back(i);
-    const int       m = static_cast<int>(free.size());
+    const auto      m = static_cast<Eigen::Index>(free.size());
     Eigen::MatrixXd reduced(m, m);
     Eigen::VectorXd coupling(m);
-    for (int i = 0; i < m; ++i)
+    for (Eigen::Index i = 0; i < m; ++i)
       {
         coupling[i] = K(free[i], prescribed);
-        for (int j = 0; j < m; ++j)
+        for (Eigen::Index j = 0; j < m; ++j)
           reduced(i, j) = K(free[i], free[j]);
       }
     return K(prescribed, prescribed) - coupling.dot(reduced.ldlt().solve(coupling));

@@ -1,0 +1,140 @@
+#include "dem/loading/uniaxial.h"
+
+#include "clusters.h"
+#include "dem/core/errors.h"
+#include "dem/specimen.h"
+
+#include <catch2/catch.hpp>
+
+#include <omp.h>
+
+#include <cmath>
+#include <string>
+
+using Catch::Matchers::Contains;
+using Eigen::Vector3d;
+
+namespace
+{
+  const double r = 1e-3, E = 25e9;
+
+  dem::UniaxialParameters pull(const double rate)
+  {
+    dem::UniaxialParameters p;
+    p.axis           = 2;
+    p.strain_rate    = rate;
+    p.grip_thickness = 1.5 * r; // one layer of the lattice
+    p.stop_fraction  = 0.2;
+    p.stop_strain    = 5e-3;
+    return p;
+  }
+} // namespace
+
+TEST_CASE("uniaxial test of a cubic lattice measures the stiffness of its columns", "[dem]")
+{
+  // n^2 columns of touching spheres, nothing couples them along the axis: F = n^2 E pi r^2 strain, that is D_11 = (pi/4) E on the
+  // lattice's own section (2 r n)^2. The initial velocity field is that of the uniform strain, so it is exact from the first step.
+  omp_set_num_threads(1);
+  const int n = 4;
+  for (const int axis : {0, 1, 2})
+    for (const double rate : {1.0, -1.0})
+      {
+        auto p    = cluster::next_neighbours();
+        p.damping = 0.3;
+        dem::Specimen body(cluster::cubic_lattice(n, n, n, r), p, cluster::concrete());
+        auto          loading = pull(rate);
+        loading.axis          = axis;
+        dem::UniaxialTest test(body, loading);
+        CHECK(test.reference_length() == Approx(2 * r * (n - 1)).epsilon(1e-14));
+        while (std::abs(test.advance(5).strain) < 0.5e-4)
+          {
+            const auto &now = test.curve().back();
+            if (now.strain != 0)
+              CHECK(now.stress * test.section() == Approx(n * n * E * M_PI * r * r * now.strain).epsilon(1e-6));
+          }
+        CHECK(test.figures().young_modulus * test.section() == Approx(n * n * E * M_PI * r * r).epsilon(1e-6));
+        CHECK(test.figures().young_modulus * test.section() / (4 * r * r * n * n) ==
+              Approx(M_PI / 4 * E).epsilon(1e-6));
+        CHECK_FALSE(test.finished());
+      }
+}
+
+TEST_CASE("uniaxial test of a square lattice of discs measures the stiffness of its columns", "[dem]")
+{
+  omp_set_num_threads(1);
+  auto p              = cluster::next_neighbours();
+  p.physics.dimension = 2;
+  p.thickness         = 5e-3;
+  dem::Specimen body(cluster::cubic_lattice(4, 6, 1, r), p, cluster::concrete());
+  auto          loading = pull(0.5);
+  loading.axis          = 1;
+  dem::UniaxialTest test(body, loading);
+  while (test.advance(5).strain < 0.5e-4)
+    ;
+  CHECK(test.figures().young_modulus * test.section() == Approx(4 * E * 2 * r * p.thickness).epsilon(1e-6));
+}
+
+TEST_CASE("uniaxial test finds strength and strain at the peak of a lattice that softens as one link", "[dem]")
+{
+  // Three layers, both bays alike: uniform until the links' limit strain, F = n^2 E eps_0 pi r^2 at eps_0; then one bay opens.
+  omp_set_num_threads(1);
+  const int n = 3;
+  auto      p = cluster::next_neighbours();
+  p.damping   = 0.3;
+  dem::Specimen     body(cluster::cubic_lattice(n, n, n, r), p, cluster::concrete());
+  auto              loading = pull(1.0);
+  dem::UniaxialTest test(body, loading);
+  const auto        most = test.most_steps();
+  while (!test.finished())
+    {
+      test.advance(1);
+      REQUIRE(body.steps() <= most);
+    }
+  const auto found = test.figures();
+  CHECK(found.strain_at_peak == Approx(1e-4).margin(body.time_step() * 1.5).epsilon(0)); // one sample
+  CHECK(found.strength * test.section() == Approx(n * n * E * 1e-4 * M_PI * r * r).epsilon(5e-3));
+  CHECK(found.strength <= E * 1e-4 * M_PI * r * r * n * n / test.section() * (1 + 1e-6));
+  CHECK(std::abs(test.curve().back().stress) < 0.2 * found.strength);
+}
+
+TEST_CASE("uniaxial test does as much work as the specimen's account says", "[dem]")
+{
+  omp_set_num_threads(1);
+  auto p    = cluster::bonded(1.5);
+  p.damping = 0.3;
+  dem::Specimen       body(cluster::cubic_lattice(4, 4, 6, r), p, cluster::concrete());
+  dem::UniaxialTest   test(body, pull(2.0));
+  double              work   = 0;
+  dem::UniaxialSample before = test.advance(1);
+  for (int i = 0; i < 1500; ++i)
+    {
+      const auto now = test.advance(1);
+      work += 0.5 * (before.stress + now.stress) * (now.strain - before.strain);
+      before = now;
+    }
+  work *= test.section() * test.reference_length();
+  const auto energy = body.energy();
+  CHECK(work == Approx(energy.external_work).epsilon(1e-3));
+  CHECK(energy.damage > 0.1 * work);
+  CHECK(energy.balance_error() < 1e-3);
+}
+
+TEST_CASE("uniaxial test refuses what it cannot do and names the entry", "[dem]")
+{
+  dem::Specimen body(cluster::cubic_lattice(3, 3, 3, r), cluster::next_neighbours(), cluster::concrete());
+  const auto    refused = [&](const auto &change) {
+    auto p = pull(1);
+    change(p);
+    return [&body, p] { dem::UniaxialTest test(body, p); };
+  };
+  CHECK_THROWS_WITH(refused([](auto &p) { p.axis = 3; })(), Contains("Axis"));
+  CHECK_THROWS_WITH(refused([](auto &p) { p.strain_rate = 0; })(), Contains("strain rate"));
+  CHECK_THROWS_WITH(refused([](auto &p) { p.grip_thickness = 0; })(), Contains("Grip thickness"));
+  CHECK_THROWS_WITH(refused([](auto &p) { p.grip_thickness = 3 * r; })(),
+                    Contains("Grip thickness") && Contains("meet"));
+  CHECK_THROWS_WITH(refused([](auto &p) { p.grip_thickness = 0.9 * r; })(),
+                    Contains("Grip thickness") && Contains("no particle"));
+  CHECK_THROWS_WITH(refused([](auto &p) { p.stop_fraction = 1; })(), Contains("stop fraction"));
+  CHECK_THROWS_WITH(refused([](auto &p) { p.stop_strain = 0; })(), Contains("stop strain"));
+  CHECK_THROWS_AS(refused([](auto &p) { p.axis = -1; })(), dem::InputError);
+}
