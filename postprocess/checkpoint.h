@@ -63,8 +63,7 @@ namespace postprocess
     void scalar(const std::string &name, double &value) override;
     void scalar(const std::string &name, std::int64_t &value) override;
 
-    /** Call it last. @throws dem::InputError if the file holds an item that nobody read: it was made by another
-     * version. */
+    /** Call it last. @throws dem::InputError if the file holds an item that nobody read. */
     void finish() const;
 
   private:

@@ -51,8 +51,8 @@ namespace postprocess
       fs::path folder;
     };
 
-    /** Run `gnuplot script` in the folder, its messages going to the file `messages`. @return exit status, or -1 if
-     * killed. */
+    /** Run `gnuplot script` in the folder; what it says goes to the file `messages`. @return exit status, -1 if killed
+     */
     int run_gnuplot(const ScratchFolder &folder)
     {
       posix_spawn_file_actions_t actions;

@@ -6,8 +6,7 @@
 
 namespace postprocess
 {
-  /** What gnuplot needs for one picture; the script refers to the data files by name and sets neither terminal nor
-   * output. */
+  /** One picture for gnuplot; the script names the data files and sets neither terminal nor output. */
   struct GnuplotJob
   {
     std::string                        script;

@@ -34,8 +34,7 @@ namespace postprocess::numeric_text
   /** Fields between blanks, tabs and commas; several separators in a row count as one. */
   void split(std::string_view line, std::vector<std::string_view> &fields);
 
-  /** The number that the whole field stands for, nan and inf included; empty if it is none (or out of double's range).
-   */
+  /** The number that the whole field stands for, nan and inf included; empty if it is none, or too large or small. */
   std::optional<double> number(std::string_view field);
 
   /** The number, finite. @throws dem::InputError. */

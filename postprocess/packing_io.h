@@ -26,8 +26,7 @@ namespace postprocess
    */
   dem::Packing read_packing(const std::filesystem::path &path);
 
-  /** The free text stored with a packing; in text files, the lines `# KEY: VALUE`. @throws dem::InputError as
-   * read_packing(). */
+  /** The free text stored with a packing; in text files, the lines `# KEY: VALUE`. @throws as read_packing(). */
   Metadata read_packing_metadata(const std::filesystem::path &path);
 
   /**

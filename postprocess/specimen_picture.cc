@@ -43,8 +43,7 @@ namespace postprocess
 
       bool shows(const std::size_t i) const { return std::fabs(origin(i)[slab.axis] - middle) <= half_width; }
 
-      /** Farther from the eye, which looks along +y, and against x and z, so that the other two axes are right-handed.
-       */
+      /** Farther from the eye, which looks along y, and against x and z, so that the other two axes go right and up. */
       bool is_behind(const std::size_t i, const std::size_t j) const
       {
         const double depth_i = origin(i)[slab.axis], depth_j = origin(j)[slab.axis];
@@ -75,7 +74,10 @@ namespace postprocess
     void append_row(std::string &text, const std::initializer_list<double> values)
     {
       for (const double value : values)
-        numeric_text::append(text, value), text += ' ';
+        {
+          numeric_text::append(text, value);
+          text += ' ';
+        }
       text += '\n';
     }
 
@@ -92,16 +94,20 @@ namespace postprocess
       return shown;
     }
 
+    /** What the picture shows [mm]: all circles, but debris only near the specimen. */
     Eigen::AlignedBox2d
-    box_of(const dem::ParticleOutput &particles, const View &view, const std::vector<std::size_t> &shown)
+    frame_of(const dem::ParticleOutput &particles, const View &view, const std::vector<std::size_t> &shown)
     {
-      Eigen::AlignedBox2d box;
+      Eigen::AlignedBox2d now, at_first;
       for (const std::size_t i : shown)
         {
           const Eigen::Vector2d radius = Eigen::Vector2d::Constant(particles.radius[i] * millimetres);
-          box.extend(view.on_paper(i) - radius).extend(view.on_paper(i) + radius);
+          const Eigen::Vector2d before = view.projected(view.origin(i)) * millimetres;
+          now.extend(view.on_paper(i) - radius).extend(view.on_paper(i) + radius);
+          at_first.extend(before - radius).extend(before + radius);
         }
-      return box;
+      const Eigen::Vector2d margin = Eigen::Vector2d::Constant(at_first.sizes().maxCoeff() / 5);
+      return now.intersection(Eigen::AlignedBox2d(at_first.min() - margin, at_first.max() + margin));
     }
 
     std::string
@@ -153,8 +159,7 @@ namespace postprocess
       return wide->opening;
     }
 
-    /** Rows of start, direction, and red whose opacity grows with the opening (gnuplot's 0xAARRGGBB, A = 0 is opaque).
-     */
+    /** Rows of start, direction, and red, the more opaque the wider (gnuplot's 0xAARRGGBB; AA = 0 is opaque). */
     std::string crack_rows(const std::vector<CrackSegment> &cracks, const double wide)
     {
       constexpr double red = 0xc1272d, one_alpha = 1 << 24;
@@ -170,12 +175,12 @@ namespace postprocess
       return text;
     }
 
-    /** Script lines of the frame: ranges that hold every circle, and a picture in their proportion. */
+    /** Script lines of the frame, and a picture in its proportion. */
     void set_frame(GnuplotJob &job, const Eigen::AlignedBox2d &box)
     {
-      constexpr int longer_side = 760, left_and_right = 190, above_and_below = 130; // [pixel]
+      constexpr int longer_side = 760, shortest_width = 520, left_and_right = 190, above_and_below = 130; // [pixel]
       const double  scale = longer_side / box.sizes().maxCoeff();
-      job.width           = static_cast<int>(box.sizes().x() * scale) + left_and_right;
+      job.width           = std::max(shortest_width, static_cast<int>(box.sizes().x() * scale) + left_and_right);
       job.height          = static_cast<int>(box.sizes().y() * scale) + above_and_below;
       const auto range    = [&](const char axis, const int d) {
         job.script += std::string("set ") + axis + "range [";
@@ -201,7 +206,7 @@ namespace postprocess
         const auto cracks = find_cracks(particles, links, view);
 
         GnuplotJob job;
-        set_frame(job, box_of(particles, view, shown));
+        set_frame(job, frame_of(particles, view, shown));
         job.data["particles"] = circle_rows(particles, view, shown);
         job.script += "set title " + gnuplot_quoted(title) +
                       " noenhanced\nset size ratio -1\nset border lc rgb '#404040'\n" +
