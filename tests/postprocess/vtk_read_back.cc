@@ -25,6 +25,11 @@ using postprocess_tests::numbered_links;
 using postprocess_tests::numbered_particles;
 using postprocess_tests::ScratchFolder;
 
+#ifdef __SANITIZE_ADDRESS__
+/** VTK 9.1 forgets 32 bytes per array when the disk is full; that leak is not ours to find. */
+extern "C" const char *__lsan_default_suppressions() { return "leak:libvtkIOXML"; }
+#endif
+
 namespace
 {
   /** As ParaView would open it. */
