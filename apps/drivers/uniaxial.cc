@@ -2,6 +2,7 @@
 
 #include "apps/drivers/specimen_packing.h"
 #include "apps/drivers/uniaxial_run.h"
+#include "apps/drivers/uniaxial_stage.h"
 #include "apps/exit_status.h"
 #include "apps/progress.h"
 #include "apps/scene/physics_section.h"
@@ -81,15 +82,16 @@ namespace apps
     text += fmt::format("  links        {}\n", body.counts().links);
     text += fmt::format("  time step    {:.4g} s\n", body.time_step());
     text += fmt::format("  memory       {} for particles and links\n", megabytes(body.bytes()));
-    double most_steps = 0;
+    double steps = 0;
     for (const UniaxialLoad load : asked.loading.tests)
       {
         dem::Specimen           fresh(packing, asked.specimen, asked.law);
-        const dem::UniaxialTest test(fresh, asked.loading.parameters(load));
-        most_steps += static_cast<double>(test.most_steps());
-        text += fmt::format("  {:<12} at most {} steps\n", name_of(load), test.most_steps());
+        const dem::UniaxialTest test(fresh, asked.loading.parameters(load)); // refuses what a run would refuse
+        const std::int64_t      most = most_steps(asked.loading, load, fresh.time_step());
+        steps += static_cast<double>(most);
+        text += fmt::format("  {:<12} at most {} steps\n", name_of(load), most);
       }
-    const double seconds = most_steps * measured_step_cost(body);
+    const double seconds = steps * measured_step_cost(body);
     text += fmt::format("  duration     roughly {} at most, on this machine as it is now\n", duration_text(seconds));
     return text;
   }

@@ -1,5 +1,6 @@
 #include "apps/drivers/uniaxial_stage.h"
 
+#include "dem/core/errors.h"
 #include "postprocess/specimen_picture.h"
 #include "postprocess/vtk_links.h"
 #include "postprocess/vtk_particles.h"
@@ -21,13 +22,27 @@ namespace apps
     }
   } // namespace
 
+  std::int64_t most_steps(const UniaxialLoadingSection &loading, const UniaxialLoad load, const double time_step)
+  {
+    constexpr double              limit = 1e12; // a year at thirty thousand steps a second
+    const dem::UniaxialParameters test  = loading.parameters(load);
+    const double                  steps = std::ceil(test.stop_strain / std::abs(test.strain_rate) / time_step);
+    if (!(steps < limit))
+      throw dem::InputError(fmt::format(
+        "Loading, {}: strain {} at {} 1/s would take {:.1e} steps of {:.1e} s. Check density, moduli, sizes and "
+        "rates: all in SI units.",
+        name_of(load), test.stop_strain, std::abs(test.strain_rate), steps, time_step));
+    return static_cast<std::int64_t>(steps);
+  }
+
   UniaxialStage::UniaxialStage(const UniaxialModel &model, const dem::Packing &packing, const std::size_t which)
     : name(name_of(model.loading.tests[which]))
     , number(which)
     , axis(model.loading.axis)
     , specimen(packing, model.specimen, model.law)
     , test(specimen, model.loading.parameters(model.loading.tests[which]))
-    , steps_per_sample(std::max<std::int64_t>(1, test.most_steps() / model.output.samples))
+    , steps_at_most(most_steps(model.loading, model.loading.tests[which], specimen.time_step()))
+    , steps_per_sample(std::max<std::int64_t>(1, steps_at_most / model.output.samples))
     , samples_per_snapshot(rounded_up(model.output.samples, model.output.snapshots))
   {
     result.load      = model.loading.tests[which];
@@ -118,7 +133,7 @@ namespace apps
 
   double UniaxialStage::done() const
   {
-    return std::min(1.0, static_cast<double>(specimen.steps()) / static_cast<double>(test.most_steps()));
+    return std::min(1.0, static_cast<double>(specimen.steps()) / static_cast<double>(steps_at_most));
   }
 
   std::string UniaxialStage::details() const

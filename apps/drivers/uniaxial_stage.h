@@ -12,6 +12,12 @@
 
 namespace apps
 {
+  /**
+   * Steps to the stop strain of a test, the most it can take.
+   * @throws dem::InputError beyond what any computer can do: some value is then not in SI units.
+   */
+  std::int64_t most_steps(const UniaxialLoadingSection &loading, UniaxialLoad load, double time_step);
+
   /** One uniaxial test of a run: a fresh specimen, its curve, its rows of the series and its snapshots. */
   class UniaxialStage
   {
@@ -70,7 +76,8 @@ namespace apps
     int                                       axis;
     dem::Specimen                             specimen;
     dem::UniaxialTest                         test;
-    std::int64_t                              steps_per_sample, samples_per_snapshot; ///< the latter 0: no snapshots
+    std::int64_t                              steps_at_most, steps_per_sample;
+    std::int64_t                              samples_per_snapshot; ///< 0: no snapshots
     std::optional<postprocess::PvdCollection> particles, links;
   };
 } // namespace apps

@@ -1,4 +1,4 @@
-#include "dem/laws/cpm.h"
+#include "dem/laws/all.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scratch_folder.h"
 
@@ -72,4 +72,16 @@ TEST_CASE("describe writes parameter files, tables and JSON of all sections", "[
     }
   CHECK_THAT(run(folder.path(), {"describe", "Time"}).out, Contains("set Step factor = 0.8"));
   CHECK_THAT(run(folder.path(), {"describe", "time", "--format", "md"}).out, Contains("| Step factor | - | 0.8 |"));
+}
+
+TEST_CASE("Every law of dem can be described, named in a scene and driven alone", "[apps]")
+{
+  const ScratchFolder folder;
+  const std::string   help  = run(folder.path(), {"link-test", "--help"}).out;
+  const std::string   laws  = run(folder.path(), {"describe", "Material"}).out;
+  const auto          known = [&](const std::string &name) {
+    CHECK_THAT(help, Contains(name));
+    CHECK_THAT(laws, Contains("subsection " + name));
+  };
+  std::apply([&](const auto &...law) { (known(law.name), ...); }, dem::LinkLaws());
 }

@@ -3,6 +3,7 @@
 #include "tests/apps/scratch_folder.h"
 
 #include <fcntl.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -55,6 +56,7 @@ namespace apps_tests
       throw std::runtime_error("the program could not be started");
     if (process > 0)
       return;
+    prctl(PR_SET_PDEATHSIG, SIGKILL); // a test that is stopped leaves no run behind
     redirect(out, STDOUT_FILENO);
     redirect(err, STDERR_FILENO);
     if (largest_file > 0)
