@@ -68,7 +68,7 @@ TEST_CASE("A material constant that nobody sets is refused by name, with its uni
 {
   refused("    set Cohesion             = 3e6\n", "",
           "x.prm: \"Material/CPM/Cohesion\" [Pa] is not set and has no default. Meaning: c_0");
-  refused("set Kind = uniaxial\n", "", "x.prm: \"Kind\" is not set and has no default. Known kinds: uniaxial");
+  refused("set Kind = uniaxial\n", "", "x.prm: \"Kind\" is not set and has no default. Known kinds: ");
   refused("  set Law = CPM\n", "", "\"Material/Law\" is not set and has no default");
   refused("    set Strain rate = 4\n", "", "\"Loading/Tension/Strain rate\" [1/s] is not set and has no default");
 }
