@@ -1,0 +1,332 @@
+#include "fem/explicit/explicit_solver.h"
+
+#include "fem/solid/element_kernel.h"
+
+#include <Eigen/Eigenvalues>
+#include <deal.II/base/mpi.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <cmath>
+
+namespace fem
+{
+  using namespace dealii;
+
+  double ExplicitEnergy::balance() const
+  {
+    const double largest = std::max({std::fabs(kinetic), std::fabs(internal), std::fabs(external), damped, start});
+    return largest > 0 ? (external + start - kinetic - internal - damped) / largest : 0.0;
+  }
+
+  template <int dim>
+  ExplicitSolver<dim>::ExplicitSolver(Solid<dim> &solid_, const ExplicitOptions &options_)
+    : solid(solid_)
+    , options(options_)
+    , u(solid_.make_vector())
+    , v(solid_.make_vector())
+    , f_int(solid_.make_vector())
+    , f_ext(solid_.make_vector())
+    , lumped(solid_.make_vector())
+    , mean(solid_.make_vector())
+  {
+    for (const auto &entry : solid.mesh().materials)
+      if (options.density.count(entry.first) == 0 || !(options.density.at(entry.first) > 0))
+        throw std::invalid_argument("Density of material " + entry.first + ": must be given and positive [kg/m^3].");
+    if (!(options.safety > 0 && options.safety <= 1))
+      throw std::invalid_argument("Safety = " + std::to_string(options.safety) +
+                                  ": must lie in (0, 1], the step over the critical one.");
+    if (!(options.damping >= 0))
+      throw std::invalid_argument("Damping = " + std::to_string(options.damping) + " 1/s: must not be negative.");
+    lump_mass();
+    find_step();
+    make_blocks();
+  }
+
+  namespace
+  {
+    /// Diagonal of the consistent mass scaled to the element's mass, component by component.
+    template <int dim>
+    void element_mass(const FEValues<dim> &values, const double density, std::vector<double> &mass)
+    {
+      const auto &fe    = values.get_fe();
+      double      whole = 0, diagonal = 0;
+      for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
+        whole += density * values.JxW(q);
+      for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
+        {
+          mass[i] = 0;
+          for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
+            mass[i] += density * values.shape_value(i, q) * values.shape_value(i, q) * values.JxW(q);
+          if (fe.system_to_component_index(i).first == 0)
+            diagonal += mass[i];
+        }
+      for (double &m : mass)
+        m *= whole / diagonal;
+    }
+
+    template <int dim>
+    std::map<types::material_id, double> density_by_id(const Solid<dim> &solid, const ExplicitOptions &options)
+    {
+      std::map<types::material_id, double> by_id;
+      for (const auto &[name, id] : solid.mesh().materials)
+        by_id[id] = options.density.at(name);
+      return by_id;
+    }
+  }
+
+  template <int dim>
+  void ExplicitSolver<dim>::lump_mass()
+  {
+    const auto         &fe = solid.dofs().get_fe();
+    FEValues<dim>       values(solid.mapping(), fe, solid.quadrature(), update_values | update_JxW_values);
+    std::vector<double> mass(fe.n_dofs_per_cell());
+    std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+    const auto                           density   = density_by_id(solid, options);
+    const double                         thickness = dim == 2 ? solid.options().thickness : 1.0;
+    for (const auto &cell : solid.dofs().active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          values.reinit(cell);
+          element_mass(values, thickness * density.at(cell->material_id()), mass);
+          cell->get_dof_indices(indices);
+          for (unsigned int i = 0; i < mass.size(); ++i)
+            lumped[indices[i]] += mass[i];
+        }
+    lumped.compress(VectorOperation::add);
+    lumped.update_ghost_values();
+  }
+
+  template <int dim>
+  void ExplicitSolver<dim>::find_step()
+  {
+    const auto        &fe = solid.dofs().get_fe();
+    const unsigned int n  = fe.n_dofs_per_cell();
+    FEValues<dim> values(solid.mapping(), fe, solid.quadrature(), update_values | update_gradients | update_JxW_values);
+    ElementKernel<dim>  kernel(fe, solid.quadrature().size(), false, solid.options().mean_dilatation);
+    std::vector<double> mass(n);
+    const auto          density = density_by_id(solid, options);
+    // Elements of one shape and material share an eigenvalue: a regular mesh costs one eigenvalue problem.
+    std::map<std::vector<long long>, double> known;
+    double                                   largest = 0;
+    std::size_t                              next    = 0;
+    for (const auto &cell : solid.dofs().active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          const auto            &points = solid.element_points()[next++];
+          std::vector<long long> shape{static_cast<long long>(cell->material_id())};
+          const double           unit = 1e-9 * cell->diameter();
+          shape.push_back(std::llround(std::log(cell->diameter()) * 1e9));
+          for (unsigned int w = 1; w < cell->n_vertices(); ++w)
+            for (unsigned int d = 0; d < dim; ++d)
+              shape.push_back(std::llround((cell->vertex(w)[d] - cell->vertex(0)[d]) / unit));
+          const auto found = known.find(shape);
+          if (found != known.end())
+            continue;
+          values.reinit(cell);
+          element_mass(values, density.at(cell->material_id()), mass);
+          kernel.reinit(values, Eigen::VectorXd::Zero(n));
+          Eigen::MatrixXd k = Eigen::MatrixXd::Zero(n, n);
+          for (unsigned int q = 0; q < solid.quadrature().size(); ++q)
+            {
+              kernel.strain(q);
+              kernel.add_stiffness(Voigt::Zero(), points.material->elastic_stiffness(), k);
+            }
+          for (unsigned int i = 0; i < n; ++i)
+            for (unsigned int j = 0; j < n; ++j)
+              k(i, j) /= std::sqrt(mass[i] * mass[j]);
+          const double top =
+            Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(k, Eigen::EigenvaluesOnly).eigenvalues()[n - 1];
+          known[shape] = top;
+          largest      = std::max(largest, top);
+        }
+    step_limit = 2 / std::sqrt(Utilities::MPI::max(largest, solid.communicator()));
+  }
+
+  template <int dim>
+  void ExplicitSolver<dim>::make_blocks()
+  {
+    blocks.clear();
+    const auto &settings = solid.options();
+    by_blocks = solid.linear() && !settings.mean_dilatation && !(dim == 2 && settings.plane == Plane::stress);
+    if (!by_blocks)
+      return;
+    const auto           &fe    = solid.dofs().get_fe();
+    const unsigned int    nodes = fe.n_dofs_per_cell() / dim, n_points = solid.quadrature().size();
+    constexpr std::size_t lanes = ElementBlocks::lanes;
+    FEValues<dim>         values(solid.mapping(), fe, solid.quadrature(), update_gradients | update_JxW_values);
+    std::vector<types::global_dof_index>    indices(fe.n_dofs_per_cell());
+    std::map<MaterialPoints *, std::size_t> of, filled;
+    const double                            thickness = dim == 2 ? settings.thickness : 1.0;
+    std::size_t                             next      = 0;
+    for (const auto &cell : solid.dofs().active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          MaterialPoints *material = solid.element_points()[next++].material;
+          if (of.count(material) == 0)
+            {
+              of[material] = blocks.size();
+              ElementBlocks fresh;
+              fresh.dim      = dim;
+              fresh.n_nodes  = nodes;
+              fresh.n_points = n_points;
+              for (int i = 0; i < 36; ++i)
+                fresh.stiffness[i] = material->elastic_stiffness()(i / 6, i % 6);
+              const double bulk = (fresh.stiffness[0] + 2 * fresh.stiffness[1]) / 3;
+              fresh.isotropic =
+                (material->elastic_stiffness() - isotropic_stiffness(bulk, fresh.stiffness[21])).norm() <= 1e-14 * bulk;
+              blocks.push_back(fresh);
+            }
+          ElementBlocks    &e    = blocks[of[material]];
+          const std::size_t lane = filled[material]++ % lanes;
+          if (lane == 0)
+            {
+              ++e.n_blocks;
+              e.gradients.resize(e.n_blocks * n_points * nodes * dim * lanes, 0.0);
+              e.weights.resize(e.n_blocks * n_points * lanes, 0.0);
+              e.dofs.resize(e.n_blocks * nodes * dim * lanes, 0u);
+            }
+          const std::size_t b = e.n_blocks - 1;
+          values.reinit(cell);
+          cell->get_dof_indices(indices);
+          for (unsigned int i = 0; i < indices.size(); ++i)
+            {
+              const auto [c, a]                                  = fe.system_to_component_index(i);
+              e.dofs[((b * nodes + a) * dim + c) * lanes + lane] = u.get_partitioner()->global_to_local(indices[i]);
+              if (c == 0)
+                for (unsigned int q = 0; q < n_points; ++q)
+                  for (unsigned int d = 0; d < dim; ++d)
+                    e.gradients[(((b * n_points + q) * nodes + a) * dim + d) * lanes + lane] =
+                      values.shape_grad(i, q)[d];
+            }
+          for (unsigned int q = 0; q < n_points; ++q)
+            e.weights[(b * n_points + q) * lanes + lane] = thickness * values.JxW(q);
+        }
+  }
+
+  template <int dim>
+  void ExplicitSolver<dim>::set_velocity(const VectorOf<dim> &velocity)
+  {
+    if (started)
+      throw std::invalid_argument("initial velocity: the motion has begun already.");
+    const auto                          &fe = solid.dofs().get_fe();
+    std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+    for (const auto &cell : solid.dofs().active_cell_iterators())
+      if (!cell->is_artificial())
+        {
+          cell->get_dof_indices(indices);
+          for (unsigned int i = 0; i < indices.size(); ++i)
+            if (v.in_local_range(indices[i]))
+              v[indices[i]] = velocity(solid.mapping().transform_unit_to_real_cell(cell, fe.unit_support_point(i)),
+                                       0.0)[fe.system_to_component_index(i).first];
+        }
+    solid.constraints().set_zero(v);
+    account.start = 0;
+    for (unsigned int i = 0; i < v.locally_owned_size(); ++i)
+      account.start += 0.5 * lumped.local_element(i) * v.local_element(i) * v.local_element(i);
+    account.start   = Utilities::MPI::sum(account.start, solid.communicator());
+    account.kinetic = account.start;
+  }
+
+  template <int dim>
+  void ExplicitSolver<dim>::internal_force_at(const Vector &displacement, Vector &force)
+  {
+    if (!by_blocks)
+      {
+        Sweep wanted;
+        wanted.internal_force = &force;
+        solid.sweep(displacement, wanted);
+        return;
+      }
+    force = 0;
+    for (const ElementBlocks &e : blocks)
+      add_internal_force(e, displacement.begin(), force.begin());
+    force.compress(VectorOperation::add);
+  }
+
+  template <int dim>
+  double ExplicitSolver<dim>::kicked(const unsigned int i, const double old, const double kick) const
+  {
+    const double drag = 0.5 * options.damping * kick;
+    return ((1 - drag) * old + kick * (f_ext.local_element(i) - f_int.local_element(i)) / lumped.local_element(i)) /
+           (1 + drag);
+  }
+
+  template <int dim>
+  void ExplicitSolver<dim>::advance(const double length)
+  {
+    if (!started)
+      {
+        internal_force_at(u, f_int);
+        solid.external_force(current_time, f_ext);
+        mean = v;
+      }
+    Vector moved = solid.make_vector(), target = solid.make_vector();
+    solid.prescribed(current_time + length, target);
+    const auto &range   = *u.get_partitioner();
+    const auto  is_held = [&](const unsigned int i) {
+      return solid.constraints().is_constrained(range.local_to_global(i));
+    };
+    double pushed = 0; // kinetic energy that the supports give to their own nodes
+    for (unsigned int i = 0; i < u.locally_owned_size(); ++i)
+      {
+        const double old = v.local_element(i);
+        // The first step starts from the velocity at time zero: half a kick.
+        const double now       = is_held(i) ? (target.local_element(i) - u.local_element(i)) / length :
+                                              kicked(i, old, started ? length : 0.5 * length);
+        v.local_element(i)     = now;
+        moved.local_element(i) = length * now;
+        u.local_element(i) += moved.local_element(i);
+        if (is_held(i))
+          pushed += 0.5 * lumped.local_element(i) * (now * now - (started ? old * old : 0.0));
+      }
+    started = true;
+    u.update_ghost_values();
+
+    Vector f_before = f_int, e_before = f_ext;
+    internal_force_at(u, f_int);
+    if (!by_blocks)
+      solid.commit();
+    current_time += length;
+    solid.external_force(current_time, f_ext);
+    keep_account(moved, f_before, e_before, length, pushed);
+  }
+
+  template <int dim>
+  void ExplicitSolver<dim>::keep_account(
+    const Vector &moved, const Vector &f_before, const Vector &e_before, const double length, const double pushed)
+  {
+    // Kinetic energy at whole steps is v(n-1/2) m v(n+1/2) / 2: with trapezoidal work its sum is exact for central differences.
+    const auto &range = *u.get_partitioner();
+    double      inner = 0, outer = pushed, kinetic = 0, damped = 0;
+    for (unsigned int i = 0; i < u.locally_owned_size(); ++i)
+      {
+        const double m = lumped.local_element(i), now = v.local_element(i), d = moved.local_element(i);
+        const double force = 0.5 * (f_before.local_element(i) + f_int.local_element(i));
+        const double load  = 0.5 * (e_before.local_element(i) + f_ext.local_element(i));
+        inner += force * d;
+        if (solid.constraints().is_constrained(range.local_to_global(i)))
+          {
+            kinetic += 0.5 * m * now * now;
+            outer += force * d; // reaction and load together
+            continue;
+          }
+        outer += load * d;
+        const double next  = kicked(i, now, length);
+        const double speed = 0.5 * (now + next);
+        kinetic += 0.5 * m * now * next;
+        damped += options.damping * m * 0.5 * (mean.local_element(i) + speed) * d;
+        mean.local_element(i) = speed;
+      }
+    const auto comm = solid.communicator();
+    account.internal += Utilities::MPI::sum(inner, comm);
+    account.external += Utilities::MPI::sum(outer, comm);
+    account.damped += Utilities::MPI::sum(damped, comm);
+    account.kinetic = Utilities::MPI::sum(kinetic, comm);
+    if (!std::isfinite(account.kinetic) || !std::isfinite(account.internal))
+      throw MaterialFailure("explicit step at time " + std::to_string(current_time) +
+                            " s: the motion is no longer a number. Lower the step.");
+  }
+
+  template class ExplicitSolver<2>;
+  template class ExplicitSolver<3>;
+}

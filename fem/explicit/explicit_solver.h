@@ -1,0 +1,80 @@
+#pragma once
+
+#include "fem/explicit/element_blocks.h"
+#include "fem/solid/solid.h"
+
+namespace fem
+{
+  struct ExplicitOptions
+  {
+    std::map<std::string, double> density;       ///< [kg/m^3], for every material name of the mesh
+    double                        damping = 0.0; ///< alpha of the damping force alpha M v [1/s]
+    double                        safety  = 0.9; ///< step over the critical step of the elements
+  };
+
+  /// Energies [J]; `external + start = kinetic + internal + damped` up to balance().
+  struct ExplicitEnergy
+  {
+    double kinetic  = 0;
+    double internal = 0; ///< work of stresses: stored and dissipated by the material
+    double external = 0; ///< work of loads and prescribed motion
+    double damped   = 0;
+    double start    = 0; ///< kinetic energy given at the start
+
+    /// What is missing or too much, over the largest of them.
+    double balance() const;
+  };
+
+  /**
+   * Motion of a solid by central differences with a lumped mass.
+   *
+   * Mass lumped by scaling the diagonal of the consistent one (Hinton, Rock and Zienkiewicz 1976): positive for all elements.
+   * Critical step 2 / omega with the largest eigenvalue of any element, which bounds that of the mesh (Irons and Treharne 1971).
+   */
+  template <int dim>
+  class ExplicitSolver
+  {
+  public:
+    /// @throws std::invalid_argument for a missing or non-positive density, a safety outside (0, 1], or negative damping.
+    ExplicitSolver(Solid<dim> &solid, const ExplicitOptions &options);
+
+    double critical_step() const { return step_limit; } ///< [s], of the undeformed elements
+    double step() const { return options.safety * step_limit; }
+
+    /// Velocity at the start [m/s]; only before the first step.
+    void set_velocity(const VectorOf<dim> &velocity);
+
+    /// One step of this length [s]. @throws MaterialFailure if a force is not a number.
+    void advance(double length);
+
+    double                time() const { return current_time; }
+    const Vector         &displacement() const { return u; }
+    const Vector         &velocity() const { return v; } ///< half a step back
+    const Vector         &mass() const { return lumped; }
+    const Vector         &internal_force() const { return f_int; }
+    const ExplicitEnergy &energy() const { return account; }
+    double                largest_element_eigenvalue() const { return 4 / (step_limit * step_limit); } ///< [1/s^2]
+
+    /// Internal force of a displacement, by the kernel that the steps use (elastic parts), histories untouched until the next step.
+    void internal_force_at(const Vector &displacement, Vector &force);
+
+  private:
+    void   lump_mass();
+    void   find_step();
+    void   make_blocks();
+    double kicked(unsigned int i, double old, double kick) const; ///< velocity after a kick by the present forces
+    void
+    keep_account(const Vector &moved, const Vector &f_before, const Vector &e_before, double length, double pushed);
+
+    Solid<dim>                &solid;
+    ExplicitOptions            options;
+    std::vector<ElementBlocks> blocks;
+    bool           by_blocks = false; ///< all elements are in the blocks; otherwise the general sweep is used
+    Vector         u, v, f_int, f_ext, lumped;
+    Vector         mean; ///< velocity at the last whole step, for the damping work
+    double         step_limit   = 0;
+    double         current_time = 0;
+    bool           started      = false;
+    ExplicitEnergy account;
+  };
+}

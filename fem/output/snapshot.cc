@@ -1,0 +1,163 @@
+#include "fem/output/snapshot.h"
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_simplex_p.h>
+#include <deal.II/numerics/data_out.h>
+
+#include <fstream>
+#include <iomanip>
+#include <sstream>
+
+namespace fem
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Averages of point values at the vertices of a mesh.
+    template <int dim>
+    class VertexAverages
+    {
+    public:
+      explicit VertexAverages(const Solid<dim> &solid)
+        : dofs(*solid.mesh().triangulation)
+      {
+        if (solid.mesh().family == ElementFamily::hypercube)
+          element = std::make_unique<FE_Q<dim>>(1);
+        else
+          element = std::make_unique<FE_SimplexP<dim>>(1);
+        dofs.distribute_dofs(*element);
+        DoFTools::extract_locally_relevant_dofs(dofs, relevant);
+      }
+
+      void add(const PointView<dim> &point, const Point<dim> &unit, const std::string &name, const double value)
+      {
+        auto &field = fields[name];
+        if (field.first.size() == 0)
+          {
+            field.first.reinit(dofs.locally_owned_dofs(), relevant, dofs.get_communicator());
+            field.second = field.first;
+          }
+        const typename DoFHandler<dim>::active_cell_iterator cell(&dofs.get_triangulation(), point.cell->level(),
+                                                                  point.cell->index(), &dofs);
+        indices.resize(element->n_dofs_per_cell());
+        cell->get_dof_indices(indices);
+        for (unsigned int i = 0; i < indices.size(); ++i)
+          {
+            const double share = point.volume * element->shape_value(i, unit);
+            field.first[indices[i]] += share * value;
+            field.second[indices[i]] += share;
+          }
+      }
+
+      /// Completes the averages, the same names on all ranks, and shows them.
+      template <typename Show>
+      void finish(const Show &show)
+      {
+        std::vector<std::string> names;
+        for (const auto &field : fields)
+          names.push_back(field.first);
+        std::map<std::string, int> all;
+        for (const auto &of_rank : Utilities::MPI::all_gather(dofs.get_communicator(), names))
+          for (const auto &name : of_rank)
+            all[name] = 1;
+        for (const auto &entry : all)
+          {
+            auto &[sum, weight] = fields[entry.first];
+            if (sum.size() == 0)
+              {
+                sum.reinit(dofs.locally_owned_dofs(), relevant, dofs.get_communicator());
+                weight = sum;
+              }
+            sum.compress(VectorOperation::add);
+            weight.compress(VectorOperation::add);
+            for (unsigned int i = 0; i < sum.locally_owned_size(); ++i)
+              if (weight.local_element(i) > 0)
+                sum.local_element(i) /= weight.local_element(i);
+            sum.update_ghost_values();
+            show(dofs, entry.first, sum);
+          }
+      }
+
+    private:
+      std::unique_ptr<FiniteElement<dim>>              element;
+      DoFHandler<dim>                                  dofs;
+      IndexSet                                         relevant;
+      std::map<std::string, std::pair<Vector, Vector>> fields; // sum, weight
+      std::vector<types::global_dof_index>             indices;
+    };
+
+    std::string component_name(const std::string &name, const int component, const int count)
+    {
+      if (count == 1)
+        return name;
+      return name + "_" + (count == 6 ? voigt_names[component] : std::to_string(component));
+    }
+
+    /// Field names without blanks and units, as ParaView's expressions need them.
+    std::string plain(std::string name)
+    {
+      name = name.substr(0, name.find(" ["));
+      for (char &c : name)
+        if (c == ' ' || c == '-')
+          c = '_';
+      return name;
+    }
+  }
+
+  template <int dim>
+  std::string write_snapshot(Solid<dim>        &solid,
+                             const Vector      &displacement,
+                             const Vector      &reaction,
+                             const std::string &folder,
+                             const std::string &name,
+                             const unsigned int number)
+  {
+    DataOut<dim>                                                                out;
+    const std::vector<DataComponentInterpretation::DataComponentInterpretation> vector(
+      dim, DataComponentInterpretation::component_is_part_of_vector);
+    out.add_data_vector(solid.dofs(), displacement, std::vector<std::string>(dim, "displacement"), vector);
+    out.add_data_vector(solid.dofs(), reaction, std::vector<std::string>(dim, "reaction"), vector);
+
+    VertexAverages<dim> averages(solid);
+    unsigned int        q = 0;
+    solid.visit_points(displacement, [&](const PointView<dim> &point) {
+      const Point<dim> unit = solid.quadrature().point(q);
+      q                     = (q + 1) % solid.quadrature().size();
+      for (int i = 0; i < 6; ++i)
+        {
+          averages.add(point, unit, std::string("stress_") + voigt_names[i], point.stress[i]);
+          averages.add(point, unit, std::string("strain_") + voigt_names[i], point.strain[i]);
+        }
+      point.material->visit(point.index, [&](const char *column, const double *values, const int count) {
+        if (std::string(column).compare(0, 4, "old ") != 0) // the strain and stress above
+          for (int i = 0; i < count; ++i)
+            averages.add(point, unit, component_name(plain(column), i, count), values[i]);
+      });
+    });
+    averages.finish([&](const DoFHandler<dim> &dofs, const std::string &field, const Vector &values) {
+      out.add_data_vector(dofs, values, field);
+    });
+
+    const unsigned int degree = solid.options().degree;
+    out.build_patches(solid.mapping(), degree);
+    const MPI_Comm comm = solid.communicator();
+    if (Utilities::MPI::n_mpi_processes(comm) > 1)
+      return out.write_vtu_with_pvtu_record(folder + "/", name, number, comm, 5);
+    std::ostringstream file;
+    file << name << "_" << std::setw(5) << std::setfill('0') << number << ".vtu";
+    std::ofstream stream(folder + "/" + file.str());
+    out.write_vtu(stream);
+    stream.close();
+    if (!stream)
+      throw std::runtime_error(folder + "/" + file.str() + ": cannot be written. Check space and permissions.");
+    return file.str();
+  }
+
+  template std::string
+  write_snapshot(Solid<2> &, const Vector &, const Vector &, const std::string &, const std::string &, unsigned int);
+  template std::string
+  write_snapshot(Solid<3> &, const Vector &, const Vector &, const std::string &, const std::string &, unsigned int);
+}

@@ -1,0 +1,276 @@
+#include "fem/solid/solid.h"
+
+#include "fem/solid/element_kernel.h"
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_simplex_p.h>
+#include <deal.II/fe/mapping_fe.h>
+#include <deal.II/fe/mapping_q.h>
+#include <deal.II/lac/trilinos_sparsity_pattern.h>
+
+namespace fem
+{
+  using namespace dealii;
+
+  template <int dim>
+  Solid<dim>::Solid(Mesh<dim> mesh, const SolidOptions &options)
+    : grid(std::move(mesh))
+    , settings(options)
+    , dof_handler(*grid.triangulation)
+  {
+    if (options.degree < 1 || options.degree > 2)
+      throw std::invalid_argument("Degree = " + std::to_string(options.degree) + ": must be 1 or 2.");
+    if (dim == 2 && !(options.thickness > 0))
+      throw std::invalid_argument("Thickness = " + std::to_string(options.thickness) + " m: must be positive.");
+    if (options.large_displacement && options.mean_dilatation)
+      throw std::invalid_argument("Mean dilatation: is a small-strain form. Switch it off with large displacements.");
+    if (dim == 2 && options.plane == Plane::stress && options.mean_dilatation)
+      throw std::invalid_argument("Mean dilatation: plane stress does not lock. Switch it off.");
+
+    const unsigned int k = options.degree;
+    if (grid.family == ElementFamily::hypercube)
+      {
+        element     = std::make_unique<FESystem<dim>>(FE_Q<dim>(k), dim);
+        geometry    = std::make_unique<MappingQ<dim>>(1);
+        points      = QGauss<dim>(k + 1);
+        load_points = QGauss<dim>(k + 2);
+        face_points = QGauss<dim - 1>(k + 2);
+      }
+    else
+      {
+        element     = std::make_unique<FESystem<dim>>(FE_SimplexP<dim>(k), dim);
+        geometry    = std::make_unique<MappingFE<dim>>(FE_SimplexP<dim>(1));
+        points      = QGaussSimplex<dim>(k);
+        load_points = QGaussSimplex<dim>(k + 2);
+        face_points = QGaussSimplex<dim - 1>(k + 2);
+      }
+    dof_handler.distribute_dofs(*element);
+    owned = dof_handler.locally_owned_dofs();
+    DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+    supports.reinit(relevant);
+    supports.close();
+  }
+
+  template <int dim>
+  void Solid<dim>::assign(const std::string &material_name, std::unique_ptr<MaterialPoints> law)
+  {
+    if (grid.materials.find(material_name) == grid.materials.end())
+      {
+        std::string known;
+        for (const auto &entry : grid.materials)
+          known += (known.empty() ? "" : ", ") + entry.first;
+        throw std::invalid_argument("material = " + material_name + ": the mesh has no such group. It has: " + known +
+                                    ".");
+      }
+    if (settings.large_displacement && !law->linear())
+      throw std::invalid_argument(std::string(law->material_name()) +
+                                  ": is a small-strain law. Large displacements need an elastic material.");
+    materials[material_name] = std::move(law);
+  }
+
+  template <int dim>
+  void Solid<dim>::allocate_points()
+  {
+    std::map<types::material_id, MaterialPoints *> of;
+    std::map<MaterialPoints *, std::size_t>        count;
+    bool                                           history = false;
+    for (const auto &entry : grid.materials)
+      {
+        const auto law = materials.find(entry.first);
+        if (law == materials.end())
+          throw std::invalid_argument("material = " + entry.first +
+                                      ": this group of the mesh has no material law. Give it one.");
+        of[entry.second] = law->second.get();
+        history          = history || !law->second->linear();
+      }
+    elements.clear();
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          ElementPoints e;
+          e.material = of.at(cell->material_id());
+          e.first    = count[e.material];
+          count[e.material] += points.size();
+          if (history)
+            {
+              e.extent.n_vertices = cell->n_vertices();
+              for (unsigned int v = 0; v < cell->n_vertices(); ++v)
+                for (unsigned int d = 0; d < dim; ++d)
+                  e.extent.vertices[v][d] = cell->vertex(v)[d];
+              e.extent.mean_size = std::pow(cell->measure(), 1.0 / dim);
+            }
+          elements.push_back(e);
+        }
+    for (auto &law : materials)
+      law.second->allocate(count[law.second.get()]);
+  }
+
+  template <int dim>
+  void Solid<dim>::set_loads(const Loads<dim> &given)
+  {
+    loads = given;
+    allocate_points();
+    place_supports();
+    place_forces();
+  }
+
+  template <int dim>
+  Vector Solid<dim>::make_vector() const
+  {
+    Vector v;
+    v.reinit(owned, relevant, communicator());
+    return v;
+  }
+
+  template <int dim>
+  void Solid<dim>::make_matrix(Matrix &matrix) const
+  {
+    TrilinosWrappers::SparsityPattern pattern(owned, owned, relevant, communicator());
+    DoFTools::make_sparsity_pattern(dof_handler, pattern, supports, false,
+                                    Utilities::MPI::this_mpi_process(communicator()));
+    pattern.compress();
+    matrix.reinit(pattern);
+  }
+
+  template <int dim>
+  void Solid<dim>::sweep(const Vector &displacement, const Sweep &wanted)
+  {
+    const unsigned int n = element->n_dofs_per_cell();
+    FEValues<dim>      values(*geometry, *element, points, update_gradients | update_JxW_values);
+    ElementKernel<dim> kernel(*element, points.size(), settings.large_displacement, settings.mean_dilatation);
+    std::vector<types::global_dof_index> indices(n);
+    Eigen::VectorXd                      u(n), f(n), g(n);
+    Eigen::MatrixXd                      k(n, n);
+    FullMatrix<double>                   local(n, n);
+    const bool                           stiffness = wanted.tangent || !wanted.products.empty();
+    const double                         thickness = dim == 2 ? settings.thickness : 1.0;
+    if (wanted.internal_force)
+      *wanted.internal_force = 0;
+    if (wanted.tangent)
+      *wanted.tangent = 0;
+    for (const auto &product : wanted.products)
+      *product.second = 0;
+
+    std::string failure;
+    std::size_t next = 0;
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned() && failure.empty())
+        {
+          const ElementPoints &e = elements[next++];
+          values.reinit(cell);
+          cell->get_dof_indices(indices);
+          for (unsigned int i = 0; i < n; ++i)
+            u[i] = displacement[indices[i]];
+          kernel.reinit(values, u);
+          f.setZero();
+          k.setZero();
+          try
+            {
+              PointAnswer answer;
+              for (unsigned int q = 0; q < points.size(); ++q)
+                {
+                  e.material->evaluate(e.first + q, kernel.strain(q), e.extent, stiffness, answer);
+                  kernel.add_force(answer.stress, f);
+                  if (stiffness)
+                    kernel.add_stiffness(answer.stress, answer.tangent, k);
+                }
+              if (!f.allFinite())
+                throw MaterialFailure("the force of the element is not a number.");
+            }
+          catch (const MaterialFailure &problem)
+            {
+              std::ostringstream text;
+              text << "element " << cell->id() << " at " << cell->center() << ": " << problem.what();
+              failure = text.str();
+              break;
+            }
+          f *= thickness;
+          k *= thickness;
+          if (wanted.internal_force)
+            for (unsigned int i = 0; i < n; ++i)
+              (*wanted.internal_force)[indices[i]] += f[i];
+          for (const auto &product : wanted.products)
+            {
+              for (unsigned int i = 0; i < n; ++i)
+                g[i] = (*product.first)[indices[i]];
+              const Eigen::VectorXd kg = k * g;
+              for (unsigned int i = 0; i < n; ++i)
+                (*product.second)[indices[i]] += kg[i];
+            }
+          if (wanted.tangent)
+            {
+              for (unsigned int i = 0; i < n; ++i)
+                for (unsigned int j = 0; j < n; ++j)
+                  local(i, j) = k(i, j);
+              supports.distribute_local_to_global(local, indices, *wanted.tangent);
+            }
+        }
+    if (Utilities::MPI::max(failure.empty() ? 0 : 1, communicator()) == 1)
+      throw MaterialFailure(failure.empty() ? "a point on another rank found no stress." : failure);
+    if (wanted.internal_force)
+      wanted.internal_force->compress(VectorOperation::add);
+    for (const auto &product : wanted.products)
+      product.second->compress(VectorOperation::add);
+    if (wanted.tangent)
+      wanted.tangent->compress(VectorOperation::add);
+  }
+
+  template <int dim>
+  void Solid<dim>::visit_points(const Vector &displacement, const std::function<void(const PointView<dim> &)> &visit)
+  {
+    const unsigned int n = element->n_dofs_per_cell();
+    FEValues<dim> values(*geometry, *element, points, update_gradients | update_quadrature_points | update_JxW_values);
+    ElementKernel<dim> kernel(*element, points.size(), settings.large_displacement, settings.mean_dilatation);
+    std::vector<types::global_dof_index> indices(n);
+    Eigen::VectorXd                      u(n);
+    std::size_t                          next = 0;
+    PointAnswer                          answer;
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          const ElementPoints &e = elements[next++];
+          values.reinit(cell);
+          cell->get_dof_indices(indices);
+          for (unsigned int i = 0; i < n; ++i)
+            u[i] = displacement[indices[i]];
+          kernel.reinit(values, u);
+          for (unsigned int q = 0; q < points.size(); ++q)
+            {
+              const Voigt strain = kernel.strain(q);
+              e.material->evaluate(e.first + q, strain, e.extent, false, answer);
+              visit({cell, values.quadrature_point(q), values.JxW(q) * (dim == 2 ? settings.thickness : 1.0), strain,
+                     answer.stress, e.material, e.first + q});
+            }
+        }
+  }
+
+  template <int dim>
+  void Solid<dim>::visit_histories(const StateColumn &column)
+  {
+    for (const ElementPoints &e : elements)
+      for (std::size_t q = 0; q < points.size(); ++q)
+        e.material->visit(e.first + q, column);
+  }
+
+  template <int dim>
+  void Solid<dim>::commit()
+  {
+    for (auto &law : materials)
+      law.second->commit();
+  }
+
+  template <int dim>
+  bool Solid<dim>::linear() const
+  {
+    bool all = !settings.large_displacement;
+    for (const auto &law : materials)
+      all = all && law.second->linear();
+    return all;
+  }
+
+  template class Solid<2>;
+  template class Solid<3>;
+}

@@ -1,0 +1,169 @@
+#pragma once
+
+#include "fem/mesh/mesh.h"
+#include "fem/solid/loads.h"
+#include "fem/solid/material_points.h"
+
+#include <deal.II/base/quadrature.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/mapping.h>
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/la_parallel_vector.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+
+namespace fem
+{
+  using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
+  using Matrix = dealii::TrilinosWrappers::SparseMatrix;
+
+  struct SolidOptions
+  {
+    unsigned int degree             = 1;             ///< 1 or 2
+    Plane        plane              = Plane::strain; ///< in two dimensions
+    double       thickness          = 1.0;           ///< [m], in two dimensions
+    bool         large_displacement = false; ///< total Lagrangian: the material sees Green strain and 2nd Piola stress
+    bool         mean_dilatation    = false; ///< volume change averaged over the element: no locking near nu = 0.5
+  };
+
+  /// What one sweep over the elements gives, at a displacement.
+  struct Sweep
+  {
+    Vector *internal_force = nullptr; ///< [N], constrained rows included: there it is the reaction less the load
+    Matrix *tangent        = nullptr; ///< [N/m], rows and columns of constrained displacements eliminated
+
+    /// Products of the full (not eliminated) tangent with these vectors: input and result.
+    std::vector<std::pair<const Vector *, Vector *>> products;
+  };
+
+  /// One integration point as an observer sees it.
+  template <int dim>
+  struct PointView
+  {
+    typename dealii::DoFHandler<dim>::active_cell_iterator cell;
+    dealii::Point<dim>                                     place;  ///< [m], undeformed
+    double                                                 volume; ///< its share, thickness included [m^3]
+    Voigt                                                  strain, stress;
+    MaterialPoints                                        *material;
+    std::size_t                                            index; ///< of the point in its material
+  };
+
+  /// Mesh, degrees of freedom, supports, loads and the histories of the integration points of one continuum.
+  template <int dim>
+  class Solid
+  {
+  public:
+    /// @throws std::invalid_argument on options that do not fit together.
+    Solid(Mesh<dim> mesh, const SolidOptions &options);
+
+    /// Gives a material to the elements of that name (every name of the mesh needs one).
+    void assign(const std::string &material_name, std::unique_ptr<MaterialPoints> points);
+
+    /// Sets supports and loads; call once, after every assign().
+    /// @throws std::invalid_argument on an unknown boundary, contradicting displacements, a force outside the solid, a material
+    ///         without law, or supports that leave a rigid motion free.
+    void set_loads(const Loads<dim> &loads);
+
+    /// A zero vector that can hold displacements or forces (ghosted; call update_ghost_values() after writing).
+    Vector make_vector() const;
+
+    /// An empty tangent with the right sparsity.
+    void make_matrix(Matrix &matrix) const;
+
+    /// Prescribed displacements at a time, on the constrained entries; zero elsewhere. [m]
+    void prescribed(double time, Vector &values) const;
+
+    /// Loads at a time [N].
+    void external_force(double time, Vector &force) const;
+
+    /// One pass over all elements; the trial histories become those of this displacement.
+    /// @throws MaterialFailure on every rank if a point of any rank fails.
+    void sweep(const Vector &displacement, const Sweep &wanted);
+
+    /// Trial histories become the committed ones.
+    void commit();
+
+    /// Shows every locally owned point at a displacement, history as committed; the trial histories are those of this displacement after.
+    void visit_points(const Vector &displacement, const std::function<void(const PointView<dim> &)> &visit);
+
+    /// Shows the committed history of every locally owned point, always in the same order; writing through the pointers changes it.
+    void visit_histories(const StateColumn &column);
+
+    /// Homogeneous constraints: the supported degrees of freedom.
+    const dealii::AffineConstraints<double> &constraints() const { return supports; }
+
+    const dealii::DoFHandler<dim> &dofs() const { return dof_handler; }
+    const dealii::Mapping<dim>    &mapping() const { return *geometry; }
+    const dealii::Quadrature<dim> &quadrature() const { return points; }
+    const Mesh<dim>               &mesh() const { return grid; }
+    const SolidOptions            &options() const { return settings; }
+    MPI_Comm                       communicator() const { return dof_handler.get_communicator(); }
+
+    /// Whether stress is linear in displacement everywhere.
+    bool linear() const;
+
+    /// Where one element keeps its points: its material, and the index of its first point there.
+    struct ElementPoints
+    {
+      MaterialPoints *material = nullptr;
+      std::size_t     first    = 0;
+      ElementExtent   extent;
+    };
+
+    /// Points of the locally owned elements, in the order of iteration over them.
+    const std::vector<ElementPoints> &element_points() const { return elements; }
+
+    /// Weights of the displacements of the element around a point: value = sum weight u[dof], for one component.
+    /// Empty on all ranks but one. @throws std::invalid_argument if the point lies outside the solid.
+    std::vector<std::pair<dealii::types::global_dof_index, double>> interpolation(const dealii::Point<dim> &where,
+                                                                                  unsigned int component) const;
+
+  private:
+    struct PrescribedDof
+    {
+      dealii::Point<dim> place;
+      unsigned int       component;
+      ScalarOf<dim>      value;
+    };
+
+    struct NodalForce
+    {
+      std::vector<std::pair<dealii::types::global_dof_index, double>> weights[dim];
+      std::function<dealii::Tensor<1, dim>(double)>                   value;
+    };
+
+    void allocate_points();
+    void place_supports();
+    void add_prescribed(dealii::types::global_dof_index dof,
+                        unsigned int                    component,
+                        const dealii::Point<dim>       &place,
+                        const ScalarOf<dim>            &value);
+    void hold_boundary(const PrescribedDisplacement<dim> &p);
+
+    /// visit(cell, local index, global index, component, place()) for every node of every known element, repeatedly for shared ones.
+    template <typename Visit>
+    void visit_nodes(const Visit &visit) const;
+
+    void hold_node(const PrescribedNode<dim> &node);
+    void hold_rigid_motion();
+    void refuse_free_motion() const;
+    void place_forces();
+    void add_surface_loads(double time, Vector &force) const;
+    void add_body_force(double time, Vector &force) const;
+
+    Mesh<dim>                                                grid;
+    SolidOptions                                             settings;
+    std::unique_ptr<dealii::Mapping<dim>>                    geometry;
+    std::unique_ptr<dealii::FESystem<dim>>                   element;
+    dealii::Quadrature<dim>                                  points, load_points;
+    dealii::Quadrature<dim - 1>                              face_points;
+    dealii::DoFHandler<dim>                                  dof_handler;
+    dealii::IndexSet                                         owned, relevant;
+    dealii::AffineConstraints<double>                        supports;
+    std::map<std::string, std::unique_ptr<MaterialPoints>>   materials;
+    std::vector<ElementPoints>                               elements;
+    Loads<dim>                                               loads;
+    std::map<dealii::types::global_dof_index, PrescribedDof> prescribed_dofs; // relevant ones
+    std::vector<NodalForce>                                  nodal_forces;
+  };
+}

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "fem/solid/solid.h"
+
+#include <memory>
+#include <string>
+
+namespace fem
+{
+  enum class LinearMethod
+  {
+    automatic, ///< direct on one rank up to `direct_limit` unknowns, else iterative
+    direct,    ///< UMFPACK; one rank only
+    iterative ///< algebraic multigrid (Trilinos ML) in conjugate gradients, or in GMRES where the matrix is not symmetric
+  };
+
+  struct LinearSolverOptions
+  {
+    LinearMethod method     = LinearMethod::automatic;
+    double       tolerance  = 1e-10; ///< residual over right-hand side, iterative methods; well below Newton's own
+    unsigned int iterations = 2000;
+    unsigned int direct_limit =
+      0; ///< unknowns; 0: 200 000 in two dimensions, 30 000 in three (fill-in grows faster there)
+  };
+
+  /// Solves with the tangent of a solid; factorises or sets up once, solves for several right-hand sides.
+  class LinearSolver
+  {
+  public:
+    virtual ~LinearSolver() = default;
+
+    /// @throws MaterialFailure if the matrix is singular: a solver answers with a shorter step.
+    virtual void set_matrix(const Matrix &matrix) = 0;
+
+    /// @throws MaterialFailure if the iteration does not converge.
+    virtual void solve(Vector &solution, const Vector &right_side) = 0;
+
+    /// Which method, and why it was chosen.
+    virtual std::string description() const = 0;
+
+    /// Iterations of the last solve; 1 for direct methods.
+    virtual unsigned int iterations() const { return 1; }
+  };
+
+  /// @param symmetric whether the tangent always is (elastic materials).
+  template <int dim>
+  std::unique_ptr<LinearSolver>
+  make_linear_solver(const Solid<dim> &solid, const LinearSolverOptions &options, bool symmetric);
+}

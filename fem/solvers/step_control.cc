@@ -1,0 +1,79 @@
+#include "fem/solvers/step_control.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace fem
+{
+  namespace
+  {
+    /// One accepted step of at most `length`, which becomes what the next one should try. Returns the length done.
+    template <typename Attempt>
+    double step(const StepControl &steps,
+                double            &length,
+                const double       bound,
+                StepReport        &report,
+                const double       time,
+                const Attempt     &attempt)
+    {
+      double now = std::min(length, bound);
+      for (;;)
+        {
+          report = attempt(now);
+          if (report.converged)
+            break;
+          now /= 2;
+          if (now < steps.smallest)
+            {
+              std::ostringstream text;
+              text << "no equilibrium beyond time " << time << ": the step was cut below its smallest length "
+                   << steps.smallest << ". " << report.reason;
+              throw NoEquilibrium(text.str());
+            }
+        }
+      if (now < std::min(length, bound))
+        length = now; // it was cut: go on like this
+      else if (report.iterations <= steps.easy)
+        length = std::min(std::max(length, now) * steps.growth, steps.largest);
+      return now;
+    }
+  }
+
+  template <int dim>
+  void run_to(StaticSolver<dim> &solver, const double end, const StepControl &steps, const StepObserver &observe)
+  {
+    double     length = steps.first;
+    StepReport report;
+    while (solver.time() < end)
+      {
+        const double from = solver.time();
+        const double left = end - from;
+        const double done = step(steps, length, left, report, from,
+                                 [&](const double now) { return solver.advance_to(now >= left ? end : from + now); });
+        if (!observe(report, done))
+          return;
+      }
+  }
+
+  template <int dim>
+  void run_along(StaticSolver<dim>  &solver,
+                 const PathControl  &control,
+                 const StepControl  &steps,
+                 const StepObserver &observe)
+  {
+    double     length = steps.first;
+    StepReport report;
+    for (;;)
+      {
+        const double done = step(steps, length, 1e300, report, solver.time(),
+                                 [&](const double now) { return solver.advance_along(control, now); });
+        if (!observe(report, done))
+          return;
+      }
+  }
+
+  template void run_to(StaticSolver<2> &, double, const StepControl &, const StepObserver &);
+  template void run_to(StaticSolver<3> &, double, const StepControl &, const StepObserver &);
+  template void run_along(StaticSolver<2> &, const PathControl &, const StepControl &, const StepObserver &);
+  template void run_along(StaticSolver<3> &, const PathControl &, const StepControl &, const StepObserver &);
+}
