@@ -2,6 +2,9 @@
 
 namespace apps
 {
-  /** The whole program: read the command line, do what it asks, and turn every error into one message. @return exit status. */
+  /**
+   * The whole program: read the command line, do what it asks, and turn every error into one message.
+   * @return exit status.
+   */
   int run_program(int argc, char *argv[]);
 } // namespace apps

@@ -19,8 +19,8 @@ namespace apps
   /**
    * Error of strengths and modulus against cost, over the time step, the loading rate and the particle size.
    *
-   * Each study varies one thing about the scene; its most expensive case is the reference of its errors. Written after every
-   * case to uniaxial.csv and uniaxial.md, at the end to uniaxial.png.
+   * Each study varies one thing about the scene; its most expensive case is the reference of its errors. Written after
+   * every case to uniaxial.csv and uniaxial.md, at the end to uniaxial.png.
    *
    * @return exit status. @throws dem::InputError, postprocess::OutputError.
    */

@@ -20,7 +20,8 @@ namespace apps
   };
 
   /**
-   * Time step factors 0.1 to 0.95, rates from 1/10 to 10 times the scene's, radii 0.75 to 2 times the scene's particle radius.
+   * Time step factors 0.1 to 0.95, rates from 1/10 to 10 times the scene's, radii 0.75 to 2 times the scene's
+   * particle radius.
    * @param quick leaves out the cases that cost most; each study keeps a reference.
    */
   std::vector<UniaxialCase> uniaxial_cases(bool quick);

@@ -27,7 +27,9 @@ namespace apps
       std::size_t next = 0;
     };
 
-    /** One link of the cohesive particle model, in its reference configuration: given total strains in, stresses out. */
+    /**
+     * One link of the cohesive particle model, in its reference configuration: given total strains in, stresses out.
+     */
     class CpmLink
     {
     public:

@@ -7,8 +7,8 @@
 namespace apps
 {
   /**
-   * The particles that a scene asks for: generated or read, repeated and cropped to its box. Long generation shows progress;
-   * what the user should know about the packing goes to the standard error.
+   * The particles that a scene asks for: generated or read, repeated and cropped to its box. Long generation shows
+   * progress; what the user should know about the packing goes to the standard error.
    *
    * @throws dem::InputError; dem::CompactionCancelled when interrupted, dem::CompactionFailed.
    */

@@ -7,7 +7,9 @@
 
 namespace apps
 {
-  /** Scene kind "uniaxial": a bonded-particle specimen pulled and crushed between grips (mesoscale specification 9.3). */
+  /**
+   * Scene kind "uniaxial": a bonded-particle specimen pulled and crushed between grips (mesoscale specification 9.3).
+   */
   class UniaxialScene : public Scene
   {
   public:

@@ -13,10 +13,11 @@
 namespace apps
 {
   /**
-   * One run of a uniaxial scene: the tests one after the other, each on a fresh specimen, with everything that is written.
+   * One run of a uniaxial scene: the tests one after the other, each on a fresh specimen, with everything that is
+   * written.
    *
-   * In the result folder: packing.h5, scene.prm, series.csv (all tests), TEST_particles.pvd and TEST_links.pvd with their
-   * snapshots, checkpoint.h5 while running, and at the end summary.json, curve.png and TEST_crack.png.
+   * In the result folder: packing.h5, scene.prm, series.csv (all tests), TEST_particles.pvd and TEST_links.pvd with
+   * their snapshots, checkpoint.h5 while running, and at the end summary.json, curve.png and TEST_crack.png.
    */
   class UniaxialRun
   {

@@ -7,10 +7,10 @@ namespace apps
   /**
    * Where a run writes, without ever harming what an earlier run left there.
    *
-   * A folder holds the results of the last *completed* run. The run in progress writes to its sub-folder `running`; when it
-   * is complete, its files move up and replace those of the earlier run. A run that is interrupted or fails leaves the
-   * earlier results as they are, and in `running` its own with the last checkpoint, for `--resume`. A new run
-   * (without `--resume`) replaces `running`.
+   * A folder holds the results of the last *completed* run. The run in progress writes to its sub-folder `running`;
+   * when it is complete, its files move up and replace those of the earlier run. A run that is interrupted or fails
+   * leaves the earlier results as they are, and in `running` its own with the last checkpoint, for `--resume`. A new
+   * run (without `--resume`) replaces `running`.
    *
    * Only one run at a time may write to a folder: it is locked until the object goes.
    */
@@ -25,8 +25,8 @@ namespace apps
 
     /**
      * Make the folder and its `running`, and lock it.
-     * @throws postprocess::OutputError when it cannot be made or written to, or another run writes to it; dem::InputError
-     * when there is nothing to resume.
+     * @throws postprocess::OutputError when it cannot be made or written to, or another run writes to it;
+     * dem::InputError when there is nothing to resume.
      */
     ResultFolder(const std::filesystem::path &folder, Start start);
     ~ResultFolder();

@@ -8,7 +8,10 @@
 
 namespace apps
 {
-  /** A scene file with every entry, its default, meaning, unit and range; needed constants stand as comments to fill in. */
+  /**
+   * A scene file with every entry, its default, meaning, unit and range; needed constants stand as comments to fill
+   * in.
+   */
   std::string description_as_prm(const Section &section);
   /** The same as a Markdown table per section. */
   std::string description_as_markdown(const Section &section);
@@ -21,6 +24,9 @@ namespace apps
     what_decides_results ///< without folders, checkpoint intervals and the like; without remarks
   };
 
-  /** The scene as it was understood: every needed entry with its value, defaults included; reading it gives the same run. */
+  /**
+   * The scene as it was understood: every needed entry with its value, defaults included; reading it gives the same
+   * run.
+   */
   std::string completed_scene(const Section &root, Completed what);
 } // namespace apps

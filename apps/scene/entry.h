@@ -9,7 +9,8 @@
 namespace apps
 {
   /**
-   * One declared parameter: what it means, what it accepts, where its value goes and, after reading, where it came from.
+   * One declared parameter: what it means, what it accepts, where its value goes and, after reading, where it came
+   * from.
    *
    * Declared once, by Section; the reader, `breccia describe` and the completed scene all work from it.
    */

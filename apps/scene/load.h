@@ -20,7 +20,8 @@ namespace apps
   };
 
   /**
-   * Read a scene file, apply the overrides ("Section/Key=value") and check everything that can be without building the model.
+   * Read a scene file, apply the overrides ("Section/Key=value") and check everything that can be without building
+   * the model.
    * @throws dem::InputError.
    */
   LoadedScene load_scene(const std::string &file, const std::vector<std::string> &overrides);

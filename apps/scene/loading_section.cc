@@ -8,8 +8,9 @@ namespace apps
 
   UniaxialLoadingSection::UniaxialLoadingSection()
   {
-    // Stop as the published tests do: tension when the crack carries a fifth of the strength; compression when the specimen
-    // has clearly softened, or at 5e-3 where softening is slow (Stransky, 2018). Tension far past any peak, in case it has none.
+    // Stop as the published tests do: tension when the crack carries a fifth of the strength; compression when the
+    // specimen has clearly softened, or at 5e-3 where softening is slow (Stransky, 2018). Tension far past any peak, in
+    // case it has none.
     tension.stop_fraction     = 0.2;
     tension.stop_strain       = 1e-3;
     compression.stop_fraction = 0.7;

@@ -5,7 +5,10 @@
 
 namespace apps
 {
-  /** Fewest insertions, deletions, substitutions and swaps of neighbours that turn one word into the other, case ignored. */
+  /**
+   * Fewest insertions, deletions, substitutions and swaps of neighbours that turn one word into the other, case
+   * ignored.
+   */
   std::size_t edit_distance(const std::string &from, const std::string &to);
 
   /** The candidate with the smallest edit distance, the first of equals; empty if there is no candidate. */

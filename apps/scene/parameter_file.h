@@ -8,7 +8,8 @@
 namespace apps
 {
   /**
-   * Everything that a parameter file (`.prm`, or `.json`) sets, as deal.II's ParameterHandler reads it, in the file's order.
+   * Everything that a parameter file (`.prm`, or `.json`) sets, as deal.II's ParameterHandler reads it, in the file's
+   * order.
    * @throws dem::InputError with file and line when it cannot be read.
    */
   std::vector<Assignment> read_parameter_file(const std::string &file);

@@ -35,7 +35,10 @@ namespace apps
     /** Rules between entries. @throws dem::InputError, see Section::refuse(). */
     virtual void validate(const Section &root) const = 0;
 
-    /** What a run would take, as text for the terminal; sets the model up, but writes nothing. @throws dem::InputError. */
+    /**
+     * What a run would take, as text for the terminal; sets the model up, but writes nothing.
+     * @throws dem::InputError.
+     */
     virtual std::string forecast() const = 0;
 
     /**

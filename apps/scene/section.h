@@ -75,7 +75,10 @@ namespace apps
 
     /** A sub-section. */
     Section &section(const std::string &subsection, const std::string &subsection_meaning);
-    /** Entries in here are needed only if the condition holds after reading; the words say it in messages and descriptions. */
+    /**
+     * Entries in here are needed only if the condition holds after reading; the words say it in messages and
+     * descriptions.
+     */
     void only_if(std::function<bool()> condition, std::string condition_in_words);
 
     const std::string                           &name() const { return own_name; }
@@ -94,7 +97,10 @@ namespace apps
     std::vector<std::string> entry_names() const;
     std::vector<std::string> section_names() const;
 
-    /** Refuse a value that breaks a rule between entries: "place: entry = value: rule". @throws dem::InputError always. */
+    /**
+     * Refuse a value that breaks a rule between entries: "place: entry = value: rule".
+     * @throws dem::InputError always.
+     */
     [[noreturn]] void refuse(const std::string &entry, const std::string &rule) const;
 
   private:

@@ -16,7 +16,9 @@ namespace apps
       file
     };
 
-    /** Sub-section "Generator": periodic isotropic compaction (mesoscale specification 9.1), with the defaults of dem. */
+    /**
+     * Sub-section "Generator": periodic isotropic compaction (mesoscale specification 9.1), with the defaults of dem.
+     */
     struct Generator
     {
       double       radius     = 0; ///< [m]

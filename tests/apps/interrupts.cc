@@ -44,11 +44,8 @@ namespace
   std::string reproducible_part(const std::filesystem::path &results)
   {
     std::string all;
-    for (const auto &entry : std::filesystem::directory_iterator(results))
-      {
-        if (entry.is_directory())
-          all += entry.path().filename().string() + "\n" + listing_of(entry.path());
-      }
+    for (const char *folder : {"tension_particles", "tension_links", "compression_particles", "compression_links"})
+      all += listing_of(results / folder);
     return all + content_of(results / "series.csv") + content_of(results / "tension_particles.pvd") +
            content_of(results / "compression_links.pvd");
   }

@@ -68,8 +68,8 @@ TEST_CASE("link-test dissipates 20 J/m^3 of damage in tension to failure and the
 
 TEST_CASE("link-test returns a shear overload to the strength exactly and keeps the plastic strain", "[apps]")
 {
-  // Mesoscale specification 3.2, note: one step with twice the shear strength R, then no further strain: the trial stress
-  // of the second step must equal R. Here R = c_0 = 1e4 Pa, G = 5e8 Pa: twice R at a shear strain of 4e-5.
+  // Mesoscale specification 3.2, note: one step with twice the shear strength R, then no further strain: the trial
+  // stress of the second step must equal R. Here R = c_0 = 1e4 Pa, G = 5e8 Pa: twice R at a shear strain of 4e-5.
   const postprocess::CsvTable out =
     answer("shear_strain_2, normal_strain\n4e-5, 0\n4e-5, 0\n# back to the plastic strain\n2e-5, 0\n", "1e4");
   CHECK(out.column("shear_stress_2")[0] == Approx(1e4).epsilon(1e-12));

@@ -89,9 +89,9 @@ TEST_CASE("Two particles give the curve of their one link, in closed form", "[ap
               {"run", "x.prm", "-o", "results", "-s", "Loading/Tests=tension", "-s", "Loading/Tension/Stop strain=0.03",
                "-s", "Output/Samples=2000", "-s", "Loading/Tension/Stop fraction=1e-5"})
             .status == 0);
-  // Pulled along its axis, the pair is one link of section pi r^2 and length 2 r, whose stress follows the envelope of the law
-  // (mesoscale specification 3.3) until it is deleted with 1e-4 of its strength. The specimen's section, between spheres
-  // that touch in a point, says little: the shape of the curve is compared, and energies in absolute value.
+  // Pulled along its axis, the pair is one link of section pi r^2 and length 2 r, whose stress follows the envelope of
+  // the law (mesoscale specification 3.3) until it is deleted with 1e-4 of its strength. The specimen's section,
+  // a polygon for its circle, is approximate: the shape of the curve is compared, and energies in absolute value.
   const postprocess::CsvTable series = postprocess::read_csv_table(folder / "results/series.csv");
   const auto                 &strain = series.column("strain"), &stress = series.column("stress");
   const double                E = 25e9, onset = 1e-4, softening = 30e-4, left_at_deletion = 1e-4;
@@ -124,7 +124,8 @@ TEST_CASE("A chain of three radii stores the energy of its links in series", "[a
                               "Specimen/Interaction ratio=1.05", "-s", "Loading/Tension/Strain rate=0.05", "-s",
                               "Loading/Tension/Stop strain=5e-5", "-s", "Loading/Grip thickness=2.1e-3"})
             .status == 0);
-  // Two springs E A/L in series, A = pi min(r)^2 (mesoscale specification 1.1): lengths 3.5 and 2.5 mm, radii 1.5 and 1 mm.
+  // Two springs E A/L in series, A = pi min(r)^2 (mesoscale specification 1.1): lengths 3.5 and 2.5 mm, radii 1.5 and
+  // 1 mm.
   const double                compliance = (3.5e-3 / (pi * 2.25e-6) + 2.5e-3 / (pi * 1e-6)) / 25e9;
   const postprocess::CsvTable series     = postprocess::read_csv_table(folder / "results/series.csv");
   const double                stretch    = series.column("strain").back() * 6e-3;
