@@ -80,7 +80,10 @@ namespace apps
     std::string         text;
     text += fmt::format("  particles    {}\n", body.counts().particles);
     text += fmt::format("  links        {}\n", body.counts().links);
-    text += fmt::format("  time step    {:.4g} s\n", body.time_step());
+    text += fmt::format("  time step    {:.4g} s = {} of the bound of its particles\n", body.time_step(),
+                        asked.specimen.step_factor);
+    text += fmt::format("               {:.4g} s would be critical: sharp, by the largest eigenvalue\n",
+                        body.critical_step());
     text += fmt::format("  memory       {} for particles and links\n", megabytes(body.bytes()));
     double steps = 0;
     for (const UniaxialLoad load : asked.loading.tests)

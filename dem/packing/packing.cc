@@ -22,15 +22,21 @@ namespace dem
       throw InputError(origin + ": particle " + std::to_string(particle + 1) + ": " + why);
     }
 
+    /** Volumes, and squares of distances, of what lies within these can be computed [m]. */
+    constexpr double smallest_length = 1e-100, largest_length = 1e100;
+
     void check_particle(const Packing &packing, const std::size_t i, const std::string &origin)
     {
       for (int d = 0; d < 3; ++d)
         if (!std::isfinite(packing.centre[i][d]))
           refuse(origin, i, "centre = " + place(packing.centre[i]) + ": not finite numbers.");
-      if (std::isfinite(packing.radius[i]) && packing.radius[i] > 0)
+        else if (std::abs(packing.centre[i][d]) > largest_length)
+          refuse(origin, i, "centre = " + place(packing.centre[i]) + ": must lie within 1e100 m of the origin.");
+      const double radius = packing.radius[i];
+      if (radius >= smallest_length && radius <= largest_length)
         return;
       std::ostringstream found;
-      found << "radius = " << packing.radius[i] << ": must be a finite number above zero.";
+      found << "radius = " << radius << ": must be a finite number above zero, from 1e-100 to 1e100 m.";
       refuse(origin, i, found.str());
     }
 
@@ -56,9 +62,10 @@ namespace dem
     if (packing.size() == 0)
       throw InputError(origin + ": no particle. A packing needs at least one.");
     for (int d = 0; d < 3 && packing.periodic_cell; ++d)
-      if (const double edge = (*packing.periodic_cell)[d]; std::isnan(edge) || edge <= 0)
+      if (const double edge = (*packing.periodic_cell)[d];
+          !(edge >= smallest_length && (edge <= largest_length || std::isinf(edge))))
         throw InputError(origin + ": periodic cell = " + place(*packing.periodic_cell) +
-                         ": its edges must be above zero.");
+                         ": its edges must be above zero, from 1e-100 to 1e100 m (or inf: no repetition).");
     for (std::size_t i = 0; i < packing.size(); ++i)
       check_particle(packing, i, origin);
     check_coincidence(packing, origin);

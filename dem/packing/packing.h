@@ -25,8 +25,8 @@ namespace dem
   };
 
   /**
- * Refuse what no specimen can be made of: columns of unequal length, no particle, a centre or radius that is not a number,
- * a radius not above zero, two centres at the same place, a periodic cell edge not above zero.
+ * Refuse what no specimen can be made of: columns of unequal length, no particle, a centre or radius that is not a number
+ * or beyond 1e100 m, a radius not above zero, two centres at the same place, a periodic cell edge not above zero.
  *
  * @param origin where the packing came from (a file name, "generator"), for the message.
  * @throws InputError naming the first offending particle (counted from 1) and what is allowed.

@@ -56,6 +56,23 @@ TEST_CASE("what no specimen can be made of is refused by file and particle", "[d
     packing.centre[1][2] = std::numeric_limits<double>::infinity();
     REQUIRE_THROWS_WITH(refusal(), Contains("centre = (0.003, 0, inf)"));
   }
+  SECTION("a centre so far out that distances overflow")
+  {
+    packing.centre[0][0] = -1e308;
+    packing.centre[1][0] = 1e308;
+    REQUIRE_THROWS_WITH(refusal(), Contains("a.txt: particle 1: centre = (-1e+308, 0, 0)") && Contains("1e100 m"));
+    packing.centre[0][0] = -1e100;
+    packing.centre[1][0] = 1e100;
+    REQUIRE_NOTHROW(refusal());
+  }
+  SECTION("radii whose volume is not a number or vanishes")
+  {
+    for (const double radius : {1e-320, 1e200})
+      {
+        packing.radius[1] = radius;
+        REQUIRE_THROWS_WITH(refusal(), Contains("particle 2: radius = ") && Contains("1e-100 to 1e100 m"));
+      }
+  }
   SECTION("radii that are not above zero")
   {
     for (const double radius : {0.0, -1.0, nan, std::numeric_limits<double>::infinity()})
