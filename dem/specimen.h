@@ -55,7 +55,9 @@ namespace dem
     std::vector<double>          radius;
     std::vector<double>          damage; ///< mean damage of the links it was made with, broken ones count as 1 [-]
     std::vector<std::int32_t>    broken_links; ///< how many of its cohesive links are gone
-    std::vector<Eigen::Matrix3d> stress;       ///< Love-Weber, symmetric part, over the particle's share of volume [Pa]
+    std::vector<double>          volume; ///< the particle's share of the specimen's volume, voids included [m^3]
+    std::vector<std::int32_t>    held;   ///< 1: some of its motion is prescribed by a grip
+    std::vector<Eigen::Matrix3d> stress; ///< Love-Weber, symmetric part, over the particle's share of volume [Pa]
   };
 
   /** Links, contacts and broken links as an observer sees them. */

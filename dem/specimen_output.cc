@@ -70,12 +70,18 @@ namespace dem
     out.radius.resize(n);
     out.damage.resize(n);
     out.broken_links.resize(n);
+    out.volume.resize(n);
+    out.held.assign(n, 0);
     out.stress.resize(n);
+    for (const HeldGrip &grip : self->grips)
+      for (const std::size_t i : grip.grip.particles)
+        out.held[i] = 1;
     for (std::size_t i = 0; i < n; ++i)
       {
         const std::size_t     to     = static_cast<std::size_t>(p.number[i]);
         const double          space  = self->space_per_solid * p.cell.deformation().determinant(); // 1 without a cell
-        const Eigen::Matrix3d moment = moments[i] / (space * self->shape.volume(p.radius_of(i)));
+        const double          volume = space * self->shape.volume(p.radius_of(i));
+        const Eigen::Matrix3d moment = moments[i] / volume;
         out.position[to]             = p.position_of(i);
         out.displacement[to]         = p.position_of(i) - Eigen::Vector3d(&p.reference[3 * i]);
         out.velocity[to]         = Eigen::Vector3d(&p.velocity[record_size * i]) + p.cell.gradient() * p.position_of(i);
@@ -83,6 +89,7 @@ namespace dem
         out.radius[to]           = p.radius_of(i);
         out.damage[to]           = p.made_links[i] > 0 ? (damage[i] + p.broken_links[i]) / p.made_links[i] : 0.0;
         out.broken_links[to]     = p.broken_links[i];
+        out.volume[to]           = volume;
         out.stress[to]           = 0.5 * (moment + moment.transpose());
       }
     return out;
