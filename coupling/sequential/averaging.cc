@@ -1,7 +1,6 @@
 #include "coupling/sequential/averaging.h"
 
 #include <Eigen/Dense>
-
 #include <deal.II/numerics/rtree.h>
 
 #include <algorithm>
@@ -38,13 +37,14 @@ namespace coupling
 
     std::vector<std::size_t> within(const Eigen::Vector3d &place, const double radius) const
     {
-      const Eigen::Vector3d            reach = Eigen::Vector3d::Constant(radius);
-      const dealii::BoundingBox<3>     box({point_of(place - reach), point_of(place + reach)});
-      const Point                      centre = point_of(place);
-      std::vector<std::size_t>         found;
-      const auto                       inside = [&](const auto i) { return points[i].distance(centre) <= radius; };
-      boost::geometry::index::query(tree, boost::geometry::index::intersects(box) && boost::geometry::index::satisfies(inside),
-                                    std::back_inserter(found));
+      const Eigen::Vector3d        reach = Eigen::Vector3d::Constant(radius);
+      const dealii::BoundingBox<3> box({point_of(place - reach), point_of(place + reach)});
+      const Point                  centre = point_of(place);
+      std::vector<std::size_t>     found;
+      const auto                   inside = [&](const auto i) { return points[i].distance(centre) <= radius; };
+      boost::geometry::index::query(
+        tree, boost::geometry::index::intersects(box) && boost::geometry::index::satisfies(inside),
+        std::back_inserter(found));
       std::sort(found.begin(), found.end());
       return found;
     }
@@ -52,12 +52,13 @@ namespace coupling
     std::size_t nearest(const Eigen::Vector3d &place) const
     {
       std::vector<std::size_t> found;
-      boost::geometry::index::query(tree, boost::geometry::index::nearest(point_of(place), 1), std::back_inserter(found));
+      boost::geometry::index::query(tree, boost::geometry::index::nearest(point_of(place), 1),
+                                    std::back_inserter(found));
       return found.at(0);
     }
 
   private:
-    std::vector<Point>                                                points;
+    std::vector<Point>                                            points;
     decltype(dealii::pack_rtree_of_indices(std::vector<Point>())) tree;
   };
 
@@ -106,8 +107,8 @@ namespace coupling
     const std::vector<Weighted> near = weigh(place, width);
 
     Average average;
-    average.width     = width;
-    average.particles = near.size();
+    average.width          = width;
+    average.particles      = near.size();
     double          sum    = 0;
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();
     for (const Weighted &w : near)
@@ -141,7 +142,7 @@ namespace coupling
     Eigen::VectorXd  p(terms);
     for (const Weighted &w : near)
       {
-        p[0]                       = 1;
+        p[0]                     = 1;
         p.tail(field->dimension) = w.offset.head(field->dimension);
         M += w.weight * p * p.transpose();
       }

@@ -24,8 +24,8 @@ namespace coupling
     double                exponent        = 4.7;
     double                switch_damage   = 5e-4; ///< m
     double                hardening_start = 0.3;  ///< kappa_P of an undamaged point, below 1
-    double                hardening_slope = 900;  ///< growth of kappa_P with raw damage; start + slope m must stay below 1
-    bool                  published_factor = false; ///< the tensor is taken with 12/(2N) instead of 15/(2N)
+    double hardening_slope  = 900;   ///< growth of kappa_P with raw damage; start + slope m must stay below 1
+    bool   published_factor = false; ///< the tensor is taken with 12/(2N) instead of 15/(2N)
 
     /** @throws dem::InputError naming the constant that breaks a rule */
     void validate() const;

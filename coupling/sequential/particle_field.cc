@@ -21,7 +21,8 @@ namespace coupling
         field.mean_radius += state.radius[i];
       }
     if (field.size() == 0)
-      throw dem::InputError("discrete state: every particle is held by a grip or was never linked; nothing to transfer.");
+      throw dem::InputError(
+        "discrete state: every particle is held by a grip or was never linked; nothing to transfer.");
     field.mean_radius /= static_cast<double>(field.size());
     field.left_out = state.size() - field.size();
     return field;

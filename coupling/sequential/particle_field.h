@@ -10,10 +10,10 @@ namespace coupling
   struct ParticleField
   {
     int                          dimension = 3;
-    std::vector<Eigen::Vector3d> place;  ///< [m]
-    std::vector<double>          volume; ///< [m^3]
-    std::vector<Eigen::Matrix3d> stress; ///< symmetric, tension positive [Pa]
-    std::vector<Eigen::Matrix3d> damage; ///< Omega, trace/dimension = mean strength-type damage [-]
+    std::vector<Eigen::Vector3d> place;           ///< [m]
+    std::vector<double>          volume;          ///< [m^3]
+    std::vector<Eigen::Matrix3d> stress;          ///< symmetric, tension positive [Pa]
+    std::vector<Eigen::Matrix3d> damage;          ///< Omega, trace/dimension = mean strength-type damage [-]
     double                       mean_radius = 0; ///< [m]
     std::size_t                  left_out    = 0; ///< particles of the state that are not here: held, or never linked
 
@@ -28,8 +28,8 @@ namespace coupling
       reference, ///< where it was when the specimen was made: the continuum has the undeformed shape
       present
     };
-    dem::DamageFit fit           = dem::DamageFit::even;
-    Place          place         = Place::reference;
+    dem::DamageFit fit            = dem::DamageFit::even;
+    Place          place          = Place::reference;
     bool           leave_out_held = true; ///< particles in grips are not free material
   };
 

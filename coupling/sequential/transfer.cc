@@ -35,7 +35,8 @@ namespace coupling
       return zero;
     }
 
-    MappedPoint map_point(const Averaging &averaging, const MappingLaw &law, const Eigen::Vector3d &place, const double size)
+    MappedPoint
+    map_point(const Averaging &averaging, const MappingLaw &law, const Eigen::Vector3d &place, const double size)
     {
       MappedPoint point{};
       point.place   = place;
@@ -76,8 +77,8 @@ namespace coupling
 
     void sum_over_ranks(TransferReport &report, const MPI_Comm communicator)
     {
-      const auto add = [&](auto &value) { value = dealii::Utilities::MPI::sum(value, communicator); };
-      TransferCount &c = report.count;
+      const auto     add = [&](auto &value) { value = dealii::Utilities::MPI::sum(value, communicator); };
+      TransferCount &c   = report.count;
       for (std::size_t *n : {&c.points, &c.elastic, &c.empty, &c.sparse, &c.boundary, &c.averaged, &c.damaged,
                              &c.fully_damaged, &c.at_switch, &c.returned})
         add(*n);
@@ -95,15 +96,16 @@ namespace coupling
       if (static_cast<double>(found) <= limit * static_cast<double>(of))
         return;
       std::ostringstream message;
-      message << "transfer: " << found << " of " << of << " integration points " << what << "; the scene allows a share of "
-              << limit << '.';
+      message << "transfer: " << found << " of " << of << " integration points " << what
+              << "; the scene allows a share of " << limit << '.';
       throw dem::InputError(message.str());
     }
 
     void refuse_past_limits(const TransferCount &count, const TransferLimits &limits)
     {
       if (count.points == 0)
-        throw dem::InputError("transfer: no part of the solid has a history (all of it is elastic); nothing to transfer to.");
+        throw dem::InputError(
+          "transfer: no part of the solid has a history (all of it is elastic); nothing to transfer to.");
       refuse_past("have no particle within reach", count.empty, count.points, limits.empty);
       refuse_past("average fewer particles than asked for", count.sparse, count.points, limits.sparse);
       refuse_past("are fully damaged (omega at or past 1)", count.fully_damaged, count.points, limits.fully_damaged);
@@ -163,10 +165,10 @@ namespace coupling
     integrate_particles(field, report.integrals);
 
     // Points are met element by element, as element_points() lists them.
-    const fem::Vector  rest    = at_rest(solid);
-    const std::size_t  per     = solid.quadrature().size();
-    const auto        &owners  = solid.element_points();
-    std::size_t        visited = 0;
+    const fem::Vector rest    = at_rest(solid);
+    const std::size_t per     = solid.quadrature().size();
+    const auto       &owners  = solid.element_points();
+    std::size_t       visited = 0;
     solid.visit_points(rest, [&](const fem::PointView<dim> &view) {
       const auto &owner = owners.at(visited++ / per);
       if (view.material->linear())
@@ -213,8 +215,9 @@ namespace coupling
     });
     squares = dealii::Utilities::MPI::sum(squares, solid.communicator());
     Imbalance found;
-    found.largest  = free.linfty_norm();
-    found.relative = squares > 0 ? free.l2_norm() / std::sqrt(squares) : 0;
+    found.largest = free.linfty_norm();
+    found.free    = free.l2_norm();
+    found.at_hand = std::sqrt(squares);
     return found;
   }
 
@@ -223,10 +226,10 @@ namespace coupling
   {
     Equilibration done;
     done.before = imbalance(solid, solver);
-    if (!(done.before.relative <= limits.imbalance))
+    if (!(done.before.relative() <= limits.imbalance))
       {
         std::ostringstream message;
-        message << "transfer: the mapped state is out of balance by " << done.before.relative
+        message << "transfer: the mapped state is out of balance by " << done.before.relative()
                 << " of the forces at hand (largest " << done.before.largest << " N); the scene allows "
                 << limits.imbalance << '.';
         throw dem::InputError(message.str());
@@ -235,6 +238,7 @@ namespace coupling
     if (!done.step.converged)
       throw dem::NumericalError("transfer: no equilibrium near the mapped state: " + done.step.reason);
     done.after                = imbalance(solid, solver);
+    done.after.at_hand        = done.before.at_hand; // a body that relaxes has next to none left
     done.largest_displacement = solver.displacement().linfty_norm();
     return done;
   }

@@ -11,10 +11,10 @@ namespace coupling
   /** How much of a mapping may be doubtful; shares of the points that have a history. Past a limit the transfer is refused. */
   struct TransferLimits
   {
-    double empty         = 0;    ///< points without any particle
-    double sparse        = 0.2;  ///< averages of fewer particles than asked for
-    double fully_damaged = 0.5;  ///< omega at or past 1
-    double imbalance     = 2.0;  ///< unbalanced force over the forces at hand, before the equilibrium iteration
+    double empty         = 0;   ///< points without any particle
+    double sparse        = 0.2; ///< averages of fewer particles than asked for
+    double fully_damaged = 0.5; ///< omega at or past 1
+    double imbalance     = 2.0; ///< unbalanced force over the forces at hand, before the equilibrium iteration
   };
 
   struct TransferOptions
@@ -33,7 +33,8 @@ namespace coupling
     Average         average;
     MappedDamage    mapped;
     double          kappa_d, kappa_p; ///< as initialised
-    double          returned; ///< |stress of the point at zero strain - stress given| [Pa]: outside the yield surface it is returned to it
+    double
+      returned; ///< |stress of the point at zero strain - stress given| [Pa]: outside the yield surface it is returned to it
   };
 
   /** Nothing silent: how many points were in which way out of the ordinary (over all ranks). */
@@ -54,7 +55,7 @@ namespace coupling
   /** What is conserved of the mapped fields: integrals over the points against sums over the particles. */
   struct TransferIntegrals
   {
-    double          volume_particles = 0, volume_points = 0; ///< [m^3]
+    double          volume_particles = 0, volume_points = 0;                                             ///< [m^3]
     Eigen::Matrix3d stress_particles = Eigen::Matrix3d::Zero(), stress_points = Eigen::Matrix3d::Zero(); ///< [Pa m^3]
     Eigen::Matrix3d damage_particles = Eigen::Matrix3d::Zero(), damage_points = Eigen::Matrix3d::Zero(); ///< [m^3]
 
@@ -85,8 +86,12 @@ namespace coupling
   /** How far from equilibrium a solid is. */
   struct Imbalance
   {
-    double largest  = 0; ///< force on a free displacement [N]
-    double relative = 0; ///< root of the sum of squares of these, over that of |stress| volume^(2/3) of the points
+    double largest = 0; ///< force on a free displacement [N]
+    double free    = 0; ///< root of the sum of squares of these [N]
+    double at_hand = 0; ///< root of the sum of squares of |stress| volume^(2/3) of the points [N]
+
+    /** Of the forces at hand; 0 where there are none. */
+    double relative() const { return at_hand > 0 ? free / at_hand : 0; }
   };
 
   /** Of the free displacements, at the solver's present state. */
@@ -96,7 +101,7 @@ namespace coupling
   /** What the equilibrium iteration after a transfer did. */
   struct Equilibration
   {
-    Imbalance       before, after;
+    Imbalance       before, after; ///< both relate to the forces at hand before
     fem::StepReport step;
     double          largest_displacement = 0; ///< it took [m]
   };

@@ -73,7 +73,7 @@ namespace dem
     const auto        require = [&](const char *name, const std::size_t found, const std::size_t expected) {
       if (found != expected)
         throw InputError(origin + ": column \"" + name + "\" has " + std::to_string(found) + " rows, expected " +
-                         std::to_string(expected) + ".");
+                                std::to_string(expected) + ".");
     };
     if (n == 0)
       throw InputError(origin + ": no particle. A discrete state needs at least one.");
