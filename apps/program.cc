@@ -2,6 +2,7 @@
 
 #include "apps/commands/command.h"
 #include "apps/exit_status.h"
+#include "apps/mpi_session.h"
 #include "apps/scene/nearest_name.h"
 #include "apps/version.h"
 #include "dem/core/errors.h"
@@ -39,7 +40,8 @@ namespace apps
 
     int complain(const std::string &message, const int status)
     {
-      fmt::print(stderr, "breccia: {}\n", message);
+      if (is_first_rank())
+        fmt::print(stderr, "breccia: {}\n", message);
       return status;
     }
 
@@ -99,6 +101,8 @@ namespace apps
           return program.exit(error);
         return refuse_command_line(program, error, argc > 1 ? argv[1] : nullptr);
       }
-    return perform(chosen);
+    const int status = perform(chosen);
+    finish_mpi();
+    return status;
   }
 } // namespace apps

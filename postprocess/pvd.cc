@@ -10,17 +10,20 @@ namespace postprocess
 {
   namespace
   {
-    std::string file_name(const std::string &name, const std::size_t number)
+    std::string file_name(const std::string &name, const std::size_t number, const std::string &extension)
     {
       char digits[32]; // fits the longest number of 64 bits
-      std::snprintf(digits, sizeof(digits), "_%06zu.vtp", number);
-      return name + digits;
+      std::snprintf(digits, sizeof(digits), "_%06zu", number);
+      return name + digits + extension;
     }
   } // namespace
 
-  PvdCollection::PvdCollection(const std::filesystem::path &output_folder, const std::string &name_)
+  PvdCollection::PvdCollection(const std::filesystem::path &output_folder,
+                               const std::string           &name_,
+                               const std::string           &extension_)
     : folder(output_folder)
     , name(name_)
+    , extension(extension_)
   {
     std::error_code error;
     std::filesystem::create_directories(folder / name, error);
@@ -28,7 +31,7 @@ namespace postprocess
       throw OutputError((folder / name).string() + ": the folder cannot be made: " + error.message() + ".");
   }
 
-  std::filesystem::path PvdCollection::next() const { return folder / name / file_name(name, times.size()); }
+  std::filesystem::path PvdCollection::next() const { return folder / name / file_name(name, times.size(), extension); }
 
   void PvdCollection::add(const double time)
   {
@@ -38,7 +41,7 @@ namespace postprocess
       {
         text += "    <DataSet timestep=\"";
         numeric_text::append(text, times[i]);
-        text += "\" part=\"0\" file=\"" + name + "/" + file_name(name, i) + "\"/>\n";
+        text += "\" part=\"0\" file=\"" + name + "/" + file_name(name, i, extension) + "\"/>\n";
       }
     write_text(folder / (name + ".pvd"), text + "  </Collection>\n</VTKFile>\n");
   }

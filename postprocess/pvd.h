@@ -8,7 +8,7 @@
 namespace postprocess
 {
   /**
-   * The snapshots of one kind as ParaView opens them: OUTPUT/NAME.pvd lists OUTPUT/NAME/NAME_000000.vtp, ... with
+   * The snapshots of one kind as ParaView opens them: OUTPUT/NAME.pvd lists OUTPUT/NAME/NAME_000000.vtp (or .vtu, .pvtu), ... with
    * times.
    *
    * The list is rewritten (atomically) after every snapshot, so it can be opened while the run goes on. File names
@@ -19,7 +19,9 @@ namespace postprocess
   {
   public:
     /** Makes the folder OUTPUT/NAME. @throws OutputError. */
-    PvdCollection(const std::filesystem::path &output_folder, const std::string &name);
+    PvdCollection(const std::filesystem::path &output_folder,
+                  const std::string           &name,
+                  const std::string           &extension = ".vtp");
 
     /** The file to write the next snapshot to. */
     std::filesystem::path next() const;
@@ -34,7 +36,7 @@ namespace postprocess
 
   private:
     std::filesystem::path folder;
-    std::string           name;
+    std::string           name, extension;
     dem::Column           times;
   };
 } // namespace postprocess

@@ -1,5 +1,6 @@
 #include "apps/drivers/all.h"
 
+#include "apps/drivers/continuum.h"
 #include "apps/drivers/homogenisation_scene.h"
 #include "apps/drivers/uniaxial.h"
 
@@ -17,6 +18,7 @@ namespace apps
   const std::vector<SceneKind> &scene_kinds()
   {
     static const std::vector<SceneKind> kinds = {
+      {"continuum", "a solid of finite elements, static past its peak or explicit", make<ContinuumScene>},
       {"homogenisation", "macroscopic stiffness of periodic packings, swept over link parameters",
        make<HomogenisationScene>},
       {"uniaxial", "a bonded-particle specimen pulled and crushed", make<UniaxialScene>},

@@ -98,6 +98,7 @@ namespace apps
     LoadedScene loaded   = declared(*kind);
     loaded.output_folder = "output/NAME";
     declare_all(loaded);
+    loaded.root->open_placeholders();
     return loaded;
   }
 } // namespace apps

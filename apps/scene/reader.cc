@@ -24,12 +24,12 @@ namespace apps
         collect_paths(*subsection, entry, paths);
     }
 
-    const Section &section_of(const Section &root, const Assignment &assignment)
+    Section &section_of(Section &root, const Assignment &assignment)
     {
-      const Section *section = &root;
+      Section *section = &root;
       for (const std::string &name : assignment.sections)
         {
-          const Section *next = section->find_section(name);
+          Section *next = section->open_section(name, assignment.place);
           if (!next)
             throw dem::InputError(assignment.place.text() + ": section \"" +
                                   (section->path().empty() ? "" : section->path() + "/") + name + "\" is not known. " +
@@ -82,7 +82,7 @@ namespace apps
     }
   } // namespace
 
-  void assign(const Section &root, const std::vector<Assignment> &assignments, const std::string &source)
+  void assign(Section &root, const std::vector<Assignment> &assignments, const std::string &source)
   {
     // All names first: a misspelt key explains a "missing" one.
     std::vector<std::pair<const Section *, Entry *>> targets;

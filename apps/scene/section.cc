@@ -164,6 +164,26 @@ namespace apps
     return added;
   }
 
+  Entry &Section::expression(const std::string &entry, Expression &member, const std::string &unit)
+  {
+    Entry &added  = add(entry, "formula", Need::optional, "");
+    added.unit    = unit;
+    added.allowed = "in x, y, z [m] and t [s], or empty";
+    added.store   = [&member, name = path_of(entry)](const std::string &text, const Place &from) -> std::string {
+      if (text.empty())
+        {
+          member = Expression();
+          return "";
+        }
+      const std::string wrong = Expression::fault(text);
+      if (!wrong.empty())
+        return "expected a formula in x, y, z and t: " + wrong;
+      member = Expression(text, from.text() + ": " + name);
+      return "";
+    };
+    return added;
+  }
+
   Entry &Section::add_choice(const std::string               &entry,
                              const std::vector<std::string>  &words,
                              const std::size_t                initial,
@@ -213,6 +233,31 @@ namespace apps
     subsections.push_back(std::make_unique<Section>(subsection, subsection_meaning));
     subsections.back()->parent = this;
     return *subsections.back();
+  }
+
+  void Section::named_sections(const std::string &name, std::function<void(Section &)> declare)
+  {
+    placeholder   = name;
+    declare_named = std::move(declare);
+  }
+
+  Section *Section::open_section(const std::string &subsection, const Place &from)
+  {
+    Section *known = find_section(subsection);
+    if (known || !declare_named)
+      return known;
+    Section &opened  = section(subsection, own_meaning);
+    opened.opened_at = from;
+    declare_named(opened);
+    return &opened;
+  }
+
+  void Section::open_placeholders()
+  {
+    if (declare_named)
+      open_section(placeholder, {});
+    for (const auto &subsection : subsections)
+      subsection->open_placeholders();
   }
 
   void Section::only_if(std::function<bool()> condition, std::string condition_in_words)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/scene/entry.h"
+#include "apps/scene/expression.h"
 #include "dem/core/errors.h"
 
 #include <array>
@@ -63,6 +64,8 @@ namespace apps
       const std::string &entry, std::array<double, 3> &member, const std::string &unit, const Range &range, Need need);
     Entry &file(const std::string &entry, std::string &member); ///< relative to the place it is written in; "" if unset
     Entry &text(const std::string &entry, std::string &member, Need need);
+    /** A formula in x, y, z [m] and t [s]; nothing, or an empty text, leaves it unset. */
+    Entry &expression(const std::string &entry, Expression &member, const std::string &unit);
 
     template <typename Value>
     Entry &
@@ -75,6 +78,19 @@ namespace apps
 
     /** A sub-section. */
     Section &section(const std::string &subsection, const std::string &subsection_meaning);
+    /**
+     * Sub-sections that a scene names as it likes, e.g. after the parts of its mesh; each has its own members.
+     * @param placeholder stands for the name in descriptions.
+     * @param declare gives a newly opened one its entries.
+     */
+    void named_sections(const std::string &placeholder, std::function<void(Section &)> declare);
+    /** The sub-section, opened now if its name is the scene's choice; nullptr if there is none of that name. */
+    Section *open_section(const std::string &subsection, const Place &from);
+    /** One sub-section named by the placeholder wherever names are the scene's choice: for descriptions. */
+    void open_placeholders();
+    /** Where a scene opened it, if its name was the scene's choice. */
+    const Place &place() const { return opened_at; }
+
     /**
      * Entries in here are needed only if the condition holds after reading; the words say it in messages and
      * descriptions.
@@ -120,6 +136,9 @@ namespace apps
     std::string                           own_name, own_meaning, words_of_condition;
     std::function<bool()>                 holds;
     const Section                        *parent = nullptr;
+    std::string                           placeholder;
+    std::function<void(Section &)>        declare_named; // empty: names are not free
+    Place                                 opened_at;
     std::vector<std::unique_ptr<Entry>>   own_entries;
     std::vector<std::unique_ptr<Section>> subsections;
   };

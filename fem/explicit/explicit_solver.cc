@@ -327,6 +327,26 @@ namespace fem
                             " s: the motion is no longer a number. Lower the step.");
   }
 
+  template <int dim>
+  ExplicitState ExplicitSolver<dim>::state() const
+  {
+    return {current_time, started, account, u, v, f_int, mean};
+  }
+
+  template <int dim>
+  void ExplicitSolver<dim>::restore(const ExplicitState &saved)
+  {
+    current_time = saved.time;
+    started      = saved.started;
+    account      = saved.energy;
+    u            = saved.displacement;
+    v            = saved.velocity;
+    f_int        = saved.internal_force;
+    mean         = saved.mean_velocity;
+    u.update_ghost_values();
+    solid.external_force(current_time, f_ext);
+  }
+
   template class ExplicitSolver<2>;
   template class ExplicitSolver<3>;
 }

@@ -25,6 +25,15 @@ namespace fem
     double balance() const;
   };
 
+  /// All that a motion remembers besides the histories of its points.
+  struct ExplicitState
+  {
+    double         time    = 0;
+    bool           started = false;
+    ExplicitEnergy energy;
+    Vector         displacement, velocity, internal_force, mean_velocity;
+  };
+
   /**
    * Motion of a solid by central differences with a lumped mass.
    *
@@ -52,11 +61,18 @@ namespace fem
     const Vector         &velocity() const { return v; } ///< half a step back
     const Vector         &mass() const { return lumped; }
     const Vector         &internal_force() const { return f_int; }
+    const Vector         &external_force() const { return f_ext; }
     const ExplicitEnergy &energy() const { return account; }
     double                largest_element_eigenvalue() const { return 4 / (step_limit * step_limit); } ///< [1/s^2]
 
     /// Internal force of a displacement, by the kernel that the steps use (elastic parts), histories untouched until the next step.
     void internal_force_at(const Vector &displacement, Vector &force);
+
+    /// What the solver carries from step to step; the histories of the points are the solid's (Solid::visit_histories()).
+    ExplicitState state() const;
+
+    /// Goes on from a saved state exactly as the solver that saved it would.
+    void restore(const ExplicitState &saved);
 
   private:
     void   lump_mass();

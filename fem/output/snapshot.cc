@@ -145,9 +145,9 @@ namespace fem
     out.build_patches(solid.mapping(), degree);
     const MPI_Comm comm = solid.communicator();
     if (Utilities::MPI::n_mpi_processes(comm) > 1)
-      return out.write_vtu_with_pvtu_record(folder + "/", name, number, comm, 5);
+      return out.write_vtu_with_pvtu_record(folder + "/", name, number, comm, 6);
     std::ostringstream file;
-    file << name << "_" << std::setw(5) << std::setfill('0') << number << ".vtu";
+    file << name << "_" << std::setw(6) << std::setfill('0') << number << ".vtu";
     std::ofstream stream(folder + "/" + file.str());
     out.write_vtu(stream);
     stream.close();

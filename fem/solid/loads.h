@@ -36,6 +36,15 @@ namespace fem
     double             tolerance = 1e-6; ///< how far the node may be, as a share of the mesh's extent
   };
 
+  /// One displacement component [m] of every node in a box: a point, an edge, a face or a region.
+  template <int dim>
+  struct PrescribedBox
+  {
+    dealii::Point<dim> low, high;
+    unsigned int       component;
+    ScalarOf<dim>      value;
+  };
+
   /// Force per undeformed area [Pa].
   template <int dim>
   struct Traction
@@ -66,10 +75,12 @@ namespace fem
   {
     std::vector<PrescribedDisplacement<dim>> displacements;
     std::vector<PrescribedNode<dim>>         nodes;
+    std::vector<PrescribedBox<dim>>          boxes;
     std::vector<Traction<dim>>               tractions;
     std::vector<Pressure<dim>>               pressures;
     std::vector<PointForce<dim>>             point_forces;
     VectorOf<dim>                            body_force; ///< [N/m^3]; empty: none
     bool remove_rigid_motion = false;                    ///< hold 3 (2d) or 6 (3d) displacements of three nodes at zero
+    bool may_move_freely     = false; ///< supports need not hold the solid: its mass does, in explicit motion
   };
 }

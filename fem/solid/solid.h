@@ -118,6 +118,14 @@ namespace fem
     std::vector<std::pair<dealii::types::global_dof_index, double>> interpolation(const dealii::Point<dim> &where,
                                                                                   unsigned int component) const;
 
+    /// Locally owned displacements of one component on a boundary. @throws std::invalid_argument on an unknown one.
+    std::vector<dealii::types::global_dof_index> boundary_dofs(const std::string &boundary,
+                                                               unsigned int       component) const;
+
+    /// Locally owned displacements of one component in a box, of nodes that lie in it to 1e-6 of the mesh's extent.
+    std::vector<dealii::types::global_dof_index>
+    dofs_within(const dealii::Point<dim> &low, const dealii::Point<dim> &high, unsigned int component) const;
+
   private:
     struct PrescribedDof
     {
@@ -145,6 +153,7 @@ namespace fem
     void visit_nodes(const Visit &visit) const;
 
     void hold_node(const PrescribedNode<dim> &node);
+    void hold_box(const PrescribedBox<dim> &box);
     void hold_rigid_motion();
     void refuse_free_motion() const;
     void place_forces();

@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_accessor.h>
+#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/grid/tria_accessor.h>
 #include <deal.II/grid/tria_iterator.h>
 
@@ -150,6 +151,75 @@ namespace fem
     });
   }
 
+  namespace
+  {
+    /// How far a point lies outside a box.
+    template <int dim>
+    double distance_to_box(const Point<dim> &x, const Point<dim> &low, const Point<dim> &high)
+    {
+      double squares = 0;
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          const double outside = std::max({0.0, low[d] - x[d], x[d] - high[d]});
+          squares += outside * outside;
+        }
+      return std::sqrt(squares);
+    }
+
+    constexpr double box_tolerance = 1e-6; // of the mesh's extent: coordinates as meshers write them
+  }
+
+  template <int dim>
+  void Solid<dim>::hold_box(const PrescribedBox<dim> &box)
+  {
+    const double tolerance = box_tolerance * extent_of(grid).first;
+    double       distance  = 1e300;
+    visit_nodes([&](const auto &, unsigned int, const types::global_dof_index dof, const unsigned int component,
+                    const auto &place) {
+      if (component != box.component)
+        return;
+      const double off = distance_to_box(place(), box.low, box.high);
+      distance         = std::min(distance, off);
+      if (off <= tolerance)
+        add_prescribed(dof, component, place(), box.value);
+    });
+    distance = Utilities::MPI::min(distance, communicator());
+    if (distance > tolerance)
+      {
+        std::ostringstream text;
+        text << "support from " << box.low << " to " << box.high << ": no node lies in it, the nearest is " << distance
+             << " m away. Move the support to a node, enlarge its box or refine the mesh.";
+        throw std::invalid_argument(text.str());
+      }
+  }
+
+  template <int dim>
+  std::vector<types::global_dof_index> Solid<dim>::boundary_dofs(const std::string &boundary,
+                                                                 const unsigned int component) const
+  {
+    ComponentMask mask(dim, false);
+    mask.set(component, true);
+    std::vector<types::global_dof_index> found;
+    for (const auto dof : DoFTools::extract_boundary_dofs(dof_handler, mask, {grid.boundary(boundary)}))
+      if (owned.is_element(dof))
+        found.push_back(dof);
+    return found;
+  }
+
+  template <int dim>
+  std::vector<types::global_dof_index>
+  Solid<dim>::dofs_within(const Point<dim> &low, const Point<dim> &high, const unsigned int component) const
+  {
+    const double                      tolerance = box_tolerance * extent_of(grid).first;
+    std::set<types::global_dof_index> found;
+    visit_nodes(
+      [&](const auto &, unsigned int, const types::global_dof_index dof, const unsigned int c, const auto &place) {
+        if (c == component && owned.is_element(dof) && distance_to_box(place(), low, high) <= tolerance)
+          found.insert(dof);
+      });
+    return {found.begin(), found.end()};
+  }
+
   template <int dim>
   void Solid<dim>::hold_rigid_motion()
   {
@@ -231,9 +301,12 @@ namespace fem
       hold_boundary(p);
     for (const auto &p : loads.nodes)
       hold_node(p);
+    for (const auto &p : loads.boxes)
+      hold_box(p);
     if (loads.remove_rigid_motion)
       hold_rigid_motion();
-    refuse_free_motion();
+    if (!loads.may_move_freely)
+      refuse_free_motion();
 
     supports.reinit(relevant);
     for (const auto &entry : prescribed_dofs)
@@ -252,8 +325,14 @@ namespace fem
     values.update_ghost_values();
   }
 
-  template void Solid<2>::place_supports();
-  template void Solid<3>::place_supports();
-  template void Solid<2>::prescribed(double, Vector &) const;
+  template void                                 Solid<2>::place_supports();
+  template void                                 Solid<3>::place_supports();
+  template void                                 Solid<2>::prescribed(double, Vector &) const;
+  template std::vector<types::global_dof_index> Solid<2>::boundary_dofs(const std::string &, unsigned int) const;
+  template std::vector<types::global_dof_index> Solid<3>::boundary_dofs(const std::string &, unsigned int) const;
+  template std::vector<types::global_dof_index>
+  Solid<2>::dofs_within(const Point<2> &, const Point<2> &, unsigned int) const;
+  template std::vector<types::global_dof_index>
+                Solid<3>::dofs_within(const Point<3> &, const Point<3> &, unsigned int) const;
   template void Solid<3>::prescribed(double, Vector &) const;
 }

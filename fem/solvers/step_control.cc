@@ -40,9 +40,9 @@ namespace fem
   }
 
   template <int dim>
-  void run_to(StaticSolver<dim> &solver, const double end, const StepControl &steps, const StepObserver &observe)
+  void run_to(
+    StaticSolver<dim> &solver, const double end, const StepControl &steps, double &length, const StepObserver &observe)
   {
-    double     length = steps.first;
     StepReport report;
     while (solver.time() < end)
       {
@@ -59,9 +59,9 @@ namespace fem
   void run_along(StaticSolver<dim>  &solver,
                  const PathControl  &control,
                  const StepControl  &steps,
+                 double             &length,
                  const StepObserver &observe)
   {
-    double     length = steps.first;
     StepReport report;
     for (;;)
       {
@@ -72,6 +72,27 @@ namespace fem
       }
   }
 
+  template <int dim>
+  void run_to(StaticSolver<dim> &solver, const double end, const StepControl &steps, const StepObserver &observe)
+  {
+    double length = steps.first;
+    run_to(solver, end, steps, length, observe);
+  }
+
+  template <int dim>
+  void run_along(StaticSolver<dim>  &solver,
+                 const PathControl  &control,
+                 const StepControl  &steps,
+                 const StepObserver &observe)
+  {
+    double length = steps.first;
+    run_along(solver, control, steps, length, observe);
+  }
+
+  template void run_to(StaticSolver<2> &, double, const StepControl &, double &, const StepObserver &);
+  template void run_to(StaticSolver<3> &, double, const StepControl &, double &, const StepObserver &);
+  template void run_along(StaticSolver<2> &, const PathControl &, const StepControl &, double &, const StepObserver &);
+  template void run_along(StaticSolver<3> &, const PathControl &, const StepControl &, double &, const StepObserver &);
   template void run_to(StaticSolver<2> &, double, const StepControl &, const StepObserver &);
   template void run_to(StaticSolver<3> &, double, const StepControl &, const StepObserver &);
   template void run_along(StaticSolver<2> &, const PathControl &, const StepControl &, const StepObserver &);

@@ -27,10 +27,25 @@ namespace fem
   };
 
   /// Goes to `end` in steps that are halved when they fail. @throws NoEquilibrium
+  /// @param length of the next step, kept up to date: what a resumed run starts with to go on to the same bits.
+  template <int dim>
+  void
+  run_to(StaticSolver<dim> &solver, double end, const StepControl &steps, double &length, const StepObserver &observe);
+
+  /// The same, starting with steps.first.
   template <int dim>
   void run_to(StaticSolver<dim> &solver, double end, const StepControl &steps, const StepObserver &observe);
 
   /// Goes along the path until the observer ends it. @throws NoEquilibrium
+  /// @param length as above.
+  template <int dim>
+  void run_along(StaticSolver<dim>  &solver,
+                 const PathControl  &control,
+                 const StepControl  &steps,
+                 double             &length,
+                 const StepObserver &observe);
+
+  /// The same, starting with steps.first.
   template <int dim>
   void run_along(StaticSolver<dim>  &solver,
                  const PathControl  &control,

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "apps/drivers/continuum_gauges.h"
+#include "apps/drivers/continuum_model.h"
+#include "dem/state.h"
+#include "fem/explicit/explicit_solver.h"
+#include "fem/solvers/step_control.h"
+
+#include <map>
+
+namespace apps
+{
+  /** Energies of an analysis [J]: what came in equals what is there, up to balance_error(). */
+  struct ContinuumEnergy
+  {
+    double external = 0; ///< work of loads and prescribed displacements
+    double internal = 0; ///< work of stresses: stored and dissipated
+    double kinetic = 0, damped = 0, start = 0;
+
+    /** What is missing or too much, over the largest of them. */
+    double balance_error() const;
+  };
+
+  /** An analysis of a solid, static or explicit, as a run drives and records it. */
+  template <int dim>
+  class ContinuumAnalysis
+  {
+  public:
+    virtual ~ContinuumAnalysis() = default;
+
+    /**
+     * Go on to the end, or until the observer returns false. It is called whenever there is a new state to record.
+     * @throws fem::NoEquilibrium, fem::MaterialFailure; the last recorded state still stands.
+     */
+    virtual void run(const std::function<bool()> &observe) = 0;
+
+    virtual SolidState      state() const      = 0;
+    virtual ContinuumEnergy energy() const     = 0;
+    virtual double          coordinate() const = 0; ///< time, controlled opening or length of arc: it only grows
+    virtual double          end() const        = 0; ///< of the coordinate
+
+    /** Columns of the series that only this analysis has, and their values. */
+    virtual std::vector<postprocess::SeriesColumn> columns() const = 0;
+    virtual std::vector<double>                    values() const  = 0;
+
+    virtual std::string details() const = 0; ///< for the progress line
+
+    /** Numbers and words for "cost" in the summary. */
+    virtual std::map<std::string, double> cost() const          = 0;
+    virtual std::string                   linear_solver() const = 0; ///< "" if there is none
+
+    /** Everything to go on to the same bits, histories of the points included. Columns hold this rank's part. */
+    virtual void visit_state(dem::StateVisitor &visitor) = 0;
+  };
+
+  template <int dim>
+  std::unique_ptr<ContinuumAnalysis<dim>> make_static_analysis(fem::Solid<dim> &solid, const ContinuumModel &model);
+
+  template <int dim>
+  std::unique_ptr<ContinuumAnalysis<dim>> make_explicit_analysis(fem::Solid<dim> &solid, const ContinuumModel &model);
+
+  /** This rank's part of a vector, as a column of a state; after reading, the vector has the column's values. */
+  void visit_vector(dem::StateVisitor &visitor, const std::string &name, fem::Vector &vector);
+
+  /** The committed histories of all points of a solid. */
+  template <int dim>
+  void visit_histories(dem::StateVisitor &visitor, fem::Solid<dim> &solid);
+} // namespace apps

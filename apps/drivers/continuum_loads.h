@@ -1,0 +1,60 @@
+#pragma once
+
+#include "apps/scene/section.h"
+
+#include <memory>
+
+namespace apps
+{
+  using Expressions = std::array<Expression, 3>; ///< for x, y and z
+
+  /** Sub-section of "Boundary conditions", named after a boundary of the mesh. */
+  struct BoundaryCondition
+  {
+    std::string name;
+    Place       place;
+    Expressions displacement, traction;
+    Expression  pressure;
+  };
+
+  /** Sub-section of "Supports": prescribed displacements of the nodes in a box. */
+  struct NodeSupport
+  {
+    std::string           name;
+    Place                 place;
+    std::array<double, 3> from{}, to{};
+    bool                  is_box = false; ///< otherwise the one place `from`
+    Expressions           displacement;
+  };
+
+  /** Sub-section of "Point forces". */
+  struct PointLoad
+  {
+    std::string           name;
+    Place                 place;
+    std::array<double, 3> position{};
+    Expressions           force;
+  };
+
+  /** Sub-section of "Points": where displacements are recorded. */
+  struct NamedPoint
+  {
+    std::string           name;
+    Place                 place;
+    std::array<double, 3> position{};
+  };
+
+  /** Sections "Boundary conditions", "Supports", "Point forces", "Body force" and "Points". */
+  struct LoadsSection
+  {
+    std::vector<std::unique_ptr<BoundaryCondition>> boundaries;
+    std::vector<std::unique_ptr<NodeSupport>>       supports;
+    std::vector<std::unique_ptr<PointLoad>>         forces;
+    std::vector<std::unique_ptr<NamedPoint>>        points;
+    Expressions                                     body_force;
+
+    void declare(Section &root);
+    /** Nothing may act along z in two dimensions. @throws dem::InputError. */
+    void validate(const Section &root, int dimension) const;
+  };
+} // namespace apps

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "apps/scene/section.h"
+#include "fem/mesh/shapes.h"
+
+namespace apps
+{
+  /** Section "Mesh": a file of Gmsh, or a built-in shape. */
+  struct MeshSection
+  {
+    enum class Source
+    {
+      file,
+      box,
+      notched_beam,
+      plate_with_hole,
+      cylinder
+    };
+
+    Source                      source = Source::file;
+    std::string                 file;
+    fem::ElementFamily          family      = fem::ElementFamily::hypercube;
+    std::int64_t                refinements = 0;
+    std::array<double, 3>       box_size{};
+    std::array<std::int64_t, 3> box_divisions{1, 1, 1};
+    fem::NotchedBeamShape       beam;
+    std::int64_t                beam_width_divisions = 4;
+    fem::PlateWithHoleShape     plate;
+    std::int64_t                radial_divisions = 16, angular_divisions = 16, depth_divisions = 1;
+    fem::CylinderShape          cylinder;
+    std::int64_t                axial_divisions = 8;
+
+    void declare(Section &root, const int &dimension);
+    void validate(const Section &root, int dimension) const;
+
+  private:
+    void declare_beam(Section &mesh, const int &dimension);
+    void declare_plate(Section &mesh, const int &dimension);
+  };
+
+  /** @throws dem::InputError on a file or measures that give no sound mesh. */
+  template <int dim>
+  fem::Mesh<dim> make_mesh(const MeshSection &mesh);
+} // namespace apps

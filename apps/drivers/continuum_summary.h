@@ -1,0 +1,41 @@
+#pragma once
+
+#include "apps/scene/scene.h"
+#include "postprocess/csv_table.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <map>
+
+namespace apps
+{
+  /** How large the model of a continuum run is. */
+  struct ContinuumSize
+  {
+    double elements = 0, unknowns = 0, points = 0;
+  };
+
+  /** What a continuum run found and took: summary.json, curve.png and the words for the terminal. */
+  struct ContinuumReport
+  {
+    RunRequest                    request;
+    postprocess::CsvTable         series;
+    ContinuumSize                 size;
+    std::map<std::string, double> cost;
+    std::string                   linear_solver;
+    double                        wall_seconds;
+    std::string                   horizontal, vertical; ///< columns of the curve
+    bool                          is_static;
+
+    /** summary.json and curve.png. @throws postprocess::OutputError. */
+    void write(const std::filesystem::path &folder) const;
+
+    std::string text() const;
+
+  private:
+    nlohmann::json figures() const;
+    nlohmann::json summary() const;
+    double         last(const std::string &column) const;
+    double         worst_balance() const;
+  };
+} // namespace apps

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <functional>
+
+namespace apps
+{
+  /** Make MPI ready, which finite elements need on one rank too; a second call does nothing. */
+  void start_mpi();
+
+  /** End MPI, if it was started; call it last, outside any handling of exceptions. */
+  void finish_mpi();
+
+  /** Whether this process speaks for all: it writes files and messages. True without MPI. */
+  bool is_first_rank();
+
+  int rank_count();
+
+  /**
+   * Do something on the first rank only.
+   * @throws what it threw there (dem::InputError, postprocess::OutputError, otherwise std::runtime_error), on every rank.
+   */
+  void on_first_rank(const std::function<void()> &action);
+
+  /** True on every rank if it is on any. */
+  bool on_any_rank(bool here);
+} // namespace apps

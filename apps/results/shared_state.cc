@@ -1,0 +1,75 @@
+#include "apps/results/shared_state.h"
+
+#include "apps/mpi_session.h"
+#include "dem/core/errors.h"
+
+#include <deal.II/base/mpi.h>
+
+namespace apps
+{
+  namespace
+  {
+    using dealii::Utilities::MPI::all_gather;
+    using dealii::Utilities::MPI::broadcast;
+    using dealii::Utilities::MPI::gather;
+
+    template <typename Values>
+    void visit_column(dem::StateVisitor *inner, const bool reads, const std::string &name, Values &values)
+    {
+      using Plain = std::vector<typename Values::value_type>;
+      Values whole;
+      if (!reads)
+        for (const Plain &part : gather(MPI_COMM_WORLD, Plain(values.begin(), values.end())))
+          whole.insert(whole.end(), part.begin(), part.end());
+      on_first_rank([&] { inner->column(name, whole); });
+      if (!reads)
+        return;
+      const Plain all    = broadcast(MPI_COMM_WORLD, Plain(whole.begin(), whole.end()));
+      std::size_t before = 0, total = 0;
+      const auto  sizes = all_gather(MPI_COMM_WORLD, values.size());
+      const auto  rank  = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
+      for (unsigned int r = 0; r < sizes.size(); ++r)
+        {
+          before += r < rank ? sizes[r] : 0;
+          total += sizes[r];
+        }
+      if (total != all.size())
+        throw dem::InputError("checkpoint: \"" + name + "\" has " + std::to_string(all.size()) +
+                              " values, and the model " + std::to_string(total) +
+                              ". The mesh file has changed, or another version wrote it: run again without --resume.");
+      const auto first = all.begin() + static_cast<std::ptrdiff_t>(before);
+      values.assign(first, first + static_cast<std::ptrdiff_t>(values.size()));
+    }
+
+    template <typename Value>
+    void visit_scalar(dem::StateVisitor *inner, const bool reads, const std::string &name, Value &value)
+    {
+      on_first_rank([&] { inner->scalar(name, value); });
+      if (reads)
+        value = broadcast(MPI_COMM_WORLD, value);
+    }
+  } // namespace
+
+  SharedState::SharedState(dem::StateVisitor *on_first, const Direction way)
+    : inner(on_first)
+    , direction(way)
+  {
+  }
+
+  void SharedState::column(const std::string &name, dem::Column &values)
+  {
+    visit_column(inner, direction == Direction::read, name, values);
+  }
+  void SharedState::column(const std::string &name, std::vector<std::int32_t> &values)
+  {
+    visit_column(inner, direction == Direction::read, name, values);
+  }
+  void SharedState::scalar(const std::string &name, double &value)
+  {
+    visit_scalar(inner, direction == Direction::read, name, value);
+  }
+  void SharedState::scalar(const std::string &name, std::int64_t &value)
+  {
+    visit_scalar(inner, direction == Direction::read, name, value);
+  }
+} // namespace apps

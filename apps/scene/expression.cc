@@ -1,0 +1,61 @@
+#include "apps/scene/expression.h"
+
+#include "dem/core/errors.h"
+
+#include <fmt/format.h>
+
+#include <muParser.h>
+
+#include <cmath>
+
+namespace apps
+{
+  struct Expression::Parser
+  {
+    explicit Parser(const std::string &text)
+    {
+      formula.DefineVar("x", &x);
+      formula.DefineVar("y", &y);
+      formula.DefineVar("z", &z);
+      formula.DefineVar("t", &t);
+      formula.DefineConst("pi", 3.14159265358979323846);
+      formula.SetExpr(text);
+    }
+
+    mu::Parser  formula;
+    double      x = 0.1, y = 0.2, z = 0.3, t = 0.4;
+    std::string name;
+  };
+
+  Expression::Expression(const std::string &text, const std::string &name)
+    : parser(std::make_shared<Parser>(text))
+  {
+    parser->name = name + " = " + text;
+  }
+
+  std::string Expression::fault(const std::string &text)
+  {
+    try
+      {
+        Parser(text).formula.Eval(); // read when first asked; a value that is no number is the caller's matter
+        return "";
+      }
+    catch (const mu::ParserError &error)
+      {
+        return error.GetMsg();
+      }
+  }
+
+  double Expression::operator()(const double x, const double y, const double z, const double t) const
+  {
+    parser->x          = x;
+    parser->y          = y;
+    parser->z          = z;
+    parser->t          = t;
+    const double value = parser->formula.Eval();
+    if (!std::isfinite(value))
+      throw dem::NumericalError(
+        fmt::format("{}: is {} at x = {}, y = {}, z = {}, t = {}.", parser->name, value, x, y, z, t));
+    return value;
+  }
+} // namespace apps

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "fem/mesh/mesh.h"
+
+#include <array>
+
+namespace fem
+{
+  /// What every built-in shape is asked besides its measures.
+  struct ShapeOptions
+  {
+    ElementFamily family       = ElementFamily::hypercube;
+    unsigned int  refinements  = 0; ///< each halves every element
+    MPI_Comm      communicator = MPI_COMM_WORLD;
+  };
+
+  /// From the origin to `size` [m]. Boundaries left, right (x), bottom, top (y), back, front (z).
+  struct BoxShape
+  {
+    std::array<double, 3>       size{1, 1, 1};
+    std::array<unsigned int, 3> divisions{1, 1, 1};
+  };
+
+  /**
+   * Beam along x, from the origin to (length, height, width), with a notch of rectangular section from below at
+   * mid-span.
+   *
+   * Elements are fine in a band around the notch; there are nodes at both supports and at the edges of the notch, and a column of
+   * elements at mid-span.
+   * Boundaries left, right, bottom, top, back, front, notch. The mesh is symmetric about mid-span.
+   */
+  struct NotchedBeamShape
+  {
+    double       length = 0, height = 0, width = 0; ///< [m]; width in three dimensions
+    double       span        = 0;                   ///< between the supports [m], not above the length
+    double       notch_depth = 0, notch_width = 0;  ///< [m]
+    double       fine_size = 0, coarse_size = 0;    ///< largest edges of the elements, in the band and beside it [m]
+    double       band            = 0;               ///< width of the fine band [m], above the notch's
+    unsigned int width_divisions = 1;
+  };
+
+  /// Quarter of a plate with a circular hole around the origin. Boundaries hole, left (x = 0), bottom (y = 0), right, top, back,
+  /// front.
+  struct PlateWithHoleShape
+  {
+    double       radius     = 0;                             ///< of the hole [m]
+    double       half_width = 0, half_height = 0, depth = 0; ///< of the whole plate [m]; depth in three dimensions
+    unsigned int radial_divisions = 16, angular_divisions = 16, depth_divisions = 1; ///< angular: even
+  };
+
+  /// Round bar along x from the origin. Boundaries left, right, side. Three dimensions only.
+  struct CylinderShape
+  {
+    double       length = 0, radius = 0; ///< [m]
+    unsigned int divisions = 8;          ///< along the axis; across there are five blocks, refined with the rest
+  };
+
+  /// @throws std::invalid_argument on measures that do not fit together. The only material is named solid.
+  template <int dim>
+  Mesh<dim> make_shape(const BoxShape &shape, const ShapeOptions &options);
+  template <int dim>
+  Mesh<dim> make_shape(const NotchedBeamShape &shape, const ShapeOptions &options);
+  template <int dim>
+  Mesh<dim> make_shape(const PlateWithHoleShape &shape, const ShapeOptions &options);
+  template <int dim>
+  Mesh<dim> make_shape(const CylinderShape &shape, const ShapeOptions &options);
+}
