@@ -214,6 +214,13 @@ namespace dem
           }
   }
 
+  void Specimen::set_damping(const double damping)
+  {
+    if (!(damping >= 0 && damping < 1))
+      throw InputError("Damping: must be in [0, 1).");
+    self->parameters.damping = damping;
+  }
+
   Eigen::Vector3d Specimen::reaction(const std::size_t grip) const
   {
     const auto &pull = self->grips.at(grip).pull;
@@ -243,6 +250,7 @@ namespace dem
     for (const auto &[name, value] :
          std::initializer_list<std::pair<const char *, double *>>{{"time", &s.time},
                                                                   {"time_step", &s.time_step},
+                                                                  {"damping", &s.parameters.damping},
                                                                   {"energy/initial", &s.initial},
                                                                   {"energy/work_before", &s.work_before},
                                                                   {"energy/work_now", &s.work_now},

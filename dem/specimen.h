@@ -152,6 +152,9 @@ namespace dem
     /** Mean |force on a particle| over mean |link or contact force| at t_n; how far from equilibrium. Prescribed particles do not count. */
     double unbalanced_ratio() const;
 
+    /** Local damping from the next step on: little while waves matter, more to come to rest. @throws InputError outside [0, 1) */
+    void set_damping(double damping);
+
     /** Set velocities (by packing number) before the first step; they count as initial energy. In a periodic cell: about its motion. */
     void set_velocity(std::size_t particle, const Eigen::Vector3d &velocity, const Eigen::Vector3d &spin);
 

@@ -98,7 +98,8 @@ namespace postprocess
     std::string
     elements_of(const PlotPanel &panel, const PlotSeries &series, const std::string &file, const std::size_t number)
     {
-      const std::string colour = " lc rgb '" + std::string(colours[number % colours.size()]) + "'";
+      const std::string colour =
+        " lc rgb '" + (series.colour.empty() ? std::string(colours[number % colours.size()]) : series.colour) + "'";
       const std::string marker = " pt " + std::to_string(markers[number % markers.size()]) + " ps 0.9";
       const std::string source = gnuplot_quoted(file) + " using 1:";
 

@@ -18,7 +18,8 @@ namespace postprocess
     std::string         name;    ///< in the legend; empty: not in the legend
     std::vector<double> x, y;    ///< points where x or y is not finite are left out and interrupt the line
     std::vector<double> y_error; ///< half height of error bars; empty: none
-    Style               style     = Style::line_and_points;
+    Style               style = Style::line_and_points;
+    std::string         colour;            ///< "#rrggbb"; empty: by the number of the series
     bool                mark_peak = false; ///< mark the point of largest y and give its place in the legend
   };
 

@@ -36,13 +36,24 @@ namespace postprocess
   void PvdCollection::add(const double time)
   {
     times.push_back(time);
-    std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
+    std::vector<PvdPart> parts;
     for (std::size_t i = 0; i < times.size(); ++i)
+      parts.push_back({times[i], 0, "", name + "/" + file_name(name, i, extension)});
+    write_pvd(folder / (name + ".pvd"), parts);
+  }
+
+  void write_pvd(const std::filesystem::path &path, const std::vector<PvdPart> &parts)
+  {
+    std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
+    for (const PvdPart &p : parts)
       {
         text += "    <DataSet timestep=\"";
-        numeric_text::append(text, times[i]);
-        text += "\" part=\"0\" file=\"" + name + "/" + file_name(name, i, extension) + "\"/>\n";
+        numeric_text::append(text, p.time);
+        text += "\" part=\"" + std::to_string(p.part) + "\"";
+        if (!p.name.empty())
+          text += " name=\"" + p.name + "\"";
+        text += " file=\"" + p.file + "\"/>\n";
       }
-    write_text(folder / (name + ".pvd"), text + "  </Collection>\n</VTKFile>\n");
+    write_text(path, text + "  </Collection>\n</VTKFile>\n");
   }
 } // namespace postprocess

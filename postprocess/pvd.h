@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace postprocess
 {
@@ -39,4 +40,15 @@ namespace postprocess
     std::string           name, extension;
     dem::Column           times;
   };
+
+  /** One file of a collection that shows several things at once. */
+  struct PvdPart
+  {
+    double      time;
+    int         part;       ///< 0, 1, ...: what is shown together at a time has different numbers
+    std::string name, file; ///< of the part; relative to the collection
+  };
+
+  /** Writes such a collection. @throws OutputError. */
+  void write_pvd(const std::filesystem::path &path, const std::vector<PvdPart> &parts);
 } // namespace postprocess

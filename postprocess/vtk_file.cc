@@ -83,6 +83,15 @@ namespace postprocess::vtk_file
     return points;
   }
 
+  vtkSmartPointer<vtkCellArray> one_vertex_each(const std::size_t count)
+  {
+    auto cells = vtkSmartPointer<vtkCellArray>::New();
+    cells->AllocateExact(static_cast<vtkIdType>(count), static_cast<vtkIdType>(count));
+    for (vtkIdType i = 0; i < static_cast<vtkIdType>(count); ++i)
+      cells->InsertNextCell(1, &i);
+    return cells;
+  }
+
   void
   check_length(const char *const caller, const char *const column, const std::size_t length, const std::size_t expected)
   {

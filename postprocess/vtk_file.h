@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vtkCellArray.h>
 #include <vtkDataArray.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -25,6 +26,9 @@ namespace postprocess::vtk_file
   Array make_numbering(const std::string &name, std::size_t count);
 
   vtkSmartPointer<vtkPoints> make_points(const std::vector<Eigen::Vector3d> &position);
+
+  /** One vertex cell per point: what ParaView shows and picks, and its threshold filter works on. */
+  vtkSmartPointer<vtkCellArray> one_vertex_each(std::size_t count);
 
   /** Refuse columns of unequal length. @throws std::invalid_argument naming the caller and the column. */
   void check_length(const char *caller, const char *column, std::size_t length, std::size_t expected);

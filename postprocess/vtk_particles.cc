@@ -2,7 +2,6 @@
 
 #include "postprocess/vtk_file.h"
 
-#include <vtkCellArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 
@@ -22,16 +21,6 @@ namespace postprocess
       check_length("write_vtk_particles", "damage", particles.damage.size(), n);
       check_length("write_vtk_particles", "broken_links", particles.broken_links.size(), n);
       check_length("write_vtk_particles", "stress", particles.stress.size(), n);
-    }
-
-    /** One vertex cell per point: what ParaView shows and picks, and its threshold filter works on. */
-    vtkSmartPointer<vtkCellArray> one_vertex_each(const std::size_t count)
-    {
-      auto cells = vtkSmartPointer<vtkCellArray>::New();
-      cells->AllocateExact(static_cast<vtkIdType>(count), static_cast<vtkIdType>(count));
-      for (vtkIdType i = 0; i < static_cast<vtkIdType>(count); ++i)
-        cells->InsertNextCell(1, &i);
-      return cells;
     }
   } // namespace
 

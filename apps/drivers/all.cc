@@ -2,6 +2,7 @@
 
 #include "apps/drivers/continuum.h"
 #include "apps/drivers/homogenisation_scene.h"
+#include "apps/drivers/sequential.h"
 #include "apps/drivers/uniaxial.h"
 
 namespace apps
@@ -21,6 +22,7 @@ namespace apps
       {"continuum", "a solid of finite elements, static past its peak or explicit", make<ContinuumScene>},
       {"homogenisation", "macroscopic stiffness of periodic packings, swept over link parameters",
        make<HomogenisationScene>},
+      {"sequential", "an event by particles, handed over to a continuum that carries on", make<SequentialScene>},
       {"uniaxial", "a bonded-particle specimen pulled and crushed", make<UniaxialScene>},
     };
     return kinds;

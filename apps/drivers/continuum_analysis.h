@@ -49,6 +49,9 @@ namespace apps
     virtual std::map<std::string, double> cost() const          = 0;
     virtual std::string                   linear_solver() const = 0; ///< "" if there is none
 
+    /** The solver of a static analysis; nullptr of others. */
+    virtual fem::StaticSolver<dim> *static_solver() { return nullptr; }
+
     /** Everything to go on to the same bits, histories of the points included. Columns hold this rank's part. */
     virtual void visit_state(dem::StateVisitor &visitor) = 0;
   };

@@ -69,6 +69,9 @@ namespace apps
           {
             throw dem::InputError(p->place.text() + ": Points/" + p->name + ": " + refusal.what());
           }
+    fem::Vector rest = solid.make_vector();
+    rest.update_ghost_values();
+    stored_at_start = read_points(rest, 0).stored;
   }
 
   template <int dim>
@@ -148,7 +151,7 @@ namespace apps
     for (double &value : row)
       value = sum(value, solid.communicator());
     const Points points = read_points(*state.displacement, work);
-    row.insert(row.end(), {points.stored, work - points.stored, points.damage, points.crack_opening});
+    row.insert(row.end(), {points.stored, work + stored_at_start - points.stored, points.damage, points.crack_opening});
     return row;
   }
 

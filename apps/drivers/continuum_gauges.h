@@ -50,6 +50,7 @@ namespace apps
     Points read_points(const fem::Vector &displacement, double work) const;
 
     fem::Solid<dim>          &solid;
+    double                    stored_at_start = 0; ///< in the histories that the solid was given [J]
     std::vector<Resultant>    loads, reactions;
     std::vector<Displacement> displacements;
   };

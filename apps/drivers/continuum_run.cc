@@ -38,9 +38,13 @@ namespace apps
   } // namespace
 
   template <int dim>
-  ContinuumRun<dim>::ContinuumRun(const RunRequest &asked, const ContinuumModel &what, const Prepare &prepare)
+  ContinuumRun<dim>::ContinuumRun(const RunRequest     &asked,
+                                  const ContinuumModel &what,
+                                  const Prepare        &prepare,
+                                  const Settle         &settle_)
     : request(asked)
     , model(what)
+    , settle(settle_)
     , start(Clock::now())
     , last_saved(start)
   {
@@ -121,7 +125,11 @@ namespace apps
       if (model.output.snapshots > 0)
         snapshots.emplace(location, snapshot_name, rank_count() > 1 ? ".pvtu" : ".vtu");
     });
+    if (settle)
+      settle(*solid, *analysis);
     snapshot();
+    if (settle)
+      record();
   }
 
   template <int dim>

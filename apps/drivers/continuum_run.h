@@ -26,8 +26,14 @@ namespace apps
     /** Gives a fresh solid its initial state, e.g. one mapped from particles. */
     using Prepare = std::function<void(fem::Solid<dim> &)>;
 
+    /** Brings a prepared solid into equilibrium before the first step; its state then is the first row of the series. */
+    using Settle = std::function<void(fem::Solid<dim> &, ContinuumAnalysis<dim> &)>;
+
     /** @throws dem::InputError. start_mpi() must have been called. */
-    ContinuumRun(const RunRequest &request, const ContinuumModel &model, const Prepare &prepare = {});
+    ContinuumRun(const RunRequest     &request,
+                 const ContinuumModel &model,
+                 const Prepare        &prepare = {},
+                 const Settle         &settle  = {});
 
     /** @return exit status: 0, or 130 after an interrupt. Throws as Scene::run(). */
     int execute();
@@ -54,6 +60,7 @@ namespace apps
 
     RunRequest            request;
     const ContinuumModel &model;
+    Settle                settle;
 
     std::unique_ptr<fem::Solid<dim>>           solid;
     std::unique_ptr<ContinuumAnalysis<dim>>    analysis;

@@ -167,6 +167,8 @@ namespace apps
 
       std::string linear_solver() const override { return solver.linear_solver(); }
 
+      fem::StaticSolver<dim> *static_solver() override { return &solver; }
+
       void visit_state(dem::StateVisitor &visitor) override
       {
         fem::StaticState saved = solver.state();

@@ -121,15 +121,6 @@ namespace coupling
         }
     }
 
-    double mean_error(const Eigen::Matrix3d &a, const double volume_a, const Eigen::Matrix3d &b, const double volume_b)
-    {
-      if (!(volume_a > 0 && volume_b > 0))
-        return 0;
-      const Eigen::Matrix3d mean_a = a / volume_a, mean_b = b / volume_b;
-      const double          size = std::max(mean_a.norm(), mean_b.norm());
-      return size > 0 ? (mean_a - mean_b).norm() / size : 0;
-    }
-
     /** Names of the history's columns that a transfer shows. */
     void read_history(fem::MaterialPoints &material, const std::size_t index, MappedPoint &point)
     {
@@ -142,16 +133,6 @@ namespace coupling
     }
 
   } // namespace
-
-  double TransferIntegrals::stress_error() const
-  {
-    return mean_error(stress_particles, volume_particles, stress_points, volume_points);
-  }
-
-  double TransferIntegrals::damage_error() const
-  {
-    return mean_error(damage_particles, volume_particles, damage_points, volume_points);
-  }
 
   template <int dim>
   TransferReport transfer(const ParticleField &field, const TransferOptions &options, fem::Solid<dim> &solid)
@@ -234,9 +215,10 @@ namespace coupling
                 << limits.imbalance << '.';
         throw dem::InputError(message.str());
       }
-    done.step = solver.advance_to(0);
-    if (!done.step.converged)
-      throw dem::NumericalError("transfer: no equilibrium near the mapped state: " + done.step.reason);
+    const fem::StepReport step = solver.advance_to(0);
+    if (!step.converged)
+      throw dem::NumericalError("transfer: no equilibrium near the mapped state: " + step.reason);
+    done.iterations           = step.iterations;
     done.after                = imbalance(solid, solver);
     done.after.at_hand        = done.before.at_hand; // a body that relaxes has next to none left
     done.largest_displacement = solver.displacement().linfty_norm();

@@ -87,6 +87,7 @@ namespace dem
   UniaxialTest::UniaxialTest(Specimen &body, const UniaxialParameters &p)
     : specimen(&body)
     , parameters(p)
+    , rate(p.strain_rate)
   {
     check(p, body.parameters().physics.dimension);
     const ParticleOutput particles = body.particles();
@@ -126,11 +127,26 @@ namespace dem
     specimen->advance(steps);
     UniaxialSample sample;
     sample.time   = specimen->time() - specimen->time_step(); // forces are those of the last step's start
-    sample.strain = parameters.strain_rate * sample.time;
+    sample.strain = strain_then + rate * (sample.time - rate_changed_at);
     sample.stress =
       0.5 * (specimen->reaction(grips[1])[parameters.axis] - specimen->reaction(grips[0])[parameters.axis]) / area;
     samples.push_back(sample);
     return sample;
+  }
+
+  void UniaxialTest::set_strain_rate(const double strain_rate)
+  {
+    if (!std::isfinite(strain_rate))
+      throw InputError("Loading/strain rate: must be a finite number.");
+    strain_then += rate * (specimen->time() - rate_changed_at);
+    rate_changed_at = specimen->time();
+    rate            = strain_rate;
+    for (int side = 0; side < 2; ++side)
+      {
+        Eigen::Vector3d velocity  = Eigen::Vector3d::Zero();
+        velocity[parameters.axis] = (side == 0 ? -0.5 : 0.5) * rate * length;
+        specimen->set_grip_velocity(grips[side], velocity, Eigen::Vector3d::Zero());
+      }
   }
 
   bool UniaxialTest::finished() const
@@ -184,6 +200,9 @@ namespace dem
     for (const auto &s : samples)
       flat.insert(flat.end(), {s.time, s.strain, s.stress});
     visitor.column("uniaxial/samples", flat);
+    visitor.scalar("uniaxial/rate", rate);
+    visitor.scalar("uniaxial/rate_changed_at", rate_changed_at);
+    visitor.scalar("uniaxial/strain_then", strain_then);
     samples.resize(flat.size() / 3);
     for (std::size_t i = 0; i < samples.size(); ++i)
       samples[i] = {flat[3 * i], flat[3 * i + 1], flat[3 * i + 2]};

@@ -47,6 +47,11 @@ namespace dem
 
     /** Take the given number of steps and add one sample to the curve. */
     UniaxialSample advance(std::int64_t steps);
+    /**
+     * Move the grips at another rate from now on: slower, or back. Figures and stop criterion go on as for the first rate.
+     * @throws InputError for a rate that is not finite
+     */
+    void set_strain_rate(double strain_rate);
     /** The stop criterion is met. */
     bool finished() const;
     /** Steps to the stop strain, the most that the test can take. */
@@ -63,6 +68,8 @@ namespace dem
     UniaxialParameters          parameters;
     std::array<std::size_t, 2>  grips; ///< low, high
     double                      area, length;
+    double                      rate;                                 ///< of the grips now [1/s]
+    double                      rate_changed_at = 0, strain_then = 0; ///< time [s] and strain of the last change
     std::vector<UniaxialSample> samples;
   };
 } // namespace dem

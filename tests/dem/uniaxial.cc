@@ -138,3 +138,21 @@ TEST_CASE("uniaxial test refuses what it cannot do and names the entry", "[dem]"
   CHECK_THROWS_WITH(refused([](auto &p) { p.stop_strain = 0; })(), Contains("stop strain"));
   CHECK_THROWS_AS(refused([](auto &p) { p.axis = -1; })(), dem::InputError);
 }
+
+TEST_CASE("grips that turn back at half the speed lead stress and strain back along the elastic line", "[dem]")
+{
+  const int n = 4;
+  auto      p = cluster::next_neighbours();
+  p.damping   = 0.7; // the sudden change of the grips' speed sends a wave, which must die out
+  dem::Specimen     body(cluster::cubic_lattice(n, n, n, r), p, cluster::concrete());
+  dem::UniaxialTest test(body, pull(-1.0));
+  while (test.advance(5).strain > -0.4e-4)
+    ;
+  const double turned_at = test.curve().back().strain, at = test.curve().back().time + body.time_step();
+  test.set_strain_rate(0.5);
+  while (test.advance(5).strain < -0.1e-4)
+    ;
+  const auto &now = test.curve().back();
+  CHECK(now.strain == Approx(turned_at - body.time_step() + 0.5 * (now.time - at)).epsilon(1e-9));
+  CHECK(now.stress * test.section() == Approx(n * n * E * M_PI * r * r * now.strain).epsilon(2e-2));
+}

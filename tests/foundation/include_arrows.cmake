@@ -20,7 +20,7 @@ set(fem_rooms "")
 set(fem_libraries deal.II/ umfpack.h cholmod.h mpi.h Eigen/)
 # Adapters and writers speak the types in the interfaces of both sides.
 set(coupling_rooms dem fem)
-set(coupling_libraries deal.II/ mpi.h Eigen/)
+set(coupling_libraries deal.II/ mpi.h Eigen/ unsupported/Eigen/)
 set(postprocess_rooms dem fem)
 set(postprocess_libraries deal.II/ mpi.h Eigen/ hdf5 vtk fmt/ nlohmann/)
 set(apps_rooms dem fem coupling postprocess)

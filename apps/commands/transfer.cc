@@ -1,0 +1,59 @@
+#include "apps/commands/command.h"
+#include "apps/commands/scene_options.h"
+#include "apps/drivers/sequential.h"
+#include "apps/interrupt.h"
+#include "apps/scene/description.h"
+#include "apps/scene/load.h"
+
+#include <memory>
+
+namespace apps
+{
+  namespace
+  {
+    struct TransferCommand : SceneOptions
+    {
+      std::string output_folder;
+      bool        identify = false, resume = false;
+    };
+
+    int transfer(const TransferCommand &options)
+    {
+      use_threads(options.threads);
+      std::vector<std::string> overrides = options.overrides;
+      if (!options.output_folder.empty())
+        overrides.push_back("Output folder=" + options.output_folder);
+      const LoadedScene scene      = load_scene(options.scene, overrides);
+      const auto       *sequential = dynamic_cast<const SequentialScene *>(scene.scene.get());
+      if (!sequential)
+        throw dem::InputError(scene.file + ": Kind = " + scene.kind + ": a transfer wants a scene of kind sequential.");
+      catch_interrupts();
+
+      RunRequest request;
+      request.output_folder = scene.output_folder;
+      request.resume        = options.resume;
+      request.scene_file    = scene.file;
+      request.scene_text    = completed_scene(*scene.root, Completed::everything);
+      request.deciding_text = completed_scene(*scene.root, Completed::what_decides_results);
+      request.overrides     = options.overrides;
+      return options.identify ? sequential->identify(request) : sequential->transfer_only(request);
+    }
+  } // namespace
+
+  void add_transfer(CLI::App &program, Action &chosen)
+  {
+    const auto options = std::make_shared<TransferCommand>();
+    CLI::App  &command =
+      *program.add_subcommand("transfer", "Discrete states become initial states of a continuum, without going on");
+    command.footer("The scene is of kind sequential; \"breccia run\" does the same and carries on with the continuum. "
+                   "For ParaView:\n"
+                   "transfer.pvd shows particles, integration points and mesh with the tensors before and after.");
+    add_scene_options(command, *options);
+    command
+      .add_option("-o,--output", options->output_folder, "Folder for the results; default: the scene's, or output/NAME")
+      ->type_name("DIR");
+    command.add_flag("--identify", options->identify,
+                     "Fit the constants of the mapping law to the particle run and to one continuum element instead");
+    command.callback([options, &chosen] { chosen = [options] { return transfer(*options); }; });
+  }
+} // namespace apps

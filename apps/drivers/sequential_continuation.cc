@@ -1,0 +1,93 @@
+#include "apps/drivers/sequential_continuation.h"
+
+#include "apps/drivers/continuum_run.h"
+#include "apps/drivers/continuum_solid.h"
+#include "apps/mpi_session.h"
+#include "coupling/sequential/transfer.h"
+#include "fem/output/snapshot.h"
+#include "postprocess/errors.h"
+
+namespace apps
+{
+  namespace
+  {
+    /** Arguments that a model cannot know to be wrong before there is a solid are the user's. */
+    template <typename Work>
+    void as_input_error(const Work &work)
+    {
+      try
+        {
+          work();
+        }
+      catch (const std::invalid_argument &refusal)
+        {
+          throw dem::InputError(refusal.what());
+        }
+    }
+
+    template <int dim>
+    Continuation initialise(const ContinuumModel            &model,
+                            const coupling::ParticleField   &field,
+                            const coupling::TransferOptions &options,
+                            const std::filesystem::path     &folder)
+    {
+      Continuation                           done;
+      const std::unique_ptr<fem::Solid<dim>> solid = make_solid<dim>(model);
+      as_input_error([&] { done.report = coupling::transfer(field, options, *solid); });
+      const auto analysis  = make_static_analysis(*solid, model);
+      auto      &solver    = *analysis->static_solver();
+      done.settled         = coupling::equilibrate(*solid, solver, options.limits);
+      fem::Vector reaction = solver.internal_force();
+      reaction -= solver.external_force();
+      reaction.update_ghost_values();
+      try
+        {
+          std::filesystem::create_directories(folder);
+          done.mesh_file =
+            (folder / fem::write_snapshot(*solid, solver.displacement(), reaction, folder.string(), "solid", 0))
+              .string();
+        }
+      catch (const std::runtime_error &error)
+        {
+          throw postprocess::OutputError(error.what());
+        }
+      return done;
+    }
+
+    template <int dim>
+    Continuation run(const RunRequest                &request,
+                     const ContinuumModel            &model,
+                     const coupling::ParticleField   &field,
+                     const coupling::TransferOptions &options)
+    {
+      Continuation done;
+      const auto   prepare = [&](fem::Solid<dim> &solid) {
+        as_input_error([&] { done.report = coupling::transfer(field, options, solid); });
+      };
+      const auto settle = [&](fem::Solid<dim> &solid, ContinuumAnalysis<dim> &analysis) {
+        done.settled = coupling::equilibrate(solid, *analysis.static_solver(), options.limits);
+      };
+      done.status = ContinuumRun<dim>(request, model, prepare, settle).execute();
+      return done;
+    }
+  } // namespace
+
+  Continuation initialise_only(const ContinuumModel            &model,
+                               const coupling::ParticleField   &field,
+                               const coupling::TransferOptions &options,
+                               const std::filesystem::path     &mesh_folder)
+  {
+    start_mpi();
+    return model.solid.dimension == 2 ? initialise<2>(model, field, options, mesh_folder) :
+                                        initialise<3>(model, field, options, mesh_folder);
+  }
+
+  Continuation continue_from(const RunRequest                &request,
+                             const ContinuumModel            &model,
+                             const coupling::ParticleField   &field,
+                             const coupling::TransferOptions &options)
+  {
+    start_mpi();
+    return model.solid.dimension == 2 ? run<2>(request, model, field, options) : run<3>(request, model, field, options);
+  }
+} // namespace apps

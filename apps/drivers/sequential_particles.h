@@ -1,0 +1,35 @@
+#pragma once
+
+#include "apps/drivers/particle_stage.h"
+
+#include <filesystem>
+
+namespace apps
+{
+  /**
+   * Runs the particle cases of a study one after the other. Finished ones are kept in FOLDER/states (the discrete state and the curve),
+   * the one under way is checkpointed when interrupted.
+   */
+  class ParticleCases
+  {
+  public:
+    /** @param deciding_text see RunRequest; a checkpoint belongs to it. */
+    ParticleCases(const ParticleStageSection &stage, std::filesystem::path folder, std::string deciding_text);
+
+    /** @return false when interrupted, with a checkpoint left. */
+    bool complete();
+
+    const std::vector<ParticleOutcome> &outcomes() const { return finished; }
+    const ParticleOutcome              *reference() const { return all_particles ? &*all_particles : nullptr; }
+
+  private:
+    bool run(ParticleCase &particles, const std::string &name);
+    void load_or_run(std::size_t number, const dem::Packing &packing, bool &goes_on);
+
+    const ParticleStageSection    &stage;
+    std::filesystem::path          folder;
+    std::string                    deciding_text;
+    std::vector<ParticleOutcome>   finished;
+    std::optional<ParticleOutcome> all_particles;
+  };
+} // namespace apps

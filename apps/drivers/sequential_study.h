@@ -1,0 +1,52 @@
+#pragma once
+
+#include "apps/drivers/sequential.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <filesystem>
+
+namespace apps
+{
+  /** The continuation of one case as a curve: strain and stress, or displacement and force, as the study reads them. */
+  struct ContinuationCurve
+  {
+    std::string         name;
+    double              severity = 0; ///< see ParticleOutcome
+    double              absorbed = 0; ///< [J]
+    double              offset   = 0; ///< strain at which the continuum's zero lies on the particles' axis
+    std::vector<double> horizontal, vertical, dissipated;
+    double              seconds = 0; ///< wall clock of the continuum stage
+
+    double peak() const; ///< largest magnitude of the vertical values
+    double horizontal_at_peak() const;
+    double energy() const
+    {
+      return dissipated.empty() ? 0 : dissipated.back();
+    } ///< dissipated from the transfer on [J]
+  };
+
+  /** Read a finished continuation of a study from its folder. @throws dem::InputError for a column that is not there. */
+  ContinuationCurve read_continuation(const SequentialModel::Study &study, const std::filesystem::path &folder);
+
+  /**
+   * Mean |stress of the continuation - stress of the all-particle run| over the mean |stress| of the latter, over the strains past
+   * the transfer that both have. NaN if they have none in common.
+   */
+  double error_against(const ContinuationCurve &curve, const ParticleOutcome &all_particles);
+
+  /** Table, pictures and figures of a whole study. */
+  struct StudyReport
+  {
+    const SequentialModel                &model;
+    const std::vector<ParticleOutcome>   &particles;
+    const ParticleOutcome                *all_particles; ///< nullptr: none
+    const std::vector<ContinuationCurve> &curves;
+
+    std::string csv() const;
+    /** Particle curves grey, continuations black; and what is left over how hard the event was. @return what went wrong, "" if nothing. */
+    std::string    draw(const std::filesystem::path &file) const;
+    nlohmann::json json() const;
+    std::string    text() const;
+  };
+} // namespace apps

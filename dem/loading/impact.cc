@@ -1,0 +1,178 @@
+#include "dem/loading/impact.h"
+
+#include "dem/core/errors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace dem
+{
+  namespace
+  {
+    /** Steps between two looks at the striker: it moves less than a thousandth of a radius meanwhile. */
+    constexpr std::int64_t steps_between_looks = 20;
+
+    int blow_axis(const int dimension) { return dimension == 3 ? 2 : 1; }
+
+    struct Extent
+    {
+      Eigen::Vector3d low  = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
+      Eigen::Vector3d high = -low;
+    };
+
+    /** Of the centres of the first `count` particles. */
+    Extent extent_of(const std::vector<Eigen::Vector3d> &centre, const std::size_t count)
+    {
+      Extent extent;
+      for (std::size_t i = 0; i < count; ++i)
+        {
+          extent.low  = extent.low.cwiseMin(centre[i]);
+          extent.high = extent.high.cwiseMax(centre[i]);
+        }
+      return extent;
+    }
+
+    void require(const bool fulfilled, const char *entry, const double value, const char *rule)
+    {
+      if (fulfilled && std::isfinite(value))
+        return;
+      std::ostringstream message;
+      message << "Impact/" << entry << " = " << value << ": " << rule;
+      throw InputError(message.str());
+    }
+
+    void check(const ImpactParameters &p)
+    {
+      require(p.span > 0, "Span", p.span, "must be above 0 m.");
+      require(p.support_width > 0, "Support width", p.support_width, "must be above 0 m.");
+      require(p.striker_radius > 0, "Striker radius", p.striker_radius, "must be above 0 m.");
+      require(p.striker_velocity > 0, "Striker velocity", p.striker_velocity, "must be above 0 m/s.");
+      require(p.rest_damping > 0 && p.rest_damping < 1, "Rest damping", p.rest_damping, "must lie between 0 and 1.");
+      require(p.rest_ratio > 0, "Rest ratio", p.rest_ratio, "must be above 0.");
+      require(p.longest > 0, "Longest", p.longest, "must be above 0 s.");
+    }
+  } // namespace
+
+  Packing with_striker(const Packing          &beam,
+                       const ImpactParameters &parameters,
+                       const double            interaction_ratio,
+                       const int               dimension)
+  {
+    check(parameters);
+    constexpr double out_of_reach = 1.001;
+    const int        up           = blow_axis(dimension);
+    const Extent     extent       = extent_of(beam.centre, beam.size());
+    const double     largest      = *std::max_element(beam.radius.begin(), beam.radius.end());
+    Packing          packing      = beam;
+    packing.periodic_cell.reset();
+    Eigen::Vector3d centre = 0.5 * (extent.low + extent.high);
+    centre[up]             = extent.high[up] + out_of_reach * interaction_ratio * (largest + parameters.striker_radius);
+    packing.centre.push_back(centre);
+    packing.radius.push_back(parameters.striker_radius);
+    return packing;
+  }
+
+  ImpactTest::ImpactTest(Specimen &body, const ImpactParameters &p)
+    : specimen(&body)
+    , parameters(p)
+    , striker(body.counts().particles - 1)
+    , up(blow_axis(body.parameters().physics.dimension))
+  {
+    check(p);
+    const ParticleOutput particles = body.particles();
+    const double         r         = particles.radius[striker];
+    striker_mass =
+      body.parameters().density * (up == 2 ? 4.0 / 3.0 * M_PI * r * r * r : M_PI * r * r * body.parameters().thickness);
+    Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
+    velocity[up]             = -p.striker_velocity;
+    body.set_velocity(striker, velocity, Eigen::Vector3d::Zero());
+
+    const Extent extent = extent_of(particles.position, striker);
+    const double middle = 0.5 * (extent.low[0] + extent.high[0]);
+    for (const double side : {-0.5, 0.5})
+      {
+        Grip grip;
+        for (std::size_t i = 0; i < striker; ++i)
+          if (std::abs(particles.position[i][0] - (middle + side * p.span)) <= 0.5 * p.support_width &&
+              particles.position[i][up] <= extent.low[up] + particles.radius[i])
+            grip.particles.push_back(i);
+        if (grip.particles.empty())
+          throw InputError("Impact/Support width: a support would hold no particle. Widen it, or shorten the span.");
+        grip.prescribed[static_cast<std::size_t>(up)] = true;
+        body.add_grip(grip);
+      }
+  }
+
+  double ImpactTest::striker_energy() const
+  {
+    return 0.5 * striker_mass * parameters.striker_velocity * parameters.striker_velocity;
+  }
+
+  double ImpactTest::absorbed() const
+  {
+    return striker_energy() - 0.5 * striker_mass * specimen->particles().velocity[striker].squaredNorm();
+  }
+
+  ImpactSample ImpactTest::advance(const std::int64_t steps)
+  {
+    for (std::int64_t taken = 0; taken < steps && !finished();)
+      {
+        const std::int64_t now = std::min(steps_between_looks, steps - taken);
+        specimen->advance(now);
+        taken += now;
+        look();
+      }
+    const ParticleOutput particles = specimen->particles();
+    const EnergyAccount  energy    = specimen->energy();
+    ImpactSample         sample;
+    sample.time             = specimen->time();
+    sample.striker_velocity = -particles.velocity[striker][up];
+    sample.kinetic          = energy.kinetic - 0.5 * striker_mass * particles.velocity[striker].squaredNorm();
+    sample.mean_damage      = specimen->mean_damage();
+    sample.dissipated       = energy.damage + energy.friction + energy.damping + energy.released;
+    return sample;
+  }
+
+  void ImpactTest::look()
+  {
+    if (specimen->time() >= parameters.longest)
+      {
+        stage = Stage::done;
+        return;
+      }
+    const std::size_t contacts = specimen->counts().contacts;
+    if (stage == Stage::flight && contacts > 0)
+      stage = Stage::contact;
+    if (stage == Stage::flight)
+      return;
+    const ParticleOutput particles = specimen->particles();
+    if (stage == Stage::contact && particles.velocity[striker][up] > 0)
+      {
+        const Eigen::Vector3d &x    = particles.position[striker];
+        bool                   near = false;
+        for (std::size_t i = 0; i < striker && !near; ++i)
+          near = (particles.position[i] - x).norm() < particles.radius[i] + parameters.striker_radius;
+        if (!near)
+          {
+            stage = Stage::rest;
+            specimen->set_damping(parameters.rest_damping);
+          }
+      }
+    if (stage == Stage::rest)
+      {
+        const double kinetic =
+          specimen->energy().kinetic - 0.5 * striker_mass * particles.velocity[striker].squaredNorm();
+        if (kinetic < parameters.rest_ratio * striker_energy())
+          stage = Stage::done;
+      }
+  }
+
+  void ImpactTest::visit_state(StateVisitor &visitor)
+  {
+    auto number = static_cast<std::int64_t>(stage);
+    visitor.scalar("impact/stage", number);
+    stage = static_cast<Stage>(number);
+  }
+} // namespace dem

@@ -1,0 +1,78 @@
+#pragma once
+
+#include "dem/specimen.h"
+
+#include <cstdint>
+
+namespace dem
+{
+  /**
+   * A beam on two supports is hit at mid-span by a sphere. The beam lies along x between its extreme centres, the sphere comes
+   * from above along -z, in two dimensions along -y.
+   */
+  struct ImpactParameters
+  {
+    double span = 0; ///< distance of the supports [m]
+    double support_width =
+      0; ///< [m], along the beam: bottom particles within half of it of a support cannot move up or down
+    double striker_radius   = 0;   ///< [m]
+    double striker_velocity = 0;   ///< [m/s], > 0: towards the beam
+    double rest_damping     = 0.5; ///< local damping once the striker has left, in (0, 1)
+    double rest_ratio =
+      1e-3;             ///< the beam is at rest when its kinetic energy is below this part of the striker's first one
+    double longest = 0; ///< [s], after which the test ends in any case, > 0
+  };
+
+  /**
+   * The beam with the striker as its last particle, above mid-span, just too far to be linked with it.
+   * @throws InputError for parameters out of range
+   */
+  Packing
+  with_striker(const Packing &beam, const ImpactParameters &parameters, double interaction_ratio, int dimension);
+
+  /** One row of the record. */
+  struct ImpactSample
+  {
+    double time;             ///< [s]
+    double striker_velocity; ///< [m/s], > 0: towards the beam
+    double kinetic;          ///< of the beam [J]
+    double mean_damage;      ///< of its links [-]
+    double dissipated;       ///< by damage, friction and damping [J]
+  };
+
+  /** Supports and striker of a specimen made by with_striker(). The specimen must outlive the test. */
+  class ImpactTest
+  {
+  public:
+    enum class Stage : std::int64_t
+    {
+      flight, ///< the striker has not touched the beam
+      contact,
+      rest, ///< it has left, and the beam comes to rest
+      done
+    };
+
+    /** @throws InputError when a support would hold no particle */
+    ImpactTest(Specimen &specimen, const ImpactParameters &parameters);
+
+    /** Take up to the given number of steps; fewer where the test ends. */
+    ImpactSample advance(std::int64_t steps);
+    bool         finished() const { return stage == Stage::done; }
+    Stage        present_stage() const { return stage; }
+
+    double striker_energy() const; ///< at the start [J]
+    double absorbed() const;       ///< taken from the striker so far [J]
+    void   visit_state(StateVisitor &visitor);
+
+  private:
+    /** What decides on the stage. */
+    void look();
+
+    Specimen        *specimen;
+    ImpactParameters parameters;
+    std::size_t      striker;
+    int              up; ///< axis of the blow
+    double           striker_mass;
+    Stage            stage = Stage::flight;
+  };
+} // namespace dem
