@@ -46,7 +46,7 @@ TEST_CASE("Bad meshes are refused by name", "[apps][S14]")
   // A node pulled through the opposite edge.
   refused_mesh("6 2 1 0\n", "6 0.5 -1 0\n", "is inverted or flat");
   refused_mesh("2 12 \"mortar\"\n", "2 13 \"mortar\"\n",
-               "elements of physical group 12 have no named group. Give every element a named physical group");
+               "two.msh: some elements have no named group. Give every element a named physical group");
   refused_with(two_squares_scene(),
                replaced(replaced(two_squares_mesh(), "6\n1 0 0 0\n2 1 0 0\n3 2 0 0\n4 0 1 0\n5 1 1 0\n6 2 1 0\n",
                                  "8\n1 0 0 0\n2 1 0 0\n3 2 0 0\n4 0 1 0\n5 1 1 0\n6 2 1 0\n7 1.1 0 0\n8 1.1 1 0\n"),
