@@ -5,6 +5,8 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <array>
+#include <csignal>
 #include <memory>
 #include <string>
 
@@ -35,8 +37,15 @@ namespace apps
     static char *words[] = {name, nullptr};
     int          count   = 1;
     char       **given   = words;
-    if (!session())
-      session() = std::make_unique<Session>(count, given, 1);
+    if (session())
+      return;
+    // PETSc, which deal.II starts too, sets the handlers of signals to the system's own.
+    std::array<struct sigaction, 2> handlers;
+    sigaction(SIGINT, nullptr, &handlers[0]);
+    sigaction(SIGTERM, nullptr, &handlers[1]);
+    session() = std::make_unique<Session>(count, given, 1);
+    sigaction(SIGINT, &handlers[0], nullptr);
+    sigaction(SIGTERM, &handlers[1], nullptr);
   }
 
   void finish_mpi() { session().reset(); }

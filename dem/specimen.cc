@@ -1,6 +1,7 @@
 #include "dem/specimen.h"
 
 #include "dem/core/errors.h"
+#include "dem/measures/bulk_volume.h"
 #include "dem/neighbours/particle_pairs.h"
 #include "dem/specimen_implementation.h"
 
@@ -71,20 +72,24 @@ namespace dem
     }
 
     /** Bounding box of the particles (or their cell) over their own volume: how much space, voids included, stands for one volume of particle. */
-    double bulk_over_solid(const Particles &p, const ParticleShape &shape)
+    /** Of the particles that have links: what flies beside the specimen is no part of it. */
+    double volume_per_solid(const Particles &p, const ParticleShape &shape)
     {
-      Eigen::Array3d low = Eigen::Array3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
-      double         solid = 0;
+      std::vector<Eigen::Vector3d> centre;
+      std::vector<double>          radius, solid;
+      double                       all = 0;
       for (std::size_t i = 0; i < p.count; ++i)
         {
-          low  = low.min(p.position_of(i).array() - p.radius_of(i));
-          high = high.max(p.position_of(i).array() + p.radius_of(i));
-          solid += shape.volume(p.radius_of(i));
+          all += shape.volume(p.radius_of(i));
+          if (p.made_links[i] == 0)
+            continue;
+          centre.push_back(p.position_of(i));
+          radius.push_back(p.radius_of(i));
+          solid.push_back(shape.volume(p.radius_of(i)));
         }
       if (p.cell.repeats())
-        return p.cell.volume() / solid;
-      const Eigen::Array3d box = high - low;
-      return (shape.dimension == 3 ? box.prod() : box[0] * box[1] * shape.thickness) / solid;
+        return p.cell.volume() / all;
+      return centre.empty() ? 1.0 : bulk_over_solid(centre, radius, solid, shape.dimension, shape.thickness);
     }
   } // namespace
 
@@ -101,14 +106,14 @@ namespace dem
              2.0 * *std::min_element(packing.radius.begin(), packing.radius.end()) * (p.interaction_ratio - 1.0))
     , bond_pass(select_bond_pass(p.physics, equal_radii, shear_damages()))
     , contact_pass(select_contact_pass(p.physics, equal_radii))
-    , space_per_solid(bulk_over_solid(particles, shape))
     , accounts(particle_blocks(particles.count))
     , slot(particles.count)
   {
     for (std::size_t i = 0; i < particles.count; ++i)
       slot[particles.number[i]] = static_cast<std::int32_t>(i);
     link();
-    time_step = parameters.step_factor * stable();
+    space_per_solid = volume_per_solid(particles, shape);
+    time_step       = parameters.step_factor * stable();
     if (!std::isfinite(time_step))
       throw InputError("Interaction ratio = " + std::to_string(p.interaction_ratio) +
                        ": no two particles are near enough to be linked, nothing holds the specimen together. Raise "

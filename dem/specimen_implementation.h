@@ -42,7 +42,7 @@ namespace dem
     LinkSet            bonds, contacts;
     ContactSearch      search;
     LinkPass           bond_pass, contact_pass;
-    double             space_per_solid;
+    double             space_per_solid = 1; ///< volume with voids over that of the particles, to share out stress
     std::size_t        made_links = 0;
 
     std::vector<ParticleBlockAccount> accounts;

@@ -124,6 +124,7 @@ namespace postprocess
       std::string text = "set title " + gnuplot_quoted(panel.title) + " noenhanced font ',12'\n";
       text += "set xlabel " + gnuplot_quoted(panel.x_label) + " noenhanced offset 0,0.3\n";
       text += "set ylabel " + gnuplot_quoted(panel.y_label) + " noenhanced\n";
+      text += panel.equal_axes ? "set size ratio -1\n" : "set size noratio\n";
       text += panel.log_x ? "set logscale x\nset format x '%h'\n" : "unset logscale x\nset format x '%h'\n";
       text += panel.log_y ? "set logscale y\nset format y '%h'\n" : "unset logscale y\nset format y '%h'\n";
       return text;

@@ -71,7 +71,7 @@ namespace apps
           }
     fem::Vector rest = solid.make_vector();
     rest.update_ghost_values();
-    stored_at_start = read_points(rest, 0).stored;
+    start_at(rest);
   }
 
   template <int dim>

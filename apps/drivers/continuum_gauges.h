@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/drivers/continuum_model.h"
+#include "dem/state.h"
 #include "fem/solid/solid.h"
 #include "postprocess/series.h"
 
@@ -28,6 +29,10 @@ namespace apps
     /** One value per column, the same on every rank. @param work done by the stresses [J]: what is not stored is dissipated. */
     std::vector<double> read(const SolidState &state, double work) const;
 
+    /** From now on dissipation counts from the present histories at this displacement. */
+    void start_at(const fem::Vector &displacement) { stored_at_start = read_points(displacement, 0).stored; }
+    void visit_state(dem::StateVisitor &visitor) { visitor.scalar("stored_at_start", stored_at_start); }
+
     /** The first reaction column, or "". */
     std::string first_reaction() const;
 
@@ -50,7 +55,7 @@ namespace apps
     Points read_points(const fem::Vector &displacement, double work) const;
 
     fem::Solid<dim>          &solid;
-    double                    stored_at_start = 0; ///< in the histories that the solid was given [J]
+    double                    stored_at_start = 0; ///< when dissipation began to count [J]
     std::vector<Resultant>    loads, reactions;
     std::vector<Displacement> displacements;
   };

@@ -126,7 +126,10 @@ namespace apps
         snapshots.emplace(location, snapshot_name, rank_count() > 1 ? ".pvtu" : ".vtu");
     });
     if (settle)
-      settle(*solid, *analysis);
+      {
+        settle(*solid, *analysis);
+        gauges->start_at(*analysis->state().displacement);
+      }
     snapshot();
     if (settle)
       record();
@@ -139,6 +142,7 @@ namespace apps
     visitor.scalar("peak", peak);
     visitor.scalar("snapshot_count", snapshot_count);
     visitor.scalar("snapshots_due", snapshots_due);
+    gauges->visit_state(visitor);
   }
 
   template <int dim>

@@ -169,7 +169,8 @@ namespace apps
                    {"count", cuts.points.size()}, {"force_error", cuts.force_error()}, {"moment_error", cuts.moment_error()}};
     json["imbalance"]   = {{"before", imbalance(settled.before)}, {"after", imbalance(settled.after)}};
     json["equilibrium"] = {{"iterations", settled.iterations},
-                           {"largest_displacement", {{"value", settled.largest_displacement}, {"unit", "m"}}}};
+                           {"largest_displacement", {{"value", settled.largest_displacement}, {"unit", "m"}}},
+                           {"energy_released", {{"value", settled.released}, {"unit", "J"}}}};
     return json;
   }
 

@@ -88,7 +88,8 @@ namespace apps
     void complete(const Section &section, const Completed what, const int depth, std::string &text)
     {
       for (const auto &entry : section.entries())
-        if ((entry->set || (entry->needed() && !entry->required)) && (entry->decides || what == Completed::everything))
+        if ((entry->set || (entry->needed() && !entry->required && !entry->value.empty())) &&
+            (entry->decides || what == Completed::everything))
           text += margin(depth) + completed_line(*entry, what);
       for (const auto &subsection : section.sections())
         {

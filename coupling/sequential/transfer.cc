@@ -218,7 +218,11 @@ namespace coupling
     const fem::StepReport step = solver.advance_to(0);
     if (!step.converged)
       throw dem::NumericalError("transfer: no equilibrium near the mapped state: " + step.reason);
-    done.iterations           = step.iterations;
+    done.iterations        = step.iterations;
+    fem::StaticState state = solver.state();
+    done.released          = state.energy.external - state.energy.internal;
+    state.energy           = {}; // what the analysis accounts for begins here
+    solver.restore(state);
     done.after                = imbalance(solid, solver);
     done.after.at_hand        = done.before.at_hand; // a body that relaxes has next to none left
     done.largest_displacement = solver.displacement().linfty_norm();

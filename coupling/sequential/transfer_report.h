@@ -88,5 +88,6 @@ namespace coupling
     Imbalance    before, after;            ///< both relate to the forces at hand before
     unsigned int iterations           = 0; ///< of Newton
     double       largest_displacement = 0; ///< it took [m]
+    double       released = 0; ///< energy that the iteration took out: work of the loads less that of the stresses [J]
   };
 } // namespace coupling

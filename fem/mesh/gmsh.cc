@@ -98,8 +98,8 @@ namespace fem
     for (const auto &entry : mesh.materials)
       if (names[dim].count(entry.second) == 0)
         throw std::invalid_argument(
-          file + ": elements of physical group " + entry.first +
-          " have no named group. Give every element a named physical group: it selects the material.");
+          file +
+          ": some elements have no named group. Give every element a named physical group: it selects the material.");
     // Faces without a group have number 0, which Gmsh gives to no group: they are free boundaries without a name.
     give_names<types::boundary_id>(mesh.boundaries, names[dim - 1], 0, "boundary", file);
     give_names<types::material_id>(mesh.materials, names[dim], numbers::invalid_material_id, "elements", file);

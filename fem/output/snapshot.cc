@@ -143,6 +143,9 @@ namespace fem
 
     const unsigned int degree = solid.options().degree;
     out.build_patches(solid.mapping(), degree);
+    DataOutBase::VtkFlags flags;
+    flags.print_date_and_time = false; // equal states, equal files
+    out.set_flags(flags);
     const MPI_Comm comm = solid.communicator();
     if (Utilities::MPI::n_mpi_processes(comm) > 1)
       return out.write_vtu_with_pvtu_record(folder + "/", name, number, comm, 6);
