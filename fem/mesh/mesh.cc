@@ -27,6 +27,15 @@ namespace fem
         mesh.materials[std::to_string(cell->material_id())] = cell->material_id();
     }
 
+    /// An empty mesh that will keep its coarser levels: geometric multigrid works on them.
+    template <int dim>
+    std::unique_ptr<parallel::distributed::Triangulation<dim>> make_hypercubes(const MPI_Comm communicator)
+    {
+      return std::make_unique<parallel::distributed::Triangulation<dim>>(
+        communicator, Triangulation<dim>::limit_level_difference_at_vertices,
+        parallel::distributed::Triangulation<dim>::construct_multigrid_hierarchy);
+    }
+
     template <int dim>
     std::unique_ptr<parallel::TriangulationBase<dim>> spread_simplices(Triangulation<dim> &serial,
                                                                        const MPI_Comm      communicator)
@@ -68,7 +77,7 @@ namespace fem
       }
     Mesh<dim> mesh;
     mesh.family = family;
-    auto spread = std::make_unique<parallel::distributed::Triangulation<dim>>(communicator);
+    auto spread = make_hypercubes<dim>(communicator);
     build(*spread);
     refuse_bad_mesh(*spread);
     name_by_number(mesh, *spread);
@@ -84,7 +93,7 @@ namespace fem
     name_by_number(mesh, serial);
     if (serial.all_reference_cells_are_hyper_cube())
       {
-        auto spread = std::make_unique<parallel::distributed::Triangulation<dim>>(communicator);
+        auto spread = make_hypercubes<dim>(communicator);
         spread->copy_triangulation(serial);
         mesh.triangulation = std::move(spread);
         return mesh;

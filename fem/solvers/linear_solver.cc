@@ -1,5 +1,7 @@
 #include "fem/solvers/linear_solver.h"
 
+#include "fem/solvers/geometric_multigrid.h"
+
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
@@ -143,15 +145,26 @@ namespace fem
     const auto        limit  = options.direct_limit > 0 ? options.direct_limit : (dim == 2 ? 200000u : 30000u);
     const bool        direct = alone && (options.method == LinearMethod::direct ||
                                   (options.method == LinearMethod::automatic && unknowns <= limit));
-    const std::string why    = options.method != LinearMethod::automatic ? "as asked" :
+    std::string       why    = options.method != LinearMethod::automatic ? "as asked" :
                                !alone                                    ? "several ranks" :
                                                                            std::to_string(unknowns) +
                                        (direct ? " unknowns: not more than " : " unknowns: more than ") +
                                        std::to_string(limit);
     if (direct)
       return std::make_unique<Umfpack>(why);
+    std::string obstacle;
+    if (options.method == LinearMethod::automatic || options.method == LinearMethod::geometric)
+      {
+        auto geometric = make_geometric_multigrid(solid, options, why, obstacle);
+        if (geometric)
+          return geometric;
+        if (options.method == LinearMethod::geometric)
+          throw std::invalid_argument("linear solver = geometric: " + obstacle + ". Use the iterative one.");
+      }
     std::vector<std::vector<bool>> modes;
     DoFTools::extract_constant_modes(solid.dofs(), ComponentMask(dim, true), modes);
+    if (!obstacle.empty() && symmetric)
+      why += "; not geometric, for " + obstacle;
     return std::make_unique<Multigrid>(why, options, symmetric, modes, solid.options().degree > 1);
   }
 

@@ -100,6 +100,9 @@ namespace fem
     double     measure(const PathControl &control, const Vector &of) const;
     bool       balanced(const Trial &trial, const Vector &r, double &scale, StepReport &report) const;
     void       set_tangent();
+
+    /// Internal force and tangent at the trial displacement, and the product of the tangent with a direction if one is given.
+    void linearise(Trial &trial, const Vector *direction, Vector *product);
     void       unbalance(const Vector &external, const Vector &internal, Vector &r) const;
     StepReport finish_or_fail(const StepReport &report, const Trial &trial);
     StepReport newton(Trial &trial);
