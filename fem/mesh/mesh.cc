@@ -3,12 +3,11 @@
 #include "fem/mesh/check.h"
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/distributed/fully_distributed_tria.h>
+#include <deal.II/distributed/shared_tria.h>
 #include <deal.II/distributed/tria.h>
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria.h>
-#include <deal.II/grid/tria_description.h>
 
 #include <stdexcept>
 
@@ -36,17 +35,14 @@ namespace fem
         parallel::distributed::Triangulation<dim>::construct_multigrid_hierarchy);
     }
 
+    /// Every rank holds the whole mesh (deal.II's fully distributed one answers wrongly for simplices), but works on its own part.
     template <int dim>
     std::unique_ptr<parallel::TriangulationBase<dim>> spread_simplices(Triangulation<dim> &serial,
                                                                        const MPI_Comm      communicator)
     {
-      if (Utilities::MPI::n_mpi_processes(communicator) > 1)
-        throw std::invalid_argument(
-          "mesh: triangles and tetrahedra run on one rank only. Use quadrilaterals or hexahedra, or start one rank.");
-      auto       mesh = std::make_unique<parallel::fullydistributed::Triangulation<dim>>(communicator);
-      const auto description =
-        TriangulationDescription::Utilities::create_description_from_triangulation(serial, communicator);
-      mesh->create_triangulation(description);
+      auto mesh = std::make_unique<parallel::shared::Triangulation<dim>>(
+        communicator, Triangulation<dim>::none, true, parallel::shared::Triangulation<dim>::partition_metis);
+      mesh->copy_triangulation(serial);
       return mesh;
     }
   }

@@ -67,13 +67,8 @@ namespace fem
       for (const auto &e : *elements)
         add_diagonal(e, result.begin());
       result.compress(dealii::VectorOperation::add);
-      set_held(result, Number(1));
-    }
-
-    void set_held(VectorType &v, const Number value) const
-    {
       for (const unsigned int i : held)
-        v.local_element(i) = value;
+        result.local_element(i) = 1;
     }
 
   private:

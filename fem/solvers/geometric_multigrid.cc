@@ -1,8 +1,8 @@
 #include "fem/solvers/geometric_multigrid.h"
 
 #include "fem/solid/block_builder.h"
-#include "fem/solid/element_kernel.h"
 #include "fem/solid/rigid_motion.h"
+#include "fem/solvers/coarsest_level.h"
 #include "fem/solvers/elastic_operator.h"
 
 #include <deal.II/base/bounding_box.h>
@@ -12,8 +12,6 @@
 #include <deal.II/lac/diagonal_matrix.h>
 #include <deal.II/lac/precondition.h>
 #include <deal.II/lac/solver_cg.h>
-#include <deal.II/lac/trilinos_precondition.h>
-#include <deal.II/lac/trilinos_sparsity_pattern.h>
 #include <deal.II/multigrid/mg_transfer_matrix_free.h>
 
 namespace fem
@@ -23,15 +21,6 @@ namespace fem
   namespace
   {
     using LevelVector = LinearAlgebra::distributed::Vector<float>; // a preconditioner needs no more than six digits
-
-    /// Material of a level's element: that of its first descendant, which the same rank owns.
-    template <int dim>
-    types::material_id material_of(typename DoFHandler<dim>::cell_iterator cell)
-    {
-      while (cell->has_children())
-        cell = cell->child(0);
-      return cell->material_id();
-    }
 
     /// The operator of one level and its smoother.
     struct Level
@@ -103,7 +92,7 @@ namespace fem
       {
         for (unsigned int l = 1; l < dofs.get_triangulation().n_global_levels(); ++l)
           set_up_level(l);
-        set_up_coarsest();
+        coarsest = std::make_unique<CoarsestLevel<dim>>(solid, dofs, levels[0].layout, held_on_coarsest);
         std::vector<unsigned int> held;
         const auto                layout = solid.make_vector().get_partitioner();
         for (unsigned int i = 0; i < layout->locally_owned_size(); ++i)
@@ -142,7 +131,7 @@ namespace fem
           return;
         transfer.copy_to_mg(dofs, b, residual);
         b[top] *= static_cast<float>(1 / size);
-        levels[top].stiffness.set_held(b[top], 0);
+        set_zero(b[top], levels[top].held);
         cycle(top);
         transfer.copy_from_mg(dofs, correction, x);
         correction *= size;
@@ -151,7 +140,7 @@ namespace fem
       std::string description() const override
       {
         return "conjugate gradients with geometric multigrid of " + std::to_string(levels.max_level() + 1) +
-               " levels, no matrix, " + why;
+               " levels (" + coarsest->description() + "), no matrix, " + why;
       }
 
       unsigned int iterations() const override { return last; }
@@ -200,7 +189,7 @@ namespace fem
               cell->get_mg_dof_indices(indices);
               for (unsigned int i = 0; i < indices.size(); ++i)
                 positions[i] = level.layout->global_to_local(indices[i]);
-              builder.add(cell, positions, solid.material(material_of<dim>(cell)));
+              builder.add(cell, positions, material_of(solid, cell));
             }
         level.elements = builder.take();
         level.stiffness.reinit(level.elements, level.layout, level.held);
@@ -218,93 +207,33 @@ namespace fem
         level.smoother.initialize(level.stiffness, settings);
       }
 
-      void set_up_coarsest()
-      {
-        const auto        &fe    = dofs.get_fe();
-        const unsigned int n     = fe.n_dofs_per_cell();
-        const IndexSet    &owned = dofs.locally_owned_mg_dofs(0);
-        IndexSet           relevant;
-        DoFTools::extract_locally_relevant_level_dofs(dofs, 0, relevant);
-        TrilinosWrappers::SparsityPattern    pattern(owned, owned, relevant, solid.communicator());
-        std::vector<types::global_dof_index> indices(n);
-        std::vector<std::vector<bool>>       modes(dim, std::vector<bool>(owned.n_elements(), false));
-        for (const auto &cell : dofs.mg_cell_iterators_on_level(0))
-          if (cell->is_locally_owned_on_level())
-            {
-              cell->get_mg_dof_indices(indices);
-              held_on_coarsest.add_entries_local_to_global(indices, pattern, true);
-              for (unsigned int i = 0; i < n; ++i)
-                if (owned.is_element(indices[i]))
-                  modes[fe.system_to_component_index(i).first][owned.index_within_set(indices[i])] = true;
-            }
-        pattern.compress();
-        coarse_matrix.reinit(pattern);
-        FEValues<dim>      values(solid.mapping(), fe, solid.quadrature(), update_gradients | update_JxW_values);
-        ElementKernel<dim> kernel(fe, solid.quadrature().size(), false, false);
-        FullMatrix<double> local(n, n);
-        const double       thickness = dim == 2 ? solid.options().thickness : 1.0;
-        for (const auto &cell : dofs.mg_cell_iterators_on_level(0))
-          if (cell->is_locally_owned_on_level())
-            {
-              values.reinit(typename Triangulation<dim>::cell_iterator(cell));
-              kernel.reinit(values, Eigen::VectorXd::Zero(n));
-              Eigen::MatrixXd k = Eigen::MatrixXd::Zero(n, n);
-              for (unsigned int q = 0; q < solid.quadrature().size(); ++q)
-                {
-                  kernel.strain(q);
-                  kernel.add_stiffness(Voigt::Zero(), solid.material(material_of<dim>(cell)).elastic_stiffness(), k);
-                }
-              for (unsigned int i = 0; i < n; ++i)
-                for (unsigned int j = 0; j < n; ++j)
-                  local(i, j) = thickness * k(i, j);
-              cell->get_mg_dof_indices(indices);
-              held_on_coarsest.distribute_local_to_global(local, indices, coarse_matrix);
-            }
-        coarse_matrix.compress(VectorOperation::add);
-        TrilinosWrappers::PreconditionAMG::AdditionalData settings;
-        settings.constant_modes        = modes;
-        settings.elliptic              = true;
-        settings.higher_order_elements = fe.degree > 1;
-        settings.smoother_sweeps       = 2;
-        settings.aggregation_threshold = 0.02;
-        coarse_cycle.initialize(coarse_matrix, settings);
-        coarse_x.reinit(levels[0].layout);
-        coarse_b.reinit(levels[0].layout);
-      }
-
       /// x = approximate inverse of b on this level.
       void cycle(const unsigned int l) const
       {
         if (l == 0)
           {
-            coarse_b = b[0];
-            coarse_cycle.vmult(coarse_x, coarse_b);
-            x[0] = coarse_x;
-            set_coarse_held(x[0]);
+            coarsest->solve(x[0], b[0]);
             return;
           }
         const Level &level = levels[l];
         level.smoother.vmult(x[l], b[l]);
         level.stiffness.vmult(r[l], x[l]);
         r[l].sadd(-1, 1, b[l]);
-        level.stiffness.set_held(r[l], 0);
+        set_zero(r[l], level.held);
         b[l - 1] = 0;
         transfer.restrict_and_add(l, b[l - 1], r[l]);
-        if (l > 1)
-          levels[l - 1].stiffness.set_held(b[l - 1], 0);
-        else
-          set_coarse_held(b[0]);
+        set_zero(b[l - 1], levels[l - 1].held);
         cycle(l - 1);
         transfer.prolongate(l, r[l], x[l - 1]);
-        level.stiffness.set_held(r[l], 0);
+        set_zero(r[l], level.held);
         x[l] += r[l];
         level.smoother.step(x[l], b[l]);
-        level.stiffness.set_held(x[l], 0);
+        set_zero(x[l], level.held);
       }
 
-      void set_coarse_held(LevelVector &v) const
+      static void set_zero(LevelVector &v, const std::vector<unsigned int> &held)
       {
-        for (const unsigned int i : levels[0].held)
+        for (const unsigned int i : held)
           v.local_element(i) = 0;
       }
 
@@ -316,9 +245,7 @@ namespace fem
       MGLevelObject<Level>                      levels;
       mutable MGLevelObject<LevelVector>        x, b, r;
       AffineConstraints<double>                 held_on_coarsest;
-      TrilinosWrappers::SparseMatrix            coarse_matrix;
-      TrilinosWrappers::PreconditionAMG         coarse_cycle;
-      mutable Vector                            coarse_x, coarse_b;
+      std::unique_ptr<CoarsestLevel<dim>>       coarsest;
       ElasticOperator<double>                   stiffness;
       unsigned int                              last = 0;
     };

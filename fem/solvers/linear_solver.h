@@ -10,7 +10,7 @@ namespace fem
   enum class LinearMethod
   {
     automatic, ///< direct on one rank up to `direct_limit` unknowns; else geometric where it fits, iterative where not
-    direct,    ///< UMFPACK; one rank only
+    direct,    ///< UMFPACK on one rank, MUMPS on several
     iterative, ///< algebraic multigrid (Trilinos ML) in conjugate gradients, or in GMRES where the matrix is not symmetric
     geometric ///< geometric multigrid in conjugate gradients, no matrix: elastic solids on meshes refined as a whole
   };

@@ -119,8 +119,8 @@ namespace fem
 
     Solid<dim>                   &solid;
     NewtonOptions                 options;
+    Matrix                        tangent; // outlives the solver that refers to it
     std::unique_ptr<LinearSolver> linear;
-    Matrix                        tangent;
     bool                          tangent_known = false; // linear problems: the set-up is reused
     double                        tangent_size  = 0;     // largest row sum [N/m]
     Vector                        u, f_int, f_ext, last_step;
