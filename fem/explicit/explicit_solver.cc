@@ -28,6 +28,10 @@ namespace fem
     , f_ext(solid_.make_vector())
     , lumped(solid_.make_vector())
     , mean(solid_.make_vector())
+    , moved(solid_.make_vector())
+    , target(solid_.make_vector())
+    , f_before(solid_.make_vector())
+    , e_before(solid_.make_vector())
   {
     for (const auto &entry : solid.mesh().materials)
       if (options.density.count(entry.first) == 0 || !(options.density.at(entry.first) > 0))
@@ -39,7 +43,9 @@ namespace fem
       throw std::invalid_argument("Damping = " + std::to_string(options.damping) + " 1/s: must not be negative.");
     lump_mass();
     find_step();
-    make_blocks();
+    held.resize(u.locally_owned_size());
+    for (unsigned int i = 0; i < held.size(); ++i)
+      held[i] = solid.constraints().is_constrained(u.get_partitioner()->local_to_global(i));
   }
 
   namespace
@@ -143,67 +149,6 @@ namespace fem
   }
 
   template <int dim>
-  void ExplicitSolver<dim>::make_blocks()
-  {
-    blocks.clear();
-    const auto &settings = solid.options();
-    by_blocks = solid.linear() && !settings.mean_dilatation && !(dim == 2 && settings.plane == Plane::stress);
-    if (!by_blocks)
-      return;
-    const auto           &fe    = solid.dofs().get_fe();
-    const unsigned int    nodes = fe.n_dofs_per_cell() / dim, n_points = solid.quadrature().size();
-    constexpr std::size_t lanes = ElementBlocks::lanes;
-    FEValues<dim>         values(solid.mapping(), fe, solid.quadrature(), update_gradients | update_JxW_values);
-    std::vector<types::global_dof_index>    indices(fe.n_dofs_per_cell());
-    std::map<MaterialPoints *, std::size_t> of, filled;
-    const double                            thickness = dim == 2 ? settings.thickness : 1.0;
-    std::size_t                             next      = 0;
-    for (const auto &cell : solid.dofs().active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          MaterialPoints *material = solid.element_points()[next++].material;
-          if (of.count(material) == 0)
-            {
-              of[material] = blocks.size();
-              ElementBlocks fresh;
-              fresh.dim      = dim;
-              fresh.n_nodes  = nodes;
-              fresh.n_points = n_points;
-              for (int i = 0; i < 36; ++i)
-                fresh.stiffness[i] = material->elastic_stiffness()(i / 6, i % 6);
-              const double bulk = (fresh.stiffness[0] + 2 * fresh.stiffness[1]) / 3;
-              fresh.isotropic =
-                (material->elastic_stiffness() - isotropic_stiffness(bulk, fresh.stiffness[21])).norm() <= 1e-14 * bulk;
-              blocks.push_back(fresh);
-            }
-          ElementBlocks    &e    = blocks[of[material]];
-          const std::size_t lane = filled[material]++ % lanes;
-          if (lane == 0)
-            {
-              ++e.n_blocks;
-              e.gradients.resize(e.n_blocks * n_points * nodes * dim * lanes, 0.0);
-              e.weights.resize(e.n_blocks * n_points * lanes, 0.0);
-              e.dofs.resize(e.n_blocks * nodes * dim * lanes, 0u);
-            }
-          const std::size_t b = e.n_blocks - 1;
-          values.reinit(cell);
-          cell->get_dof_indices(indices);
-          for (unsigned int i = 0; i < indices.size(); ++i)
-            {
-              const auto [c, a]                                  = fe.system_to_component_index(i);
-              e.dofs[((b * nodes + a) * dim + c) * lanes + lane] = u.get_partitioner()->global_to_local(indices[i]);
-              if (c == 0)
-                for (unsigned int q = 0; q < n_points; ++q)
-                  for (unsigned int d = 0; d < dim; ++d)
-                    e.gradients[(((b * n_points + q) * nodes + a) * dim + d) * lanes + lane] =
-                      values.shape_grad(i, q)[d];
-            }
-          for (unsigned int q = 0; q < n_points; ++q)
-            e.weights[(b * n_points + q) * lanes + lane] = thickness * values.JxW(q);
-        }
-  }
-
-  template <int dim>
   void ExplicitSolver<dim>::set_velocity(const VectorOf<dim> &velocity)
   {
     if (started)
@@ -230,17 +175,7 @@ namespace fem
   template <int dim>
   void ExplicitSolver<dim>::internal_force_at(const Vector &displacement, Vector &force)
   {
-    if (!by_blocks)
-      {
-        Sweep wanted;
-        wanted.internal_force = &force;
-        solid.sweep(displacement, wanted);
-        return;
-      }
-    force = 0;
-    for (const ElementBlocks &e : blocks)
-      add_internal_force(e, displacement.begin(), force.begin());
-    force.compress(VectorOperation::add);
+    solid.internal_force(displacement, force);
   }
 
   template <int dim>
@@ -260,51 +195,45 @@ namespace fem
         solid.external_force(current_time, f_ext);
         mean = v;
       }
-    Vector moved = solid.make_vector(), target = solid.make_vector();
     solid.prescribed(current_time + length, target);
-    const auto &range   = *u.get_partitioner();
-    const auto  is_held = [&](const unsigned int i) {
-      return solid.constraints().is_constrained(range.local_to_global(i));
-    };
     double pushed = 0; // kinetic energy that the supports give to their own nodes
     for (unsigned int i = 0; i < u.locally_owned_size(); ++i)
       {
         const double old = v.local_element(i);
         // The first step starts from the velocity at time zero: half a kick.
-        const double now       = is_held(i) ? (target.local_element(i) - u.local_element(i)) / length :
+        const double now       = held[i] ? (target.local_element(i) - u.local_element(i)) / length :
                                               kicked(i, old, started ? length : 0.5 * length);
         v.local_element(i)     = now;
         moved.local_element(i) = length * now;
         u.local_element(i) += moved.local_element(i);
-        if (is_held(i))
+        if (held[i])
           pushed += 0.5 * lumped.local_element(i) * (now * now - (started ? old * old : 0.0));
       }
     started = true;
     u.update_ghost_values();
 
-    Vector f_before = f_int, e_before = f_ext;
+    f_before.swap(f_int);
+    e_before.swap(f_ext);
     internal_force_at(u, f_int);
-    if (!by_blocks)
+    if (!solid.linear())
       solid.commit();
     current_time += length;
     solid.external_force(current_time, f_ext);
-    keep_account(moved, f_before, e_before, length, pushed);
+    keep_account(length, pushed);
   }
 
   template <int dim>
-  void ExplicitSolver<dim>::keep_account(
-    const Vector &moved, const Vector &f_before, const Vector &e_before, const double length, const double pushed)
+  void ExplicitSolver<dim>::keep_account(const double length, const double pushed)
   {
     // Kinetic energy at whole steps is v(n-1/2) m v(n+1/2) / 2: with trapezoidal work its sum is exact for central differences.
-    const auto &range = *u.get_partitioner();
-    double      inner = 0, outer = pushed, kinetic = 0, damped = 0;
+    double inner = 0, outer = pushed, kinetic = 0, damped = 0;
     for (unsigned int i = 0; i < u.locally_owned_size(); ++i)
       {
         const double m = lumped.local_element(i), now = v.local_element(i), d = moved.local_element(i);
         const double force = 0.5 * (f_before.local_element(i) + f_int.local_element(i));
         const double load  = 0.5 * (e_before.local_element(i) + f_ext.local_element(i));
         inner += force * d;
-        if (solid.constraints().is_constrained(range.local_to_global(i)))
+        if (held[i])
           {
             kinetic += 0.5 * m * now * now;
             outer += force * d; // reaction and load together

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "fem/explicit/element_blocks.h"
 #include "fem/solid/solid.h"
 
 namespace fem
@@ -77,17 +76,15 @@ namespace fem
   private:
     void   lump_mass();
     void   find_step();
-    void   make_blocks();
     double kicked(unsigned int i, double old, double kick) const; ///< velocity after a kick by the present forces
-    void
-    keep_account(const Vector &moved, const Vector &f_before, const Vector &e_before, double length, double pushed);
+    void   keep_account(double length, double pushed);
 
     Solid<dim>                &solid;
     ExplicitOptions            options;
-    std::vector<ElementBlocks> blocks;
-    bool           by_blocks = false; ///< all elements are in the blocks; otherwise the general sweep is used
-    Vector         u, v, f_int, f_ext, lumped;
-    Vector         mean; ///< velocity at the last whole step, for the damping work
+    std::vector<char> held; ///< whether each owned displacement is prescribed
+    Vector            u, v, f_int, f_ext, lumped;
+    Vector            mean; ///< velocity at the last whole step, for the damping work
+    Vector            moved, target, f_before, e_before; ///< of a step
     double         step_limit   = 0;
     double         current_time = 0;
     bool           started      = false;

@@ -3,12 +3,11 @@
 #include "fem/mesh/check.h"
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/distributed/fully_distributed_tria.h>
+#include <deal.II/distributed/shared_tria.h>
 #include <deal.II/distributed/tria.h>
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria.h>
-#include <deal.II/grid/tria_description.h>
 
 #include <stdexcept>
 
@@ -27,17 +26,23 @@ namespace fem
         mesh.materials[std::to_string(cell->material_id())] = cell->material_id();
     }
 
+    /// An empty mesh that will keep its coarser levels: geometric multigrid works on them.
+    template <int dim>
+    std::unique_ptr<parallel::distributed::Triangulation<dim>> make_hypercubes(const MPI_Comm communicator)
+    {
+      return std::make_unique<parallel::distributed::Triangulation<dim>>(
+        communicator, Triangulation<dim>::limit_level_difference_at_vertices,
+        parallel::distributed::Triangulation<dim>::construct_multigrid_hierarchy);
+    }
+
+    /// Every rank holds the whole mesh (deal.II's fully distributed one answers wrongly for simplices), but works on its own part.
     template <int dim>
     std::unique_ptr<parallel::TriangulationBase<dim>> spread_simplices(Triangulation<dim> &serial,
                                                                        const MPI_Comm      communicator)
     {
-      if (Utilities::MPI::n_mpi_processes(communicator) > 1)
-        throw std::invalid_argument(
-          "mesh: triangles and tetrahedra run on one rank only. Use quadrilaterals or hexahedra, or start one rank.");
-      auto       mesh = std::make_unique<parallel::fullydistributed::Triangulation<dim>>(communicator);
-      const auto description =
-        TriangulationDescription::Utilities::create_description_from_triangulation(serial, communicator);
-      mesh->create_triangulation(description);
+      auto mesh = std::make_unique<parallel::shared::Triangulation<dim>>(
+        communicator, Triangulation<dim>::none, true, parallel::shared::Triangulation<dim>::partition_metis);
+      mesh->copy_triangulation(serial);
       return mesh;
     }
   }
@@ -68,7 +73,7 @@ namespace fem
       }
     Mesh<dim> mesh;
     mesh.family = family;
-    auto spread = std::make_unique<parallel::distributed::Triangulation<dim>>(communicator);
+    auto spread = make_hypercubes<dim>(communicator);
     build(*spread);
     refuse_bad_mesh(*spread);
     name_by_number(mesh, *spread);
@@ -84,7 +89,7 @@ namespace fem
     name_by_number(mesh, serial);
     if (serial.all_reference_cells_are_hyper_cube())
       {
-        auto spread = std::make_unique<parallel::distributed::Triangulation<dim>>(communicator);
+        auto spread = make_hypercubes<dim>(communicator);
         spread->copy_triangulation(serial);
         mesh.triangulation = std::move(spread);
         return mesh;

@@ -37,7 +37,7 @@ namespace fem
    * Spreads what `build` makes over the ranks.
    *
    * Hypercubes go to `parallel::distributed`; simplices (8 triangles for a quadrilateral, 24 tetrahedra for a
-   * hexahedron) are partitioned by METIS and go to `parallel::fullydistributed`. Boundaries and materials are named by
+   * hexahedron) are partitioned by METIS in a `parallel::shared` mesh, which every rank holds as a whole. Boundaries and materials are named by
    * their numbers until the caller gives names.
    * @throws std::invalid_argument on an inverted element or a mesh that falls into unconnected parts.
    */

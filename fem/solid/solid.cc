@@ -1,5 +1,6 @@
 #include "fem/solid/solid.h"
 
+#include "fem/solid/block_builder.h"
 #include "fem/solid/element_kernel.h"
 
 #include <deal.II/base/mpi.h>
@@ -52,6 +53,7 @@ namespace fem
     DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
     supports.reinit(relevant);
     supports.close();
+    layout = std::make_shared<const Utilities::MPI::Partitioner>(owned, relevant, communicator());
   }
 
   template <int dim>
@@ -74,24 +76,25 @@ namespace fem
   template <int dim>
   void Solid<dim>::allocate_points()
   {
-    std::map<types::material_id, MaterialPoints *> of;
-    std::map<MaterialPoints *, std::size_t>        count;
-    bool                                           history = false;
+    std::map<MaterialPoints *, std::size_t> count;
+    bool                                    history = false;
+    material_of.clear();
+    element_blocks.clear();
     for (const auto &entry : grid.materials)
       {
         const auto law = materials.find(entry.first);
         if (law == materials.end())
           throw std::invalid_argument("material = " + entry.first +
                                       ": this group of the mesh has no material law. Give it one.");
-        of[entry.second] = law->second.get();
-        history          = history || !law->second->linear();
+        material_of[entry.second] = law->second.get();
+        history                   = history || !law->second->linear();
       }
     elements.clear();
     for (const auto &cell : dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
         {
           ElementPoints e;
-          e.material = of.at(cell->material_id());
+          e.material = material_of.at(cell->material_id());
           e.first    = count[e.material];
           count[e.material] += points.size();
           if (history)
@@ -121,7 +124,7 @@ namespace fem
   Vector Solid<dim>::make_vector() const
   {
     Vector v;
-    v.reinit(owned, relevant, communicator());
+    v.reinit(layout);
     return v;
   }
 
@@ -216,6 +219,49 @@ namespace fem
       product.second->compress(VectorOperation::add);
     if (wanted.tangent)
       wanted.tangent->compress(VectorOperation::add);
+  }
+
+  template <int dim>
+  bool Solid<dim>::has_blocks() const
+  {
+    return linear() && !settings.mean_dilatation && !(dim == 2 && settings.plane == Plane::stress);
+  }
+
+  template <int dim>
+  const std::vector<ElementBlocks> &Solid<dim>::blocks() const
+  {
+    if (!element_blocks.empty() || !has_blocks())
+      return element_blocks;
+    BlockBuilder<dim, double>            builder(*this);
+    std::vector<types::global_dof_index> indices(element->n_dofs_per_cell());
+    std::vector<unsigned int>            positions(indices.size());
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          cell->get_dof_indices(indices);
+          for (unsigned int i = 0; i < indices.size(); ++i)
+            positions[i] = layout->global_to_local(indices[i]);
+          builder.add(cell, positions, material(cell->material_id()));
+        }
+    element_blocks = builder.take();
+    return element_blocks;
+  }
+
+  template <int dim>
+  void Solid<dim>::internal_force(const Vector &displacement, Vector &force)
+  {
+    if (has_blocks())
+      {
+        force = 0;
+        for (const ElementBlocks &e : blocks())
+          add_internal_force(e, displacement.begin(), force.begin());
+        force.compress(VectorOperation::add);
+        if (std::isfinite(force.l2_norm()))
+          return;
+      } // not a number: the sweep finds the element
+    Sweep wanted;
+    wanted.internal_force = &force;
+    sweep(displacement, wanted);
   }
 
   template <int dim>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fem/explicit/element_blocks.h"
 #include "fem/mesh/mesh.h"
 #include "fem/solid/loads.h"
 #include "fem/solid/material_points.h"
@@ -80,6 +81,16 @@ namespace fem
     /// @throws MaterialFailure on every rank if a point of any rank fails.
     void sweep(const Vector &displacement, const Sweep &wanted);
 
+    /// Internal forces [N] alone, as by sweep(): by the fast kernel where the solid has one (has_blocks()), without any histories.
+    /// @throws MaterialFailure
+    void internal_force(const Vector &displacement, Vector &force);
+
+    /// Whether the elements of this solid fit the fast kernel: linear elastic, small strain, no plane stress, no mean dilatation.
+    bool has_blocks() const;
+
+    /// The locally owned elements for the fast kernel, with positions in a make_vector(); made when first asked for.
+    const std::vector<ElementBlocks> &blocks() const;
+
     /// Trial histories become the committed ones.
     void commit();
 
@@ -109,6 +120,9 @@ namespace fem
       std::size_t     first    = 0;
       ElementExtent   extent;
     };
+
+    /// Material of the elements with this number.
+    const MaterialPoints &material(const dealii::types::material_id id) const { return *material_of.at(id); }
 
     /// Points of the locally owned elements, in the order of iteration over them.
     const std::vector<ElementPoints> &element_points() const { return elements; }
@@ -169,7 +183,10 @@ namespace fem
     dealii::DoFHandler<dim>                                  dof_handler;
     dealii::IndexSet                                         owned, relevant;
     dealii::AffineConstraints<double>                        supports;
+    std::shared_ptr<const dealii::Utilities::MPI::Partitioner> layout;
     std::map<std::string, std::unique_ptr<MaterialPoints>>   materials;
+    std::map<dealii::types::material_id, MaterialPoints *>   material_of;
+    mutable std::vector<ElementBlocks>                       element_blocks;
     std::vector<ElementPoints>                               elements;
     Loads<dim>                                               loads;
     std::map<dealii::types::global_dof_index, PrescribedDof> prescribed_dofs; // relevant ones

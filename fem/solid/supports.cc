@@ -1,7 +1,7 @@
 // Supports of a solid: which displacements are prescribed, and whether they hold it.
+#include "fem/solid/rigid_motion.h"
 #include "fem/solid/solid.h"
 
-#include <Eigen/Eigenvalues>
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_accessor.h>
 #include <deal.II/dofs/dof_tools.h>
@@ -255,42 +255,15 @@ namespace fem
   template <int dim>
   void Solid<dim>::refuse_free_motion() const
   {
-    constexpr int n      = dim == 2 ? 3 : 6;
-    const auto    extent = extent_of(grid);
-    // Every prescribed displacement as a row over the rigid motions (turns about the corner, scaled by the extent).
-    Eigen::Matrix<double, n, n> held = Eigen::Matrix<double, n, n>::Zero();
+    const auto       extent = extent_of(grid);
+    RigidMotion<dim> motion(extent.second, extent.first);
     for (const auto &entry : prescribed_dofs)
       if (owned.is_element(entry.first))
-        {
-          const unsigned int          c   = entry.second.component;
-          const Tensor<1, dim>        x   = (entry.second.place - extent.second) / extent.first;
-          Eigen::Matrix<double, n, 1> row = Eigen::Matrix<double, n, 1>::Zero();
-          row[c]                          = 1;
-          if constexpr (dim == 2)
-            row[2] = c == 0 ? -x[1] : x[0];
-          else
-            for (unsigned int axis = 0; axis < 3; ++axis)
-              {
-                Tensor<1, 3> turn;
-                turn[axis]    = 1;
-                row[3 + axis] = cross_product_3d(turn, x)[c];
-              }
-          held += row * row.transpose();
-        }
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j)
-        held(i, j) = Utilities::MPI::sum(held(i, j), communicator());
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, n, n>> eigen(held);
-    if (eigen.eigenvalues()[0] > 1e-10 * std::max(eigen.eigenvalues()[n - 1], 1e-300))
-      return;
-    static const char *names[2][6] = {
-      {"translation x", "translation y", "turn about z", "", "", ""},
-      {"translation x", "translation y", "translation z", "turn about x", "turn about y", "turn about z"}};
-    int free = 0;
-    eigen.eigenvectors().col(0).cwiseAbs().maxCoeff(&free);
-    throw std::invalid_argument(std::string("supports: the solid can move as a rigid body (mainly ") +
-                                names[dim - 2][free] +
-                                "). Prescribe more displacements, or ask for the rigid motion to be removed.");
+        motion.hold(entry.second.place, entry.second.component);
+    const std::string free = motion.free_motion(communicator());
+    if (!free.empty())
+      throw std::invalid_argument("supports: the solid can move as a rigid body (mainly " + free +
+                                  "). Prescribe more displacements, or ask for the rigid motion to be removed.");
   }
 
   template <int dim>

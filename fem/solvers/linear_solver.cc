@@ -1,5 +1,7 @@
 #include "fem/solvers/linear_solver.h"
 
+#include "fem/solvers/geometric_multigrid.h"
+
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
@@ -8,6 +10,7 @@
 #include <deal.II/lac/sparse_direct.h>
 #include <deal.II/lac/sparse_matrix.h>
 #include <deal.II/lac/trilinos_precondition.h>
+#include <deal.II/lac/trilinos_solver.h>
 
 #include <stdexcept>
 
@@ -64,6 +67,39 @@ namespace fem
       SparsityPattern      pattern;
       SparseMatrix<double> local;
       SparseDirectUMFPACK  factors;
+    };
+
+    /// A direct solver over all ranks.
+    class Mumps : public LinearSolver
+    {
+    public:
+      explicit Mumps(const std::string &why)
+        : reason(why)
+      {
+      }
+
+      void set_matrix(const Matrix &matrix) override
+      {
+        factors = std::make_unique<TrilinosWrappers::SolverDirect>(
+          control, TrilinosWrappers::SolverDirect::AdditionalData(false, "Amesos_Mumps"));
+        try
+          {
+            factors->initialize(matrix);
+          }
+        catch (const ExceptionBase &)
+          {
+            throw MaterialFailure("the tangent stiffness is singular.");
+          }
+      }
+
+      void solve(Vector &solution, const Vector &right_side) override { factors->solve(solution, right_side); }
+
+      std::string description() const override { return "MUMPS, " + reason; }
+
+    private:
+      std::string                                     reason;
+      SolverControl                                   control;
+      std::unique_ptr<TrilinosWrappers::SolverDirect> factors;
     };
 
     class Multigrid : public LinearSolver
@@ -137,21 +173,41 @@ namespace fem
   {
     const auto unknowns = solid.dofs().n_dofs();
     const bool alone    = Utilities::MPI::n_mpi_processes(solid.communicator()) == 1;
-    if (options.method == LinearMethod::direct && !alone)
-      throw std::invalid_argument(
-        "linear solver = direct: works on one rank only. Use the iterative one, or start one rank.");
     const auto        limit  = options.direct_limit > 0 ? options.direct_limit : (dim == 2 ? 200000u : 30000u);
-    const bool        direct = alone && (options.method == LinearMethod::direct ||
-                                  (options.method == LinearMethod::automatic && unknowns <= limit));
-    const std::string why    = options.method != LinearMethod::automatic ? "as asked" :
+    const bool        direct =
+      options.method == LinearMethod::direct || (options.method == LinearMethod::automatic && alone && unknowns <= limit);
+    std::string       why    = options.method != LinearMethod::automatic ? "as asked" :
                                !alone                                    ? "several ranks" :
                                                                            std::to_string(unknowns) +
                                        (direct ? " unknowns: not more than " : " unknowns: more than ") +
                                        std::to_string(limit);
-    if (direct)
+    if (direct && alone)
       return std::make_unique<Umfpack>(why);
-    std::vector<std::vector<bool>> modes;
-    DoFTools::extract_constant_modes(solid.dofs(), ComponentMask(dim, true), modes);
+    if (direct)
+      return std::make_unique<Mumps>(why);
+    std::string obstacle;
+    if (options.method == LinearMethod::automatic || options.method == LinearMethod::geometric)
+      {
+        auto geometric = make_geometric_multigrid(solid, options, why, obstacle);
+        if (geometric)
+          return geometric;
+        if (options.method == LinearMethod::geometric)
+          throw std::invalid_argument("linear solver = geometric: " + obstacle + ". Use the iterative one.");
+      }
+    // Translations of the owned displacements (deal.II's extract_constant_modes() fails on shared meshes).
+    const IndexSet                       owned = solid.dofs().locally_owned_dofs();
+    std::vector<std::vector<bool>>       modes(dim, std::vector<bool>(owned.n_elements(), false));
+    std::vector<types::global_dof_index> indices(solid.dofs().get_fe().n_dofs_per_cell());
+    for (const auto &cell : solid.dofs().active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          cell->get_dof_indices(indices);
+          for (unsigned int i = 0; i < indices.size(); ++i)
+            if (owned.is_element(indices[i]))
+              modes[solid.dofs().get_fe().system_to_component_index(i).first][owned.index_within_set(indices[i])] = true;
+        }
+    if (!obstacle.empty() && symmetric)
+      why += "; not geometric, for " + obstacle;
     return std::make_unique<Multigrid>(why, options, symmetric, modes, solid.options().degree > 1);
   }
 

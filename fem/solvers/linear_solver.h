@@ -9,9 +9,10 @@ namespace fem
 {
   enum class LinearMethod
   {
-    automatic, ///< direct on one rank up to `direct_limit` unknowns, else iterative
-    direct,    ///< UMFPACK; one rank only
-    iterative ///< algebraic multigrid (Trilinos ML) in conjugate gradients, or in GMRES where the matrix is not symmetric
+    automatic, ///< direct on one rank up to `direct_limit` unknowns; else geometric where it fits, iterative where not
+    direct,    ///< UMFPACK on one rank, MUMPS on several
+    iterative, ///< algebraic multigrid (Trilinos ML) in conjugate gradients, or in GMRES where the matrix is not symmetric
+    geometric ///< geometric multigrid in conjugate gradients, no matrix: elastic solids on meshes refined as a whole
   };
 
   struct LinearSolverOptions
@@ -35,6 +36,12 @@ namespace fem
     /// @throws MaterialFailure if the iteration does not converge.
     virtual void solve(Vector &solution, const Vector &right_side) = 0;
 
+    /// Whether set_matrix() must be called before solve(); a method without a matrix knows the solid itself.
+    virtual bool wants_matrix() const { return true; }
+
+    /// Without a matrix: a lower bound of its largest row sum [N/m], for the rounding of the forces.
+    virtual double matrix_size() const { return 0; }
+
     /// Which method, and why it was chosen.
     virtual std::string description() const = 0;
 
@@ -42,7 +49,9 @@ namespace fem
     virtual unsigned int iterations() const { return 1; }
   };
 
+  /// Call it after the loads of the solid are set.
   /// @param symmetric whether the tangent always is (elastic materials).
+  /// @throws std::invalid_argument if the method asked for does not fit the solid, with the reason.
   template <int dim>
   std::unique_ptr<LinearSolver>
   make_linear_solver(const Solid<dim> &solid, const LinearSolverOptions &options, bool symmetric);

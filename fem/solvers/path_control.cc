@@ -110,11 +110,7 @@ namespace fem
       {
         trial.f_ext = load_0;
         trial.f_ext.add(trial.time, load_1);
-        Sweep wanted;
-        wanted.internal_force = &trial.f_int;
-        wanted.tangent        = &tangent;
-        wanted.products       = {{&support_1, &carried}};
-        solid.sweep(trial.u, wanted);
+        linearise(trial, &support_1, &carried);
         unbalance(trial.f_ext, trial.f_int, r);
         report.iterations = iteration;
         report.converged  = balanced(trial, r, scale, report) && iteration > 0;

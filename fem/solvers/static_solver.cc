@@ -27,10 +27,9 @@ namespace fem
     , f_ext(solid_.make_vector())
     , last_step(solid_.make_vector())
   {
-    solid.make_matrix(tangent);
-    Sweep wanted;
-    wanted.internal_force = &f_int;
-    solid.sweep(u, wanted);
+    if (linear->wants_matrix())
+      solid.make_matrix(tangent);
+    solid.internal_force(u, f_int);
     f_int.update_ghost_values();
   }
 
@@ -65,9 +64,30 @@ namespace fem
   template <int dim>
   void StaticSolver<dim>::set_tangent()
   {
-    linear->set_matrix(tangent);
-    tangent_size  = tangent.linfty_norm();
+    if (tangent_known && solid.linear())
+      return;
+    if (linear->wants_matrix())
+      linear->set_matrix(tangent);
+    tangent_size  = linear->wants_matrix() ? tangent.linfty_norm() : linear->matrix_size();
     tangent_known = true;
+  }
+
+  template <int dim>
+  void StaticSolver<dim>::linearise(Trial &trial, const Vector *direction, Vector *product)
+  {
+    if (solid.linear() && (tangent_known || !linear->wants_matrix()))
+      {
+        solid.internal_force(trial.u, trial.f_int);
+        if (direction) // stress is linear in displacement: the force of the direction is the product
+          solid.internal_force(*direction, *product);
+        return;
+      }
+    Sweep wanted;
+    wanted.internal_force = &trial.f_int;
+    wanted.tangent        = &tangent;
+    if (direction)
+      wanted.products = {{direction, product}};
+    solid.sweep(trial.u, wanted);
   }
 
   template <int dim>
@@ -162,12 +182,7 @@ namespace fem
 
     for (unsigned int iteration = 0; iteration <= options.iterations; ++iteration)
       {
-        Sweep wanted;
-        wanted.internal_force = &trial.f_int;
-        wanted.tangent        = solid.linear() && tangent_known ? nullptr : &tangent;
-        if (iteration == 0)
-          wanted.products = {{&step_of_supports, &carried}};
-        solid.sweep(trial.u, wanted);
+        linearise(trial, iteration == 0 ? &step_of_supports : nullptr, &carried);
         unbalance(trial.f_ext, trial.f_int, r);
         report.iterations = iteration;
         report.converged  = balanced(trial, r, scale, report) && iteration > 0;
@@ -181,8 +196,7 @@ namespace fem
             r -= carried;
             scale = std::max(scale, carried.l2_norm());
           }
-        if (wanted.tangent)
-          set_tangent();
+        set_tangent();
         linear->solve(d, r);
         solid.constraints().set_zero(d);
         if (iteration == 0)
@@ -219,9 +233,7 @@ namespace fem
         go(a);
         try
           {
-            Sweep wanted;
-            wanted.internal_force = &trial.f_int;
-            solid.sweep(trial.u, wanted);
+            solid.internal_force(trial.u, trial.f_int);
             unbalance(trial.f_ext, trial.f_int, r);
             const double size = r.l2_norm();
             if (size < unbalanced)

@@ -100,6 +100,9 @@ namespace fem
     double     measure(const PathControl &control, const Vector &of) const;
     bool       balanced(const Trial &trial, const Vector &r, double &scale, StepReport &report) const;
     void       set_tangent();
+
+    /// Internal force and tangent at the trial displacement, and the product of the tangent with a direction if one is given.
+    void linearise(Trial &trial, const Vector *direction, Vector *product);
     void       unbalance(const Vector &external, const Vector &internal, Vector &r) const;
     StepReport finish_or_fail(const StepReport &report, const Trial &trial);
     StepReport newton(Trial &trial);
@@ -116,8 +119,8 @@ namespace fem
 
     Solid<dim>                   &solid;
     NewtonOptions                 options;
+    Matrix                        tangent; // outlives the solver that refers to it
     std::unique_ptr<LinearSolver> linear;
-    Matrix                        tangent;
     bool                          tangent_known = false; // linear problems: the set-up is reused
     double                        tangent_size  = 0;     // largest row sum [N/m]
     Vector                        u, f_int, f_ext, last_step;
