@@ -33,14 +33,14 @@ namespace dem
     const double          open   = opening > 0 ? 1 - u.damage : 1.0;
     const Eigen::Vector3d normal = k.E * (open * n - opening * damage_gain); // d sigma_N / d eps
 
-    const double          trial  = k.G * u.trial_shear.norm(), limit = strength(k, u);
     const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - n * n.transpose();
-    if (trial <= limit)
+    if (!u.slides)
       return n * normal.transpose() + k.G * across;
-    const Eigen::Vector3d t = u.trial_shear.normalized();
-    Eigen::Vector3d       limit_gain = Eigen::Vector3d::Zero();
-    if (limit > 0)
-      limit_gain = -k.cohesion * damage_gain - k.friction * normal;
+    const double trial = k.G * u.trial_shear.norm(), limit = strength(k, u);
+    if (limit == 0) // no strength, no stress, whichever way it slides
+      return n * normal.transpose();
+    const Eigen::Vector3d t          = u.trial_shear.normalized();
+    const Eigen::Vector3d limit_gain = -k.cohesion * damage_gain - k.friction * normal;
     return n * normal.transpose() + t * limit_gain.transpose() +
            limit / trial * k.G * (across - t * t.transpose());
   }

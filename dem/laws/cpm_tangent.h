@@ -13,7 +13,8 @@ namespace dem
     Eigen::Vector3d total_shear   = {0, 0, 0}; ///< eps_T at the end of the update
     Eigen::Vector3d trial_shear   = {0, 0, 0}; ///< eps_T - eps_T^p before the return to the strength
     double          kappa = 0, damage = 0;     ///< at the end of the update
-    bool            grows = false;             ///< damage grew in the update, or is about to
+    bool            grows  = false;            ///< damage grew in the update, or is about to
+    bool            slides = false;            ///< the shear stress was returned to the strength, or is about to be
   };
 
   /**

@@ -38,6 +38,7 @@ namespace dem
     , response(state.size(), CpmResponse<double, 3>{})
     , force(shear)
     , grown(state.size(), 0)
+    , slid(grown)
   {
   }
 
@@ -61,12 +62,14 @@ namespace dem
 
   CpmUpdate DamagingLinks::update_of(const std::size_t i) const
   {
-    return {trial_strain[i], trial_shear[i], unreturned[i], trial[i].kappa, trial[i].damage, trial[i].kappa > reached(i)};
+    return {trial_strain[i], trial_shear[i], unreturned[i], trial[i].kappa, trial[i].damage,
+            trial[i].kappa > reached(i), response[i].slides};
   }
 
   std::vector<Eigen::Matrix3d> DamagingLinks::stiffness(const LinkStiffness kind) const
   {
-    // In equilibrium a damaging link stands exactly on its envelope; which way it will go is for the caller to guess.
+    // In equilibrium a damaging link stands exactly on its envelope, a sliding one at its strength; rounding must not guess which
+    // way they will go.
     constexpr double             on_the_envelope = 1e-9;
     std::vector<Eigen::Matrix3d> result(state.size());
     const std::int64_t           n = static_cast<std::int64_t>(state.size());
@@ -77,6 +80,8 @@ namespace dem
         CpmUpdate          u = update_of(i);
         if (kind == LinkStiffness::onward && grown[i] && trial_strain[i] >= (1 - on_the_envelope) * reached(i))
           u.grows = true;
+        if (kind == LinkStiffness::onward)
+          u.slides = slid[i] != 0;
         result[i] = l.area / l.branch.norm() *
                     (kind == LinkStiffness::secant ? cpm_secant(law, l.direction, u) : cpm_tangent(law, l.direction, u));
       }
@@ -96,6 +101,7 @@ namespace dem
                                       law.dissipated_at(state[i].kappa, state[i].damage));
         if (trial[i].kappa > reached(i))
           grown[i] = 1;
+        slid[i] = response[i].slides;
       }
     state  = trial;
     shear  = trial_shear;
@@ -147,6 +153,7 @@ namespace dem
     visit(visitor, "shear", n, 3, [&](std::size_t i, int c) -> double & { return shear[i][c]; });
     visit(visitor, "strain", n, 1, [&](std::size_t i, int) -> double & { return strain[i]; });
     visitor.column("grown", grown);
+    visitor.column("slid", slid);
     visitor.scalar("lost_by_damage", lost_by_damage);
     visitor.scalar("lost_by_sliding", lost_by_sliding);
   }

@@ -12,7 +12,7 @@ namespace dem
   enum class LinkStiffness
   {
     tangent, ///< consistent with the update
-    onward,  ///< the same, where links that damaged in the step before are taken to go on
+    onward,  ///< the same, where links that damaged or slid in the step before are taken to go on
     secant   ///< positive definite
   };
 
@@ -72,7 +72,7 @@ namespace dem
     std::vector<double>                 strain, trial_strain;
     std::vector<CpmResponse<double, 3>> response;
     std::vector<Eigen::Vector3d>        force;
-    std::vector<std::int32_t>           grown;
+    std::vector<std::int32_t>           grown, slid; ///< in the last committed step, as yes or no
     double                              lost_by_damage = 0, lost_by_sliding = 0;
   };
 } // namespace dem

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
+#include <numeric>
 #include <string>
 
 namespace dem
@@ -45,8 +46,13 @@ namespace dem
 
       double kinetic() const
       {
-        return 0.5 * (mass.particles.cwiseProduct(speed.particles.cwiseAbs2()).sum() +
-                      mass.loads.cwiseProduct(speed.loads.cwiseAbs2()).sum());
+        double twice = 0;
+        for (Eigen::Index i = 0; i < speed.particles.cols(); ++i)
+          for (int c = 0; c < motions; ++c)
+            twice += mass.particles(c, i) * speed.particles(c, i) * speed.particles(c, i);
+        for (int p = 0; p < 6; ++p)
+          twice += mass.loads[p] * speed.loads[p] * speed.loads[p];
+        return 0.5 * twice;
       }
 
     private:
@@ -84,9 +90,11 @@ namespace dem
             mass.particles.col(l.second) += rows.segment<6>(6);
             mass.loads += rows.segment<6>(12);
           }
-        const double mean = mass.particles.mean();
-        mass.particles    = (mass.particles.array() > 0).select(mass.particles, mean);
-        mass.loads        = (mass.loads.array() > 0).select(mass.loads, mean);
+        const double *const first = mass.particles.data();
+        const auto          n     = mass.particles.size();
+        const double        mean  = std::accumulate(first, first + n, 0.0) / static_cast<double>(n);
+        mass.particles = (mass.particles.array() > 0).select(mass.particles, mean);
+        mass.loads     = (mass.loads.array() > 0).select(mass.loads, mean);
         mass.particles.bottomRows<3>() *= scale * scale;
         mass.loads *= load_length * load_length;
       }

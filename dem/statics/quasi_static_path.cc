@@ -87,7 +87,7 @@ namespace dem
 
   const QuasiStaticPoint &QuasiStaticPath::advance()
   {
-    constexpr double smallest = 1.0 / 64, patient_below = 1.0 / 4;
+    constexpr double smallest = 1.0 / 32, patient_below = 1.0 / 16;
     solutions = 0;
     for (; part >= smallest; part /= 2)
       for (const LinkStiffness stiffness : {LinkStiffness::onward, LinkStiffness::secant})
@@ -249,6 +249,7 @@ namespace dem
     QuasiStaticPoint point;
     point.control = how;
     point.damped  = path.back().damped;
+    restore(now); // as a restart would
     complete(point);
     const QuasiStaticPoint &before = path[path.size() - 2];
     path.back().external_work =

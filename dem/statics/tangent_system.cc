@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -59,6 +60,7 @@ namespace dem
       weak_diagonal = undamaged_diagonal();
       lu.umfpackControl()[UMFPACK_ORDERING] = UMFPACK_ORDERING_METIS;
       lu.umfpackControl()[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;
+      lu.umfpackControl()[UMFPACK_IRSTEP]   = 0; // what a solution leaves is in the next residual
       lu.analyzePattern(matrix);
     }
 
@@ -151,8 +153,8 @@ namespace dem
       for (const ElasticLink &l : loaded.network.links)
         stiffness.push_back(l.stiffness);
       assemble(stiffness);
-      Eigen::VectorXd diagonal = matrix.diagonal();
-      const double    mean     = diagonal.mean();
+      const Eigen::VectorXd diagonal = matrix.diagonal();
+      const double    mean = std::accumulate(diagonal.begin(), diagonal.end(), 0.0) / static_cast<double>(count);
       return (diagonal.array() > 1e-12 * mean).select(diagonal, mean);
     }
 
