@@ -1,6 +1,7 @@
 #include "apps/drivers/all.h"
 
 #include "apps/drivers/homogenisation_scene.h"
+#include "apps/drivers/quasi_static_scene.h"
 #include "apps/drivers/uniaxial.h"
 
 namespace apps
@@ -19,6 +20,8 @@ namespace apps
     static const std::vector<SceneKind> kinds = {
       {"homogenisation", "macroscopic stiffness of periodic packings, swept over link parameters",
        make<HomogenisationScene>},
+      {"quasi_static", "a bonded-particle specimen or periodic cell pulled and crushed without inertia",
+       make<QuasiStaticScene>},
       {"uniaxial", "a bonded-particle specimen pulled and crushed", make<UniaxialScene>},
     };
     return kinds;

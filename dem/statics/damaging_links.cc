@@ -123,6 +123,12 @@ namespace dem
     return law.strength_damage(state[i].kappa, state[i].damage);
   }
 
+  double DamagingLinks::damage_work_of(const std::size_t i) const
+  {
+    const ElasticLink &l = loaded->network.links[i];
+    return law.shear_weight == 0 ? l.area * l.branch.norm() * law.dissipated_at(state[i].kappa, state[i].damage) : 0.0;
+  }
+
   double DamagingLinks::mean_damage() const
   {
     double sum = 0;
