@@ -75,10 +75,20 @@ namespace postprocess
       }
   }
 
-  void SeriesWriter::append(const std::vector<double> &values)
+  void SeriesWriter::append(const std::vector<double> &values) { write_row(values, nullptr); }
+
+  void SeriesWriter::append(const std::vector<double> &values, const std::string &word)
   {
-    if (values.size() != column_count)
-      throw std::invalid_argument("SeriesWriter::append: " + std::to_string(values.size()) + " values for " +
+    if (word.find_first_of(",\"\n") != std::string::npos)
+      throw std::invalid_argument("SeriesWriter::append: \"" + word + "\" is not a plain word");
+    write_row(values, &word);
+  }
+
+  void SeriesWriter::write_row(const std::vector<double> &values, const std::string *const word)
+  {
+    const std::size_t given = values.size() + (word ? 1 : 0);
+    if (given != column_count)
+      throw std::invalid_argument("SeriesWriter::append: " + std::to_string(given) + " values for " +
                                   std::to_string(column_count) + " columns");
     for (std::size_t i = 0; i < values.size(); ++i)
       {
@@ -86,6 +96,8 @@ namespace postprocess
           buffer += ',';
         numeric_text::append(buffer, values[i]);
       }
+    if (word)
+      buffer += (values.empty() ? "" : ",") + *word;
     buffer += '\n';
     ++row_count;
     if (std::chrono::steady_clock::now() - last_written > std::chrono::seconds(2))

@@ -38,6 +38,8 @@ namespace postprocess
 
     /** One value per column. @throws std::invalid_argument for another number of values; OutputError (disk full). */
     void append(const std::vector<double> &values);
+    /** The same, a plain word (no comma, no quotes) in the last column. */
+    void append(const std::vector<double> &values, const std::string &word);
 
     /** Bring all rows to the disk; call it before a checkpoint stores rows(). @throws OutputError (disk full). */
     void flush();
@@ -45,6 +47,7 @@ namespace postprocess
     std::int64_t rows() const { return row_count; } ///< appended so far, header not counted
 
   private:
+    void write_row(const std::vector<double> &values, const std::string *word);
     void write_out();
 
     std::size_t                           column_count;

@@ -2,6 +2,7 @@
 
 #include "apps/drivers/continuum.h"
 #include "apps/drivers/homogenisation_scene.h"
+#include "apps/drivers/quasi_static_scene.h"
 #include "apps/drivers/sequential.h"
 #include "apps/drivers/uniaxial.h"
 
@@ -22,6 +23,8 @@ namespace apps
       {"continuum", "a solid of finite elements, static past its peak or explicit", make<ContinuumScene>},
       {"homogenisation", "macroscopic stiffness of periodic packings, swept over link parameters",
        make<HomogenisationScene>},
+      {"quasi_static", "a bonded-particle specimen or periodic cell pulled and crushed without inertia",
+       make<QuasiStaticScene>},
       {"sequential", "an event by particles, handed over to a continuum that carries on", make<SequentialScene>},
       {"uniaxial", "a bonded-particle specimen pulled and crushed", make<UniaxialScene>},
     };

@@ -29,8 +29,23 @@ namespace apps
     return std::move(tiling.packing);
   }
 
+  namespace
+  {
+    dem::Packing make_cell(const SpecimenSection &specimen)
+    {
+      if (specimen.source == SpecimenSection::Source::generator)
+        return compact_with_progress(specimen.generator.parameters()).packing;
+      dem::Packing packing = postprocess::read_packing(specimen.file);
+      if (!packing.periodic_cell)
+        throw dem::InputError(specimen.file + ": the packing is not periodic, and there is no cell without it.");
+      return packing;
+    }
+  } // namespace
+
   dem::Packing make_packing(const SpecimenSection &specimen)
   {
+    if (specimen.body == SpecimenSection::Body::cell)
+      return make_cell(specimen);
     if (specimen.source == SpecimenSection::Source::generator)
       return cropped(compact_with_progress(specimen.generator.parameters()).packing, specimen.box_edges());
     dem::Packing packing = postprocess::read_packing(specimen.file);

@@ -17,9 +17,11 @@ namespace apps
     return asked;
   }
 
-  void SpecimenSection::declare(Section &root, const int &dimension)
+  void SpecimenSection::declare(Section &root, const int &dimension, const Use &use)
   {
     const auto generated = [this] { return source == Source::generator; };
+    const auto boxed     = [this] { return source == Source::generator && body == Body::box; };
+    body                 = use.box ? Body::box : Body::cell;
     const auto read      = [this] { return source == Source::file; };
 
     Section &section = root.section("Specimen", "The particles: where they come from, and what is made of them");
@@ -28,13 +30,18 @@ namespace apps
     section.file("File", file)
       .means("Packing: HDF5, or text with a line \"x y z radius\" [m] per particle; from the scene's folder")
       .only_if(read, "Specimen/Source = file");
-    section.vector("Box size", box, "m", Range::positive(), Need::required)
-      .means("Edges of the specimen: particles that lie wholly inside are kept; a periodic packing is repeated until "
-             "it covers the box. "
-             "May be left out for a file: its particles are then taken as they are")
-      .only_if(generated, "Specimen/Source = generator");
-    section.number("Density", density, "kg/m^3", Range::positive(), Need::required)
-      .means("Of the particles, not of the bulk: bulk density over packing fraction");
+    if (use.box && use.cell)
+      section.choice("Body", body, {{"box", Body::box}, {"cell", Body::cell}}, Need::optional)
+        .means("box: a specimen with ends, gripped; cell: the periodic cell of the packing");
+    if (use.box)
+      section.vector("Box size", box, "m", Range::positive(), Need::required)
+        .means("Edges of the specimen: particles that lie wholly inside are kept; a periodic packing is repeated until "
+               "it covers the box. "
+               "May be left out for a file: its particles are then taken as they are")
+        .only_if(boxed, use.cell ? "Specimen/Source = generator and Specimen/Body = box" : "Specimen/Source = generator");
+    if (use.inertia)
+      section.number("Density", density, "kg/m^3", Range::positive(), Need::required)
+        .means("Of the particles, not of the bulk: bulk density over packing fraction");
     section.number("Interaction ratio", interaction_ratio, "-", Range::between(1, 10), Need::required)
       .means("iota: particles closer than iota times the sum of their radii are linked; a constant of the material "
              "model, about 1.5");
@@ -65,6 +72,8 @@ namespace apps
       return;
     if (dimension == 2)
       section.refuse("Source", "the generator packs spheres, and Physics/Dimension is 2. Read the discs from a file.");
+    if (body == Body::cell)
+      return;
     for (const double edge : box)
       if (edge < 2 * generator.radius)
         section.refuse("Box size",

@@ -30,7 +30,21 @@ namespace apps
       dem::CompactionParameters parameters() const;
     };
 
+    /** What becomes of the particles. */
+    enum class Body
+    {
+      box, ///< a free body with ends, cropped to a box (or as read)
+      cell ///< the periodic cell of the packing
+    };
+
+    /** What a kind of scene can do with them, so which entries there are. */
+    struct Use
+    {
+      bool inertia = true, box = true, cell = false;
+    };
+
     Source                source = Source::generator;
+    Body                  body   = Body::box;
     std::string           file;
     Generator             generator;
     std::array<double, 3> box               = {0, 0, 0}; ///< [m]; all zero: the file's particles as they are
@@ -39,9 +53,10 @@ namespace apps
     double                thickness         = 0; ///< [m], of discs
 
     /** @param dimension chosen in section "Physics"; read only after reading. */
-    void declare(Section &root, const int &dimension);
+    void declare(Section &root, const int &dimension, const Use &use);
+    void declare(Section &root, const int &dimension) { declare(root, dimension, Use()); }
     void validate(const Section &root, int dimension) const;
-    bool has_box() const { return box[0] > 0; }
+    bool has_box() const { return body == Body::box && box[0] > 0; }
     /** The entry as a vector. @pre has_box() */
     Eigen::Vector3d box_edges() const { return {box[0], box[1], box[2]}; }
   };

@@ -1,12 +1,10 @@
 #include "dem/loading/uniaxial.h"
 
 #include "dem/core/errors.h"
-#include "dem/loading/section.h"
+#include "dem/loading/grip_layers.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <sstream>
 
 namespace dem
 {
@@ -31,57 +29,6 @@ namespace dem
       if (!(p.stop_strain > 0))
         refuse("stop strain: must be above 0.");
     }
-
-    /** Where the specimen ends along the axis: extreme surfaces and extreme centres [m]. */
-    struct Ends
-    {
-      double low = std::numeric_limits<double>::infinity(), high = -low, low_centre = low, high_centre = high;
-    };
-
-    Ends find_ends(const ParticleOutput &particles, const int axis)
-    {
-      Ends ends;
-      for (std::size_t i = 0; i < particles.position.size(); ++i)
-        {
-          const double at  = particles.position[i][axis];
-          ends.low         = std::min(ends.low, at - particles.radius[i]);
-          ends.high        = std::max(ends.high, at + particles.radius[i]);
-          ends.low_centre  = std::min(ends.low_centre, at);
-          ends.high_centre = std::max(ends.high_centre, at);
-        }
-      return ends;
-    }
-
-    void check_grips(const UniaxialParameters &p, const Ends &ends)
-    {
-      const auto refuse = [&](const char *finding, const char *remedy) {
-        std::ostringstream message;
-        message << "Loading/Grip thickness = " << p.grip_thickness << " m: " << finding << " The specimen measures "
-                << ends.high - ends.low << " m along the axis, particle centres span "
-                << ends.high_centre - ends.low_centre << " m. " << remedy;
-        throw InputError(message.str());
-      };
-      if (ends.low + p.grip_thickness >= ends.high - p.grip_thickness)
-        refuse("the two grips would meet.", "Use less than half of the specimen.");
-      if (ends.low_centre > ends.low + p.grip_thickness || ends.high_centre < ends.high - p.grip_thickness)
-        refuse("a grip would hold no particle.", "Use more than the radius of the particles at the ends.");
-    }
-
-    double section_between(const Specimen           &body,
-                           const ParticleOutput     &particles,
-                           const UniaxialParameters &p,
-                           const Ends               &ends)
-    {
-      const auto section = [&](const double low, const double high) {
-        return body.parameters().physics.dimension == 3 ?
-                 smallest_section(particles.position, particles.radius, p.axis, low, high) :
-                 smallest_plane_section(particles.position, particles.radius, p.axis, low, high,
-                                        body.parameters().thickness);
-      };
-      const double between = section(ends.low + p.grip_thickness, ends.high - p.grip_thickness);
-      // Two particles apart have nothing between their grips: then it is the section of the particles themselves.
-      return std::isfinite(between) ? between : section(ends.low, ends.high);
-    }
   } // namespace
 
   UniaxialTest::UniaxialTest(Specimen &body, const UniaxialParameters &p)
@@ -89,29 +36,26 @@ namespace dem
     , parameters(p)
     , rate(p.strain_rate)
   {
-    check(p, body.parameters().physics.dimension);
+    const SpecimenParameters &made = body.parameters();
+    check(p, made.physics.dimension);
     const ParticleOutput particles = body.particles();
     const auto          &x         = particles.position;
-    const auto           along     = [&](const std::size_t i) { return x[i][p.axis]; };
-    const Ends           ends      = find_ends(particles, p.axis);
-    length                         = ends.high_centre - ends.low_centre;
-    check_grips(p, ends);
-    area = section_between(body, particles, p, ends);
+    const GripLayers     layers =
+      find_grip_layers({x, particles.radius, made.physics.dimension, made.thickness}, p.axis, p.grip_thickness);
+    length = layers.length;
+    area   = layers.section;
 
     // Every particle starts with the velocity of a uniform strain rate: no shock runs in from the grips.
-    const double middle = 0.5 * (ends.low_centre + ends.high_centre);
     for (std::size_t i = 0; i < x.size(); ++i)
       {
         Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
-        velocity[p.axis]         = p.strain_rate * (along(i) - middle);
+        velocity[p.axis]         = p.strain_rate * (x[i][p.axis] - layers.middle);
         body.set_velocity(i, velocity, Eigen::Vector3d::Zero());
       }
     for (int side = 0; side < 2; ++side)
       {
         Grip grip;
-        for (std::size_t i = 0; i < x.size(); ++i)
-          if (side == 0 ? along(i) <= ends.low + p.grip_thickness : along(i) >= ends.high - p.grip_thickness)
-            grip.particles.push_back(i);
+        grip.particles = side == 0 ? layers.low : layers.high;
         for (int c = 0; c < 3; ++c)
           {
             grip.prescribed[c]     = c == p.axis || p.lateral_blocked;

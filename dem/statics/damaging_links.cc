@@ -1,9 +1,5 @@
 #include "dem/statics/damaging_links.h"
 
-#include "dem/statics/stiffness_operator.h"
-
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 
@@ -13,76 +9,124 @@ namespace dem
   {
     Eigen::Vector3d vector(const Vec<double, 3> &v) { return {v[0], v[1], v[2]}; }
     Vec<double, 3>  vector(const Eigen::Vector3d &v) { return {{v[0], v[1], v[2]}}; }
+
+    /** Write or read a number (three, for a vector) per link. */
+    template <typename Get>
+    void visit(StateVisitor &visitor, const char *name, const std::size_t links, const int numbers, const Get &get)
+    {
+      Column column(links * numbers);
+      for (std::size_t i = 0; i < links; ++i)
+        for (int c = 0; c < numbers; ++c)
+          column[i * numbers + c] = get(i, c);
+      visitor.column(name, column);
+      for (std::size_t i = 0; i < links; ++i)
+        for (int c = 0; c < numbers; ++c)
+          get(i, c) = column.at(i * numbers + c);
+    }
   } // namespace
 
-  Eigen::Vector3d slip_of(const ElasticLink &l, const CellMotion &motion)
-  {
-    const auto            J = motion.particles.col(l.first), K = motion.particles.col(l.second);
-    const Eigen::Vector3d spin = l.arm_first * J.tail<3>() + l.arm_second * K.tail<3>();
-    return K.head<3>() - J.head<3>() + l.direction.cross(spin) + strain_tensor(motion.strain) * l.branch;
-  }
-
-  DamagingLinks::DamagingLinks(const ElasticNetwork &links, const CpmParameters &parameters)
-    : network(&links)
+  DamagingLinks::DamagingLinks(const LoadedNetwork &network, const CpmParameters &parameters)
+    : loaded(&network)
     , law(parameters)
-    , state(links.links.size(), CpmState<double, 3>{})
+    , state(network.network.links.size(), CpmState<double, 3>{})
     , trial(state)
     , shear(state.size(), Eigen::Vector3d::Zero())
     , trial_shear(shear)
+    , unreturned(shear)
     , strain(state.size(), 0.0)
     , trial_strain(strain)
     , response(state.size(), CpmResponse<double, 3>{})
     , force(shear)
-    , secant(state.size(), Eigen::Matrix3d::Zero())
+    , grown(state.size(), 0)
+    , slid(grown)
   {
   }
 
-  void DamagingLinks::evaluate(const CellMotion &motion)
+  void DamagingLinks::evaluate(const LoadedMotion &motion)
   {
     const std::int64_t n = static_cast<std::int64_t>(state.size());
 #pragma omp parallel for schedule(static)
     for (std::int64_t i = 0; i < n; ++i)
       {
-        const ElasticLink    &l      = network->links[i];
-        const double          length = l.branch.norm();
-        const Eigen::Vector3d total  = slip_of(l, motion) / length;
-        trial_strain[i]              = l.direction.dot(total);
-        trial_shear[i]               = total - trial_strain[i] * l.direction;
-        trial[i]                     = state[i];
-        trial[i].elastic_shear = vector(Eigen::Vector3d(vector(state[i].elastic_shear) + trial_shear[i] - shear[i]));
-        const double elastic   = vector(trial[i].elastic_shear).norm() * law.G;
-        response[i]            = Cpm<true, true>::update(law, trial_strain[i], trial_shear[i].squaredNorm(), trial[i]);
-
-        const Eigen::Vector3d shear_stress = vector(response[i].shear_stress);
-        force[i]                           = l.area * (response[i].normal_stress * l.direction + shear_stress);
-
-        // A sliding link keeps a thousandth: the stiffness only steers the iteration, and must not lose the particle.
-        const double          kept = elastic > 0 ? std::max(shear_stress.norm() / elastic, 1e-3) : 1.0;
-        const double          open = trial_strain[i] > 0 ? std::max(1 - trial[i].damage, 1e-6) : 1.0;
-        const Eigen::Matrix3d nn   = l.direction * l.direction.transpose();
-        secant[i] = l.area / length * (open * law.E * nn + kept * law.G * (Eigen::Matrix3d::Identity() - nn));
+        const ElasticLink    &l     = loaded->network.links[i];
+        const Eigen::Vector3d total = slip_of(*loaded, i, motion) / l.branch.norm();
+        trial_strain[i]             = l.direction.dot(total);
+        trial_shear[i]              = total - trial_strain[i] * l.direction;
+        unreturned[i]               = vector(state[i].elastic_shear) + trial_shear[i] - shear[i];
+        trial[i]                    = state[i];
+        trial[i].elastic_shear      = vector(unreturned[i]);
+        response[i] = Cpm<true, true>::update(law, trial_strain[i], trial_shear[i].squaredNorm(), trial[i]);
+        force[i]    = l.area * (response[i].normal_stress * l.direction + vector(response[i].shear_stress));
       }
+  }
+
+  CpmUpdate DamagingLinks::update_of(const std::size_t i) const
+  {
+    return {trial_strain[i], trial_shear[i], unreturned[i], trial[i].kappa, trial[i].damage,
+            trial[i].kappa > reached(i), response[i].slides};
+  }
+
+  std::vector<Eigen::Matrix3d> DamagingLinks::stiffness(const LinkStiffness kind) const
+  {
+    // In equilibrium a damaging link stands exactly on its envelope, a sliding one at its strength; rounding must not guess which
+    // way they will go.
+    constexpr double             on_the_envelope = 1e-9;
+    std::vector<Eigen::Matrix3d> result(state.size());
+    const std::int64_t           n = static_cast<std::int64_t>(state.size());
+#pragma omp parallel for schedule(static)
+    for (std::int64_t i = 0; i < n; ++i)
+      {
+        const ElasticLink &l = loaded->network.links[i];
+        CpmUpdate          u = update_of(i);
+        if (kind == LinkStiffness::onward && grown[i] && trial_strain[i] >= (1 - on_the_envelope) * reached(i))
+          u.grows = true;
+        if (kind == LinkStiffness::onward)
+          u.slides = slid[i] != 0;
+        result[i] = l.area / l.branch.norm() *
+                    (kind == LinkStiffness::secant ? cpm_secant(law, l.direction, u) : cpm_tangent(law, l.direction, u));
+      }
+    return result;
   }
 
   void DamagingLinks::commit()
   {
     for (std::size_t i = 0; i < state.size(); ++i)
       {
-        const ElasticLink &l      = network->links[i];
+        const ElasticLink &l      = loaded->network.links[i];
         const double       volume = l.area * l.branch.norm();
-        lost += volume * (response[i].plastic_work + response[i].damage_work);
+        lost_by_sliding += volume * response[i].plastic_work;
+        lost_by_damage += volume * response[i].damage_work;
         if (law.shear_weight == 0) // then the pass does not sum up what damage takes; the closed form does
-          lost += volume * (law.dissipated_at(trial[i].kappa, trial[i].damage) -
-                            law.dissipated_at(state[i].kappa, state[i].damage));
+          lost_by_damage += volume * (law.dissipated_at(trial[i].kappa, trial[i].damage) -
+                                      law.dissipated_at(state[i].kappa, state[i].damage));
+        if (trial[i].kappa > reached(i))
+          grown[i] = 1;
+        slid[i] = response[i].slides;
       }
     state  = trial;
     shear  = trial_shear;
     strain = trial_strain;
   }
 
-  double DamagingLinks::growth(const std::size_t i) const
+  void DamagingLinks::forget_growth() { std::fill(grown.begin(), grown.end(), 0); }
+
+  double DamagingLinks::largest_growth() const
   {
-    return std::max(trial[i].kappa - std::max(state[i].kappa, law.onset), 0.0);
+    double largest = 0;
+    for (std::size_t i = 0; i < state.size(); ++i)
+      largest = std::max(largest, growth(i));
+    return largest;
+  }
+
+  double DamagingLinks::strength_damage_of(const std::size_t i) const
+  {
+    return law.strength_damage(state[i].kappa, state[i].damage);
+  }
+
+  double DamagingLinks::damage_work_of(const std::size_t i) const
+  {
+    const ElasticLink &l = loaded->network.links[i];
+    return law.shear_weight == 0 ? l.area * l.branch.norm() * law.dissipated_at(state[i].kappa, state[i].damage) : 0.0;
   }
 
   double DamagingLinks::mean_damage() const
@@ -100,9 +144,23 @@ namespace dem
       {
         const double open         = std::max(strain[i], 0.0);
         const double shear_energy = law.G * vector(state[i].elastic_shear).squaredNorm();
-        sum += 0.5 * network->links[i].area * network->links[i].branch.norm() *
+        sum += 0.5 * loaded->network.links[i].area * loaded->network.links[i].branch.norm() *
                (law.E * (strain[i] * strain[i] - state[i].damage * open * open) + shear_energy);
       }
     return sum;
+  }
+
+  void DamagingLinks::visit_state(StateVisitor &visitor)
+  {
+    const std::size_t n = state.size();
+    visit(visitor, "kappa", n, 1, [&](std::size_t i, int) -> double & { return state[i].kappa; });
+    visit(visitor, "damage", n, 1, [&](std::size_t i, int) -> double & { return state[i].damage; });
+    visit(visitor, "elastic_shear", n, 3, [&](std::size_t i, int c) -> double & { return state[i].elastic_shear[c]; });
+    visit(visitor, "shear", n, 3, [&](std::size_t i, int c) -> double & { return shear[i][c]; });
+    visit(visitor, "strain", n, 1, [&](std::size_t i, int) -> double & { return strain[i]; });
+    visitor.column("grown", grown);
+    visitor.column("slid", slid);
+    visitor.scalar("lost_by_damage", lost_by_damage);
+    visitor.scalar("lost_by_sliding", lost_by_sliding);
   }
 } // namespace dem

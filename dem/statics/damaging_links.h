@@ -1,23 +1,20 @@
 #pragma once
 
-#include "dem/laws/cpm.h"
-#include "dem/statics/elastic_network.h"
-
-#include <Eigen/Core>
+#include "dem/laws/cpm_tangent.h"
+#include "dem/state.h"
+#include "dem/statics/loaded_network.h"
 
 #include <vector>
 
 namespace dem
 {
-  /** Small motion of a periodic cell: the macroscopic strain, and what the particles do beyond following it. */
-  struct CellMotion
+  /** Which linearisation steers an iteration. */
+  enum class LinkStiffness
   {
-    Eigen::Matrix<double, 6, Eigen::Dynamic> particles; ///< displacement [m], rotation [-] of each
-    Eigen::Matrix<double, 6, 1>              strain;    ///< engineering shears, order 11 22 33 23 31 12
+    tangent, ///< consistent with the update
+    onward,  ///< the same, where links that damaged or slid in the step before are taken to go on
+    secant   ///< positive definite
   };
-
-  /** Relative displacement of the two ends at the contact point of a link [m]; homogenisation specification 3.1. */
-  Eigen::Vector3d slip_of(const ElasticLink &link, const CellMotion &motion);
 
   /**
    * The links of a network as CPM links at small strain: geometry stays, strains follow from the motion, damage and sliding
@@ -28,36 +25,57 @@ namespace dem
   class DamagingLinks
   {
   public:
-    /** @param network with stiffnesses of the same normal modulus and shear ratio as the law; must outlive this object */
-    DamagingLinks(const ElasticNetwork &network, const CpmParameters &law);
+    /** @param loaded with stiffnesses of the same normal modulus and shear ratio as the law; must outlive this object */
+    DamagingLinks(const LoadedNetwork &loaded, const CpmParameters &law);
 
-    void evaluate(const CellMotion &motion);
+    void evaluate(const LoadedMotion &motion);
     void commit();
 
+    std::size_t size() const { return state.size(); }
     /** Force of each link on its first end, of the trial [N]. */
     const std::vector<Eigen::Vector3d> &forces() const { return force; }
-    /** Secant stiffness of the trial: damaged along open links, and as soft in shear as a sliding link has become. */
-    const std::vector<Eigen::Matrix3d> &secants() const { return secant; }
-    /** Normal strain of each link in the trial [-]. */
-    double normal_strain(const std::size_t link) const { return trial_strain[link]; }
-    /** How much the equivalent strain of a damaging link has grown past its largest so far, in the trial; 0 of others. */
-    double growth(std::size_t link) const;
+    /** Force per slip of each link, of the trial [N/m]. */
+    std::vector<Eigen::Matrix3d> stiffness(LinkStiffness kind) const;
 
-    double mean_damage() const; ///< committed
-    /** Energy lost to damage and sliding in committed steps [J]. */
-    double dissipated() const { return lost; }
-    /** Energy stored in the links, committed [J]. */
-    double stored() const;
+    /** Normal strain of a link in the trial [-]. */
+    double normal_strain(const std::size_t link) const { return trial_strain[link]; }
+    /** Strain that a link must exceed to damage further: the largest of committed steps, not below the onset [-]. */
+    double reached(const std::size_t link) const { return std::max(state[link].kappa, law.onset); }
+    /** How much that strain has grown in the trial, over itself [-]. */
+    double growth(const std::size_t link) const
+    {
+      return std::max(trial[link].kappa - reached(link), 0.0) / reached(link);
+    }
+    double largest_growth() const;
+    /** Whether it damaged in the last committed step (or in those since forget_growth()). */
+    bool grew(const std::size_t link) const { return grown[link] != 0; }
+    void forget_growth();
+
+    double damage_of(const std::size_t link) const { return state[link].damage; }          ///< committed
+    double strength_damage_of(std::size_t link) const;                                      ///< committed
+    double damage_work_of(std::size_t link) const; ///< energy lost to its damage, committed; 0 where shear damages [J]
+    /** It has met the break test: a specimen in motion would have deleted it. */
+    bool is_exhausted(const std::size_t link) const { return state[link].kappa > law.kappa_broken; }
+    double mean_damage() const;                                                             ///< committed
+    double damage_work() const { return lost_by_damage; }  ///< energy lost to damage in committed steps [J]
+    double sliding_work() const { return lost_by_sliding; } ///< energy lost to sliding in committed steps [J]
+    double stored() const;                                  ///< energy stored in the links, committed [J]
+
+    /** Committed state; call evaluate() after reading. */
+    void visit_state(StateVisitor &visitor);
 
   private:
-    const ElasticNetwork               *network;
+    CpmUpdate update_of(std::size_t link) const;
+
+    const LoadedNetwork                *loaded;
     CpmConstants                        law;
     std::vector<CpmState<double, 3>>    state, trial;
     std::vector<Eigen::Vector3d>        shear, trial_shear; ///< total shear strain
+    std::vector<Eigen::Vector3d>        unreturned;         ///< elastic shear strain of the trial before it slides
     std::vector<double>                 strain, trial_strain;
     std::vector<CpmResponse<double, 3>> response;
     std::vector<Eigen::Vector3d>        force;
-    std::vector<Eigen::Matrix3d>        secant;
-    double                              lost = 0;
+    std::vector<std::int32_t>           grown, slid; ///< in the last committed step, as yes or no
+    double                              lost_by_damage = 0, lost_by_sliding = 0;
   };
 } // namespace dem

@@ -3,6 +3,7 @@
 #include "dem/core/simd.h"
 #include "dem/core/vector.h"
 #include "dem/particles.h"
+#include "dem/statics/loaded_network.h"
 
 #include <Eigen/Geometry>
 
@@ -50,14 +51,6 @@ namespace dem
                  half_zx * l[0] + half_yz * l[1] + zz * l[2]}};
       }
     };
-
-    double mean_arm(const ElasticNetwork &network)
-    {
-      double sum = 0;
-      for (const ElasticLink &link : network.links)
-        sum += 0.5 * (link.arm_first + link.arm_second);
-      return network.links.empty() ? 1.0 : sum / static_cast<double>(network.links.size());
-    }
 
     Eigen::Matrix3d cross_matrix(const Eigen::Vector3d &v)
     {

@@ -1,0 +1,117 @@
+#include "apps/drivers/quasi_static_report.h"
+
+#include "apps/progress.h"
+#include "apps/version.h"
+#include "postprocess/plot.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <omp.h>
+
+#include <algorithm>
+
+namespace apps
+{
+  namespace
+  {
+    nlohmann::json quantity(const double value, const char *unit) { return {{"value", value}, {"unit", unit}}; }
+
+    nlohmann::json energy_of(const QuasiStaticResult &r)
+    {
+      return {{"unit", "J"},
+              {"external_work", r.last.external_work},
+              {"stored", r.last.stored},
+              {"damage", r.last.damage},
+              {"friction", r.last.friction},
+              {"damped", r.last.damped},
+              {"residual", r.last.energy_residual()},
+              {"balance_error", r.worst_balance_error}};
+    }
+
+    nlohmann::json details_of(const QuasiStaticResult &r)
+    {
+      return {{"name", name_of(r.load)},
+              {"young_modulus", quantity(r.young_modulus, "Pa")},
+              {"strength", quantity(r.strength, "Pa")},
+              {"strain_at_peak", quantity(r.strain_at_peak, "-")},
+              {"peak_passed", r.peak_passed},
+              {"points", {{"strain", r.strain_points}, {"opening", r.opening_points}, {"relaxed", r.relaxed_points}}},
+              {"solutions", r.solutions},
+              {"relaxation_steps", r.relaxation_steps},
+              {"energy", energy_of(r)}};
+    }
+  } // namespace
+
+  nlohmann::json QuasiStaticReport::summary() const
+  {
+    nlohmann::json figures;
+    double         strength[2] = {0, 0};
+    double         worst       = 0;
+    std::int64_t   solutions   = 0;
+    for (const QuasiStaticResult &r : results)
+      {
+        const bool pulls = r.load == UniaxialLoad::tension;
+        if (pulls || !figures.contains("young_modulus"))
+          figures["young_modulus"] = quantity(r.young_modulus, "Pa");
+        figures[pulls ? "tensile_strength" : "compressive_strength"]             = quantity(r.strength, "Pa");
+        figures[pulls ? "strain_at_tensile_peak" : "strain_at_compressive_peak"] = quantity(r.strain_at_peak, "-");
+        strength[pulls ? 0 : 1]                                                  = r.strength;
+        worst = std::max(worst, r.worst_balance_error);
+        solutions += r.solutions;
+      }
+    if (strength[0] > 0 && strength[1] > 0)
+      figures["strength_ratio"] = quantity(strength[1] / strength[0], "-");
+
+    nlohmann::json summary;
+    summary["scene"]   = request.scene_file;
+    summary["asked"]   = {{"kind", "quasi_static"}, {"overrides", request.overrides}};
+    summary["version"] = version();
+    summary["figures"] = figures;
+    summary["cost"]    = {{"particles", particles},
+                          {"links", links},
+                          {"solutions", solutions},
+                          {"threads", omp_get_max_threads()},
+                          {"wall_seconds", wall_seconds}};
+    summary["energy"]  = {{"balance_error", worst}};
+    for (const QuasiStaticResult &r : results)
+      summary["tests"].push_back(details_of(r));
+    return summary;
+  }
+
+  std::string QuasiStaticReport::draw_curve(const std::filesystem::path &file) const
+  {
+    std::vector<postprocess::PlotPanel> panels;
+    for (const QuasiStaticResult &r : results)
+      {
+        const double                   sign = r.load == UniaxialLoad::tension ? 1 : -1;
+        postprocess::StressStrainCurve curve{name_of(r.load), {0}, {0}};
+        for (std::size_t i = 0; i < r.strain.size(); ++i)
+          {
+            curve.strain.push_back(sign * r.strain[i]);
+            curve.stress.push_back(sign * r.stress[i]);
+          }
+        panels.push_back(postprocess::stress_strain_panel(name_of(r.load), {curve}));
+      }
+    return postprocess::plot(file, panels);
+  }
+
+  std::string QuasiStaticReport::text() const
+  {
+    std::string text;
+    double      worst = 0;
+    for (const QuasiStaticResult &r : results)
+      {
+        text += fmt::format("{:<12} strength {:.3f} MPa at strain {:.3e}, E {:.2f} GPa{}\n", name_of(r.load),
+                            1e-6 * r.strength, r.strain_at_peak, 1e-9 * r.young_modulus,
+                            r.peak_passed ? "" : " (no peak: the stress still grows)");
+        text += fmt::format("{:<12} {} points led by strain, {} by opening, {} relaxed (cascades)\n", "",
+                            r.strain_points, r.opening_points, r.relaxed_points);
+        worst = std::max(worst, r.worst_balance_error);
+      }
+    text += fmt::format("energy       balance error {:.1e} at worst\n", worst);
+    text += fmt::format("cost         {} with {} threads\n", duration_text(wall_seconds), omp_get_max_threads());
+    text += fmt::format("results      {}: summary.json, series.csv, curve.png\n", request.output_folder.string());
+    return text;
+  }
+} // namespace apps

@@ -1,0 +1,165 @@
+#include "apps/drivers/quasi_static_run.h"
+
+#include "apps/drivers/quasi_static_report.h"
+#include "apps/drivers/specimen_packing.h"
+#include "apps/exit_status.h"
+#include "apps/interrupt.h"
+#include "apps/progress.h"
+#include "postprocess/atomic_file.h"
+#include "postprocess/checkpoint.h"
+#include "postprocess/packing_io.h"
+#include "postprocess/summary.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace apps
+{
+  namespace
+  {
+    constexpr const char *packing_name = "packing.h5";
+    constexpr const char *series_name  = "series.csv";
+
+    void warn(const char *what, const std::string &problem)
+    {
+      if (!problem.empty())
+        fmt::print(stderr, "breccia: warning: no {}: {}\n", what, problem);
+    }
+  } // namespace
+
+  QuasiStaticRun::QuasiStaticRun(const RunRequest &asked, const QuasiStaticModel &what)
+    : request(asked)
+    , model(what)
+    , start(Clock::now())
+    , last_saved(start)
+  {
+  }
+
+  double QuasiStaticRun::wall_seconds() const
+  {
+    return seconds_before + std::chrono::duration<double>(Clock::now() - start).count();
+  }
+
+  int QuasiStaticRun::execute()
+  {
+    if (request.resume)
+      resume();
+    else
+      begin();
+    fmt::print(stderr, "{}: {} particles, {} links; results {} in {}\n", request.scene_file, stage->particles_in(),
+               stage->links_in(), request.resume ? "go on" : "grow", folder->running().string());
+    while (true)
+      {
+        if (!complete_stage())
+          return exit_interrupted;
+        finished.push_back(stage->result);
+        if (finished.size() == model.tests.size())
+          break;
+        stage = std::make_unique<QuasiStaticStage>(model, packing, finished.size());
+        stage->open(folder->running());
+      }
+    finish();
+    return exit_success;
+  }
+
+  void QuasiStaticRun::begin()
+  {
+    // All refusals come before the folder is touched.
+    packing = make_packing(model.source);
+    stage   = std::make_unique<QuasiStaticStage>(model, packing, 0);
+
+    folder              = std::make_unique<ResultFolder>(request.output_folder, ResultFolder::Start::afresh);
+    const auto location = folder->running();
+    postprocess::write_text(location / "scene.prm", request.scene_text);
+    postprocess::write_packing(packing, location / packing_name);
+    series = std::make_unique<postprocess::SeriesWriter>(location / series_name, QuasiStaticStage::series_columns());
+    stage->open(location);
+  }
+
+  void QuasiStaticRun::resume()
+  {
+    folder              = std::make_unique<ResultFolder>(request.output_folder, ResultFolder::Start::resume);
+    const auto location = folder->running();
+
+    postprocess::CheckpointReader checkpoint(location / checkpoint_name, request.deciding_text);
+    std::int64_t                  tests = 0, rows = 0;
+    checkpoint.group("run");
+    checkpoint.scalar("finished_tests", tests);
+    checkpoint.scalar("series_rows", rows);
+    checkpoint.scalar("wall_seconds", seconds_before);
+    for (std::int64_t i = 0; i < tests; ++i)
+      {
+        finished.emplace_back();
+        finished.back().load = model.tests.at(static_cast<std::size_t>(i));
+        checkpoint.group(std::string("result_") + name_of(finished.back().load));
+        finished.back().visit_state(checkpoint);
+      }
+    packing = postprocess::read_packing(location / packing_name);
+    stage   = std::make_unique<QuasiStaticStage>(model, packing, finished.size());
+    stage->open(location);
+    stage->visit_state(checkpoint);
+    checkpoint.group("result_under_way");
+    stage->result.visit_state(checkpoint);
+    checkpoint.finish();
+    series =
+      std::make_unique<postprocess::SeriesWriter>(location / series_name, QuasiStaticStage::series_columns(), rows);
+  }
+
+  void QuasiStaticRun::save()
+  {
+    series->flush();
+    postprocess::CheckpointWriter checkpoint(folder->running() / checkpoint_name, request.deciding_text);
+    std::int64_t                  tests = static_cast<std::int64_t>(finished.size()), rows = series->rows();
+    double                        seconds = wall_seconds();
+    checkpoint.group("run");
+    checkpoint.scalar("finished_tests", tests);
+    checkpoint.scalar("series_rows", rows);
+    checkpoint.scalar("wall_seconds", seconds);
+    for (QuasiStaticResult &result : finished)
+      {
+        checkpoint.group(std::string("result_") + name_of(result.load));
+        result.visit_state(checkpoint);
+      }
+    stage->visit_state(checkpoint);
+    checkpoint.group("result_under_way");
+    stage->result.visit_state(checkpoint);
+    checkpoint.commit();
+    last_saved = Clock::now();
+  }
+
+  bool QuasiStaticRun::complete_stage()
+  {
+    const char *name = name_of(stage->result.load);
+    Progress    progress(name);
+    while (!stage->finished())
+      {
+        stage->advance();
+        stage->append_row(*series);
+        progress.update(stage->done(), stage->details());
+        if (interrupted())
+          {
+            save();
+            progress.clear();
+            fmt::print(stderr, "breccia: interrupted in {}, state saved. Go on with: breccia run {} --resume\n", name,
+                       (folder->running() / "scene.prm").string());
+            return false;
+          }
+        if (std::chrono::duration<double>(Clock::now() - last_saved).count() > model.checkpoint_interval)
+          save();
+      }
+    stage->finish();
+    progress.clear();
+    warn("crack picture", stage->draw_crack(folder->running()));
+    return true;
+  }
+
+  void QuasiStaticRun::finish()
+  {
+    series->flush();
+    const QuasiStaticReport report{request, model, finished, stage->particles_in(), stage->links_in(), wall_seconds()};
+    postprocess::write_json(folder->running() / "summary.json", report.summary());
+    warn("curve.png", report.draw_curve(folder->running() / "curve.png"));
+    folder->publish();
+    fmt::print("{}", report.text());
+  }
+} // namespace apps

@@ -1,0 +1,153 @@
+#include "apps/drivers/quasi_static_scene.h"
+
+#include "apps/drivers/quasi_static_run.h"
+#include "apps/drivers/specimen_packing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace apps
+{
+  dem::QuasiStaticParameters QuasiStaticModel::steps(const UniaxialLoad load) const
+  {
+    const Test                &test = load == UniaxialLoad::tension ? tension : compression;
+    dem::QuasiStaticParameters p;
+    p.sign               = load == UniaxialLoad::tension ? 1 : -1;
+    p.strain_step        = test.strain_step;
+    p.end_strain         = test.stop_strain;
+    p.end_stress         = test.stop_fraction;
+    p.growth_step        = growth_step;
+    p.tolerance          = tolerance;
+    p.relaxation.damping = damping;
+    return p;
+  }
+
+  dem::LoadedNetwork QuasiStaticModel::load(const dem::Packing &packing) const
+  {
+    dem::NetworkParameters links;
+    links.dimension         = dimension;
+    links.rotations         = rotations;
+    links.interaction_ratio = source.interaction_ratio;
+    links.normal_modulus    = law.normal_modulus;
+    links.shear_ratio       = law.shear_ratio;
+    links.thickness         = source.thickness;
+    if (is_cell())
+      return dem::load_cell(dem::make_network(packing, links), axis, !lateral_blocked);
+    dem::GripPair grips;
+    grips.axis            = axis;
+    grips.lateral_blocked = lateral_blocked;
+    grips.spin_blocked    = spin_blocked;
+    dem::check_packing(packing, "packing");
+    grips.layers =
+      dem::find_grip_layers({packing.centre, packing.radius, dimension, source.thickness}, axis, grip_thickness);
+    dem::Packing free = packing;
+    free.periodic_cell.reset();
+    return dem::load_grips(dem::make_network(free, links), grips);
+  }
+
+  void QuasiStaticScene::declare(Section &root)
+  {
+    SpecimenSection::Use use;
+    use.inertia = false;
+    use.cell    = true;
+    asked.source.declare(root, asked.dimension, use);
+    material.declare(root);
+
+    Section &physics = root.section("Physics", "What is modelled");
+    physics.choice("Dimension", asked.dimension, {{"2", 2}, {"3", 3}}, Need::optional)
+      .means("3: spheres in space; 2: discs in the plane z = 0");
+    physics.flag("Rotations", asked.rotations).means("Particles spin; off: they only translate");
+
+    declare_loading(root);
+
+    Section &solver = root.section("Solver", "How the equilibrium path is followed");
+    solver.number("Growth step", asked.growth_step, "-", Range::between(1e-4, 1), Need::optional)
+      .means("Largest growth of any link's damaging strain in a step, over itself; it controls the steps where damage is fast");
+    solver.number("Tolerance", asked.tolerance, "-", Range::between(1e-13, 1e-2), Need::optional)
+      .means("Unbalanced force over link forces, both as root of the sum of squares");
+    solver.number("Damping", asked.damping, "-", Range::from_up_to(0.01, 1), Need::optional)
+      .means("Local (Cundall) damping where cracks run away and dynamics looks for the next equilibrium");
+
+    Section &output = root.section("Output", "How often results are written");
+    output.integer("Points per snapshot", asked.snapshot_interval, "", Range::between(0, 1e6), Need::optional)
+      .means("Points of the path from one pair of ParaView files to the next; 0: none at all");
+    output.number("Checkpoint interval", asked.checkpoint_interval, "s", Range::positive(), Need::optional)
+      .means("Wall-clock time between checkpoints: what an accident can cost at most")
+      .housekeeping();
+  }
+
+  void QuasiStaticScene::declare_loading(Section &root)
+  {
+    const auto gripped = [this] { return !asked.is_cell(); };
+    Section   &section = root.section("Loading", "Uniaxial loading without inertia, each test from the undamaged state");
+    section
+      .choices("Tests", asked.tests, {{"tension", UniaxialLoad::tension}, {"compression", UniaxialLoad::compression}},
+               Need::optional)
+      .means("Tests to make, in this order");
+    section.choice("Axis", asked.axis, {{"x", 0}, {"y", 1}, {"z", 2}}, Need::optional).means("Direction of loading");
+    section.number("Grip thickness", asked.grip_thickness, "m", Range::positive(), Need::required)
+      .means("Particles whose centre is within this of the specimen's ends are gripped: more than their radius; 2.2 radii hold "
+             "about one layer")
+      .only_if(gripped, "Specimen/Body = box");
+    section.flag("Lateral motion blocked", asked.lateral_blocked)
+      .means("A specimen's grips hold their particles sideways, as rough platens do; of a cell all other strains are zero");
+    section.flag("Grip rotation blocked", asked.spin_blocked)
+      .means("Grips keep their particles from spinning")
+      .only_if(gripped, "Specimen/Body = box");
+    declare_test(section, UniaxialLoad::tension);
+    declare_test(section, UniaxialLoad::compression);
+  }
+
+  void QuasiStaticScene::declare_test(Section &loading, const UniaxialLoad load)
+  {
+    const bool              pulls = load == UniaxialLoad::tension;
+    QuasiStaticModel::Test &test  = pulls ? asked.tension : asked.compression;
+    Section                &section =
+      loading.section(pulls ? "Tension" : "Compression", pulls ? "The specimen is stretched" : "The specimen is shortened");
+    section.only_if(
+      [this, load] { return std::find(asked.tests.begin(), asked.tests.end(), load) != asked.tests.end(); },
+      std::string("Loading/Tests has ") + name_of(load));
+    section.number("Strain step", test.strain_step, "-", {std::numeric_limits<double>::min(), 1.0, true}, Need::optional)
+      .means("Largest step of the strain; halve it to see what it decides (the energy balance errs by its square)");
+    section.number("Stop fraction", test.stop_fraction, "-", Range::from_up_to(0, 1), Need::optional)
+      .means("The test ends when the stress has fallen to this part of its peak");
+    section
+      .number("Stop strain", test.stop_strain, "-", {std::numeric_limits<double>::min(), 1.0, true}, Need::optional)
+      .means("The test ends at this strain at the latest");
+  }
+
+  void QuasiStaticScene::validate(const Section &root) const
+  {
+    asked.source.validate(root, asked.dimension);
+    material.validate();
+    const Section &loading = *root.find_section("Loading");
+    if (asked.dimension == 2 && asked.axis == 2)
+      loading.refuse("Axis", "in two dimensions the specimen lies in the plane z = 0. Load it along x or y.");
+    for (const UniaxialLoad load : asked.tests)
+      if (const auto steps = asked.steps(load); steps.end_strain < steps.strain_step)
+        loading.find_section(load == UniaxialLoad::tension ? "Tension" : "Compression")
+          ->refuse("Stop strain", "must not be below the strain step.");
+  }
+
+  std::string QuasiStaticScene::forecast() const
+  {
+    QuasiStaticModel model = asked;
+    model.law              = material.cpm;
+    const auto  loaded     = model.load(make_packing(model.source));
+    std::string text;
+    text += fmt::format("  particles    {}\n", loaded.network.particles());
+    text += fmt::format("  links        {}\n", loaded.network.links.size());
+    for (const UniaxialLoad load : model.tests)
+      text += fmt::format("  {:<12} at least {:.0f} points to its stop strain\n", name_of(load),
+                          model.steps(load).end_strain / model.steps(load).strain_step);
+    return text;
+  }
+
+  int QuasiStaticScene::run(const RunRequest &request) const
+  {
+    QuasiStaticModel model = asked;
+    model.law              = material.cpm;
+    return QuasiStaticRun(request, model).execute();
+  }
+} // namespace apps

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "apps/scene/loading_section.h"
+#include "apps/scene/material_section.h"
+#include "apps/scene/scene.h"
+#include "apps/scene/specimen_section.h"
+#include "dem/statics/quasi_static_path.h"
+
+namespace apps
+{
+  /** Everything that a quasi-static run computes from. */
+  struct QuasiStaticModel
+  {
+    struct Test
+    {
+      double strain_step = 0, stop_fraction = 0, stop_strain = 0;
+    };
+
+    SpecimenSection           source;
+    int                       dimension = 3;
+    bool                      rotations = true;
+    dem::CpmParameters        law;
+    std::vector<UniaxialLoad> tests = {UniaxialLoad::tension, UniaxialLoad::compression};
+    int                       axis  = 2;
+    double                    grip_thickness  = 0; ///< of a specimen with ends
+    bool                      lateral_blocked = false, spin_blocked = false;
+    Test                      tension{1e-5, 0.2, 1e-3}, compression{5e-5, 0.7, 5e-3};
+    double                    growth_step = 0.2, tolerance = 1e-7, damping = 0.7;
+    std::int64_t              snapshot_interval = 0;
+    double                    checkpoint_interval = 60;
+
+    bool                       is_cell() const { return source.body == SpecimenSection::Body::cell; }
+    dem::QuasiStaticParameters steps(UniaxialLoad load) const;
+    /** @throws dem::InputError when the packing has no grips, or no links */
+    dem::LoadedNetwork load(const dem::Packing &packing) const;
+  };
+
+  /**
+   * Scene kind "quasi_static": a bonded-particle specimen between grips, or a periodic cell, led along its equilibrium path
+   * without inertia (homogenisation specification 3.4).
+   */
+  class QuasiStaticScene : public Scene
+  {
+  public:
+    void        declare(Section &root) override;
+    void        validate(const Section &root) const override;
+    std::string forecast() const override;
+    int         run(const RunRequest &request) const override;
+
+  private:
+    void declare_loading(Section &root);
+    void declare_test(Section &loading, UniaxialLoad load);
+
+    QuasiStaticModel asked;
+    MaterialSection  material;
+  };
+} // namespace apps

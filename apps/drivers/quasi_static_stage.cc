@@ -1,0 +1,156 @@
+#include "apps/drivers/quasi_static_stage.h"
+
+#include "dem/statics/path_output.h"
+#include "postprocess/specimen_picture.h"
+#include "postprocess/vtk_links.h"
+#include "postprocess/vtk_particles.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace apps
+{
+  void QuasiStaticResult::add(const dem::QuasiStaticPoint &point, const int led)
+  {
+    const double e = point.strain[led], s = point.stress[led], sign = load == UniaxialLoad::tension ? 1 : -1;
+    if (strain.empty())
+      young_modulus = s / e;
+    if (sign * s > strength)
+      {
+        strength       = sign * s;
+        strain_at_peak = sign * e;
+      }
+    peak_passed         = sign * s < strength;
+    worst_balance_error = std::max(worst_balance_error, point.balance_error());
+    strain_points += point.control == dem::StepControl::strain;
+    opening_points += point.control == dem::StepControl::opening;
+    relaxed_points += point.control == dem::StepControl::relaxed;
+    solutions += point.iterations;
+    relaxation_steps += point.relaxation_steps;
+    last = point;
+    strain.push_back(e);
+    stress.push_back(s);
+  }
+
+  void QuasiStaticResult::visit_state(dem::StateVisitor &visitor)
+  {
+    std::int64_t passed = peak_passed;
+    visitor.scalar("peak_passed", passed);
+    peak_passed = passed != 0;
+    for (const auto &[name, value] : std::initializer_list<std::pair<const char *, double *>>{
+           {"young_modulus", &young_modulus},
+           {"strength", &strength},
+           {"strain_at_peak", &strain_at_peak},
+           {"worst_balance_error", &worst_balance_error},
+           {"external_work", &last.external_work},
+           {"stored", &last.stored},
+           {"damage", &last.damage},
+           {"friction", &last.friction},
+           {"damped", &last.damped},
+           {"mean_damage", &last.mean_damage}})
+      visitor.scalar(name, *value);
+    for (const auto &[name, value] :
+         std::initializer_list<std::pair<const char *, std::int64_t *>>{{"strain_points", &strain_points},
+                                                                        {"opening_points", &opening_points},
+                                                                        {"relaxed_points", &relaxed_points},
+                                                                        {"solutions", &solutions},
+                                                                        {"relaxation_steps", &relaxation_steps}})
+      visitor.scalar(name, *value);
+    visitor.column("strain", strain);
+    visitor.column("stress", stress);
+  }
+
+  QuasiStaticStage::QuasiStaticStage(const QuasiStaticModel &model, const dem::Packing &packing, const std::size_t which)
+    : name(name_of(model.tests[which]))
+    , number(which)
+    , axis(model.axis)
+    , end_strain(model.steps(model.tests[which]).end_strain)
+    , snapshot_interval(model.snapshot_interval)
+    , radius(packing.radius)
+    , loaded(model.load(packing))
+    , path(loaded, model.law, model.steps(model.tests[which]))
+  {
+    result.load = model.tests[which];
+  }
+
+  void QuasiStaticStage::open(const std::filesystem::path &folder)
+  {
+    if (snapshot_interval == 0)
+      return;
+    particles.emplace(folder, name + "_particles");
+    links.emplace(folder, name + "_links");
+  }
+
+  void QuasiStaticStage::advance()
+  {
+    if (path.points().size() == 1 && particles)
+      snapshot();
+    result.add(path.advance(), loaded.led);
+    if (particles && static_cast<std::int64_t>(path.points().size() - 1) % snapshot_interval == 0)
+      snapshot();
+  }
+
+  std::vector<postprocess::SeriesColumn> QuasiStaticStage::series_columns()
+  {
+    return {{"test", ""},         {"point", ""},         {"strain", "-"},          {"stress", "Pa"},
+            {"mean_damage", "-"}, {"strain_xx", "-"},    {"strain_yy", "-"},       {"strain_zz", "-"},
+            {"energy_work", "J"}, {"energy_stored", "J"}, {"energy_damage", "J"},  {"energy_friction", "J"},
+            {"energy_damped", "J"}, {"energy_residual", "J"}, {"unbalanced", "-"}, {"solutions", ""},
+            {"relaxation_steps", ""}, {"control", ""}};
+  }
+
+  void QuasiStaticStage::append_row(postprocess::SeriesWriter &series) const
+  {
+    const dem::QuasiStaticPoint &p = path.points().back();
+    Eigen::Vector3d              strains = p.strain.head<3>();
+    if (loaded.network.volume == 0) // between grips only the strain along the axis is known
+      {
+        strains.setConstant(std::nan(""));
+        strains[axis] = p.strain[loaded.led];
+      }
+    series.append({static_cast<double>(number + 1), static_cast<double>(path.points().size() - 1), p.strain[loaded.led],
+                   p.stress[loaded.led], p.mean_damage, strains[0], strains[1], strains[2], p.external_work, p.stored,
+                   p.damage, p.friction, p.damped, p.energy_residual(), p.residual, static_cast<double>(p.iterations),
+                   static_cast<double>(p.relaxation_steps)},
+                  dem::name_of(p.control));
+  }
+
+  void QuasiStaticStage::snapshot()
+  {
+    // ParaView's time is the number of the point: strain may fall.
+    const auto                at    = static_cast<double>(path.points().size() - 1);
+    const dem::ParticleOutput state = dem::particles_of(loaded, path, radius);
+    postprocess::write_vtk_particles(particles->next(), state, at);
+    particles->add(at);
+    postprocess::write_vtk_links(links->next(), dem::links_of(loaded, path), state, at);
+    links->add(at);
+  }
+
+  void QuasiStaticStage::finish()
+  {
+    if (particles && static_cast<std::int64_t>(path.points().size() - 1) % snapshot_interval != 0)
+      snapshot();
+  }
+
+  std::string QuasiStaticStage::draw_crack(const std::filesystem::path &folder) const
+  {
+    postprocess::PictureSlab slab;
+    slab.axis = axis == 2 ? 1 : 2; // seen across the load
+    return postprocess::picture_of_specimen(folder / (name + "_crack.png"), dem::particles_of(loaded, path, radius),
+                                            dem::links_of(loaded, path), "after " + name, slab);
+  }
+
+  double QuasiStaticStage::done() const
+  {
+    return std::min(1.0, std::fabs(path.points().back().strain[loaded.led]) / end_strain);
+  }
+
+  std::string QuasiStaticStage::details() const
+  {
+    const dem::QuasiStaticPoint &p = path.points().back();
+    return fmt::format("point {}, strain {:.2e}, stress {:.3g} MPa, {}", path.points().size() - 1, p.strain[loaded.led],
+                       1e-6 * p.stress[loaded.led], dem::name_of(p.control));
+  }
+} // namespace apps

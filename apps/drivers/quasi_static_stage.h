@@ -1,0 +1,88 @@
+#pragma once
+
+#include "apps/drivers/quasi_static_scene.h"
+#include "postprocess/pvd.h"
+#include "postprocess/series.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace apps
+{
+  /** What one quasi-static test found and what it took. */
+  struct QuasiStaticResult
+  {
+    UniaxialLoad          load          = UniaxialLoad::tension;
+    double                young_modulus = 0; ///< of the first point, which is elastic [Pa]
+    double                strength = 0, strain_at_peak = 0; ///< magnitudes [Pa], [-]
+    bool                  peak_passed         = false;
+    double                worst_balance_error = 0;
+    std::int64_t          strain_points = 0, opening_points = 0, relaxed_points = 0; ///< by what controlled them
+    std::int64_t          solutions = 0, relaxation_steps = 0;
+    dem::QuasiStaticPoint last;
+    dem::Column           strain, stress; ///< the curve, tension positive
+
+    /** The next point. @param led number of the load parameter that is led */
+    void add(const dem::QuasiStaticPoint &point, int led);
+    /** Everything that a resumed run must still know of this test; of the last point its energies. */
+    void visit_state(dem::StateVisitor &visitor);
+  };
+
+  /** One quasi-static test of a run: its path, its rows of the series and its snapshots. */
+  class QuasiStaticStage
+  {
+  public:
+    /** Writes nothing. @param number of the test in the scene's list, from 0. @throws dem::InputError. */
+    QuasiStaticStage(const QuasiStaticModel &model, const dem::Packing &packing, std::size_t number);
+    QuasiStaticStage(const QuasiStaticStage &)            = delete;
+    QuasiStaticStage &operator=(const QuasiStaticStage &) = delete;
+
+    /** From now on snapshots go to this folder. @throws postprocess::OutputError. */
+    void open(const std::filesystem::path &folder);
+    /** One point further, and a snapshot when one is due. */
+    void advance();
+    void append_row(postprocess::SeriesWriter &series) const; ///< of the last point
+    bool finished() const { return path.finished(); }
+    void finish(); ///< last snapshot
+    /** TEST_crack.png of the present state. @return what went wrong, "" if nothing. */
+    std::string draw_crack(const std::filesystem::path &folder) const;
+
+    double      done() const;
+    std::string details() const;
+    std::size_t particles_in() const { return loaded.network.particles(); }
+    std::size_t links_in() const { return loaded.network.links.size(); }
+
+    /** @tparam Checkpoint postprocess::CheckpointWriter or CheckpointReader */
+    template <typename Checkpoint>
+    void visit_state(Checkpoint &checkpoint)
+    {
+      checkpoint.group("path");
+      path.visit_state(checkpoint);
+      checkpoint.group("particle_snapshots");
+      if (particles)
+        particles->visit_state(checkpoint);
+      checkpoint.group("link_snapshots");
+      if (links)
+        links->visit_state(checkpoint);
+    }
+
+    QuasiStaticResult result;
+
+    static std::vector<postprocess::SeriesColumn> series_columns();
+
+  private:
+    void snapshot();
+
+    std::string                               name;
+    std::size_t                               number;
+    int                                       axis;
+    double                                    end_strain;
+    std::int64_t                              snapshot_interval;
+    std::vector<double>                       radius;
+    dem::LoadedNetwork                        loaded;
+    dem::QuasiStaticPath                      path;
+    std::optional<postprocess::PvdCollection> particles, links;
+  };
+} // namespace apps

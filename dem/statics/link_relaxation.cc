@@ -1,0 +1,147 @@
+#include "dem/statics/link_relaxation.h"
+
+#include "dem/core/errors.h"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <numeric>
+#include <string>
+
+namespace dem
+{
+  namespace
+  {
+    /** Below 2, which is stable for masses of at least the row sums of the stiffness. */
+    constexpr double step = 1.6;
+
+    class Relaxation
+    {
+    public:
+      Relaxation(const LoadedNetwork &network, const double local_damping)
+        : loaded(network)
+        , scale(mean_arm(network.network))
+        , load_length(scale * std::sqrt(static_cast<double>(network.network.particles())))
+        , damping(local_damping)
+        , mass(network.network.particles())
+        , speed(network.network.particles())
+      {
+        find_masses();
+      }
+
+      /** One step of all motions but the led parameter. @return energy that damping takes [J] */
+      double advance(const Unbalanced &unbalanced, LoadedMotion &motion)
+      {
+        double damped = 0;
+        for (Eigen::Index i = 0; i < motion.particles.cols(); ++i)
+          for (int c = 0; c < motions; ++c)
+            if (!(loaded.held[i] >> c & 1))
+              damped += move(unbalanced.particles(c, i), mass.particles(c, i), speed.particles(c, i),
+                             motion.particles(c, i));
+        for (int p = 0; p < 6; ++p)
+          if (loaded.free[p])
+            damped += move(-unbalanced.loads[p], mass.loads[p], speed.loads[p], motion.loads[p]);
+        return damped;
+      }
+
+      double kinetic() const
+      {
+        double twice = 0;
+        for (Eigen::Index i = 0; i < speed.particles.cols(); ++i)
+          for (int c = 0; c < motions; ++c)
+            twice += mass.particles(c, i) * speed.particles(c, i) * speed.particles(c, i);
+        for (int p = 0; p < 6; ++p)
+          twice += mass.loads[p] * speed.loads[p] * speed.loads[p];
+        return 0.5 * twice;
+      }
+
+    private:
+      double move(const double force, const double inertia, double &v, double &x) const
+      {
+        const double a     = force / inertia;
+        const double along = a * (v + 0.5 * step * a);
+        const double sign  = along > 0 ? 1.0 : along < 0 ? -1.0 : 0.0;
+        const double next  = v + step * a * (1 - damping * sign);
+        const double lost  = step * damping * sign * force * 0.5 * (v + next);
+        v                  = next;
+        x += step * v;
+        return lost;
+      }
+
+      /** Sums of absolute stiffnesses, every motion measured as a length; then each turned back to its own unit. */
+      void find_masses()
+      {
+        mass.particles.setZero();
+        mass.loads.setZero();
+        for (std::size_t i = 0; i < loaded.network.links.size(); ++i)
+          {
+            const ElasticLink &l = loaded.network.links[i];
+            Eigen::Matrix3d    turn;
+            turn << 0, -l.direction[2], l.direction[1], l.direction[2], 0, -l.direction[0], -l.direction[1],
+              l.direction[0], 0;
+            Eigen::Matrix<double, 3, 18> B; // first end, second end, loads
+            B << -Eigen::Matrix3d::Identity(), l.arm_first / scale * turn, Eigen::Matrix3d::Identity(),
+              l.arm_second / scale * turn, loaded.load_slip[i] / load_length;
+            for (int p = 0; p < 6; ++p)
+              if (!loaded.free[p])
+                B.col(12 + p).setZero();
+            const Eigen::Matrix<double, 18, 1> rows = (B.transpose() * l.stiffness * B).cwiseAbs().rowwise().sum();
+            mass.particles.col(l.first) += rows.segment<6>(0);
+            mass.particles.col(l.second) += rows.segment<6>(6);
+            mass.loads += rows.segment<6>(12);
+          }
+        const double *const first = mass.particles.data();
+        const auto          n     = mass.particles.size();
+        const double        mean  = std::accumulate(first, first + n, 0.0) / static_cast<double>(n);
+        mass.particles = (mass.particles.array() > 0).select(mass.particles, mean);
+        mass.loads     = (mass.loads.array() > 0).select(mass.loads, mean);
+        mass.particles.bottomRows<3>() *= scale * scale;
+        mass.loads *= load_length * load_length;
+      }
+
+      const LoadedNetwork &loaded;
+      double               scale, load_length, damping;
+      LoadedMotion         mass, speed;
+    };
+  } // namespace
+
+  LinkRelaxationReport relax_links(const LoadedNetwork            &loaded,
+                                   DamagingLinks                  &links,
+                                   LoadedMotion                   &motion,
+                                   const double                    change,
+                                   const LinkRelaxationParameters &p)
+  {
+    Relaxation           relaxation(loaded, p.damping);
+    const double         scale = mean_arm(loaded.network);
+    const double         part  = change / static_cast<double>(p.ramp_steps);
+    double               force_before = 0;
+    int                  at_rest      = 0; // steps in a row: forces also vanish where all swings through
+    LinkRelaxationReport report;
+    for (;; ++report.steps)
+      {
+        links.evaluate(motion);
+        links.commit();
+        const Unbalanced unbalanced = unbalanced_of(loaded, links.forces(), scale);
+        report.residual             = unbalanced.residual;
+        if (!std::isfinite(report.residual))
+          throw NumericalError("quasi-static loading: a force is no longer a number after " +
+                               std::to_string(report.steps) + " steps of relaxation.");
+        const bool   ramp  = report.steps < p.ramp_steps;
+        const double force = unbalanced.loads[loaded.led];
+        if (report.steps > 0 && report.steps <= p.ramp_steps)
+          report.external_work += 0.5 * (force_before + force) * part;
+        force_before         = force;
+        at_rest              = report.residual <= p.tolerance ? at_rest + 1 : 0;
+        constexpr int enough = 20;
+        report.converged     = !ramp && at_rest >= enough;
+        if (report.converged || report.steps >= p.most_steps)
+          {
+            report.damped += relaxation.kinetic();
+            return report;
+          }
+        report.damped += relaxation.advance(unbalanced, motion);
+        if (ramp)
+          motion.loads[loaded.led] += part;
+      }
+  }
+} // namespace dem

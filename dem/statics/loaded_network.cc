@@ -1,0 +1,164 @@
+#include "dem/statics/loaded_network.h"
+
+#include "dem/core/errors.h"
+#include "dem/homogenisation/macroscopic_stiffness.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace dem
+{
+  namespace
+  {
+    using LoadSlip = Eigen::Matrix<double, 3, 6>;
+
+    HeldMotions bit(const int motion) { return HeldMotions(1u << motion); }
+
+    /** Motions that no particle of the network has. */
+    std::vector<HeldMotions> missing_motions(const ElasticNetwork &network)
+    {
+      HeldMotions missing = 0;
+      for (int c = 0; c < motions; ++c)
+        if (!network.moves(c))
+          missing |= bit(c);
+      return std::vector<HeldMotions>(network.particles(), missing);
+    }
+
+    void grip(LoadedNetwork &loaded, const GripPair &grips, const std::vector<std::size_t> &members, const double half)
+    {
+      for (const std::size_t i : members)
+        {
+          if (i >= loaded.network.particles() || loaded.held[i] & bit(grips.axis))
+            throw InputError("grips: particle " + std::to_string(i + 1) +
+                             " is not there, or belongs to both of them.");
+          loaded.held[i] |= bit(grips.axis);
+          for (int c = 0; c < 3; ++c)
+            {
+              if (grips.lateral_blocked)
+                loaded.held[i] |= bit(c);
+              if (grips.spin_blocked)
+                loaded.held[i] |= bit(3 + c);
+            }
+          loaded.carried[i](grips.axis, 0) = half * grips.layers.length;
+        }
+    }
+  } // namespace
+
+  double mean_arm(const ElasticNetwork &network)
+  {
+    double sum = 0;
+    for (const ElasticLink &link : network.links)
+      sum += 0.5 * (link.arm_first + link.arm_second);
+    return network.links.empty() ? 1.0 : sum / static_cast<double>(network.links.size());
+  }
+
+  LoadedNetwork load_cell(ElasticNetwork network, const int axis, const bool lateral_free)
+  {
+    if (!network.periodic())
+      throw InputError("quasi-static cell: the packing has no periodic cell.");
+    if (axis < 0 || axis >= network.dimension)
+      throw InputError("Axis = " + std::to_string(axis) + ": must be one of the cell's directions.");
+    LoadedNetwork loaded;
+    loaded.volume = network.volume;
+    loaded.led    = axis;
+    for (int c = 0; c < 6; ++c)
+      loaded.free[c] = lateral_free && c != axis && (network.dimension == 3 || c < 2 || c == 5);
+    for (const ElasticLink &l : network.links)
+      loaded.load_slip.push_back(strain_operator(l.branch));
+    for (const Eigen::Vector3d &x : network.centre)
+      loaded.carried.push_back(strain_operator(x));
+    loaded.held = missing_motions(network);
+    loaded.held.front() |= bit(0) | bit(1) | bit(2);
+    loaded.network = std::move(network);
+    return loaded;
+  }
+
+  LoadedNetwork load_grips(ElasticNetwork network, const GripPair &grips)
+  {
+    if (grips.axis < 0 || grips.axis >= network.dimension)
+      throw InputError("Axis = " + std::to_string(grips.axis) + ": must be one of the specimen's directions.");
+    if (grips.layers.low.empty() || grips.layers.high.empty())
+      throw InputError("grips: one of them holds no particle.");
+    if (!(grips.layers.length > 0 && grips.layers.section > 0) || !std::isfinite(grips.layers.length * grips.layers.section))
+      throw InputError("grips: the length between them and the section must be above 0.");
+    LoadedNetwork loaded;
+    loaded.volume = grips.layers.length * grips.layers.section;
+    loaded.held   = missing_motions(network);
+    loaded.carried.assign(network.particles(), LoadSlip::Zero());
+    loaded.network = std::move(network);
+    grip(loaded, grips, grips.layers.low, -0.5);
+    grip(loaded, grips, grips.layers.high, 0.5);
+    for (const ElasticLink &l : loaded.network.links)
+      loaded.load_slip.push_back(loaded.carried[l.second] - loaded.carried[l.first]);
+    support(loaded, grips);
+    return loaded;
+  }
+
+  void support(LoadedNetwork &loaded, const GripPair &grips)
+  {
+    if (grips.lateral_blocked)
+      return;
+    const auto &x    = loaded.network.centre;
+    const int   side = (grips.axis + 1) % loaded.network.dimension, other = 3 - grips.axis - side;
+    // The pair of the low grip that lies farthest apart along `side`: a rotation about the axis would move them against each other
+    // along `other`.
+    const auto farther = [&](const std::size_t a, const std::size_t b) { return x[a][side] < x[b][side]; };
+    const std::size_t one = *std::min_element(grips.layers.low.begin(), grips.layers.low.end(), farther);
+    const std::size_t two = *std::max_element(grips.layers.low.begin(), grips.layers.low.end(), farther);
+    loaded.held[one] |= bit(side);
+    if (loaded.network.dimension == 2)
+      return;
+    loaded.held[one] |= bit(other);
+    if (two != one)
+      loaded.held[two] |= bit(other);
+  }
+
+  Eigen::Vector3d slip_of(const LoadedNetwork &loaded, const std::size_t link, const LoadedMotion &motion)
+  {
+    const ElasticLink    &l = loaded.network.links[link];
+    const auto            J = motion.particles.col(l.first), K = motion.particles.col(l.second);
+    const Eigen::Vector3d spin = l.arm_first * J.tail<3>() + l.arm_second * K.tail<3>();
+    return K.head<3>() - J.head<3>() + l.direction.cross(spin) + loaded.load_slip[link] * motion.loads;
+  }
+
+  Unbalanced
+  unbalanced_of(const LoadedNetwork &loaded, const std::vector<Eigen::Vector3d> &force, const double scale)
+  {
+    Unbalanced u;
+    u.particles.setZero(6, static_cast<Eigen::Index>(loaded.network.particles()));
+    u.loads.setZero();
+    double  squares = 0;
+    Vector6 reach   = Vector6::Zero();
+    for (std::size_t i = 0; i < force.size(); ++i)
+      {
+        const ElasticLink    &l      = loaded.network.links[i];
+        const Eigen::Vector3d moment = l.direction.cross(force[i]);
+        u.particles.col(l.first).head<3>() += force[i];
+        u.particles.col(l.second).head<3>() -= force[i];
+        u.particles.col(l.first).tail<3>() += l.arm_first * moment;
+        u.particles.col(l.second).tail<3>() += l.arm_second * moment;
+        u.loads += loaded.load_slip[i].transpose() * force[i];
+        squares += force[i].squaredNorm();
+        reach += loaded.load_slip[i].colwise().squaredNorm().transpose();
+      }
+    double left = 0;
+    for (std::size_t i = 0; i < loaded.held.size(); ++i)
+      for (int c = 0; c < motions; ++c)
+        {
+          double &value = u.particles(c, static_cast<Eigen::Index>(i));
+          if (loaded.held[i] >> c & 1)
+            value = 0;
+          left += std::pow(c < 3 ? value : value / scale, 2);
+        }
+    if (squares == 0)
+      return u;
+    u.residual = std::sqrt(left / squares);
+    for (int c = 0; c < 6; ++c)
+      if (loaded.free[c])
+        u.residual = std::max(u.residual, std::fabs(u.loads[c]) / std::sqrt(squares * reach[c]));
+    return u;
+  }
+} // namespace dem

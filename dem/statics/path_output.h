@@ -1,0 +1,20 @@
+#pragma once
+
+#include "dem/specimen.h"
+#include "dem/statics/quasi_static_path.h"
+
+#include <vector>
+
+namespace dem
+{
+  /**
+   * A point of a quasi-static path as observers of a Specimen see it: nothing moves (velocities are zero), stresses refer to the
+   * particle's share of the loaded volume by its own, exhausted links count as broken.
+   *
+   * @param radius of each particle [m]
+   */
+  ParticleOutput particles_of(const LoadedNetwork &loaded, const QuasiStaticPath &path, const std::vector<double> &radius);
+
+  /** The links of the same. */
+  LinkOutput links_of(const LoadedNetwork &loaded, const QuasiStaticPath &path);
+} // namespace dem

@@ -1,0 +1,313 @@
+#include "dem/statics/quasi_static_path.h"
+
+#include "dem/core/errors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <tuple>
+
+namespace dem
+{
+  namespace
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+
+    void check(const QuasiStaticParameters &p)
+    {
+      const auto require = [](const bool holds, const char *entry, const double value, const char *rule) {
+        if (holds)
+          return;
+        std::ostringstream message;
+        message << entry << " = " << value << ": " << rule;
+        throw InputError(message.str());
+      };
+      require(p.sign == 1 || p.sign == -1, "Sign", p.sign, "must be 1 for tension or -1 for compression.");
+      require(p.strain_step > 0, "Strain step", p.strain_step, "must be above 0.");
+      require(p.growth_step > 0 && p.growth_step <= 1, "Growth step", p.growth_step, "must lie in (0, 1].");
+      require(p.end_strain >= p.strain_step, "End strain", p.end_strain, "must not be below the strain step.");
+      require(p.end_stress >= 0 && p.end_stress < 1, "End stress", p.end_stress, "must lie in [0, 1).");
+      require(p.tolerance > 0 && p.tolerance <= 1e-2, "Tolerance", p.tolerance, "must lie in (0, 1e-2].");
+      require(p.max_iterations > 1, "Iterations", p.max_iterations, "must be above 1.");
+      require(p.relaxation.damping > 0 && p.relaxation.damping < 1, "Damping", p.relaxation.damping,
+              "must lie in (0, 1).");
+    }
+
+    void move(LoadedMotion &motion, const TangentSystem::Answer &answer, const double step)
+    {
+      motion.particles += answer.constant.particles + step * answer.per_step.particles;
+      motion.loads += answer.constant.loads + step * answer.per_step.loads;
+    }
+  } // namespace
+
+  std::string name_of(const StepControl control)
+  {
+    switch (control)
+      {
+      case StepControl::strain:
+        return "strain";
+      case StepControl::opening:
+        return "opening";
+      case StepControl::relaxed:
+        return "relaxed";
+      }
+    throw std::logic_error("name_of: no such control");
+  }
+
+  double QuasiStaticPoint::balance_error() const
+  {
+    const double largest = std::max(std::fabs(external_work), damage + friction + damped);
+    return largest > 0 ? std::fabs(energy_residual()) / largest : 0.0;
+  }
+
+  QuasiStaticPath::QuasiStaticPath(const LoadedNetwork         &network,
+                                   const CpmParameters         &law,
+                                   const QuasiStaticParameters &asked)
+    : loaded(&network)
+    , parameters(asked)
+    , bonds(network, law)
+    , system(network)
+    , now(network.network.particles())
+    , path(1)
+  {
+    check(parameters);
+    restore(now);
+  }
+
+  bool QuasiStaticPath::finished() const
+  {
+    double peak = 0;
+    for (const auto &point : path)
+      peak = std::max(peak, parameters.sign * point.stress[loaded->led]);
+    const double stress = parameters.sign * path.back().stress[loaded->led];
+    return parameters.sign * led() >= parameters.end_strain * (1 - 1e-12) ||
+           (peak > 0 && stress <= parameters.end_stress * peak);
+  }
+
+  const QuasiStaticPoint &QuasiStaticPath::advance()
+  {
+    constexpr double smallest = 1.0 / 32, patient_below = 1.0 / 16;
+    solutions = 0;
+    for (; part >= smallest; part /= 2)
+      for (const LinkStiffness stiffness : {LinkStiffness::onward, LinkStiffness::secant})
+        {
+          if (stiffness == LinkStiffness::secant && part > patient_below)
+            continue;
+          if (!attempt(stiffness, part))
+            continue;
+          accept(control);
+          if (attempt_length <= parameters.max_iterations / 2)
+            part = std::min(1.0, 2 * part);
+          return path.back();
+        }
+    part = 0.25;
+    relax();
+    return path.back();
+  }
+
+  void QuasiStaticPath::restore(const LoadedMotion &earlier)
+  {
+    now = earlier;
+    bonds.evaluate(now);
+    unbalanced = unbalanced_of(*loaded, bonds.forces(), system.length_scale());
+  }
+
+  bool QuasiStaticPath::attempt(const LinkStiffness stiffness, const double of_step)
+  {
+    const LoadedMotion    before = now;
+    TangentSystem::Answer answer;
+    ++solutions;
+    bool done = system.solve(bonds.stiffness(stiffness), unbalanced, answer);
+    if (done)
+      {
+        const Target target = choose(answer, of_step);
+        done                = std::isfinite(target.strain);
+        control             = target.control;
+        if (done)
+          {
+            move(now, answer, target.strain - led());
+            restore(now);
+            done = iterate(stiffness == LinkStiffness::onward ? LinkStiffness::tangent : stiffness, target);
+          }
+      }
+    // What damage may grow at most holds for strain control as well: beyond, a step may have jumped over a peak.
+    constexpr double more = 1.5;
+    if (done && bonds.largest_growth() <= more * parameters.growth_step)
+      return true;
+    restore(before);
+    return false;
+  }
+
+  std::pair<double, double> QuasiStaticPath::steps_to(const double growth, const TangentSystem::Answer &answer) const
+  {
+    std::pair<double, double> steps{-infinity, infinity};
+    for (std::size_t i = 0; i < bonds.size(); ++i)
+      {
+        const ElasticLink    &l    = loaded->network.links[i];
+        const Eigen::Vector3d unit = l.direction / l.branch.norm();
+        const double          rate = unit.dot(slip_of(*loaded, i, answer.per_step));
+        const double          way  = (1 + growth) * bonds.reached(i) - bonds.normal_strain(i) -
+                           unit.dot(slip_of(*loaded, i, answer.constant));
+        if (rate > 0)
+          steps.second = std::min(steps.second, way / rate);
+        else if (rate < 0)
+          steps.first = std::max(steps.first, way / rate);
+      }
+    return steps;
+  }
+
+  QuasiStaticPath::Target QuasiStaticPath::choose(const TangentSystem::Answer &answer, const double of_step) const
+  {
+    const double growth = of_step * parameters.growth_step, longest = of_step * parameters.strain_step;
+    double       onward = 0; // growth of the links that grew last, per step of the led strain
+    for (std::size_t i = 0; i < bonds.size(); ++i)
+      if (bonds.grew(i))
+        onward += loaded->network.links[i].direction.dot(slip_of(*loaded, i, answer.per_step)) /
+                  (loaded->network.links[i].branch.norm() * bonds.reached(i));
+    const auto   steps     = steps_to(growth, answer);
+    const double direction = onward == 0 ? parameters.sign : std::copysign(1.0, onward);
+    const double step      = direction > 0 ? steps.second : steps.first;
+    if (direction == parameters.sign && std::fabs(step) > longest)
+      {
+        const double strain = led() + direction * std::min(longest, parameters.end_strain - parameters.sign * led());
+        return {StepControl::strain, strain, growth};
+      }
+    // Back along the strain no further than forwards.
+    return {StepControl::opening, std::fabs(step) <= longest ? led() + step : infinity, growth};
+  }
+
+  double QuasiStaticPath::correction(const Target &target, const TangentSystem::Answer &answer) const
+  {
+    if (target.control == StepControl::strain)
+      return target.strain - led();
+    const auto [below, above] = steps_to(target.growth, answer);
+    if (below > above) // nowhere as small as asked: where it is smallest
+      return 0.5 * (below + above);
+    return std::fabs(below) < std::fabs(above) ? below : above;
+  }
+
+  bool QuasiStaticPath::iterate(const LinkStiffness stiffness, const Target &target)
+  {
+    const int    most = parameters.max_iterations * (stiffness == LinkStiffness::secant ? 3 : 1);
+    constexpr int without_progress = 6;
+    double       best = infinity;
+    int          best_at = 0;
+    for (attempt_length = 1; attempt_length <= most; ++attempt_length)
+      {
+        if (unbalanced.residual <= parameters.tolerance)
+          return target.control == StepControl::strain || bonds.largest_growth() > 0;
+        if (unbalanced.residual < 0.7 * best)
+          {
+            best    = unbalanced.residual;
+            best_at = attempt_length;
+          }
+        if (!std::isfinite(unbalanced.residual) || attempt_length - best_at > without_progress)
+          return false;
+        TangentSystem::Answer answer;
+        ++solutions;
+        if (!system.solve(bonds.stiffness(stiffness), unbalanced, answer))
+          return false;
+        const double step = correction(target, answer);
+        if (!std::isfinite(step) || std::fabs(led() + step - path.back().strain[loaded->led]) > 4 * parameters.strain_step)
+          return false;
+        move(now, answer, step);
+        restore(now);
+      }
+    return false;
+  }
+
+  void QuasiStaticPath::relax()
+  {
+    constexpr double         onward = 0.02; // of a strain step: enough to leave a point of no equilibrium behind
+    LinkRelaxationParameters p      = parameters.relaxation;
+    p.tolerance                     = parameters.tolerance;
+    bonds.forget_growth();
+    const LinkRelaxationReport report =
+      relax_links(*loaded, bonds, now, parameters.sign * onward * parameters.strain_step, p);
+    if (!report.converged)
+      {
+        std::ostringstream message;
+        message << "quasi-static loading: no equilibrium at the strain " << led() << " within " << report.steps
+                << " steps of relaxation, residual " << report.residual
+                << ". Raise the tolerance, or look for particles that nothing holds.";
+        throw NumericalError(message.str());
+      }
+    restore(now);
+    QuasiStaticPoint point;
+    point.control          = StepControl::relaxed;
+    point.relaxation_steps = report.steps;
+    point.external_work    = path.back().external_work + report.external_work;
+    point.damped           = path.back().damped + report.damped;
+    complete(point);
+  }
+
+  void QuasiStaticPath::accept(const StepControl how)
+  {
+    bonds.forget_growth();
+    bonds.commit();
+    QuasiStaticPoint point;
+    point.control = how;
+    point.damped  = path.back().damped;
+    restore(now); // as a restart would
+    complete(point);
+    const QuasiStaticPoint &before = path[path.size() - 2];
+    path.back().external_work =
+      before.external_work + 0.5 * loaded->volume * (before.stress + path.back().stress).dot(path.back().strain - before.strain);
+  }
+
+  void QuasiStaticPath::complete(QuasiStaticPoint &point)
+  {
+    point.strain      = now.loads;
+    point.stress      = unbalanced.loads / loaded->volume;
+    point.mean_damage = bonds.mean_damage();
+    point.stored      = bonds.stored();
+    point.damage      = bonds.damage_work();
+    point.friction    = bonds.sliding_work();
+    point.iterations  = solutions;
+    point.residual    = unbalanced.residual;
+    path.push_back(point);
+  }
+
+  void QuasiStaticPath::visit_state(StateVisitor &visitor)
+  {
+    bonds.visit_state(visitor);
+    Column flat(now.particles.data(), now.particles.data() + now.particles.size());
+    flat.insert(flat.end(), now.loads.data(), now.loads.data() + 6);
+    visitor.column("motion", flat);
+    std::copy_n(flat.data(), now.particles.size(), now.particles.data());
+    std::copy_n(flat.data() + now.particles.size(), 6, now.loads.data());
+    visitor.scalar("part", part);
+    visit_points(visitor);
+    restore(now);
+  }
+
+  void QuasiStaticPath::visit_points(StateVisitor &visitor)
+  {
+    constexpr std::size_t numbers = 22;
+    Column                flat;
+    for (const QuasiStaticPoint &p : path)
+      {
+        flat.insert(flat.end(), p.strain.data(), p.strain.data() + 6);
+        flat.insert(flat.end(), p.stress.data(), p.stress.data() + 6);
+        flat.insert(flat.end(),
+                    {p.mean_damage, p.external_work, p.stored, p.damage, p.friction, p.damped, double(int(p.control)),
+                     double(p.iterations), double(p.relaxation_steps), p.residual});
+      }
+    visitor.column("points", flat);
+    path.resize(flat.size() / numbers);
+    for (std::size_t i = 0; i < path.size(); ++i)
+      {
+        const double     *v = &flat[numbers * i];
+        QuasiStaticPoint &p = path[i];
+        std::copy_n(v, 6, p.strain.data());
+        std::copy_n(v + 6, 6, p.stress.data());
+        std::tie(p.mean_damage, p.external_work, p.stored, p.damage, p.friction, p.damped) =
+          std::tie(v[12], v[13], v[14], v[15], v[16], v[17]);
+        p.control          = static_cast<StepControl>(static_cast<int>(v[18]));
+        p.iterations       = static_cast<int>(v[19]);
+        p.relaxation_steps = static_cast<std::int64_t>(v[20]);
+        p.residual         = v[21];
+      }
+  }
+} // namespace dem

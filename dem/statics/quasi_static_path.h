@@ -1,0 +1,122 @@
+#pragma once
+
+#include "dem/statics/damaging_links.h"
+#include "dem/statics/link_relaxation.h"
+#include "dem/statics/tangent_system.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace dem
+{
+  /** How a loaded network is led along its equilibrium path, without any inertia. */
+  struct QuasiStaticParameters
+  {
+    double sign = 1; ///< +1: tension, -1: compression
+
+    double strain_step = 0;   ///< largest of the led strain [-], > 0
+    double growth_step = 0.2; ///< largest growth of any link's damaging strain in a step, over itself, in (0, 1]
+    double end_strain  = 0;   ///< magnitude of the led strain at which to stop [-], >= strain_step
+    double end_stress  = 0.5; ///< stop when the stress has fallen to this part of its peak, in [0, 1)
+
+    double tolerance      = 1e-7; ///< see Unbalanced::residual, in (0, 1e-2]
+    int    max_iterations = 12;   ///< of Newton's method on one step, > 1; three times as many with the secant
+    LinkRelaxationParameters relaxation; ///< its tolerance is the one above
+  };
+
+  /** What kept a step on the path. */
+  enum class StepControl
+  {
+    strain,  ///< the led strain was prescribed
+    opening, ///< the largest growth of a crack opening was: it cannot but grow, though stress and strain may fall
+    relaxed  ///< no equilibrium near by was found; the led strain was held and dynamics found the next one (a cascade)
+  };
+
+  std::string name_of(StepControl control);
+
+  /** One equilibrium of the path, with the energy of the whole path so far. */
+  struct QuasiStaticPoint
+  {
+    Vector6 strain      = Vector6::Zero(); ///< load parameters [-]
+    Vector6 stress      = Vector6::Zero(); ///< [Pa]
+    double  mean_damage = 0;
+
+    double external_work = 0; ///< trapezoidal over the points, so that it errs by the square of the steps [J]
+    double stored        = 0; ///< in links [J]
+    double damage = 0, friction = 0; ///< dissipated by damage and by sliding [J]
+    double damped = 0;               ///< dissipated by the damping of relaxations: kinetic energy that cascades set free [J]
+
+    StepControl  control          = StepControl::strain;
+    int          iterations       = 0; ///< linear solutions, those of attempts that failed too
+    std::int64_t relaxation_steps = 0;
+    double       residual         = 0; ///< see Unbalanced::residual
+
+    double energy_residual() const { return external_work - stored - damage - friction - damped; }
+    /** Over the work (or what was dissipated, if that is more); 0 at the start. */
+    double balance_error() const;
+  };
+
+  /**
+   * Equilibrium path of CPM links under a growing led strain, past the peak (homogenisation specification 3.4).
+   *
+   * Newton's method with the consistent tangent, the secant where it fails. Steps are controlled by the strain as long as damage
+   * grows slowly, and otherwise indirectly (de Borst, 1987, Comput. Struct. 25, 211) by the largest growth of a crack opening in the
+   * whole network, which is monotone by construction; so that snap-back is followed. Between the two directions along the path the
+   * one is taken in which the links that damaged last go on damaging. A step that does not converge is shortened; one that is then
+   * too small is left to relax_links(), and the path says so.
+   *
+   * The network must outlive the path. Same input, same bits, for any number of threads.
+   */
+  class QuasiStaticPath
+  {
+  public:
+    /** @throws InputError for parameters out of range. */
+    QuasiStaticPath(const LoadedNetwork &loaded, const CpmParameters &law, const QuasiStaticParameters &parameters);
+
+    /** One point further. @throws NumericalError if even the relaxation finds no equilibrium. */
+    const QuasiStaticPoint &advance();
+    bool                    finished() const;
+
+    const std::vector<QuasiStaticPoint> &points() const { return path; } ///< from the start, all zero
+    const DamagingLinks                 &links() const { return bonds; }
+    const LoadedMotion                  &motion() const { return now; }
+
+    /** Everything to go on to the same bits. */
+    void visit_state(StateVisitor &visitor);
+
+  private:
+    struct Target
+    {
+      StepControl control;
+      double      strain = 0; ///< led, to be reached
+      double      growth = 0; ///< largest of a link, to be reached
+    };
+
+    /** A step of the led parameter with the sign that goes on along the path. */
+    Target choose(const TangentSystem::Answer &answer, double part) const;
+    /** Steps of the led parameter at which the largest growth is as given: below, above. */
+    std::pair<double, double> steps_to(double growth, const TangentSystem::Answer &answer) const;
+    bool                      attempt(LinkStiffness stiffness, double part);
+    bool                      iterate(LinkStiffness stiffness, const Target &target);
+    double                    correction(const Target &target, const TangentSystem::Answer &answer) const;
+    void                      relax();
+    void                      accept(StepControl control);
+    void                      complete(QuasiStaticPoint &point);
+    void                      restore(const LoadedMotion &earlier);
+    void                      visit_points(StateVisitor &visitor);
+    double                    led() const { return now.loads[loaded->led]; }
+
+    const LoadedNetwork          *loaded;
+    QuasiStaticParameters         parameters;
+    DamagingLinks                 bonds;
+    TangentSystem                 system;
+    LoadedMotion                  now;
+    Unbalanced                    unbalanced;
+    std::vector<QuasiStaticPoint> path;
+    double                        part           = 1; ///< of the largest steps, in use
+    int                           solutions      = 0; ///< since the last point
+    StepControl                   control        = StepControl::strain;
+    int                           attempt_length = 0; ///< iterations of the last attempt
+  };
+} // namespace dem

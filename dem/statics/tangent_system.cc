@@ -1,0 +1,287 @@
+#include "dem/statics/tangent_system.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <Eigen/SparseCore>
+#include <Eigen/UmfPackSupport>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+#include <utility>
+
+namespace dem
+{
+  namespace
+  {
+    using Sparse = Eigen::SparseMatrix<double>;
+    /** Slip of a link per motion of its first (then second) end, rotations as lengths. */
+    using SlipOf = Eigen::Matrix<double, 3, motions>;
+
+    constexpr double added_to_diagonal = 1e-9;
+
+    Eigen::Matrix3d cross_matrix(const Eigen::Vector3d &v)
+    {
+      Eigen::Matrix3d m;
+      m << 0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0;
+      return m;
+    }
+
+    /** First and second end. */
+    std::pair<SlipOf, SlipOf> slip_matrices(const ElasticLink &l, const double scale)
+    {
+      const Eigen::Matrix3d turn = cross_matrix(l.direction) / scale;
+      SlipOf                J, K;
+      J << -Eigen::Matrix3d::Identity(), l.arm_first * turn;
+      K << Eigen::Matrix3d::Identity(), l.arm_second * turn;
+      return {J, K};
+    }
+  } // namespace
+
+  struct TangentSystem::Implementation
+  {
+    /** Where the four blocks of a link begin in the columns of its ends. */
+    struct BlockPlaces
+    {
+      int JJ, JK, KJ, KK; ///< XY: rows of X in the columns of Y
+    };
+
+    explicit Implementation(const LoadedNetwork &l)
+      : loaded(l)
+      , scale(mean_arm(l.network))
+    {
+      number_unknowns();
+      lay_out();
+      for (int p = 0; p < 6; ++p)
+        if (loaded.free[p] || p == loaded.led)
+          moving.push_back(p);
+      weak_diagonal = undamaged_diagonal();
+      lu.umfpackControl()[UMFPACK_ORDERING] = UMFPACK_ORDERING_METIS;
+      lu.umfpackControl()[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;
+      lu.umfpackControl()[UMFPACK_IRSTEP]   = 0; // what a solution leaves is in the next residual
+      lu.analyzePattern(matrix);
+    }
+
+    void number_unknowns()
+    {
+      unknown.assign(loaded.held.size() * motions, -1);
+      for (std::size_t i = 0; i < loaded.held.size(); ++i)
+        {
+          first.push_back(count);
+          for (int c = 0; c < motions; ++c)
+            if (!(loaded.held[i] >> c & 1))
+              unknown[motions * i + c] = count++;
+        }
+      first.push_back(count);
+    }
+
+    /** Pattern of the matrix, block by block: every free motion of a particle with every one of its neighbours. */
+    void lay_out()
+    {
+      std::vector<std::set<std::int32_t>> neighbours(loaded.held.size());
+      for (std::size_t i = 0; i < neighbours.size(); ++i)
+        neighbours[i].insert(static_cast<std::int32_t>(i));
+      for (const ElasticLink &l : loaded.network.links)
+        {
+          neighbours[l.first].insert(l.second);
+          neighbours[l.second].insert(l.first);
+        }
+      std::vector<std::map<std::int32_t, int>> begin(neighbours.size());
+      std::vector<int>                         outer{0}, inner;
+      for (std::size_t i = 0; i < neighbours.size(); ++i)
+        for (int c = first[i]; c < first[i + 1]; ++c)
+          {
+            for (const std::int32_t j : neighbours[i])
+              {
+                begin[i][j] = static_cast<int>(inner.size()) - outer.back();
+                for (int d = first[j]; d < first[j + 1]; ++d)
+                  inner.push_back(d);
+              }
+            outer.push_back(static_cast<int>(inner.size()));
+          }
+      const std::vector<double> zeros(inner.size(), 0.0);
+      matrix = Eigen::Map<const Sparse>(count, count, static_cast<Eigen::Index>(inner.size()), outer.data(), inner.data(),
+                                        zeros.data());
+      const auto rows_in = [&](const std::int32_t rows, const std::int32_t columns) {
+        const auto found = begin[columns].find(rows);
+        return found == begin[columns].end() ? 0 : found->second; // none: the columns' particle is held altogether
+      };
+      for (const ElasticLink &l : loaded.network.links)
+        places.push_back({rows_in(l.first, l.first), rows_in(l.first, l.second), rows_in(l.second, l.first),
+                          rows_in(l.second, l.second)});
+    }
+
+    void add(const std::int32_t rows, const std::int32_t columns, const int place, const Block &block)
+    {
+      for (int c = 0; c < motions; ++c)
+        {
+          const int column = unknown[motions * columns + c];
+          if (column < 0)
+            continue;
+          double *values = matrix.valuePtr() + matrix.outerIndexPtr()[column] + place;
+          for (int r = 0; r < motions; ++r)
+            if (unknown[motions * rows + r] >= 0)
+              *values++ += block(r, c);
+        }
+    }
+
+    void assemble(const std::vector<Eigen::Matrix3d> &stiffness)
+    {
+      std::fill_n(matrix.valuePtr(), matrix.nonZeros(), 0.0);
+      for (std::size_t i = 0; i < stiffness.size(); ++i)
+        {
+          const ElasticLink &l   = loaded.network.links[i];
+          const auto [J, K]      = slip_matrices(l, scale);
+          const BlockPlaces &at  = places[i];
+          const SlipOf       CJ = stiffness[i] * J, CK = stiffness[i] * K;
+          add(l.first, l.first, at.JJ, J.transpose() * CJ);
+          add(l.first, l.second, at.JK, J.transpose() * CK);
+          add(l.second, l.first, at.KJ, K.transpose() * CJ);
+          add(l.second, l.second, at.KK, K.transpose() * CK);
+        }
+      for (int i = 0; i < count; ++i)
+        matrix.coeffRef(i, i) += added_to_diagonal * weak_diagonal[i];
+    }
+
+    /** Diagonal of the undamaged stiffness; where a motion meets none, the mean. */
+    Eigen::VectorXd undamaged_diagonal()
+    {
+      weak_diagonal = Eigen::VectorXd::Zero(count);
+      std::vector<Eigen::Matrix3d> stiffness;
+      for (const ElasticLink &l : loaded.network.links)
+        stiffness.push_back(l.stiffness);
+      assemble(stiffness);
+      const Eigen::VectorXd diagonal = matrix.diagonal();
+      const double    mean = std::accumulate(diagonal.begin(), diagonal.end(), 0.0) / static_cast<double>(count);
+      return (diagonal.array() > 1e-12 * mean).select(diagonal, mean);
+    }
+
+    /** Force on every unknown per unit of the moving parameters, from links of the given stiffness. */
+    Eigen::MatrixXd load_columns(const std::vector<Eigen::Matrix3d> &stiffness) const
+    {
+      Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(count, static_cast<Eigen::Index>(moving.size()));
+      for (std::size_t i = 0; i < stiffness.size(); ++i)
+        {
+          const ElasticLink                &l = loaded.network.links[i];
+          const auto [J, K]                   = slip_matrices(l, scale);
+          const Eigen::Matrix<double, 3, 6> f = stiffness[i] * loaded.load_slip[i];
+          const Block                       on_J = J.transpose() * f, on_K = K.transpose() * f;
+          for (int c = 0; c < motions; ++c)
+            for (std::size_t p = 0; p < moving.size(); ++p)
+              {
+                if (const int u = unknown[motions * l.first + c]; u >= 0)
+                  columns(u, static_cast<Eigen::Index>(p)) += on_J(c, moving[p]);
+                if (const int u = unknown[motions * l.second + c]; u >= 0)
+                  columns(u, static_cast<Eigen::Index>(p)) += on_K(c, moving[p]);
+              }
+        }
+      return columns;
+    }
+
+    LoadedMotion motion_of(const Eigen::VectorXd &x) const
+    {
+      LoadedMotion motion(loaded.held.size());
+      for (std::size_t i = 0; i < loaded.held.size(); ++i)
+        for (int c = 0; c < motions; ++c)
+          if (const int u = unknown[motions * i + c]; u >= 0)
+            motion.particles(c, static_cast<Eigen::Index>(i)) = c < 3 ? x[u] : x[u] / scale;
+      return motion;
+    }
+
+    /** Change of the parameters' forces under a motion. */
+    Vector6 load_forces(const std::vector<Eigen::Matrix3d> &stiffness, const LoadedMotion &motion) const
+    {
+      Vector6 sum = Vector6::Zero();
+      for (std::size_t i = 0; i < stiffness.size(); ++i)
+        sum += loaded.load_slip[i].transpose() * (stiffness[i] * slip_of(loaded, i, motion));
+      return sum;
+    }
+
+    /** Let the free parameters take out their force; `left` of each is there to begin with. */
+    void release(std::vector<LoadedMotion>          &answers,
+                 const std::vector<Eigen::Matrix3d> &stiffness,
+                 const Vector6                      &left) const
+    {
+      // A row per parameter: its force vanishes; of the led one and of those that stay zero, the step itself is given.
+      Eigen::Matrix<double, 6, 6> D = Eigen::Matrix<double, 6, 6>::Identity();
+      Eigen::Matrix<double, 6, 2> h = Eigen::Matrix<double, 6, 2>::Zero();
+      const Vector6               f = left + load_forces(stiffness, answers[0]);
+      for (std::size_t p = 0; p < moving.size(); ++p)
+        {
+          const Vector6 change = load_forces(stiffness, answers[p + 1]);
+          for (int q = 0; q < 6; ++q)
+            if (loaded.free[q])
+              D(q, moving[p]) = change[q];
+        }
+      for (int q = 0; q < 6; ++q)
+        if (loaded.free[q])
+          {
+            const double unit = D.row(q).cwiseAbs().maxCoeff();
+            D.row(q) /= unit;
+            h(q, 0) = -f[q] / unit;
+          }
+      h(loaded.led, 1)                        = 1;
+      const Eigen::Matrix<double, 6, 2> steps = D.fullPivLu().solve(h);
+
+      LoadedMotion constant = answers[0], per_step(loaded.held.size());
+      for (std::size_t p = 0; p < moving.size(); ++p)
+        {
+          constant.particles += steps(moving[p], 0) * answers[p + 1].particles;
+          per_step.particles += steps(moving[p], 1) * answers[p + 1].particles;
+        }
+      constant.loads += steps.col(0);
+      per_step.loads = steps.col(1);
+      answers        = {constant, per_step};
+    }
+
+    const LoadedNetwork        &loaded;
+    double                      scale;
+    int                         count = 0;
+    std::vector<int>            unknown, first; ///< of each motion, -1 where held; of each particle, and the end
+    std::vector<int>            moving;         ///< load parameters that are not zero
+    Sparse                      matrix;
+    std::vector<BlockPlaces>    places;
+    Eigen::VectorXd             weak_diagonal;
+    Eigen::UmfPackLU<Sparse>    lu;
+  };
+
+  TangentSystem::TangentSystem(const LoadedNetwork &loaded)
+    : self(std::make_unique<Implementation>(loaded))
+  {
+  }
+
+  TangentSystem::~TangentSystem() = default;
+
+  double TangentSystem::length_scale() const { return self->scale; }
+
+  bool TangentSystem::solve(const std::vector<Eigen::Matrix3d> &stiffness, const Unbalanced &unbalanced, Answer &answer)
+  {
+    Implementation &s = *self;
+    s.assemble(stiffness);
+    s.lu.factorize(s.matrix);
+    if (s.lu.info() != Eigen::Success)
+      return false;
+    Eigen::MatrixXd right(s.count, static_cast<Eigen::Index>(s.moving.size()) + 1);
+    right.rightCols(static_cast<Eigen::Index>(s.moving.size())) = -s.load_columns(stiffness);
+    for (std::size_t i = 0; i < s.loaded.held.size(); ++i)
+      for (int c = 0; c < motions; ++c)
+        if (const int u = s.unknown[motions * i + c]; u >= 0)
+          right(u, 0) = unbalanced.particles(c, static_cast<Eigen::Index>(i)) / (c < 3 ? 1 : s.scale);
+    const Eigen::MatrixXd x = s.lu.solve(right);
+    if (!x.allFinite())
+      return false;
+    std::vector<LoadedMotion> answers;
+    for (Eigen::Index k = 0; k < x.cols(); ++k)
+      {
+        answers.push_back(s.motion_of(x.col(k)));
+        if (k > 0)
+          answers.back().loads[s.moving[k - 1]] = 1;
+      }
+    s.release(answers, stiffness, unbalanced.loads);
+    answer.constant = answers[0];
+    answer.per_step = answers[1];
+    return answer.constant.particles.allFinite() && answer.per_step.particles.allFinite();
+  }
+} // namespace dem
