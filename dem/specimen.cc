@@ -102,8 +102,8 @@ namespace dem
     , particles(make_particles_in_cell(packing, shape, p))
     , equal_radii(std::all_of(
         packing.radius.begin(), packing.radius.end(), [&](const double r) { return r == packing.radius[0]; }))
-    , search(particles,
-             2.0 * *std::min_element(packing.radius.begin(), packing.radius.end()) * (p.interaction_ratio - 1.0))
+    , start_margin(2.0 * *std::min_element(packing.radius.begin(), packing.radius.end()) * (p.interaction_ratio - 1.0))
+    , search(particles, start_margin)
     , bond_pass(select_bond_pass(p.physics, equal_radii, shear_damages()))
     , contact_pass(select_contact_pass(p.physics, equal_radii))
     , accounts(particle_blocks(particles.count))
@@ -120,9 +120,29 @@ namespace dem
                        "the ratio or check the packing.");
   }
 
+  void Specimen::Implementation::leave_loose(std::vector<NeighbourPair> &pairs)
+  {
+    if (parameters.loose == 0)
+      return;
+    const auto first_loose = static_cast<std::int32_t>(particles.count - std::min(parameters.loose, particles.count));
+    const auto is_loose    = [&](const std::int32_t i) {
+      return particles.number[static_cast<std::size_t>(i)] >= first_loose;
+    };
+    double     margin     = start_margin;
+    const auto linked_end = std::remove_if(pairs.begin(), pairs.end(), [&](const NeighbourPair &pair) {
+      if (!is_loose(pair.first) && !is_loose(pair.second))
+        return false;
+      margin = std::min(margin, gap(particles, {pair.first, pair.second, 0}));
+      return true;
+    });
+    pairs.erase(linked_end, pairs.end());
+    search = ContactSearch(particles, std::max(margin, 0.0));
+  }
+
   void Specimen::Implementation::link()
   {
-    const auto pairs = particle_pairs(particles, parameters.interaction_ratio, 0.0);
+    std::vector<NeighbourPair> pairs = particle_pairs(particles, parameters.interaction_ratio, 0.0);
+    leave_loose(pairs);
     make_links(bonds, pairs, particles, shape, shear_damages());
     made_links = pairs.size();
     for (const auto &pair : pairs)

@@ -31,12 +31,13 @@ namespace dem
   /** How the specimen is made from a packing and integrated in time. */
   struct SpecimenParameters
   {
-    Physics physics;
-    double  density           = 0;   ///< of the particles, not bulk [kg/m^3], > 0
-    double  interaction_ratio = 0;   ///< iota: cohesive links where distance < iota (r_J + r_K), >= 1
-    double  thickness         = 0;   ///< [m], of the discs; two dimensions only
-    double  step_factor       = 0.8; ///< time step over the stable estimate (5.1), in (0, 1)
-    double  damping           = 0;   ///< local (Cundall) damping D in [0, 1)
+    Physics     physics;
+    double      density           = 0; ///< of the particles, not bulk [kg/m^3], > 0
+    double      interaction_ratio = 0; ///< iota: cohesive links where distance < iota (r_J + r_K), >= 1
+    double      thickness         = 0; ///< [m], of the discs; two dimensions only
+    std::size_t loose             = 0; ///< how many of the packing's last particles are linked to nothing: projectiles
+    double      step_factor       = 0.8; ///< time step over the stable estimate (5.1), in (0, 1)
+    double      damping           = 0;   ///< local (Cundall) damping D in [0, 1)
   };
 
   /** A group of particles with prescribed motion (a grip). */
@@ -55,9 +56,9 @@ namespace dem
     std::vector<double>          radius;
     std::vector<double>          damage; ///< mean damage of the links it was made with, broken ones count as 1 [-]
     std::vector<std::int32_t>    broken_links; ///< how many of its cohesive links are gone
-    std::vector<double>          volume; ///< the particle's share of the specimen's volume, voids included [m^3]
-    std::vector<std::int32_t>    held;   ///< 1: some of its motion is prescribed by a grip
-    std::vector<Eigen::Matrix3d> stress; ///< Love-Weber, symmetric part, over the particle's share of volume [Pa]
+    std::vector<double>          volume;       ///< the particle's share of the specimen's volume, voids included [m^3]
+    std::vector<std::int32_t>    held;         ///< 1: some of its motion is prescribed by a grip
+    std::vector<Eigen::Matrix3d> stress;       ///< Love-Weber, symmetric part, over the particle's share of volume [Pa]
   };
 
   /** Links, contacts and broken links as an observer sees them. */

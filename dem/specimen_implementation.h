@@ -40,10 +40,11 @@ namespace dem
     Particles          particles;
     bool               equal_radii;
     LinkSet            bonds, contacts;
+    double             start_margin; ///< gap that the interaction ratio leaves between unlinked particles [m]
     ContactSearch      search;
     LinkPass           bond_pass, contact_pass;
     double             space_per_solid = 1; ///< volume with voids over that of the particles, to share out stress
-    std::size_t        made_links = 0;
+    std::size_t        made_links      = 0;
 
     std::vector<ParticleBlockAccount> accounts;
     std::vector<HeldGrip>             grips;
@@ -60,8 +61,10 @@ namespace dem
     Column crack_geometry;               ///< records: last branch (3) [m] | contact point (3) [m] | dissipated [J] | 0
 
     Implementation(const Packing &packing, const SpecimenParameters &p, const CpmParameters &law_parameters);
-    bool   shear_damages() const { return parameters.physics.damage && law.shear_weight > 0; }
-    void   link();
+    bool shear_damages() const { return parameters.physics.damage && law.shear_weight > 0; }
+    void link();
+    /** Take pairs with a loose particle out; they may be nearer than the ratio leaves others, and the search must know. */
+    void   leave_loose(std::vector<NeighbourPair> &pairs);
     double stable() const { return dem::stable_step(particles, bonds, &contacts, law, parameters.physics.rotations); }
     /** Particles' kinetic energy with the velocities as they are [J]. */
     double kinetic_of_velocities() const;

@@ -9,6 +9,7 @@
 namespace apps
 {
   void add_homogenise_bench(CLI::App &bench, Action &chosen);
+  void add_sequential_bench(CLI::App &bench, Action &chosen);
 
   void add_bench(CLI::App &program, Action &chosen)
   {
@@ -23,6 +24,7 @@ namespace apps
     CLI::App &bench = *program.add_subcommand("bench", "Speed against error, as a table and a picture");
     bench.require_subcommand(1);
     add_homogenise_bench(bench, chosen);
+    add_sequential_bench(bench, chosen);
     CLI::App &command =
       *bench.add_subcommand("uniaxial", "Strengths and modulus over time step, loading rate and particle size");
     command.add_option("scene", options->scene, "Scene of kind uniaxial; default: " + options->scene)

@@ -150,7 +150,7 @@ namespace apps
     public:
       ImpactCase(const ParticleStageSection &stage, const dem::Packing &packing, const double velocity)
         : parameters(with_velocity(stage.impact, velocity))
-        , specimen(dem::with_striker(packing, parameters, stage.specimen.interaction_ratio, stage.physics.dimension),
+        , specimen(dem::with_striker(packing, parameters, stage.physics.dimension),
                    stage.specimen_parameters(),
                    stage.material.cpm)
         , test(specimen, parameters)
@@ -324,6 +324,7 @@ namespace apps
     p.thickness         = specimen.thickness;
     p.step_factor       = time.step_factor;
     p.damping           = time.damping;
+    p.loose             = source == Source::impact ? 1 : 0;
     return p;
   }
 

@@ -2,6 +2,7 @@
 
 #include "apps/interrupt.h"
 #include "apps/progress.h"
+#include "postprocess/atomic_file.h"
 #include "postprocess/checkpoint.h"
 #include "postprocess/discrete_state_hdf5.h"
 #include "postprocess/errors.h"
@@ -26,6 +27,16 @@ namespace apps
       visitor.column("curve_stress", stress);
       outcome.curve_strain.assign(strain.begin(), strain.end());
       outcome.curve_stress.assign(stress.begin(), stress.end());
+    }
+
+    void write_curve(const ParticleOutcome &outcome, const std::filesystem::path &file)
+    {
+      if (outcome.curve_strain.empty())
+        return;
+      std::string text = "strain,stress [Pa]\n";
+      for (std::size_t i = 0; i < outcome.curve_strain.size(); ++i)
+        text += fmt::format("{},{}\n", outcome.curve_strain[i], outcome.curve_stress[i]);
+      postprocess::write_text(file, text);
     }
   } // namespace
 
@@ -53,6 +64,7 @@ namespace apps
         if (!run(*reference, "all particles"))
           return false;
         all_particles = reference->outcome();
+        write_curve(*all_particles, folder / "all_particles.csv");
       }
     return true;
   }
@@ -78,6 +90,7 @@ namespace apps
       return;
     ParticleOutcome outcome = particles->outcome();
     postprocess::write_discrete_state(outcome.state, state);
+    write_curve(outcome, folder / (name + ".csv"));
     postprocess::CheckpointWriter writer(figures, deciding_text);
     writer.group("figures");
     visit_figures(writer, outcome);

@@ -55,20 +55,17 @@ namespace dem
     }
   } // namespace
 
-  Packing with_striker(const Packing          &beam,
-                       const ImpactParameters &parameters,
-                       const double            interaction_ratio,
-                       const int               dimension)
+  Packing with_striker(const Packing &beam, const ImpactParameters &parameters, const int dimension)
   {
     check(parameters);
-    constexpr double out_of_reach = 1.001;
-    const int        up           = blow_axis(dimension);
-    const Extent     extent       = extent_of(beam.centre, beam.size());
-    const double     largest      = *std::max_element(beam.radius.begin(), beam.radius.end());
-    Packing          packing      = beam;
+    constexpr double clear   = 1.01; // of the sum of the radii: not yet in touch
+    const int        up      = blow_axis(dimension);
+    const Extent     extent  = extent_of(beam.centre, beam.size());
+    const double     largest = *std::max_element(beam.radius.begin(), beam.radius.end());
+    Packing          packing = beam;
     packing.periodic_cell.reset();
     Eigen::Vector3d centre = 0.5 * (extent.low + extent.high);
-    centre[up]             = extent.high[up] + out_of_reach * interaction_ratio * (largest + parameters.striker_radius);
+    centre[up]             = extent.high[up] + clear * (largest + parameters.striker_radius);
     packing.centre.push_back(centre);
     packing.radius.push_back(parameters.striker_radius);
     return packing;
@@ -81,6 +78,8 @@ namespace dem
     , up(blow_axis(body.parameters().physics.dimension))
   {
     check(p);
+    if (body.parameters().loose != 1)
+      throw InputError("Impact: the specimen must have one loose particle, the striker.");
     const ParticleOutput particles = body.particles();
     const double         r         = particles.radius[striker];
     striker_mass =

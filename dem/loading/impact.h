@@ -24,11 +24,10 @@ namespace dem
   };
 
   /**
-   * The beam with the striker as its last particle, above mid-span, just too far to be linked with it.
+   * The beam with the striker as its last particle, just above mid-span; the specimen must leave it loose.
    * @throws InputError for parameters out of range
    */
-  Packing
-  with_striker(const Packing &beam, const ImpactParameters &parameters, double interaction_ratio, int dimension);
+  Packing with_striker(const Packing &beam, const ImpactParameters &parameters, int dimension);
 
   /** One row of the record. */
   struct ImpactSample

@@ -31,6 +31,7 @@ namespace
     p.density           = 2400;
     p.interaction_ratio = 1.5;
     p.damping           = 0;
+    p.loose             = 1;
     return p;
   }
 
@@ -61,7 +62,7 @@ namespace
 TEST_CASE("a striker flies, hits, rebounds and leaves, and the energies balance", "[dem][loading]")
 {
   const auto      parameters = blow(1.0);
-  dem::Specimen   body(dem::with_striker(beam(), parameters, 1.5, 3), specimen_of(), concrete(1.0)); // elastic
+  dem::Specimen   body(dem::with_striker(beam(), parameters, 3), specimen_of(), concrete(1.0)); // elastic
   dem::ImpactTest test(body, parameters);
   const double    mass = 2400 * 4.0 / 3.0 * M_PI * std::pow(5e-3, 3);
   CHECK(test.striker_energy() == Approx(0.5 * mass).epsilon(1e-12));
@@ -85,7 +86,7 @@ TEST_CASE("a harder blow leaves more damage", "[dem][loading]")
   for (const double velocity : {3.0, 8.0, 16.0})
     {
       const auto      parameters = blow(velocity);
-      dem::Specimen   body(dem::with_striker(beam(), parameters, 1.5, 3), specimen_of(), concrete(1e-4));
+      dem::Specimen   body(dem::with_striker(beam(), parameters, 3), specimen_of(), concrete(1e-4));
       dem::ImpactTest test(body, parameters);
       while (!test.finished())
         test.advance(1000);
@@ -99,9 +100,9 @@ TEST_CASE("a harder blow leaves more damage", "[dem][loading]")
 TEST_CASE("impact parameters out of range are refused by name", "[dem][loading]")
 {
   auto parameters = blow(0);
-  CHECK_THROWS_WITH(dem::with_striker(beam(), parameters, 1.5, 3), Catch::Contains("Impact/Striker velocity = 0"));
+  CHECK_THROWS_WITH(dem::with_striker(beam(), parameters, 3), Catch::Contains("Impact/Striker velocity = 0"));
   parameters      = blow(1);
   parameters.span = 1;
-  dem::Specimen body(dem::with_striker(beam(), parameters, 1.5, 3), specimen_of(), concrete(1e-4));
+  dem::Specimen body(dem::with_striker(beam(), parameters, 3), specimen_of(), concrete(1e-4));
   CHECK_THROWS_WITH(dem::ImpactTest(body, parameters), Catch::Contains("a support would hold no particle"));
 }

@@ -1,0 +1,204 @@
+#include "apps/bench/sequential.h"
+
+#include "apps/drivers/sequential_continuation.h"
+#include "apps/drivers/sequential_particles.h"
+#include "apps/drivers/sequential_study.h"
+#include "apps/exit_status.h"
+#include "apps/interrupt.h"
+#include "apps/results/result_folder.h"
+#include "apps/scene/description.h"
+#include "apps/scene/load.h"
+#include "postprocess/atomic_file.h"
+#include "postprocess/plot.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <map>
+
+namespace apps
+{
+  namespace
+  {
+    /** One way of transferring: what is changed in the scene. */
+    struct Variant
+    {
+      std::string              study, name;
+      std::vector<std::string> overrides;
+    };
+
+    struct Row
+    {
+      Variant     variant;
+      std::string instant;
+      double      strain = 0, error = 0, seconds = 0, seconds_saved = 0;
+    };
+
+    std::string number_text(const double value) { return fmt::format("{}", value); }
+
+    std::vector<Variant> variants_of(const double radius, const bool quick)
+    {
+      std::vector<Variant> all;
+      const auto           kernel = [](const std::string &name, const double width) {
+        return std::vector<std::string>{"Transfer/Kernel=" + name, "Transfer/Width=" + number_text(width)};
+      };
+      all.push_back({"kernel", "specimen", kernel("specimen", 0)});
+      for (const char *name : {"gaussian", "moving least squares", "ball"})
+        for (const double widths : quick ? std::vector<double>{3} : std::vector<double>{3, 5, 8})
+          all.push_back({"kernel", fmt::format("{} {} r", name, widths), kernel(name, widths * radius)});
+      all.push_back({"kernel", "nearest", kernel("nearest", 0)});
+      for (Variant &v : all) // a mesh on which kernels can differ
+        for (const char *divisions : {"x=2", "y=2", "z=4"})
+          v.overrides.push_back(std::string("Continuum/Mesh/Box/Divisions ") + divisions);
+      for (const int n : quick ? std::vector<int>{1, 2} : std::vector<int>{1, 2, 3, 4})
+        {
+          std::vector<std::string> mesh = kernel("gaussian", 3 * radius);
+          mesh.push_back(fmt::format("Continuum/Mesh/Box/Divisions x={}", n));
+          mesh.push_back(fmt::format("Continuum/Mesh/Box/Divisions y={}", n));
+          mesh.push_back(fmt::format("Continuum/Mesh/Box/Divisions z={}", 2 * n));
+          all.push_back({"mesh", fmt::format("{0} x {0} x {1} elements", n, 2 * n), mesh});
+        }
+      return all;
+    }
+
+    const SequentialModel &sequential(const LoadedScene &scene)
+    {
+      const auto *kind = dynamic_cast<const SequentialScene *>(scene.scene.get());
+      if (!kind)
+        throw dem::InputError(scene.file + ": Kind = " + scene.kind +
+                              ": this bench varies a scene of kind sequential.");
+      const SequentialModel &model = kind->parameters();
+      if (model.particles.source != ParticleStageSection::Source::uniaxial || model.particles.end_strain == 0)
+        throw dem::InputError(scene.file +
+                              ": this bench compares with an all-particle run: it wants Particles/Source = "
+                              "uniaxial and Particles/Uniaxial/End strain.");
+      if (model.continuum.mesh.source != MeshSection::Source::box)
+        throw dem::InputError(scene.file + ": Continuum/Mesh/Source: this bench varies the divisions of a box.");
+      return model;
+    }
+
+    /** The continuation of one instant by one variant; a continuum that finds no equilibrium has no error to show. */
+    Row measure(const SequentialBench       &bench,
+                const Variant               &variant,
+                const ParticleCases         &particles,
+                const std::size_t            instant,
+                const std::filesystem::path &folder)
+    {
+      std::vector<std::string> overrides = bench.overrides;
+      overrides.insert(overrides.end(), variant.overrides.begin(), variant.overrides.end());
+      overrides.emplace_back("Continuum/Output/Snapshots=0");
+      const LoadedScene      scene   = load_scene(bench.scene, overrides);
+      const SequentialModel &model   = sequential(scene);
+      const ParticleOutcome &outcome = particles.outcomes()[instant], &all = *particles.reference();
+      Row                    row{variant, outcome.name, outcome.severity, std::nan(""), 0, 0};
+      const double           done = std::abs(outcome.severity / all.curve_strain.back());
+      row.seconds_saved           = (1 - done) * all.seconds;
+      RunRequest request;
+      request.output_folder = folder;
+      request.scene_file    = bench.scene;
+      request.scene_text    = completed_scene(*scene.root, Completed::everything);
+      request.deciding_text = completed_scene(*scene.root, Completed::what_decides_results);
+      const auto start      = std::chrono::steady_clock::now();
+      try
+        {
+          const auto field = coupling::particle_field(outcome.state, model.transfer.field);
+          if (continue_from(request, model.continuum, field, model.transfer.chosen()).status != exit_success)
+            return row;
+          ContinuationCurve curve = read_continuation(model.study, folder);
+          curve.offset            = outcome.curve_strain.back();
+          row.error               = error_against(curve, all);
+        }
+      catch (const dem::NumericalError &failure)
+        {
+          fmt::print(stderr, "{}, {}: {}\n", variant.name, outcome.name, failure.what());
+        }
+      row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      return row;
+    }
+
+    std::string csv_of(const std::vector<Row> &rows)
+    {
+      std::string text = "study,variant,instant,strain,error,continuum_seconds [s],particle_seconds_saved [s]\n";
+      for (const Row &r : rows)
+        text += fmt::format("{},{},{},{},{},{},{}\n", r.variant.study, r.variant.name, r.instant, r.strain, r.error,
+                            r.seconds, r.seconds_saved);
+      return text;
+    }
+
+    std::string table_of(const std::vector<Row> &rows)
+    {
+      std::string text =
+        "# When a transfer pays\n\nError: mean |stress of the continuation - stress of the all-particle run| over the "
+        "mean of the latter, past the transfer.\n\n"
+        "| study | variant | handed over at | error | continuum s | particle s saved |\n"
+        "|---|---|---|---|---|---|\n";
+      for (const Row &r : rows)
+        text += fmt::format("| {} | {} | {} | {:.3f} | {:.2f} | {:.2f} |\n", r.variant.study, r.variant.name, r.instant,
+                            r.error, r.seconds, r.seconds_saved);
+      return text;
+    }
+
+    std::vector<postprocess::PlotPanel> panels_of(const std::vector<Row> &rows)
+    {
+      std::map<std::string, postprocess::PlotPanel> over_instant, over_cost;
+      for (const Row &r : rows)
+        for (auto *panels : {&over_instant, &over_cost})
+          {
+            postprocess::PlotPanel &panel = (*panels)[r.variant.study];
+            const bool              cost  = panels == &over_cost;
+            panel.title                   = r.variant.study + (cost ? ": error over cost" : ": error over instant");
+            panel.x_label                 = cost ? "Continuation [s]" : "Strain at the transfer [1e-3]";
+            panel.y_label                 = "Error against all particles";
+            panel.log_y                   = true;
+            panel.log_x                   = cost;
+            if (panel.series.empty() || panel.series.back().name != r.variant.name)
+              {
+                panel.series.emplace_back();
+                panel.series.back().name = r.variant.name;
+                panel.series.back().style =
+                  cost ? postprocess::PlotSeries::Style::points : postprocess::PlotSeries::Style::line_and_points;
+              }
+            panel.series.back().x.push_back(cost ? r.seconds : 1e3 * std::abs(r.strain));
+            panel.series.back().y.push_back(r.error);
+          }
+      std::vector<postprocess::PlotPanel> panels;
+      for (auto *group : {&over_instant, &over_cost})
+        for (auto &[study, panel] : *group)
+          panels.push_back(panel);
+      return panels;
+    }
+  } // namespace
+
+  int run_sequential_bench(const SequentialBench &bench)
+  {
+    const LoadedScene      base  = load_scene(bench.scene, bench.overrides);
+    const SequentialModel &model = sequential(base);
+    ResultFolder           folder(bench.folder, ResultFolder::Start::afresh);
+    ParticleCases          particles(model.particles, folder.running(),
+                                     completed_scene(*base.root, Completed::what_decides_results));
+    if (!particles.complete())
+      return exit_interrupted;
+    std::vector<Row> rows;
+    const auto       instants = model.particles.instants_asked();
+    std::size_t      number   = 0;
+    for (const Variant &variant : variants_of(model.particles.specimen.generator.radius, bench.quick))
+      for (std::size_t k = 0; k < instants.size(); ++k)
+        {
+          if (instants[k].back) // the all-particle run does not unload
+            continue;
+          rows.push_back(measure(bench, variant, particles, k, folder.running() / fmt::format("run_{:03}", number++)));
+          if (interrupted())
+            return exit_interrupted;
+          std::filesystem::remove_all(folder.running() / fmt::format("run_{:03}", number - 1));
+        }
+    postprocess::write_text(folder.running() / "sequential.csv", csv_of(rows));
+    postprocess::write_text(folder.running() / "sequential.md", table_of(rows));
+    if (const std::string problem = postprocess::plot(folder.running() / "sequential.png", panels_of(rows));
+        !problem.empty())
+      fmt::print(stderr, "breccia: warning: no sequential.png: {}\n", problem);
+    folder.publish();
+    fmt::print("{}", table_of(rows));
+    return exit_success;
+  }
+} // namespace apps

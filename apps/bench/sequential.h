@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace apps
+{
+  /** What `breccia bench sequential` is asked. */
+  struct SequentialBench
+  {
+    std::string              scene; ///< of kind sequential, particles strained between grips, continuum a box
+    std::vector<std::string> overrides;
+    std::filesystem::path    folder;
+    bool                     quick = false;
+  };
+
+  /**
+   * When a transfer pays: error of the continuation against the all-particle run, over the instant of transfer, the kernel and its
+   * width, and the mesh, beside what continuation and remaining particle run cost.
+   *
+   * Written to sequential.csv, sequential.md and sequential.png.
+   * @return exit status. @throws dem::InputError, postprocess::OutputError.
+   */
+  int run_sequential_bench(const SequentialBench &bench);
+} // namespace apps
