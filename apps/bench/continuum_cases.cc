@@ -73,7 +73,7 @@ namespace apps
     using fem::ElementFamily;
     using fem::LinearMethod;
     std::vector<ContinuumCase> cases;
-    const auto                 add = [&](const ElementFamily family, const unsigned int degree, const LinearMethod method,
+    const auto add = [&](const ElementFamily family, const unsigned int degree, const LinearMethod method,
                          const unsigned int largest) {
       for (unsigned int n = family == ElementFamily::hypercube ? 4 : 2; n <= largest; n *= 2)
         cases.push_back({family, degree, n, method});
@@ -107,7 +107,7 @@ namespace apps
     const double      start = processor_seconds();
     fem::SolidOptions options;
     options.degree = which.degree;
-    fem::Solid<3>                  solid(unit_cube(which.family, which.divisions, MPI_COMM_SELF), options);
+    fem::Solid<3>                   solid(unit_cube(which.family, which.divisions, MPI_COMM_SELF), options);
     fem::IsotropicElasticParameters law;
     law.young_modulus = young;
     law.poisson_ratio = poisson;

@@ -12,10 +12,10 @@ namespace apps
   /** A problem with a known answer, and how it is solved. */
   struct ContinuumCase
   {
-    fem::ElementFamily family    = fem::ElementFamily::hypercube;
-    unsigned int       degree    = 1;
-    unsigned int       divisions = 4; ///< of each edge of the unit cube (for tetrahedra: of the cells they are cut from)
-    fem::LinearMethod  method    = fem::LinearMethod::direct;
+    fem::ElementFamily family   = fem::ElementFamily::hypercube;
+    unsigned int       degree   = 1;
+    unsigned int      divisions = 4; ///< of each edge of the unit cube (for tetrahedra: of the cells they are cut from)
+    fem::LinearMethod method    = fem::LinearMethod::direct;
 
     std::string element_name() const; ///< Q1, Q2, P1, P2
     std::string solver_name() const;

@@ -87,11 +87,12 @@ namespace apps
     };
     const auto clock = processor_seconds;
     add("assembly", shortest(clock, [&] { cube.solid.sweep(u, wanted); }), shortest(clock, [&] { plain.assemble(); }));
-    add("product", shortest(clock, [&] { cube.solid.internal_force(u, f); }), shortest(clock, [&] { plain.multiply(); }));
+    add("product", shortest(clock, [&] { cube.solid.internal_force(u, f); }),
+        shortest(clock, [&] { plain.multiply(); }));
 
     fem::LinearSolverOptions geometric;
-    geometric.method              = fem::LinearMethod::geometric;
-    const double         start    = clock();
+    geometric.method           = fem::LinearMethod::geometric;
+    const double         start = clock();
     fem::StaticSolver<3> solver(cube.solid, {}, geometric);
     solver.advance_to(1);
     const double ours = clock() - start;
@@ -136,7 +137,7 @@ namespace apps
       throw std::runtime_error("bench continuum: " + report.reason);
 
     fem::ExplicitSolver<3> motion(cube.solid, concrete_density());
-    const auto             wall    = [communicator] {
+    const auto             wall = [communicator] {
       MPI_Barrier(communicator);
       return MPI_Wtime();
     };
