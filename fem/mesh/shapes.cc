@@ -90,8 +90,17 @@ namespace fem
         corner[d] = shape.size[d];
         divisions.push_back(shape.divisions[d]);
       }
+    // The same elements as refinements of fewer: geometric multigrid needs the coarser levels, and they cost nothing.
+    ShapeOptions refined = options;
+    const auto   even    = [](const unsigned int n) { return n % 2 == 0; };
+    while (options.family == ElementFamily::hypercube && std::all_of(divisions.begin(), divisions.end(), even))
+      {
+        for (unsigned int &n : divisions)
+          n /= 2;
+        ++refined.refinements;
+      }
     return finish<dim>(
-      options, box_names,
+      refined, box_names,
       [&](Triangulation<dim> &mesh) {
         GridGenerator::subdivided_hyper_rectangle(mesh, divisions, Point<dim>(), corner);
       },

@@ -90,9 +90,10 @@ namespace fem
         nodal_forces.push_back(nodal);
       }
     for (const auto &t : loads.tractions)
-      grid.boundary(t.boundary); // an unknown name is refused now, not in the first step
+      grid.boundary(t.boundary); // an unknown name is refused now, on every rank
     for (const auto &p : loads.pressures)
       grid.boundary(p.boundary);
+    place_surface_loads();
   }
 
   template <int dim>
@@ -106,8 +107,7 @@ namespace fem
           for (const auto &[dof, weight] : nodal.weights[c])
             force[dof] += weight * value[c];
       }
-    if (!loads.tractions.empty() || !loads.pressures.empty())
-      add_surface_loads(time, force);
+    add_surface_loads(time, force);
     if (loads.body_force)
       add_body_force(time, force);
     force.compress(VectorOperation::add);
@@ -115,41 +115,57 @@ namespace fem
   }
 
   template <int dim>
-  void Solid<dim>::add_surface_loads(const double time, Vector &force) const
+  void Solid<dim>::place_surface_loads()
   {
+    surface_points.clear();
     FEFaceValues<dim>                    values(*geometry, *element, face_points,
                                                 update_values | update_quadrature_points | update_normal_vectors | update_JxW_values);
     std::vector<types::global_dof_index> indices(element->n_dofs_per_cell());
     const double                         thickness = dim == 2 ? settings.thickness : 1.0;
+    const auto                           loaded    = [this](const auto &kind, const types::boundary_id id) {
+      std::vector<std::size_t> found;
+      for (std::size_t i = 0; i < kind.size(); ++i)
+        if (grid.boundary(kind[i].boundary) == id)
+          found.push_back(i);
+      return found;
+    };
     for (const auto &cell : dof_handler.active_cell_iterators())
       if (cell->is_locally_owned() && cell->at_boundary())
         for (const unsigned int face : cell->face_indices())
           if (cell->face(face)->at_boundary())
             {
-              const types::boundary_id id     = cell->face(face)->boundary_id();
-              bool                     loaded = false;
-              for (const auto &t : loads.tractions)
-                loaded = loaded || grid.boundary(t.boundary) == id;
-              for (const auto &p : loads.pressures)
-                loaded = loaded || grid.boundary(p.boundary) == id;
-              if (!loaded)
+              const types::boundary_id id        = cell->face(face)->boundary_id();
+              const auto               tractions = loaded(loads.tractions, id), pressures = loaded(loads.pressures, id);
+              if (tractions.empty() && pressures.empty())
                 continue;
               values.reinit(cell, face);
               cell->get_dof_indices(indices);
               for (const unsigned int q : values.quadrature_point_indices())
                 {
-                  Tensor<1, dim> traction;
-                  for (const auto &t : loads.tractions)
-                    if (grid.boundary(t.boundary) == id)
-                      traction += t.value(values.quadrature_point(q), time);
-                  for (const auto &p : loads.pressures)
-                    if (grid.boundary(p.boundary) == id)
-                      traction -= p.value(values.quadrature_point(q), time) * values.normal_vector(q);
+                  SurfacePoint point{values.quadrature_point(q), values.normal_vector(q), tractions, pressures, {}};
                   for (unsigned int i = 0; i < indices.size(); ++i)
-                    force[indices[i]] += thickness * values.shape_value(i, q) *
-                                         traction[element->system_to_component_index(i).first] * values.JxW(q);
+                    if (values.shape_value(i, q) != 0)
+                      point.weights.push_back({layout->global_to_local(indices[i]),
+                                               {element->system_to_component_index(i).first,
+                                                thickness * values.shape_value(i, q) * values.JxW(q)}});
+                  surface_points.push_back(point);
                 }
             }
+  }
+
+  template <int dim>
+  void Solid<dim>::add_surface_loads(const double time, Vector &force) const
+  {
+    for (const SurfacePoint &point : surface_points)
+      {
+        Tensor<1, dim> traction;
+        for (const std::size_t i : point.tractions)
+          traction += loads.tractions[i].value(point.place, time);
+        for (const std::size_t i : point.pressures)
+          traction -= loads.pressures[i].value(point.place, time) * point.normal;
+        for (const auto &[position, share] : point.weights)
+          force.local_element(position) += share.second * traction[share.first];
+      }
   }
 
   template <int dim>

@@ -154,6 +154,16 @@ namespace fem
       std::function<dealii::Tensor<1, dim>(double)>                   value;
     };
 
+    /// An integration point on a loaded face: what its traction is multiplied by for the forces of the element.
+    struct SurfacePoint
+    {
+      dealii::Point<dim>       place;
+      dealii::Tensor<1, dim>   normal;
+      std::vector<std::size_t> tractions, pressures; // of the loads
+      std::vector<std::pair<unsigned int, std::pair<unsigned int, double>>>
+        weights; // position, component, weight [m^2]
+    };
+
     void allocate_points();
     void place_supports();
     void add_prescribed(dealii::types::global_dof_index dof,
@@ -171,25 +181,27 @@ namespace fem
     void hold_rigid_motion();
     void refuse_free_motion() const;
     void place_forces();
+    void place_surface_loads();
     void add_surface_loads(double time, Vector &force) const;
     void add_body_force(double time, Vector &force) const;
 
-    Mesh<dim>                                                grid;
-    SolidOptions                                             settings;
-    std::unique_ptr<dealii::Mapping<dim>>                    geometry;
-    std::unique_ptr<dealii::FESystem<dim>>                   element;
-    dealii::Quadrature<dim>                                  points, load_points;
-    dealii::Quadrature<dim - 1>                              face_points;
-    dealii::DoFHandler<dim>                                  dof_handler;
-    dealii::IndexSet                                         owned, relevant;
-    dealii::AffineConstraints<double>                        supports;
+    Mesh<dim>                                                  grid;
+    SolidOptions                                               settings;
+    std::unique_ptr<dealii::Mapping<dim>>                      geometry;
+    std::unique_ptr<dealii::FESystem<dim>>                     element;
+    dealii::Quadrature<dim>                                    points, load_points;
+    dealii::Quadrature<dim - 1>                                face_points;
+    dealii::DoFHandler<dim>                                    dof_handler;
+    dealii::IndexSet                                           owned, relevant;
+    dealii::AffineConstraints<double>                          supports;
     std::shared_ptr<const dealii::Utilities::MPI::Partitioner> layout;
-    std::map<std::string, std::unique_ptr<MaterialPoints>>   materials;
-    std::map<dealii::types::material_id, MaterialPoints *>   material_of;
-    mutable std::vector<ElementBlocks>                       element_blocks;
-    std::vector<ElementPoints>                               elements;
-    Loads<dim>                                               loads;
-    std::map<dealii::types::global_dof_index, PrescribedDof> prescribed_dofs; // relevant ones
-    std::vector<NodalForce>                                  nodal_forces;
+    std::map<std::string, std::unique_ptr<MaterialPoints>>     materials;
+    std::map<dealii::types::material_id, MaterialPoints *>     material_of;
+    mutable std::vector<ElementBlocks>                         element_blocks;
+    std::vector<ElementPoints>                                 elements;
+    Loads<dim>                                                 loads;
+    std::map<dealii::types::global_dof_index, PrescribedDof>   prescribed_dofs; // relevant ones
+    std::vector<NodalForce>                                    nodal_forces;
+    std::vector<SurfacePoint>                                  surface_points;
   };
 }

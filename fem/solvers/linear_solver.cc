@@ -137,7 +137,8 @@ namespace fem
             if (symmetric)
               SolverCG<Vector>(control).solve(*matrix, solution, right_side, preconditioner);
             else
-              SolverGMRES<Vector>(control, SolverGMRES<Vector>::AdditionalData(100))
+              // Preconditioned from the right: the residual it stops by is then that of the equations, a force.
+              SolverGMRES<Vector>(control, SolverGMRES<Vector>::AdditionalData(100, true))
                 .solve(*matrix, solution, right_side, preconditioner);
           }
         catch (const SolverControl::NoConvergence &failure)
@@ -173,14 +174,14 @@ namespace fem
   {
     const auto unknowns = solid.dofs().n_dofs();
     const bool alone    = Utilities::MPI::n_mpi_processes(solid.communicator()) == 1;
-    const auto        limit  = options.direct_limit > 0 ? options.direct_limit : (dim == 2 ? 200000u : 30000u);
-    const bool        direct =
-      options.method == LinearMethod::direct || (options.method == LinearMethod::automatic && alone && unknowns <= limit);
-    std::string       why    = options.method != LinearMethod::automatic ? "as asked" :
-                               !alone                                    ? "several ranks" :
-                                                                           std::to_string(unknowns) +
-                                       (direct ? " unknowns: not more than " : " unknowns: more than ") +
-                                       std::to_string(limit);
+    const auto limit    = options.direct_limit > 0 ? options.direct_limit : (dim == 2 ? 200000u : 30000u);
+    const bool direct   = options.method == LinearMethod::direct ||
+                        (options.method == LinearMethod::automatic && alone && unknowns <= limit);
+    std::string why = options.method != LinearMethod::automatic ? "as asked" :
+                      !alone                                    ? "several ranks" :
+                                                                  std::to_string(unknowns) +
+                                 (direct ? " unknowns: not more than " : " unknowns: more than ") +
+                                 std::to_string(limit);
     if (direct && alone)
       return std::make_unique<Umfpack>(why);
     if (direct)
@@ -204,7 +205,8 @@ namespace fem
           cell->get_dof_indices(indices);
           for (unsigned int i = 0; i < indices.size(); ++i)
             if (owned.is_element(indices[i]))
-              modes[solid.dofs().get_fe().system_to_component_index(i).first][owned.index_within_set(indices[i])] = true;
+              modes[solid.dofs().get_fe().system_to_component_index(i).first][owned.index_within_set(indices[i])] =
+                true;
         }
     if (!obstacle.empty() && symmetric)
       why += "; not geometric, for " + obstacle;

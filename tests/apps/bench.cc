@@ -6,6 +6,8 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <sstream>
 
 using namespace apps_tests;
@@ -63,4 +65,35 @@ TEST_CASE("bench uniaxial refuses a scene that it cannot vary", "[apps][S14]")
   CHECK_THAT(outcome.err,
              Contains("x.prm: Specimen/Source = file: this bench varies the particle size and needs the generator"));
   CHECK_FALSE(std::filesystem::exists(folder / "bench"));
+}
+
+TEST_CASE("bench continuum: errors fall with the order of the element, whatever the solver", "[apps][slow]")
+{
+  const ScratchFolder folder;
+  const Outcome       outcome = run(folder.path(), {"bench", "continuum", "--quick", "-o", "bench"});
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  std::istringstream                         csv(content_of(folder / "bench/continuum.csv"));
+  std::string                                line;
+  std::map<std::string, std::vector<double>> errors; // of an element and solver, over the divisions
+  std::getline(csv, line);
+  while (std::getline(csv, line))
+    {
+      const std::vector<std::string> fields = apps::comma_separated(line);
+      REQUIRE(fields.size() == 7);
+      errors[fields[0] + " " + fields[1]].push_back(apps::number_in(fields[6]).value());
+    }
+  CHECK(errors.size() == 10);
+  // Two halvings of linear elements, one of quadratic: observed orders 2 and 3 at these sizes to 0.3.
+  const std::vector<double> linear = errors["Q1 geometric multigrid"], quadratic = errors["Q2 geometric multigrid"];
+  REQUIRE(linear.size() == 3);
+  REQUIRE(quadratic.size() == 2);
+  CHECK(std::log2(linear[1] / linear[2]) == Approx(2).margin(0.3));
+  CHECK(std::log2(quadratic[0] / quadratic[1]) == Approx(3).margin(0.3));
+  CHECK(errors["Q1 direct"][1] == Approx(linear[1]).epsilon(1e-6));
+  CHECK(errors["Q1 algebraic multigrid"][1] == Approx(linear[1]).epsilon(1e-6));
+  for (const char *operation : {"assembly", "product", "solver iteration", "whole solution", "explicit step"})
+    CHECK_THAT(content_of(folder / "bench/continuum_rates.csv"), Contains(operation));
+  CHECK_THAT(content_of(folder / "bench/continuum_ranks.csv"), Contains("1,4096,14739,"));
+  CHECK(std::filesystem::file_size(folder / "bench/continuum.png") > 0);
 }

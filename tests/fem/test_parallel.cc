@@ -115,7 +115,11 @@ TEST_CASE("ranks: concrete restored in the middle of a run goes on to the same l
       };
       auto straight = make(), resumed = make();
       for (int step = 1; step <= 2; ++step)
-        REQUIRE(straight->solver->advance_to(step).converged);
+        {
+          const auto report = straight->solver->advance_to(step);
+          INFO(report.reason << " by " << straight->solver->linear_solver());
+          REQUIRE(report.converged);
+        }
       std::vector<double> history;
       straight->solid.visit_histories([&](const char *, const double *values, const int count) {
         history.insert(history.end(), values, values + count);

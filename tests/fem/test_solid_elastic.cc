@@ -150,4 +150,5 @@ TEST_CASE("manufactured solution: order 2 for linear and 3 for quadratic element
   CHECK(rate<3>(ElementFamily::hypercube, 1, 4) == Approx(2).margin(0.15));
   CHECK(rate<3>(ElementFamily::hypercube, 2, 3) == Approx(3).margin(0.2));
   CHECK(rate<3>(ElementFamily::simplex, 1, 3) == Approx(2).margin(0.2));
+  CHECK(rate<3>(ElementFamily::simplex, 2, 2) == Approx(3).margin(0.2));
 }
