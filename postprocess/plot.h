@@ -28,8 +28,8 @@ namespace postprocess
   {
     std::string             title, x_label, y_label;      ///< labels with units, e.g. "Stress [MPa]"
     bool                    log_x = false, log_y = false; ///< points that are not above zero are then left out
-    bool                    equal_axes = false;           ///< the same length for a unit of x and of y
     std::vector<PlotSeries> series;
+    bool                    equal_axes = false; ///< the same length for a unit of x and of y
   };
 
   /**

@@ -1,5 +1,6 @@
 #include "apps/drivers/continuum_run.h"
 
+#include "apps/drivers/continuum_picture.h"
 #include "apps/drivers/continuum_solid.h"
 #include "apps/drivers/continuum_summary.h"
 #include "apps/exit_status.h"
@@ -309,10 +310,14 @@ namespace apps
     if (was_stopped || snapshots_due < model.output.snapshots)
       snapshot();
     ContinuumSize size;
-    size.elements = static_cast<double>(solid->mesh().triangulation->n_global_active_cells());
-    size.unknowns = static_cast<double>(solid->dofs().n_dofs());
-    size.points   = size.elements * solid->quadrature().size();
+    size.elements             = static_cast<double>(solid->mesh().triangulation->n_global_active_cells());
+    size.unknowns             = static_cast<double>(solid->dofs().n_dofs());
+    size.points               = size.elements * solid->quadrature().size();
+    const std::string problem = draw_damage(*solid, *analysis->state().displacement, location / "damage.png",
+                                            std::filesystem::path(request.scene_file).stem().string());
     on_first_rank([&] {
+      if (!problem.empty())
+        fmt::print(stderr, "breccia: warning: no damage.png: {}\n", problem);
       series->flush();
       ContinuumReport report{request,
                              postprocess::read_csv_table(location / series_name, true),

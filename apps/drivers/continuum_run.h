@@ -17,7 +17,8 @@ namespace apps
    * One run of a continuum analysis, with everything that is written.
    *
    * In the result folder: scene.prm, series.csv (a row per step or sample), solid.pvd with its snapshots, checkpoint.h5 while
-   * running, and at the end summary.json and curve.png. Under MPI every rank calls it; the first one writes.
+   * running, and at the end summary.json, curve.png and, where something can
+   * be damaged, damage.png. Under MPI every rank calls it; the first one writes.
    */
   template <int dim>
   class ContinuumRun

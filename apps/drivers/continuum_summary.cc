@@ -31,16 +31,31 @@ namespace apps
       return static_cast<std::size_t>(std::max_element(values.begin(), values.end(), smaller) - values.begin());
     }
 
-    /** A column drawn upwards: with the sign of its peak. */
-    std::vector<double> upwards(const std::vector<double> &values, std::string &name)
+    /** A column as it is drawn: upwards, that is with the sign of its peak, and in a unit that keeps its numbers short. */
+    struct DrawnColumn
     {
-      const bool          down = !values.empty() && values[peak_row(values)] < 0;
-      std::vector<double> drawn;
+      std::vector<double> values;
+      std::string         label;
+    };
+
+    DrawnColumn drawn(const postprocess::CsvTable &series, const std::string &name)
+    {
+      static constexpr const char *prefixes[] = {"n", "µ", "m", "", "k", "M", "G"};
+      const auto                   column     = std::find(series.names.begin(), series.names.end(), name);
+      const std::string            unit       = series.units[static_cast<std::size_t>(column - series.names.begin())];
+      const std::vector<double>   &values     = series.column(name);
+      const double                 peak       = values[peak_row(values)];
+      int                          thousands  = 0;
+      if (!unit.empty() && unit != "-" && peak != 0)
+        thousands = std::clamp(static_cast<int>(std::floor(std::log10(std::fabs(peak)) / 3 + 1e-9)), -3, 3);
+      const double scale = (peak < 0 ? -1 : 1) * std::pow(1000.0, -thousands);
+      DrawnColumn  result;
       for (const double value : values)
-        drawn.push_back(down ? -value : value);
-      if (down)
-        name = "-" + name;
-      return drawn;
+        result.values.push_back(scale * value);
+      result.label = (peak < 0 ? "-" : "") + name;
+      if (!unit.empty() && unit != "-")
+        result.label += std::string(" [") + prefixes[thousands + 3] + unit + "]";
+      return result;
     }
   } // namespace
 
@@ -105,24 +120,22 @@ namespace apps
   void ContinuumReport::write(const std::filesystem::path &folder) const
   {
     postprocess::write_json(folder / "summary.json", summary());
-    const auto unit_of = [&](const std::string &name) {
-      const auto        found = std::find(series.names.begin(), series.names.end(), name);
-      const std::string unit  = series.units[static_cast<std::size_t>(found - series.names.begin())];
-      return unit.empty() ? "" : " [" + unit + "]";
-    };
+    DrawnColumn             x = drawn(series, horizontal), y = drawn(series, vertical);
     postprocess::PlotPanel  panel;
     postprocess::PlotSeries curve;
-    std::string             x_name = horizontal, y_name = vertical;
-    curve.x         = upwards(series.column(horizontal), x_name);
-    curve.y         = upwards(series.column(vertical), y_name);
-    curve.name      = y_name;
+    panel.title     = std::filesystem::path(request.scene_file).stem().string();
+    panel.x_label   = x.label;
+    panel.y_label   = y.label;
+    curve.name      = vertical;
     curve.style     = postprocess::PlotSeries::Style::line;
     curve.mark_peak = true;
-    curve.x.insert(curve.x.begin(), 0.0);
-    curve.y.insert(curve.y.begin(), is_static ? 0.0 : curve.y.front());
-    panel.title   = std::filesystem::path(request.scene_file).stem().string();
-    panel.x_label = x_name + unit_of(horizontal);
-    panel.y_label = y_name + unit_of(vertical);
+    curve.x         = std::move(x.values);
+    curve.y         = std::move(y.values);
+    if (is_static) // the state before the first step
+      {
+        curve.x.insert(curve.x.begin(), 0.0);
+        curve.y.insert(curve.y.begin(), 0.0);
+      }
     panel.series.push_back(std::move(curve));
     const std::string problem = postprocess::plot(folder / "curve.png", {panel});
     if (!problem.empty())

@@ -89,6 +89,45 @@ namespace fem
       std::vector<types::global_dof_index>             indices;
     };
 
+    /// Largest value of the points of every element, for histories of one number.
+    template <int dim>
+    class ElementMaxima
+    {
+    public:
+      explicit ElementMaxima(const Triangulation<dim> &mesh)
+        : n_cells(mesh.n_active_cells())
+        , communicator(mesh.get_communicator())
+      {
+      }
+
+      void add(const unsigned int cell, const std::string &name, const double value)
+      {
+        auto &field = fields[name];
+        if (field.size() == 0)
+          field.reinit(n_cells);
+        field[cell] = std::max(field[cell], value);
+      }
+
+      /// Hands the fields over, the same names on all ranks; they must live until the file is written.
+      void show(DataOut<dim> &out)
+      {
+        std::vector<std::string> names;
+        for (const auto &field : fields)
+          names.push_back(field.first);
+        for (const auto &of_rank : Utilities::MPI::all_gather(communicator, names))
+          for (const auto &name : of_rank)
+            if (fields[name].size() == 0)
+              fields[name].reinit(n_cells);
+        for (const auto &[name, values] : fields)
+          out.add_data_vector(values, name + "_of_element", DataOut<dim>::type_cell_data);
+      }
+
+    private:
+      unsigned int                                  n_cells;
+      MPI_Comm                                      communicator;
+      std::map<std::string, dealii::Vector<double>> fields;
+    };
+
     std::string component_name(const std::string &name, const int component, const int count)
     {
       if (count == 1)
@@ -122,6 +161,7 @@ namespace fem
     out.add_data_vector(solid.dofs(), reaction, std::vector<std::string>(dim, "reaction"), vector);
 
     VertexAverages<dim> averages(solid);
+    ElementMaxima<dim>  maxima(*solid.mesh().triangulation);
     unsigned int        q = 0;
     solid.visit_points(displacement, [&](const PointView<dim> &point) {
       const Point<dim> unit = solid.quadrature().point(q);
@@ -133,13 +173,19 @@ namespace fem
         }
       point.material->visit(point.index, [&](const char *column, const double *values, const int count) {
         if (std::string(column).compare(0, 4, "old ") != 0) // the strain and stress above
-          for (int i = 0; i < count; ++i)
-            averages.add(point, unit, component_name(plain(column), i, count), values[i]);
+          {
+            for (int i = 0; i < count; ++i)
+              averages.add(point, unit, component_name(plain(column), i, count), values[i]);
+            if (count == 1)
+              maxima.add(point.cell->active_cell_index(), plain(column), *values);
+          }
       });
     });
     averages.finish([&](const DoFHandler<dim> &dofs, const std::string &field, const Vector &values) {
       out.add_data_vector(dofs, values, field);
     });
+
+    maxima.show(out);
 
     const unsigned int degree = solid.options().degree;
     out.build_patches(solid.mapping(), degree);

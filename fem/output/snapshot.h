@@ -8,7 +8,8 @@ namespace fem
    * Writes the state of a solid for ParaView: displacement, reaction, stress, strain and every history variable.
    *
    * Point values are averaged to the vertices, weighted with the share of each point in the vertex; a history that a
-   * neighbouring material does not have counts only where it exists.
+   * neighbouring material does not have counts only where it exists. A history of one number stands there also per element,
+   * as NAME_of_element: the largest of its points, so that a crack one element wide is not smeared.
    * One VTU file on one rank; on several a PVTU record and a file per rank.
    *
    * @param reaction internal less external force [N].

@@ -39,8 +39,8 @@ TEST_CASE("A continuum run writes summary, series, curve, snapshots and the comp
   for (const auto &entry : std::filesystem::directory_iterator(folder / "results"))
     names.push_back(entry.path().filename().string());
   std::sort(names.begin(), names.end());
-  CHECK(names ==
-        std::vector<std::string>{"curve.png", "scene.prm", "series.csv", "solid", "solid.pvd", "summary.json"});
+  CHECK(names == std::vector<std::string>{"curve.png", "damage.png", "scene.prm", "series.csv", "solid", "solid.pvd",
+                                          "summary.json"});
 
   const nlohmann::json summary = summary_in(folder / "results");
   CHECK(summary["figures"]["peak_reaction_load_y"]["unit"] == "N");

@@ -1,3 +1,4 @@
+#include "postprocess/field_picture.h"
 #include "postprocess/plot.h"
 #include "postprocess/specimen_picture.h"
 #include "scratch_folder.h"
@@ -179,4 +180,27 @@ TEST_CASE("a picture of nothing is refused in words", "[postprocess]")
   REQUIRE_THAT(picture_of_specimen(folder / "p.png", postprocess_tests::numbered_particles(3), {}, "", elsewhere),
                Contains("there is no particle in the slab"));
   REQUIRE(files_in(folder.path) == 0);
+}
+
+TEST_CASE("a field is drawn in the proportion of its facets, squares and triangles", "[postprocess]")
+{
+  const ScratchFolder       folder;
+  std::vector<PictureFacet> facets(2);
+  FieldPicture              what;
+  facets[0].corner = {{{0, 0}, {0.4, 0}, {0.4, 0.1}, {0, 0.1}}};
+  facets[1].corner = {{{0.4, 0}, {0.5, 0}, {0.4, 0.1}, {0.4, 0.1}}};
+  facets[1].value  = 1;
+  REQUIRE(picture_of_field(folder / "wide.png", facets, what).empty());
+  for (PictureFacet &facet : facets)
+    for (auto &corner : facet.corner)
+      corner = {corner[1], corner[0]};
+  REQUIRE(picture_of_field(folder / "high.png", facets, what).empty());
+  CHECK(size_of_png(folder / "wide.png").first > size_of_png(folder / "wide.png").second);
+  CHECK(size_of_png(folder / "high.png").first < size_of_png(folder / "high.png").second);
+
+  CHECK_THAT(picture_of_field(folder / "none.png", {}, what),
+             Contains("none.png: not drawn: there is nothing to draw"));
+  facets[0].corner[2][0] = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THAT(picture_of_field(folder / "nan.png", facets, what), Contains("a corner is not a number"));
+  CHECK_FALSE(std::filesystem::exists(folder / "nan.png"));
 }

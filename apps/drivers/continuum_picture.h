@@ -1,0 +1,22 @@
+#pragma once
+
+#include "fem/solid/solid.h"
+
+#include <filesystem>
+#include <string>
+
+namespace apps
+{
+  /**
+   * Draw the damage of a solid, deformed and magnified: all elements in two dimensions, the side that looks along z in
+   * three.
+   *
+   * Every rank calls it; the first one draws. Nothing is drawn where no material can be damaged.
+   * @return what went wrong, "" if nothing.
+   */
+  template <int dim>
+  std::string draw_damage(fem::Solid<dim>             &solid,
+                          const fem::Vector           &displacement,
+                          const std::filesystem::path &file,
+                          const std::string           &title);
+} // namespace apps
