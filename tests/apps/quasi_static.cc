@@ -26,6 +26,16 @@ namespace
     return replaced(scene, "  set Samples   = 50\n  set Snapshots = 5\n", "  set Points per snapshot = 20\n");
   }
 
+  /** 3 x 3 x 4 spheres of 1 mm near a cubic lattice: irregular, so that links fail one after the other. */
+  std::string small_heap()
+  {
+    std::ostringstream text;
+    for (int i = 0; i < 36; ++i)
+      text << 2e-3 * (i % 3 + 0.1 * std::sin(7 * i)) << ' ' << 2e-3 * (i / 3 % 3 + 0.1 * std::sin(11 * i)) << ' '
+           << 2e-3 * (i / 9 + 0.1 * std::sin(13 * i)) << " 1e-3\n";
+    return text.str();
+  }
+
   /** Rows of series.csv, the header left out; fields as they stand. */
   std::vector<std::vector<std::string>> rows_of(const std::filesystem::path &file)
   {
@@ -73,9 +83,9 @@ TEST_CASE("a quasi-static run of two spheres follows the envelope of their link"
 TEST_CASE("a quasi-static run pulls and crushes a specimen, and closes its energy balance", "[apps][slow]")
 {
   const ScratchFolder folder;
-  folder.file("packing.txt", stack_packing());
+  folder.file("packing.txt", small_heap());
   folder.file("x.prm", quasi_static_scene());
-  const Outcome outcome = run(folder.path(), {"run", "x.prm", "-o", "out", "-s", "Loading/Tension/Strain step=3e-5"});
+  const Outcome outcome = run(folder.path(), {"run", "x.prm", "-o", "out"});
   INFO(outcome.err);
   REQUIRE(outcome.status == 0);
   const auto summary = nlohmann::json::parse(content_of(folder / "out/summary.json"));
@@ -90,7 +100,7 @@ TEST_CASE("a quasi-static run pulls and crushes a specimen, and closes its energ
 TEST_CASE("an interrupted quasi-static run goes on to the same bits", "[apps][slow][S13]")
 {
   const ScratchFolder folder;
-  folder.file("packing.txt", stack_packing());
+  folder.file("packing.txt", small_heap());
   folder.file("x.prm", replaced(quasi_static_scene() + "subsection Output\n  set Checkpoint interval = 0.01\nend\n",
                                 "subsection Loading\n", "subsection Loading\n  set Tests = tension\n"));
   REQUIRE(run(folder.path(), {"run", "x.prm", "-o", "whole"}).status == 0);
@@ -98,7 +108,7 @@ TEST_CASE("an interrupted quasi-static run goes on to the same bits", "[apps][sl
     Program program(folder.path(), {"run", "x.prm", "-o", "results"});
     while (program.running() && !std::filesystem::exists(folder / "results/running/checkpoint.h5"))
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
     program.send(SIGINT);
     const Outcome stopped = program.wait();
     INFO(stopped.err);
