@@ -91,7 +91,7 @@ namespace
 } // namespace
 
 TEST_CASE(
-  "bench homogenise: every way tends to the direct answer as its tolerance falls, seeds scatter less in larger cells",
+  "bench homogenise: every way tends to the direct answer as its tolerance falls",
   "[apps][slow]")
 {
   const ScratchFolder folder;
