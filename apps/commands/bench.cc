@@ -11,6 +11,7 @@ namespace apps
   void add_continuum_bench(CLI::App &bench, Action &chosen);
   void add_homogenise_bench(CLI::App &bench, Action &chosen);
   void add_sequential_bench(CLI::App &bench, Action &chosen);
+  void add_quasi_static_bench(CLI::App &bench, Action &chosen);
 
   void add_bench(CLI::App &program, Action &chosen)
   {
@@ -27,6 +28,7 @@ namespace apps
     add_continuum_bench(bench, chosen);
     add_homogenise_bench(bench, chosen);
     add_sequential_bench(bench, chosen);
+    add_quasi_static_bench(bench, chosen);
     CLI::App &command =
       *bench.add_subcommand("uniaxial", "Strengths and modulus over time step, loading rate and particle size");
     command.add_option("scene", options->scene, "Scene of kind uniaxial; default: " + options->scene)

@@ -40,6 +40,7 @@ namespace apps
     command.add_option("--shear-ratio", options->shear_ratio, "default: 0.2")
       ->type_name("G/E")
       ->check(CLI::PositiveNumber);
+    command.add_flag("--quick", options->quick, "Cells of 64 and 125 spheres, three seeds");
     add_threads(command, options->threads);
     command.callback([options, &chosen] {
       chosen = [options] {

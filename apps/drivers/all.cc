@@ -1,5 +1,6 @@
 #include "apps/drivers/all.h"
 
+#include "apps/drivers/cell_scene.h"
 #include "apps/drivers/continuum.h"
 #include "apps/drivers/homogenisation_scene.h"
 #include "apps/drivers/quasi_static_scene.h"
@@ -20,6 +21,7 @@ namespace apps
   const std::vector<SceneKind> &scene_kinds()
   {
     static const std::vector<SceneKind> kinds = {
+      {"cell", "a periodic cell led in time along a path of strains and stresses", make<CellScene>},
       {"continuum", "a solid of finite elements, static past its peak or explicit", make<ContinuumScene>},
       {"homogenisation", "macroscopic stiffness of periodic packings, swept over link parameters",
        make<HomogenisationScene>},

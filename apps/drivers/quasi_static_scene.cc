@@ -63,7 +63,8 @@ namespace apps
 
     Section &solver = root.section("Solver", "How the equilibrium path is followed");
     solver.number("Growth step", asked.growth_step, "-", Range::between(1e-4, 1), Need::optional)
-      .means("Largest growth of any link's damaging strain in a step, over itself; it controls the steps where damage is fast");
+      .means("Largest growth of any link's damaging strain in a step, over itself; it controls the steps where damage "
+             "is fast");
     solver.number("Tolerance", asked.tolerance, "-", Range::between(1e-13, 1e-2), Need::optional)
       .means("Unbalanced force over link forces, both as root of the sum of squares");
     solver.number("Damping", asked.damping, "-", Range::from_up_to(0.01, 1), Need::optional)
@@ -80,18 +81,20 @@ namespace apps
   void QuasiStaticScene::declare_loading(Section &root)
   {
     const auto gripped = [this] { return !asked.is_cell(); };
-    Section   &section = root.section("Loading", "Uniaxial loading without inertia, each test from the undamaged state");
+    Section &section = root.section("Loading", "Uniaxial loading without inertia, each test from the undamaged state");
     section
       .choices("Tests", asked.tests, {{"tension", UniaxialLoad::tension}, {"compression", UniaxialLoad::compression}},
                Need::optional)
       .means("Tests to make, in this order");
     section.choice("Axis", asked.axis, {{"x", 0}, {"y", 1}, {"z", 2}}, Need::optional).means("Direction of loading");
     section.number("Grip thickness", asked.grip_thickness, "m", Range::positive(), Need::required)
-      .means("Particles whose centre is within this of the specimen's ends are gripped: more than their radius; 2.2 radii hold "
+      .means("Particles whose centre is within this of the specimen's ends are gripped: more than their radius; 2.2 "
+             "radii hold "
              "about one layer")
       .only_if(gripped, "Specimen/Body = box");
     section.flag("Lateral motion blocked", asked.lateral_blocked)
-      .means("A specimen's grips hold their particles sideways, as rough platens do; of a cell all other strains are zero");
+      .means(
+        "A specimen's grips hold their particles sideways, as rough platens do; of a cell all other strains are zero");
     section.flag("Grip rotation blocked", asked.spin_blocked)
       .means("Grips keep their particles from spinning")
       .only_if(gripped, "Specimen/Body = box");
@@ -101,14 +104,15 @@ namespace apps
 
   void QuasiStaticScene::declare_test(Section &loading, const UniaxialLoad load)
   {
-    const bool              pulls = load == UniaxialLoad::tension;
-    QuasiStaticModel::Test &test  = pulls ? asked.tension : asked.compression;
-    Section                &section =
-      loading.section(pulls ? "Tension" : "Compression", pulls ? "The specimen is stretched" : "The specimen is shortened");
+    const bool              pulls   = load == UniaxialLoad::tension;
+    QuasiStaticModel::Test &test    = pulls ? asked.tension : asked.compression;
+    Section                &section = loading.section(pulls ? "Tension" : "Compression",
+                                       pulls ? "The specimen is stretched" : "The specimen is shortened");
     section.only_if(
       [this, load] { return std::find(asked.tests.begin(), asked.tests.end(), load) != asked.tests.end(); },
       std::string("Loading/Tests has ") + name_of(load));
-    section.number("Strain step", test.strain_step, "-", {std::numeric_limits<double>::min(), 1.0, true}, Need::optional)
+    section
+      .number("Strain step", test.strain_step, "-", {std::numeric_limits<double>::min(), 1.0, true}, Need::optional)
       .means("Largest step of the strain; halve it to see what it decides (the energy balance errs by its square)");
     section.number("Stop fraction", test.stop_fraction, "-", Range::from_up_to(0, 1), Need::optional)
       .means("The test ends when the stress has fallen to this part of its peak");

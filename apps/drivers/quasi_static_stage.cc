@@ -39,17 +39,17 @@ namespace apps
     std::int64_t passed = peak_passed;
     visitor.scalar("peak_passed", passed);
     peak_passed = passed != 0;
-    for (const auto &[name, value] : std::initializer_list<std::pair<const char *, double *>>{
-           {"young_modulus", &young_modulus},
-           {"strength", &strength},
-           {"strain_at_peak", &strain_at_peak},
-           {"worst_balance_error", &worst_balance_error},
-           {"external_work", &last.external_work},
-           {"stored", &last.stored},
-           {"damage", &last.damage},
-           {"friction", &last.friction},
-           {"damped", &last.damped},
-           {"mean_damage", &last.mean_damage}})
+    for (const auto &[name, value] :
+         std::initializer_list<std::pair<const char *, double *>>{{"young_modulus", &young_modulus},
+                                                                  {"strength", &strength},
+                                                                  {"strain_at_peak", &strain_at_peak},
+                                                                  {"worst_balance_error", &worst_balance_error},
+                                                                  {"external_work", &last.external_work},
+                                                                  {"stored", &last.stored},
+                                                                  {"damage", &last.damage},
+                                                                  {"friction", &last.friction},
+                                                                  {"damped", &last.damped},
+                                                                  {"mean_damage", &last.mean_damage}})
       visitor.scalar(name, *value);
     for (const auto &[name, value] :
          std::initializer_list<std::pair<const char *, std::int64_t *>>{{"strain_points", &strain_points},
@@ -62,7 +62,9 @@ namespace apps
     visitor.column("stress", stress);
   }
 
-  QuasiStaticStage::QuasiStaticStage(const QuasiStaticModel &model, const dem::Packing &packing, const std::size_t which)
+  QuasiStaticStage::QuasiStaticStage(const QuasiStaticModel &model,
+                                     const dem::Packing     &packing,
+                                     const std::size_t       which)
     : name(name_of(model.tests[which]))
     , number(which)
     , axis(model.axis)
@@ -94,16 +96,29 @@ namespace apps
 
   std::vector<postprocess::SeriesColumn> QuasiStaticStage::series_columns()
   {
-    return {{"test", ""},         {"point", ""},         {"strain", "-"},          {"stress", "Pa"},
-            {"mean_damage", "-"}, {"strain_xx", "-"},    {"strain_yy", "-"},       {"strain_zz", "-"},
-            {"energy_work", "J"}, {"energy_stored", "J"}, {"energy_damage", "J"},  {"energy_friction", "J"},
-            {"energy_damped", "J"}, {"energy_residual", "J"}, {"unbalanced", "-"}, {"solutions", ""},
-            {"relaxation_steps", ""}, {"control", ""}};
+    return {{"test", ""},
+            {"point", ""},
+            {"strain", "-"},
+            {"stress", "Pa"},
+            {"mean_damage", "-"},
+            {"strain_xx", "-"},
+            {"strain_yy", "-"},
+            {"strain_zz", "-"},
+            {"energy_work", "J"},
+            {"energy_stored", "J"},
+            {"energy_damage", "J"},
+            {"energy_friction", "J"},
+            {"energy_damped", "J"},
+            {"energy_residual", "J"},
+            {"unbalanced", "-"},
+            {"solutions", ""},
+            {"relaxation_steps", ""},
+            {"control", ""}};
   }
 
   void QuasiStaticStage::append_row(postprocess::SeriesWriter &series) const
   {
-    const dem::QuasiStaticPoint &p = path.points().back();
+    const dem::QuasiStaticPoint &p       = path.points().back();
     Eigen::Vector3d              strains = p.strain.head<3>();
     if (loaded.network.volume == 0) // between grips only the strain along the axis is known
       {

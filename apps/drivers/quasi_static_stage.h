@@ -15,7 +15,7 @@ namespace apps
   struct QuasiStaticResult
   {
     UniaxialLoad          load          = UniaxialLoad::tension;
-    double                young_modulus = 0; ///< of the first point, which is elastic [Pa]
+    double                young_modulus = 0;                ///< of the first point, which is elastic [Pa]
     double                strength = 0, strain_at_peak = 0; ///< magnitudes [Pa], [-]
     bool                  peak_passed         = false;
     double                worst_balance_error = 0;

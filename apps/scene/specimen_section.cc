@@ -38,7 +38,8 @@ namespace apps
         .means("Edges of the specimen: particles that lie wholly inside are kept; a periodic packing is repeated until "
                "it covers the box. "
                "May be left out for a file: its particles are then taken as they are")
-        .only_if(boxed, use.cell ? "Specimen/Source = generator and Specimen/Body = box" : "Specimen/Source = generator");
+        .only_if(boxed,
+                 use.cell ? "Specimen/Source = generator and Specimen/Body = box" : "Specimen/Source = generator");
     if (use.inertia)
       section.number("Density", density, "kg/m^3", Range::positive(), Need::required)
         .means("Of the particles, not of the bulk: bulk density over packing fraction");

@@ -28,8 +28,7 @@ namespace dem
     const double    opening     = std::max(u.normal_strain, 0.0);
     Eigen::Vector3d damage_gain = Eigen::Vector3d::Zero(); // d omega / d eps
     if (u.grows && u.kappa > 0)
-      damage_gain = damage_rate(k, u.kappa) / u.kappa *
-                    (opening * n + k.shear_weight * k.shear_weight * u.total_shear);
+      damage_gain = damage_rate(k, u.kappa) / u.kappa * (opening * n + k.shear_weight * k.shear_weight * u.total_shear);
     const double          open   = opening > 0 ? 1 - u.damage : 1.0;
     const Eigen::Vector3d normal = k.E * (open * n - opening * damage_gain); // d sigma_N / d eps
 
@@ -41,8 +40,7 @@ namespace dem
       return n * normal.transpose();
     const Eigen::Vector3d t          = u.trial_shear.normalized();
     const Eigen::Vector3d limit_gain = -k.cohesion * damage_gain - k.friction * normal;
-    return n * normal.transpose() + t * limit_gain.transpose() +
-           limit / trial * k.G * (across - t * t.transpose());
+    return n * normal.transpose() + t * limit_gain.transpose() + limit / trial * k.G * (across - t * t.transpose());
   }
 
   Eigen::Matrix3d cpm_secant(const CpmConstants &k, const Eigen::Vector3d &n, const CpmUpdate &u)

@@ -13,7 +13,8 @@ namespace dem
     std::vector<std::size_t> low, high;  ///< particle numbers
     double                   length = 0; ///< between the outermost centres; the strain refers to it [m]
     double                   middle = 0; ///< between them, along the axis [m]
-    double section = 0; ///< smallest section between the layers, of the particles themselves where nothing lies between [m^2]
+    double                   section =
+      0; ///< smallest section between the layers, of the particles themselves where nothing lies between [m^2]
   };
 
   /** Particles of a specimen and how thick its discs are. */

@@ -62,8 +62,9 @@ namespace dem
 
   CpmUpdate DamagingLinks::update_of(const std::size_t i) const
   {
-    return {trial_strain[i], trial_shear[i], unreturned[i], trial[i].kappa, trial[i].damage,
-            trial[i].kappa > reached(i), response[i].slides};
+    return {trial_strain[i],   trial_shear[i],  unreturned[i],
+            trial[i].kappa,    trial[i].damage, trial[i].kappa > reached(i),
+            response[i].slides};
   }
 
   std::vector<Eigen::Matrix3d> DamagingLinks::stiffness(const LinkStiffness kind) const
@@ -82,8 +83,9 @@ namespace dem
           u.grows = true;
         if (kind == LinkStiffness::onward)
           u.slides = slid[i] != 0;
-        result[i] = l.area / l.branch.norm() *
-                    (kind == LinkStiffness::secant ? cpm_secant(law, l.direction, u) : cpm_tangent(law, l.direction, u));
+        result[i] =
+          l.area / l.branch.norm() *
+          (kind == LinkStiffness::secant ? cpm_secant(law, l.direction, u) : cpm_tangent(law, l.direction, u));
       }
     return result;
   }

@@ -51,13 +51,13 @@ namespace dem
     bool grew(const std::size_t link) const { return grown[link] != 0; }
     void forget_growth();
 
-    double damage_of(const std::size_t link) const { return state[link].damage; }          ///< committed
-    double strength_damage_of(std::size_t link) const;                                      ///< committed
+    double damage_of(const std::size_t link) const { return state[link].damage; } ///< committed
+    double strength_damage_of(std::size_t link) const;                            ///< committed
     double damage_work_of(std::size_t link) const; ///< energy lost to its damage, committed; 0 where shear damages [J]
     /** It has met the break test: a specimen in motion would have deleted it. */
-    bool is_exhausted(const std::size_t link) const { return state[link].kappa > law.kappa_broken; }
-    double mean_damage() const;                                                             ///< committed
-    double damage_work() const { return lost_by_damage; }  ///< energy lost to damage in committed steps [J]
+    bool   is_exhausted(const std::size_t link) const { return state[link].kappa > law.kappa_broken; }
+    double mean_damage() const;                             ///< committed
+    double damage_work() const { return lost_by_damage; }   ///< energy lost to damage in committed steps [J]
     double sliding_work() const { return lost_by_sliding; } ///< energy lost to sliding in committed steps [J]
     double stored() const;                                  ///< energy stored in the links, committed [J]
 

@@ -36,8 +36,8 @@ namespace dem
         for (Eigen::Index i = 0; i < motion.particles.cols(); ++i)
           for (int c = 0; c < motions; ++c)
             if (!(loaded.held[i] >> c & 1))
-              damped += move(unbalanced.particles(c, i), mass.particles(c, i), speed.particles(c, i),
-                             motion.particles(c, i));
+              damped +=
+                move(unbalanced.particles(c, i), mass.particles(c, i), speed.particles(c, i), motion.particles(c, i));
         for (int p = 0; p < 6; ++p)
           if (loaded.free[p])
             damped += move(-unbalanced.loads[p], mass.loads[p], speed.loads[p], motion.loads[p]);
@@ -93,8 +93,8 @@ namespace dem
         const double *const first = mass.particles.data();
         const auto          n     = mass.particles.size();
         const double        mean  = std::accumulate(first, first + n, 0.0) / static_cast<double>(n);
-        mass.particles = (mass.particles.array() > 0).select(mass.particles, mean);
-        mass.loads     = (mass.loads.array() > 0).select(mass.loads, mean);
+        mass.particles            = (mass.particles.array() > 0).select(mass.particles, mean);
+        mass.loads                = (mass.loads.array() > 0).select(mass.loads, mean);
         mass.particles.bottomRows<3>() *= scale * scale;
         mass.loads *= load_length * load_length;
       }
@@ -112,8 +112,8 @@ namespace dem
                                    const LinkRelaxationParameters &p)
   {
     Relaxation           relaxation(loaded, p.damping);
-    const double         scale = mean_arm(loaded.network);
-    const double         part  = change / static_cast<double>(p.ramp_steps);
+    const double         scale        = mean_arm(loaded.network);
+    const double         part         = change / static_cast<double>(p.ramp_steps);
     double               force_before = 0;
     int                  at_rest      = 0; // steps in a row: forces also vanish where all swings through
     LinkRelaxationReport report;

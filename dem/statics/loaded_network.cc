@@ -32,8 +32,7 @@ namespace dem
       for (const std::size_t i : members)
         {
           if (i >= loaded.network.particles() || loaded.held[i] & bit(grips.axis))
-            throw InputError("grips: particle " + std::to_string(i + 1) +
-                             " is not there, or belongs to both of them.");
+            throw InputError("grips: particle " + std::to_string(i + 1) + " is not there, or belongs to both of them.");
           loaded.held[i] |= bit(grips.axis);
           for (int c = 0; c < 3; ++c)
             {
@@ -82,7 +81,8 @@ namespace dem
       throw InputError("Axis = " + std::to_string(grips.axis) + ": must be one of the specimen's directions.");
     if (grips.layers.low.empty() || grips.layers.high.empty())
       throw InputError("grips: one of them holds no particle.");
-    if (!(grips.layers.length > 0 && grips.layers.section > 0) || !std::isfinite(grips.layers.length * grips.layers.section))
+    if (!(grips.layers.length > 0 && grips.layers.section > 0) ||
+        !std::isfinite(grips.layers.length * grips.layers.section))
       throw InputError("grips: the length between them and the section must be above 0.");
     LoadedNetwork loaded;
     loaded.volume = grips.layers.length * grips.layers.section;
@@ -105,9 +105,9 @@ namespace dem
     const int   side = (grips.axis + 1) % loaded.network.dimension, other = 3 - grips.axis - side;
     // The pair of the low grip that lies farthest apart along `side`: a rotation about the axis would move them against each other
     // along `other`.
-    const auto farther = [&](const std::size_t a, const std::size_t b) { return x[a][side] < x[b][side]; };
-    const std::size_t one = *std::min_element(grips.layers.low.begin(), grips.layers.low.end(), farther);
-    const std::size_t two = *std::max_element(grips.layers.low.begin(), grips.layers.low.end(), farther);
+    const auto        farther = [&](const std::size_t a, const std::size_t b) { return x[a][side] < x[b][side]; };
+    const std::size_t one     = *std::min_element(grips.layers.low.begin(), grips.layers.low.end(), farther);
+    const std::size_t two     = *std::max_element(grips.layers.low.begin(), grips.layers.low.end(), farther);
     loaded.held[one] |= bit(side);
     if (loaded.network.dimension == 2)
       return;
@@ -124,8 +124,7 @@ namespace dem
     return K.head<3>() - J.head<3>() + l.direction.cross(spin) + loaded.load_slip[link] * motion.loads;
   }
 
-  Unbalanced
-  unbalanced_of(const LoadedNetwork &loaded, const std::vector<Eigen::Vector3d> &force, const double scale)
+  Unbalanced unbalanced_of(const LoadedNetwork &loaded, const std::vector<Eigen::Vector3d> &force, const double scale)
   {
     Unbalanced u;
     u.particles.setZero(6, static_cast<Eigen::Index>(loaded.network.particles()));

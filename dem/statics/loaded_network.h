@@ -20,14 +20,14 @@ namespace dem
    */
   struct LoadedNetwork
   {
-    ElasticNetwork                           network;
-    std::vector<HeldMotions>                 held; ///< of each particle: what its own motion leaves to the load parameters
+    ElasticNetwork           network;
+    std::vector<HeldMotions> held; ///< of each particle: what its own motion leaves to the load parameters
     std::vector<Eigen::Matrix<double, 3, 6>> load_slip; ///< of each link: slip per unit of each parameter [m]
     /** Displacement of each particle per unit of each parameter, beyond its own motion [m]. */
     std::vector<Eigen::Matrix<double, 3, 6>> carried;
-    std::array<bool, 6>                      free = {};
-    int                                      led  = 0;
-    double volume = 0; ///< force of a parameter over it is its stress [m^3]
+    std::array<bool, 6>                      free   = {};
+    int                                      led    = 0;
+    double                                   volume = 0; ///< force of a parameter over it is its stress [m^3]
   };
 
   /**
@@ -79,8 +79,9 @@ namespace dem
   struct Unbalanced
   {
     Eigen::Matrix<double, 6, Eigen::Dynamic> particles; ///< force [N] and moment [N m] on each, zero where held
-    Vector6                                  loads; ///< force of each parameter, volume times its stress [J]
-    double residual = 0; ///< of the forces on particles, and of free parameters; over link forces, both as root of sums of squares
+    Vector6                                  loads;     ///< force of each parameter, volume times its stress [J]
+    double                                   residual =
+      0; ///< of the forces on particles, and of free parameters; over link forces, both as root of sums of squares
   };
 
   /** @param force of each link on its first end [N]  @param scale length that makes forces of moments [m] */

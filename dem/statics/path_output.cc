@@ -15,7 +15,8 @@ namespace dem
     }
   } // namespace
 
-  ParticleOutput particles_of(const LoadedNetwork &loaded, const QuasiStaticPath &path, const std::vector<double> &radius)
+  ParticleOutput
+  particles_of(const LoadedNetwork &loaded, const QuasiStaticPath &path, const std::vector<double> &radius)
   {
     const ElasticNetwork &network = loaded.network;
     const DamagingLinks  &links   = path.links();
@@ -56,13 +57,13 @@ namespace dem
 
   LinkOutput links_of(const LoadedNetwork &loaded, const QuasiStaticPath &path)
   {
-    const DamagingLinks                &links = path.links();
+    const DamagingLinks               &links = path.links();
     const std::vector<Eigen::Vector3d> u     = displacements(loaded, path.motion());
-    LinkOutput                          out;
+    LinkOutput                         out;
     for (std::size_t l = 0; l < links.size(); ++l)
       {
-        const ElasticLink    &link = loaded.network.links[l];
-        const Eigen::Vector3d f    = links.forces()[l];
+        const ElasticLink    &link   = loaded.network.links[l];
+        const Eigen::Vector3d f      = links.forces()[l];
         const double          normal = f.dot(link.direction), shear = (f - normal * link.direction).norm();
         out.ends.push_back({static_cast<std::size_t>(link.first), static_cast<std::size_t>(link.second)});
         out.kind.push_back(links.is_exhausted(l) ? LinkOutput::broken : LinkOutput::cohesive);

@@ -13,7 +13,8 @@ namespace dem
    *
    * @param radius of each particle [m]
    */
-  ParticleOutput particles_of(const LoadedNetwork &loaded, const QuasiStaticPath &path, const std::vector<double> &radius);
+  ParticleOutput
+  particles_of(const LoadedNetwork &loaded, const QuasiStaticPath &path, const std::vector<double> &radius);
 
   /** The links of the same. */
   LinkOutput links_of(const LoadedNetwork &loaded, const QuasiStaticPath &path);

@@ -147,8 +147,8 @@ namespace dem
         const ElasticLink    &l    = loaded->network.links[i];
         const Eigen::Vector3d unit = l.direction / l.branch.norm();
         const double          rate = unit.dot(slip_of(*loaded, i, answer.per_step));
-        const double          way  = (1 + growth) * bonds.reached(i) - bonds.normal_strain(i) -
-                           unit.dot(slip_of(*loaded, i, answer.constant));
+        const double          way =
+          (1 + growth) * bonds.reached(i) - bonds.normal_strain(i) - unit.dot(slip_of(*loaded, i, answer.constant));
         if (rate > 0)
           steps.second = std::min(steps.second, way / rate);
         else if (rate < 0)
@@ -189,10 +189,10 @@ namespace dem
 
   bool QuasiStaticPath::iterate(const LinkStiffness stiffness, const Target &target)
   {
-    const int    most = parameters.max_iterations * (stiffness == LinkStiffness::secant ? 3 : 1);
+    const int     most             = parameters.max_iterations * (stiffness == LinkStiffness::secant ? 3 : 1);
     constexpr int without_progress = 6;
-    double       best = infinity;
-    int          best_at = 0;
+    double        best             = infinity;
+    int           best_at          = 0;
     for (attempt_length = 1; attempt_length <= most; ++attempt_length)
       {
         if (unbalanced.residual <= parameters.tolerance)
@@ -209,7 +209,8 @@ namespace dem
         if (!system.solve(bonds.stiffness(stiffness), unbalanced, answer))
           return false;
         const double step = correction(target, answer);
-        if (!std::isfinite(step) || std::fabs(led() + step - path.back().strain[loaded->led]) > 4 * parameters.strain_step)
+        if (!std::isfinite(step) ||
+            std::fabs(led() + step - path.back().strain[loaded->led]) > 4 * parameters.strain_step)
           return false;
         move(now, answer, step);
         restore(now);
@@ -253,7 +254,8 @@ namespace dem
     complete(point);
     const QuasiStaticPoint &before = path[path.size() - 2];
     path.back().external_work =
-      before.external_work + 0.5 * loaded->volume * (before.stress + path.back().stress).dot(path.back().strain - before.strain);
+      before.external_work +
+      0.5 * loaded->volume * (before.stress + path.back().stress).dot(path.back().strain - before.strain);
   }
 
   void QuasiStaticPath::complete(QuasiStaticPoint &point)
@@ -290,9 +292,8 @@ namespace dem
       {
         flat.insert(flat.end(), p.strain.data(), p.strain.data() + 6);
         flat.insert(flat.end(), p.stress.data(), p.stress.data() + 6);
-        flat.insert(flat.end(),
-                    {p.mean_damage, p.external_work, p.stored, p.damage, p.friction, p.damped, double(int(p.control)),
-                     double(p.iterations), double(p.relaxation_steps), p.residual});
+        flat.insert(flat.end(), {p.mean_damage, p.external_work, p.stored, p.damage, p.friction, p.damped,
+                                 double(int(p.control)), double(p.iterations), double(p.relaxation_steps), p.residual});
       }
     visitor.column("points", flat);
     path.resize(flat.size() / numbers);

@@ -20,8 +20,8 @@ namespace dem
     double end_strain  = 0;   ///< magnitude of the led strain at which to stop [-], >= strain_step
     double end_stress  = 0.5; ///< stop when the stress has fallen to this part of its peak, in [0, 1)
 
-    double tolerance      = 1e-7; ///< see Unbalanced::residual, in (0, 1e-2]
-    int    max_iterations = 12;   ///< of Newton's method on one step, > 1; three times as many with the secant
+    double tolerance      = 1e-7;        ///< see Unbalanced::residual, in (0, 1e-2]
+    int    max_iterations = 12;          ///< of Newton's method on one step, > 1; three times as many with the secant
     LinkRelaxationParameters relaxation; ///< its tolerance is the one above
   };
 
@@ -42,10 +42,10 @@ namespace dem
     Vector6 stress      = Vector6::Zero(); ///< [Pa]
     double  mean_damage = 0;
 
-    double external_work = 0; ///< trapezoidal over the points, so that it errs by the square of the steps [J]
-    double stored        = 0; ///< in links [J]
+    double external_work = 0;        ///< trapezoidal over the points, so that it errs by the square of the steps [J]
+    double stored        = 0;        ///< in links [J]
     double damage = 0, friction = 0; ///< dissipated by damage and by sliding [J]
-    double damped = 0;               ///< dissipated by the damping of relaxations: kinetic energy that cascades set free [J]
+    double damped = 0; ///< dissipated by the damping of relaxations: kinetic energy that cascades set free [J]
 
     StepControl  control          = StepControl::strain;
     int          iterations       = 0; ///< linear solutions, those of attempts that failed too

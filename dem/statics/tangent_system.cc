@@ -57,7 +57,7 @@ namespace dem
       for (int p = 0; p < 6; ++p)
         if (loaded.free[p] || p == loaded.led)
           moving.push_back(p);
-      weak_diagonal = undamaged_diagonal();
+      weak_diagonal                         = undamaged_diagonal();
       lu.umfpackControl()[UMFPACK_ORDERING] = UMFPACK_ORDERING_METIS;
       lu.umfpackControl()[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;
       lu.umfpackControl()[UMFPACK_IRSTEP]   = 0; // what a solution leaves is in the next residual
@@ -102,8 +102,8 @@ namespace dem
             outer.push_back(static_cast<int>(inner.size()));
           }
       const std::vector<double> zeros(inner.size(), 0.0);
-      matrix = Eigen::Map<const Sparse>(count, count, static_cast<Eigen::Index>(inner.size()), outer.data(), inner.data(),
-                                        zeros.data());
+      matrix             = Eigen::Map<const Sparse>(count, count, static_cast<Eigen::Index>(inner.size()), outer.data(),
+                                        inner.data(), zeros.data());
       const auto rows_in = [&](const std::int32_t rows, const std::int32_t columns) {
         const auto found = begin[columns].find(rows);
         return found == begin[columns].end() ? 0 : found->second; // none: the columns' particle is held altogether
@@ -132,9 +132,9 @@ namespace dem
       std::fill_n(matrix.valuePtr(), matrix.nonZeros(), 0.0);
       for (std::size_t i = 0; i < stiffness.size(); ++i)
         {
-          const ElasticLink &l   = loaded.network.links[i];
-          const auto [J, K]      = slip_matrices(l, scale);
-          const BlockPlaces &at  = places[i];
+          const ElasticLink &l  = loaded.network.links[i];
+          const auto [J, K]     = slip_matrices(l, scale);
+          const BlockPlaces &at = places[i];
           const SlipOf       CJ = stiffness[i] * J, CK = stiffness[i] * K;
           add(l.first, l.first, at.JJ, J.transpose() * CJ);
           add(l.first, l.second, at.JK, J.transpose() * CK);
@@ -154,7 +154,7 @@ namespace dem
         stiffness.push_back(l.stiffness);
       assemble(stiffness);
       const Eigen::VectorXd diagonal = matrix.diagonal();
-      const double    mean = std::accumulate(diagonal.begin(), diagonal.end(), 0.0) / static_cast<double>(count);
+      const double          mean = std::accumulate(diagonal.begin(), diagonal.end(), 0.0) / static_cast<double>(count);
       return (diagonal.array() > 1e-12 * mean).select(diagonal, mean);
     }
 
@@ -164,9 +164,9 @@ namespace dem
       Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(count, static_cast<Eigen::Index>(moving.size()));
       for (std::size_t i = 0; i < stiffness.size(); ++i)
         {
-          const ElasticLink                &l = loaded.network.links[i];
-          const auto [J, K]                   = slip_matrices(l, scale);
-          const Eigen::Matrix<double, 3, 6> f = stiffness[i] * loaded.load_slip[i];
+          const ElasticLink &l                   = loaded.network.links[i];
+          const auto [J, K]                      = slip_matrices(l, scale);
+          const Eigen::Matrix<double, 3, 6> f    = stiffness[i] * loaded.load_slip[i];
           const Block                       on_J = J.transpose() * f, on_K = K.transpose() * f;
           for (int c = 0; c < motions; ++c)
             for (std::size_t p = 0; p < moving.size(); ++p)
@@ -236,15 +236,15 @@ namespace dem
       answers        = {constant, per_step};
     }
 
-    const LoadedNetwork        &loaded;
-    double                      scale;
-    int                         count = 0;
-    std::vector<int>            unknown, first; ///< of each motion, -1 where held; of each particle, and the end
-    std::vector<int>            moving;         ///< load parameters that are not zero
-    Sparse                      matrix;
-    std::vector<BlockPlaces>    places;
-    Eigen::VectorXd             weak_diagonal;
-    Eigen::UmfPackLU<Sparse>    lu;
+    const LoadedNetwork     &loaded;
+    double                   scale;
+    int                      count = 0;
+    std::vector<int>         unknown, first; ///< of each motion, -1 where held; of each particle, and the end
+    std::vector<int>         moving;         ///< load parameters that are not zero
+    Sparse                   matrix;
+    std::vector<BlockPlaces> places;
+    Eigen::VectorXd          weak_diagonal;
+    Eigen::UmfPackLU<Sparse> lu;
   };
 
   TangentSystem::TangentSystem(const LoadedNetwork &loaded)

@@ -97,3 +97,74 @@ TEST_CASE("bench continuum: errors fall with the order of the element, whatever 
   CHECK_THAT(content_of(folder / "bench/continuum_ranks.csv"), Contains("1,4096,14739,"));
   CHECK(std::filesystem::file_size(folder / "bench/continuum.png") > 0);
 }
+
+namespace
+{
+  /** Rows of a table, fields by the name of their column (its unit left out). */
+  std::vector<std::map<std::string, std::string>> table(const std::filesystem::path &file)
+  {
+    std::istringstream csv(content_of(file));
+    std::string        line;
+    std::getline(csv, line);
+    std::vector<std::string> names = apps::comma_separated(line);
+    for (std::string &name : names)
+      name = name.substr(0, name.find(' '));
+    std::vector<std::map<std::string, std::string>> rows;
+    while (std::getline(csv, line))
+      {
+        const auto fields = apps::comma_separated(line);
+        rows.emplace_back();
+        for (std::size_t i = 0; i < names.size(); ++i)
+          rows.back()[names[i]] = fields.at(i);
+      }
+    return rows;
+  }
+} // namespace
+
+TEST_CASE(
+  "bench homogenise: every way tends to the direct answer as its tolerance falls",
+  "[apps][slow]")
+{
+  const ScratchFolder folder;
+  const Outcome       outcome = run(folder.path(), {"bench", "homogenise", "--quick", "-o", "bench"});
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  std::map<std::string, std::vector<double>> errors; // by cell and solver, in the order of falling tolerances
+  int                                        seeds = 0;
+  for (auto &row : table(folder / "bench/homogenise.csv"))
+    {
+      REQUIRE(apps::number_in(row["cost"]).has_value());
+      if (row["study"] == "solver")
+        errors[row["particles"] + " " + row["solver"]].push_back(*apps::number_in(row["error"]));
+      else
+        ++seeds;
+    }
+  CHECK(seeds == 2);
+  REQUIRE(errors.size() == 8);
+  for (const auto &[which, error] : errors)
+    {
+      INFO(which << ": " << error.front() << " ... " << error.back());
+      CHECK(error.back() <= error.front());
+      // Tolerance 1e-10 of forces gives the energy to its square, 1e-6 of the dynamic ones to 1e-5; finite strain of the specimen 1e-5.
+      CHECK(error.back() < (which.find("direct") + 1 || which.find("iterative") + 1 ? 1e-12 : 1e-4));
+    }
+  CHECK_THAT(content_of(folder / "bench/homogenise.md"), Contains("| solver | specimen |"));
+  CHECK(std::filesystem::file_size(folder / "bench/homogenise.png") > 0);
+}
+
+TEST_CASE("bench quasi-static: dynamic strengths fall towards the static one", "[apps][slow]")
+{
+  const ScratchFolder folder;
+  const Outcome       outcome = run(folder.path(), {"bench", "quasi-static", "--quick", "-o", "bench"});
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  std::vector<double> over;
+  for (auto &row : table(folder / "bench/quasi_static.csv"))
+    over.push_back(*apps::number_in(row["over_static"]));
+  REQUIRE(over.size() == 4);
+  CHECK(over[0] == 1);
+  CHECK(std::fabs(over[2] - 1) < std::fabs(over[1] - 1));
+  CHECK(std::fabs(over[3] - 1) < std::fabs(over[2] - 1));
+  CHECK(over[3] == Approx(1).epsilon(0.02));
+  CHECK(std::filesystem::file_size(folder / "bench/quasi_static.png") > 0);
+}

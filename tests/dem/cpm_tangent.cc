@@ -1,6 +1,7 @@
 // Consistent tangent of the CPM update against differences of the update itself.
-#include "dem/core/uniform_random.h"
 #include "dem/laws/cpm_tangent.h"
+
+#include "dem/core/uniform_random.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -58,7 +59,7 @@ namespace
 TEST_CASE("CPM tangent: it is the derivative of the update, on every branch", "[dem][statics]")
 {
   dem::UniformRandom random(7);
-  const auto         vector = [&] { return Vector3d(random() - 0.5, random() - 0.5, random() - 0.5); };
+  const auto         vector    = [&] { return Vector3d(random() - 0.5, random() - 0.5, random() - 0.5); };
   int                softening = 0, sliding = 0, both = 0, elastic = 0;
   for (const auto damage : {dem::DamageLaw::exponential, dem::DamageLaw::linear})
     for (const double xi : {0.0, 0.7})
@@ -72,9 +73,9 @@ TEST_CASE("CPM tangent: it is the derivative of the update, on every branch", "[
             Link fresh          = link;
             fresh.strain_before = Vector3d::Zero();
             fresh.stress(link.strain_before, first);
-            link.state.kappa  = std::max(first.kappa, 0.0);
-            link.state.damage = first.damage;
-            const Vector3d e  = 0.5 * first.trial_shear;
+            link.state.kappa         = std::max(first.kappa, 0.0);
+            link.state.damage        = first.damage;
+            const Vector3d e         = 0.5 * first.trial_shear;
             link.state.elastic_shear = {{e[0], e[1], e[2]}};
           }
           const Vector3d strain = link.strain_before + 4e-4 * vector();
@@ -94,8 +95,8 @@ TEST_CASE("CPM tangent: it is the derivative of the update, on every branch", "[
             }
           if (kink)
             continue;
-          const double limit = link.law.cohesion * (1 - at.damage) -
-                               link.law.friction * link.law.E * at.normal_strain * (at.normal_strain > 0 ? 1 - at.damage : 1);
+          const double limit = link.law.cohesion * (1 - at.damage) - link.law.friction * link.law.E * at.normal_strain *
+                                                                       (at.normal_strain > 0 ? 1 - at.damage : 1);
           const bool   slides = at.slides;
           const double gap    = std::fabs(link.law.G * at.trial_shear.norm() - limit);
           if (gap < 100 * link.law.E * h) // a kink, too

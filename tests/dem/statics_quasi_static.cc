@@ -111,10 +111,10 @@ namespace
 
 TEST_CASE("quasi-static cell: a cubic lattice follows the envelope of its links", "[dem][statics]")
 {
-  const auto law    = concrete();
-  const auto loaded = dem::load_cell(network_of(dem::make_lattice(dem::Lattice::simple_cubic, 1e-3, {1, 1, 1}), 1.05, law),
-                                     0, false);
-  const auto path   = follow(loaded, law, steps(30e-4));
+  const auto law = concrete();
+  const auto loaded =
+    dem::load_cell(network_of(dem::make_lattice(dem::Lattice::simple_cubic, 1e-3, {1, 1, 1}), 1.05, law), 0, false);
+  const auto path = follow(loaded, law, steps(30e-4));
   REQUIRE(path.size() > 20);
   for (const auto &point : path)
     {
@@ -125,13 +125,14 @@ TEST_CASE("quasi-static cell: a cubic lattice follows the envelope of its links"
   CHECK(path.back().strain[0] >= 20e-4);
 }
 
-TEST_CASE("quasi-static specimen: two gripped spheres follow the envelope of their link, and its energy", "[dem][statics]")
+TEST_CASE("quasi-static specimen: two gripped spheres follow the envelope of their link, and its energy",
+          "[dem][statics]")
 {
-  const auto law    = concrete();
-  const auto loaded = row(2, law);
-  auto       p      = steps(60e-4);
-  p.end_stress      = 0.05;
-  p.growth_step     = 0.02;
+  const auto law     = concrete();
+  const auto loaded  = row(2, law);
+  auto       p       = steps(60e-4);
+  p.end_stress       = 0.05;
+  p.growth_step      = 0.02;
   const auto   path  = follow(loaded, law, p);
   const double share = M_PI * 1e-6 / (loaded.volume / 2e-3); // of the link in the section, a convex hull of polygons
   CHECK(share == Approx(1).epsilon(0.02));
@@ -151,8 +152,7 @@ TEST_CASE("quasi-static specimen: a crushed pair of spheres stays elastic", "[de
   const auto loaded = row(2, law);
   const auto path   = follow(loaded, law, steps(5e-3, -1));
   CHECK(path.back().strain[0] == Approx(-5e-3).epsilon(1e-12));
-  CHECK(path.back().stress[0] * loaded.volume / 2e-3 ==
-        Approx(-5e-3 * law.normal_modulus * M_PI * 1e-6).epsilon(1e-9));
+  CHECK(path.back().stress[0] * loaded.volume / 2e-3 == Approx(-5e-3 * law.normal_modulus * M_PI * 1e-6).epsilon(1e-9));
   CHECK(path.back().damage + path.back().friction == 0);
 }
 
@@ -172,8 +172,9 @@ namespace
     }
     double opening(const double force_now) const
     {
-      return law.limit_elastic_strain - law.relative_ductility * law.limit_elastic_strain *
-                                          std::log(force_now / (0.8 * area) / (law.normal_modulus * law.limit_elastic_strain));
+      return law.limit_elastic_strain -
+             law.relative_ductility * law.limit_elastic_strain *
+               std::log(force_now / (0.8 * area) / (law.normal_modulus * law.limit_elastic_strain));
     }
   };
 
@@ -198,7 +199,8 @@ TEST_CASE("quasi-static path: a chain with a weak link snaps back along the clos
   for (const bool cell : {true, false})
     {
       dem::LoadedNetwork loaded =
-        cell ? dem::load_cell(network_of(dem::make_lattice(dem::Lattice::simple_cubic, 1e-3, {8, 1, 1}), 1.05, law), 0, false) :
+        cell ? dem::load_cell(network_of(dem::make_lattice(dem::Lattice::simple_cubic, 1e-3, {8, 1, 1}), 1.05, law), 0,
+                              false) :
                row(9, law);
       weaken(loaded, 3);
       auto p                = steps(10e-4);
@@ -216,8 +218,7 @@ TEST_CASE("quasi-static path: a chain with a weak link snaps back along the clos
           const double exact     = (kappa + 7 * force / (chain.area * law.normal_modulus)) / 8;
           CHECK(point.strain[0] == Approx(exact).epsilon(1e-7).margin(1e-12)); // tolerance 1e-10 of the forces
           CHECK(point.control != dem::StepControl::relaxed);
-          (softening ? least_strain : at_onset) =
-            softening ? std::min(least_strain, point.strain[0]) : point.strain[0];
+          (softening ? least_strain : at_onset) = softening ? std::min(least_strain, point.strain[0]) : point.strain[0];
         }
       // Peak at (0.8 * 7 + 1)/8 eps_0. From there the strain falls until (5.6/3) exp(-(kappa - eps_0)/eps_f) = 1, where
       // kappa = 2.872 eps_0 and the strain is (2.872 + 3)/8 eps_0; steps of 5 % of kappa come near both.
@@ -228,7 +229,8 @@ TEST_CASE("quasi-static path: a chain with a weak link snaps back along the clos
     }
 }
 
-TEST_CASE("relaxation of links: a chain led past its snap-back falls to the closed form's other branch", "[dem][statics]")
+TEST_CASE("relaxation of links: a chain led past its snap-back falls to the closed form's other branch",
+          "[dem][statics]")
 {
   const auto         law = concrete(3);
   const WeakChain    chain{law, 7};
@@ -274,7 +276,8 @@ TEST_CASE("quasi-static cell: the first slope is the relaxed modulus, the free s
   CHECK(path[1].stress.tail<5>().norm() < 1e-6 * path[1].stress[0]);
 }
 
-TEST_CASE("quasi-static specimen: the first slope is that of the linear solution with prescribed particles", "[dem][statics]")
+TEST_CASE("quasi-static specimen: the first slope is that of the linear solution with prescribed particles",
+          "[dem][statics]")
 {
   const auto law = concrete();
   for (const bool rough : {false, true})
@@ -303,7 +306,8 @@ TEST_CASE("quasi-static specimen: the first slope is that of the linear solution
     }
 }
 
-TEST_CASE("statics: a cantilever ladder of bonded spheres deflects by its closed form under a prescribed tip", "[dem][statics]")
+TEST_CASE("statics: a cantilever ladder of bonded spheres deflects by its closed form under a prescribed tip",
+          "[dem][statics]")
 {
   // tests/dem/cantilever.cc derives it: delta/F = n (4 n^2 - 1)/(6 k_N) + (6 n - 3)/(4 k_T).
   for (const int n : {1, 2, 4, 9})
@@ -335,7 +339,8 @@ TEST_CASE("statics: a cantilever ladder of bonded spheres deflects by its closed
     }
 }
 
-TEST_CASE("quasi-static path: work is stored or dissipated, and the peak does not hang on the steps", "[dem][statics][slow]")
+TEST_CASE("quasi-static path: work is stored or dissipated, and the peak does not hang on the steps",
+          "[dem][statics][slow]")
 {
   const auto law = concrete();
   for (const bool cell : {true, false})
@@ -364,11 +369,11 @@ TEST_CASE("quasi-static path: work is stored or dissipated, and the peak does no
 TEST_CASE("quasi-static path: in compression cracks run in cascades, which relaxation takes over and hands back",
           "[dem][statics][slow]")
 {
-  const auto law    = concrete();
-  const auto loaded = random_box(law);
-  auto       p      = steps(1.2e-3, -1);
-  p.strain_step     = 2e-5;
-  const auto path   = follow(loaded, law, p);
+  const auto law     = concrete();
+  const auto loaded  = random_box(law);
+  auto       p       = steps(1.2e-3, -1);
+  p.strain_step      = 2e-5;
+  const auto path    = follow(loaded, law, p);
   int        relaxed = 0, handed_back = 0;
   for (std::size_t i = 1; i < path.size(); ++i)
     {
@@ -386,10 +391,10 @@ TEST_CASE("quasi-static path: in compression cracks run in cascades, which relax
 
 TEST_CASE("quasi-static path: the same bits for one and two threads, and after a restart", "[dem][statics][S13]")
 {
-  const auto law    = concrete();
-  const auto loaded = random_cell(law);
-  auto       p      = steps(3.5e-4);
-  p.strain_step     = 4e-5;
+  const auto law         = concrete();
+  const auto loaded      = random_cell(law);
+  auto       p           = steps(3.5e-4);
+  p.strain_step          = 4e-5;
   const auto state_after = [&](const int threads, const int restart_after) {
     omp_set_num_threads(threads);
     auto path = std::make_unique<dem::QuasiStaticPath>(loaded, law, p);

@@ -1,0 +1,42 @@
+#include "apps/bench/quasi_static.h"
+#include "apps/commands/command.h"
+#include "apps/commands/scene_options.h"
+
+#include <CLI/Validators.hpp>
+
+#include <memory>
+
+namespace apps
+{
+  void add_quasi_static_bench(CLI::App &bench, Action &chosen)
+  {
+    struct Options : QuasiStaticBench
+    {
+      int threads = 1;
+    };
+    const auto options = std::make_shared<Options>();
+    options->folder    = "output/bench_quasi_static";
+    CLI::App &command =
+      *bench.add_subcommand("quasi-static", "Tensile strength without inertia and at falling loading rates");
+    command
+      .add_option("-o,--output", options->folder,
+                  "Folder for the table and the picture; default: " + options->folder.string())
+      ->type_name("DIR");
+    command
+      .add_option("--rates", options->rates, "Strain rates of the dynamic runs [1/s]; default: 10,3,1,0.3,0.1,0.03")
+      ->delimiter(',')
+      ->type_name("R,R,...")
+      ->check(CLI::PositiveNumber);
+    command.add_option("--damping", options->damping, "Local damping of the dynamic runs; default: 0.3")
+      ->type_name("D")
+      ->check(CLI::Range(0.0, 0.99));
+    command.add_flag("--quick", options->quick, "A smaller specimen, three rates");
+    add_threads(command, options->threads);
+    command.callback([options, &chosen] {
+      chosen = [options] {
+        use_threads(options->threads);
+        return run_quasi_static_bench(*options);
+      };
+    });
+  }
+} // namespace apps

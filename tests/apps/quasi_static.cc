@@ -1,0 +1,139 @@
+#include "apps/scene/value_text.h"
+#include "tests/apps/program.h"
+#include "tests/apps/scenes.h"
+#include "tests/apps/scratch_folder.h"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <sstream>
+#include <thread>
+
+using namespace apps_tests;
+using Catch::Contains;
+
+namespace
+{
+  std::string quasi_static_scene()
+  {
+    std::string scene = replaced(scene_with_file(), "Kind = uniaxial", "Kind = quasi_static");
+    scene             = replaced(scene, "  set Density           = 4800\n", "");
+    scene             = replaced(scene, "set Strain rate = 4\n", "set Stop fraction = 0.9\n");
+    scene             = replaced(scene, "set Strain rate = 20\n", "set Stop strain = 4e-4\n");
+    return replaced(scene, "  set Samples   = 50\n  set Snapshots = 5\n", "  set Points per snapshot = 20\n");
+  }
+
+  /** 3 x 3 x 4 spheres of 1 mm near a cubic lattice: irregular, so that links fail one after the other. */
+  std::string small_heap()
+  {
+    std::ostringstream text;
+    for (int i = 0; i < 36; ++i)
+      text << 2e-3 * (i % 3 + 0.1 * std::sin(7 * i)) << ' ' << 2e-3 * (i / 3 % 3 + 0.1 * std::sin(11 * i)) << ' '
+           << 2e-3 * (i / 9 + 0.1 * std::sin(13 * i)) << " 1e-3\n";
+    return text.str();
+  }
+
+  /** Rows of series.csv, the header left out; fields as they stand. */
+  std::vector<std::vector<std::string>> rows_of(const std::filesystem::path &file)
+  {
+    std::istringstream                    csv(content_of(file));
+    std::string                           line;
+    std::vector<std::vector<std::string>> rows;
+    std::getline(csv, line);
+    while (std::getline(csv, line))
+      rows.push_back(apps::comma_separated(line));
+    return rows;
+  }
+} // namespace
+
+TEST_CASE("a quasi-static run of two spheres follows the envelope of their link", "[apps]")
+{
+  const ScratchFolder folder;
+  folder.file("packing.txt", pair_packing());
+  folder.file("x.prm", quasi_static_scene());
+  const Outcome outcome = run(folder.path(), {"run", "x.prm", "-o", "out", "-s", "Loading/Tests=tension"});
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  CHECK_THAT(outcome.out, Contains("tension") && Contains("led by strain"));
+  const auto summary = nlohmann::json::parse(content_of(folder / "out/summary.json"));
+  // E eps_0 of the link, over a section that is the polygon about its circle (2 % at most).
+  const double strength = summary["figures"]["tensile_strength"]["value"],
+               modulus  = summary["figures"]["young_modulus"]["value"];
+  CHECK(strength == Approx(2.5e6).epsilon(0.02));
+  CHECK(strength / modulus == Approx(1e-4).epsilon(1e-6)); // the step that ends on the peak
+  CHECK(summary["energy"]["balance_error"].get<double>() < 1e-3);
+  const auto rows = rows_of(folder / "out/series.csv");
+  REQUIRE(rows.size() > 20);
+  for (const auto &row : rows)
+    {
+      REQUIRE(row.size() == 18);
+      CHECK((row.back() == "strain" || row.back() == "opening"));
+      const double strain = *apps::number_in(row[2]), stress = *apps::number_in(row[3]);
+      const double envelope =
+        strain <= 1e-4 ? strain : 1e-4 * std::exp(-(strain - 1e-4) / 30e-4); // (2.17) of Stransky (2018)
+      CHECK(stress == Approx(modulus * envelope).epsilon(1e-7));
+    }
+  for (const char *name : {"curve.png", "tension_crack.png", "scene.prm", "packing.h5", "tension_particles.pvd"})
+    CHECK(std::filesystem::file_size(folder / "out" / name) > 0);
+}
+
+TEST_CASE("a quasi-static run pulls and crushes a specimen, and closes its energy balance", "[apps][slow]")
+{
+  const ScratchFolder folder;
+  folder.file("packing.txt", small_heap());
+  folder.file("x.prm", quasi_static_scene());
+  const Outcome outcome = run(folder.path(), {"run", "x.prm", "-o", "out"});
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  const auto summary = nlohmann::json::parse(content_of(folder / "out/summary.json"));
+  CHECK(summary["figures"]["strength_ratio"]["value"].get<double>() > 1);
+  for (const auto &test : summary["tests"])
+    {
+      CHECK(test["points"]["strain"].get<int>() + test["points"]["opening"].get<int>() > 10);
+      CHECK(test["energy"]["balance_error"].get<double>() < 0.05);
+    }
+}
+
+TEST_CASE("an interrupted quasi-static run goes on to the same bits", "[apps][slow][S13]")
+{
+  const ScratchFolder folder;
+  folder.file("packing.txt", small_heap());
+  folder.file("x.prm", replaced(quasi_static_scene() + "subsection Output\n  set Checkpoint interval = 0.01\nend\n",
+                                "subsection Loading\n", "subsection Loading\n  set Tests = tension\n"));
+  REQUIRE(run(folder.path(), {"run", "x.prm", "-o", "whole"}).status == 0);
+  {
+    Program program(folder.path(), {"run", "x.prm", "-o", "results"});
+    while (program.running() && !std::filesystem::exists(folder / "results/running/checkpoint.h5"))
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    program.send(SIGINT);
+    const Outcome stopped = program.wait();
+    INFO(stopped.err);
+    REQUIRE(stopped.status == 130);
+  }
+  const Outcome resumed = run(folder.path(), {"run", "results/running/scene.prm", "--resume"});
+  INFO(resumed.err);
+  REQUIRE(resumed.status == 0);
+  CHECK(content_of(folder / "results/series.csv") == content_of(folder / "whole/series.csv"));
+  CHECK(listing_of(folder / "results/tension_links") == listing_of(folder / "whole/tension_links"));
+}
+
+TEST_CASE("a quasi-static scene refuses what it cannot load", "[apps][S14]")
+{
+  const ScratchFolder folder;
+  folder.file("packing.txt", pair_packing());
+  folder.file("x.prm", quasi_static_scene());
+  const auto refused = [&](const std::string &setting, const std::string &reason) {
+    const Outcome outcome = run(folder.path(), {"run", "x.prm", "-o", "out", "-s", setting});
+    CHECK(outcome.status == 2);
+    CHECK_THAT(outcome.err, Contains(reason));
+  };
+  refused("Specimen/Body=cell", "not periodic");
+  refused("Loading/Grip thickness=5e-3", "the two grips would meet");
+  refused("Loading/Tension/Strain step=0.5", "Stop strain");
+  refused("Solver/Growth step=2", "Growth step");
+  CHECK_FALSE(std::filesystem::exists(folder / "out"));
+}
