@@ -94,12 +94,9 @@ namespace apps
       Row                    row{variant, outcome.name, outcome.severity, std::nan(""), 0, 0};
       const double           done = std::abs(outcome.severity / all.curve_strain.back());
       row.seconds_saved           = (1 - done) * all.seconds;
-      RunRequest request;
-      request.output_folder = folder;
-      request.scene_file    = bench.scene;
-      request.scene_text    = completed_scene(*scene.root, Completed::everything);
-      request.deciding_text = completed_scene(*scene.root, Completed::what_decides_results);
-      const auto start      = std::chrono::steady_clock::now();
+      RunRequest request          = request_of(scene);
+      request.output_folder       = folder;
+      const auto start            = std::chrono::steady_clock::now();
       try
         {
           const auto field = coupling::particle_field(outcome.state, model.transfer.field);

@@ -2,7 +2,6 @@
 #include "apps/commands/scene_options.h"
 #include "apps/exit_status.h"
 #include "apps/interrupt.h"
-#include "apps/scene/description.h"
 #include "apps/scene/load.h"
 
 #include <memory>
@@ -26,13 +25,9 @@ namespace apps
       const LoadedScene scene = load_scene(options.scene, overrides);
       catch_interrupts();
 
-      RunRequest request;
-      request.output_folder = scene.output_folder;
-      request.resume        = options.resume;
-      request.scene_file    = scene.file;
-      request.scene_text    = completed_scene(*scene.root, Completed::everything);
-      request.deciding_text = completed_scene(*scene.root, Completed::what_decides_results);
-      request.overrides     = options.overrides;
+      RunRequest request = request_of(scene);
+      request.resume     = options.resume;
+      request.overrides  = options.overrides;
       return scene.scene->run(request);
     }
   } // namespace

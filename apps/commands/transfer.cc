@@ -2,7 +2,6 @@
 #include "apps/commands/scene_options.h"
 #include "apps/drivers/sequential.h"
 #include "apps/interrupt.h"
-#include "apps/scene/description.h"
 #include "apps/scene/load.h"
 
 #include <memory>
@@ -29,13 +28,9 @@ namespace apps
         throw dem::InputError(scene.file + ": Kind = " + scene.kind + ": a transfer wants a scene of kind sequential.");
       catch_interrupts();
 
-      RunRequest request;
-      request.output_folder = scene.output_folder;
-      request.resume        = options.resume;
-      request.scene_file    = scene.file;
-      request.scene_text    = completed_scene(*scene.root, Completed::everything);
-      request.deciding_text = completed_scene(*scene.root, Completed::what_decides_results);
-      request.overrides     = options.overrides;
+      RunRequest request = request_of(scene);
+      request.resume     = options.resume;
+      request.overrides  = options.overrides;
       return options.identify ? sequential->identify(request) : sequential->transfer_only(request);
     }
   } // namespace
@@ -52,6 +47,7 @@ namespace apps
     command
       .add_option("-o,--output", options->output_folder, "Folder for the results; default: the scene's, or output/NAME")
       ->type_name("DIR");
+    command.add_flag("--resume", options->resume, "Go on from what an interrupted transfer left in the folder");
     command.add_flag("--identify", options->identify,
                      "Fit the constants of the mapping law to the particle run and to one continuum element instead");
     command.callback([options, &chosen] { chosen = [options] { return transfer(*options); }; });

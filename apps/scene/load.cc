@@ -1,6 +1,7 @@
 #include "apps/scene/load.h"
 
 #include "apps/drivers/all.h"
+#include "apps/scene/description.h"
 #include "apps/scene/nearest_name.h"
 #include "apps/scene/overrides.h"
 #include "apps/scene/parameter_file.h"
@@ -100,5 +101,15 @@ namespace apps
     declare_all(loaded);
     loaded.root->open_placeholders();
     return loaded;
+  }
+
+  RunRequest request_of(const LoadedScene &scene)
+  {
+    RunRequest request;
+    request.output_folder = scene.output_folder;
+    request.scene_file    = scene.file;
+    request.scene_text    = completed_scene(*scene.root, Completed::everything);
+    request.deciding_text = completed_scene(*scene.root, Completed::what_decides_results);
+    return request;
   }
 } // namespace apps

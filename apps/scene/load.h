@@ -26,6 +26,9 @@ namespace apps
    */
   LoadedScene load_scene(const std::string &file, const std::vector<std::string> &overrides);
 
+  /** What a run of the scene is asked, but for resuming and the changes as typed. */
+  RunRequest request_of(const LoadedScene &scene);
+
   /** The parameters of a kind, unread: what `breccia describe` shows. @throws dem::InputError for an unknown kind. */
   LoadedScene declare_scene(const std::string &kind);
 } // namespace apps

@@ -1,0 +1,199 @@
+#include "postprocess/csv_table.h"
+#include "postprocess/discrete_state_hdf5.h"
+#include "tests/apps/program.h"
+#include "tests/apps/scratch_folder.h"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+using namespace apps_tests;
+using Catch::Contains;
+
+namespace
+{
+  const std::string scene = BRECCIA_SOURCE_DIR "/apps/scenes/transfer_compression.prm";
+
+  using Arguments = std::vector<std::string>;
+
+  /** The shipped scene made small: some 150 particles, fast. */
+  Arguments small(Arguments arguments, const std::string &instants)
+  {
+    for (const std::string &entry :
+         {std::string("Particles/Specimen/Box size=0.011, 0.011, 0.018"),
+          std::string("Particles/Specimen/Generator/Cell particles=100"),
+          std::string("Particles/Uniaxial/Grip thickness=2.2e-3"), std::string("Particles/Uniaxial/Strain rate=8"),
+          std::string("Particles/Uniaxial/End strain=0"), "Particles/Uniaxial/Instants=" + instants})
+      {
+        arguments.emplace_back("-s");
+        arguments.push_back(entry);
+      }
+    return arguments;
+  }
+
+  nlohmann::json summary_of(const std::filesystem::path &folder)
+  {
+    return nlohmann::json::parse(content_of(folder / "summary.json"));
+  }
+
+  /** study.csv without the timings. */
+  std::string reproducible_part(const std::filesystem::path &folder)
+  {
+    const auto  table = postprocess::read_csv_table(folder / "results.csv", true);
+    std::string text;
+    for (const char *column : {"severity", "particle_stress", "peak", "horizontal_at_peak", "dissipated"})
+      for (const double value : table.column(column))
+        text += std::to_string(value) + " ";
+    return text;
+  }
+} // namespace
+
+TEST_CASE("A crushed specimen is handed over, carried on, and told in table, picture and ParaView files",
+          "[apps][slow]")
+{
+  const ScratchFolder folder;
+  const Outcome       outcome =
+    run(folder.path(), small({"run", scene, "-o", "results"}, "-8e-4, -2.2e-3, -2.2e-3 > -1.5e-3"));
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  const auto results = folder / "results";
+  const auto summary = summary_of(results);
+  REQUIRE(summary["transfers"].size() == 3);
+  for (const auto &transfer : summary["transfers"])
+    {
+      CHECK(transfer["points"]["all"] == 8);
+      CHECK(transfer["points"]["empty"] == 0);
+      CHECK(transfer["mean_stress_error"].get<double>() < 1e-12); // the specimen's mean everywhere
+      CHECK(transfer["mean_damage_error"].get<double>() < 1e-12);
+      CHECK(transfer["imbalance"]["after"]["relative"].get<double>() < 1e-8);
+    }
+  CHECK(summary["transfers"][0]["points"]["damaged"] == 0);
+  CHECK(summary["transfers"][1]["points"]["damaged"] == 8);
+  const auto cases = summary["figures"]["cases"];
+  CHECK(cases[0]["peak"].get<double>() == Approx(40e6).epsilon(1e-3)); // f_c: handed over before any damage
+  CHECK(cases[1]["peak"].get<double>() < 36e6);                        // after the peak less is left
+  for (const auto &one : cases)
+    CHECK(one["particle_balance_error"].get<double>() < 1e-3);
+  // The continuation begins at the particles' own stress, up to the grips' share of the specimen.
+  CHECK(std::filesystem::file_size(results / "study.png") > 0);
+  const std::string pvd = content_of(results / "transfer.pvd");
+  for (const char *part :
+       {"name=\"particles\" file=\"transfer/particles_000.vtp\"", "name=\"integration points\"", "name=\"mesh\""})
+    CHECK_THAT(pvd, Contains(part));
+  CHECK(std::filesystem::exists(results / "transfer/points_002.vtp"));
+  CHECK(std::filesystem::exists(results / "continuation_002/solid.pvd"));
+}
+
+TEST_CASE("A state that was saved is transferred as in the run that saved it", "[apps][slow]")
+{
+  const ScratchFolder folder;
+  REQUIRE(run(folder.path(), small({"transfer", scene, "-o", "first"}, "-2.2e-3")).status == 0);
+  CHECK_FALSE(std::filesystem::exists(folder / "first/continuation_000"));
+  const Outcome again = run(folder.path(), {"transfer", scene, "-o", "again", "-s", "Particles/Source=file", "-s",
+                                            "Particles/Files=first/states/state_000.h5"});
+  INFO(again.err);
+  REQUIRE(again.status == 0);
+  auto first = summary_of(folder / "first")["transfers"][0], second = summary_of(folder / "again")["transfers"][0];
+  first.erase("event");
+  second.erase("event");
+  CHECK(first == second);
+}
+
+TEST_CASE("The mapping law is identified from the particle run and one element, and fits better than the published one",
+          "[apps][slow]")
+{
+  const ScratchFolder folder;
+  const Outcome       outcome =
+    run(folder.path(), small({"transfer", "--identify", scene, "-o", "law", "-s", "Transfer/Mapping law/Law=default"},
+                             "-6e-4, -1e-3, -2e-3, -2.2e-3, -2.4e-3, -2.6e-3, -2.8e-3, -3e-3"));
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  const auto found = summary_of(folder / "law")["identification"];
+  CHECK(found["states_after_peak"].get<int>() >= 4);
+  CHECK(found["damage_error"].get<double>() < 0.05);
+  CHECK_THAT(outcome.out, Contains("set Law             = own"));
+  CHECK(std::filesystem::file_size(folder / "law/identified.png") > 0);
+}
+
+TEST_CASE("An interrupted sequential run leaves its states and goes on to the same results", "[apps][slow][S13]")
+{
+  const ScratchFolder folder;
+  const auto          arguments = [&](const char *where) {
+    return small({"run", scene, "-o", where}, "-8e-4, -1.6e-3, -2.2e-3");
+  };
+  REQUIRE(run(folder.path(), arguments("whole")).status == 0);
+  Program program(folder.path(), arguments("results"));
+  while (program.running() && !std::filesystem::exists(folder / "results/running/states/state_001_figures.h5"))
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  program.send(SIGINT);
+  const Outcome stopped = program.wait();
+  INFO(stopped.err);
+  REQUIRE(stopped.status == 130);
+  const Outcome resumed = run(folder.path(), {"run", "results/running/scene.prm", "--resume"});
+  INFO(resumed.err);
+  REQUIRE(resumed.status == 0);
+  for (const char *name : {"whole", "results"})
+    std::filesystem::copy_file(folder / name / "study.csv", folder / name / "results.csv");
+  CHECK(reproducible_part(folder / "results") == reproducible_part(folder / "whole"));
+  for (const char *k : {"000", "001", "002"})
+    CHECK(content_of(folder / "results" / (std::string("continuation_") + k) / "series.csv") ==
+          content_of(folder / "whole" / (std::string("continuation_") + k) / "series.csv"));
+}
+
+TEST_CASE("Sequential scenes with mistakes are refused with the place and what would be right", "[apps][S14]")
+{
+  const ScratchFolder folder;
+  const auto          refusal = [&](const Arguments &overrides, const std::string &command = "run") {
+    Arguments arguments = {command, scene, "-o", "results"};
+    for (const std::string &entry : overrides)
+      arguments.insert(arguments.end(), {"-s", entry});
+    const Outcome outcome = run(folder.path(), arguments);
+    CHECK(outcome.status == 2);
+    CHECK_FALSE(std::filesystem::exists(folder / "results/summary.json"));
+    return outcome.err;
+  };
+  CHECK_THAT(refusal({"Particles/Uniaxial/Instants=-1e-3, once"}),
+             Contains("Instants") && Contains("separated by commas"));
+  CHECK_THAT(refusal({"Particles/Uniaxial/Instants=-1e-3, 2e-3"}), Contains("one sign"));
+  CHECK_THAT(refusal({"Particles/Uniaxial/Instants=-1e-3 > -2e-3"}), Contains("Instants"));
+  CHECK_THAT(refusal({"Transfer/Mapping law/Law=legacy"}),
+             Contains("Did you mean \"legacy12\"?") || Contains("legacy12"));
+  CHECK_THAT(refusal({"Transfer/Mapping law/Hardening slope=1e5"}), Contains("must stay below 1"));
+  CHECK_THAT(refusal({"Continuum/Model/Analysis=explicit"}), Contains("static"));
+  CHECK_THAT(refusal({"Continuum/Model/Dimension=2"}), Contains("Dimension"));
+  CHECK_THAT(refusal({"Particles/Source=file", "Particles/Files=none.h5"}), Contains("none.h5"));
+  folder.file("text.h5", "no HDF5");
+  CHECK_THAT(refusal({"Particles/Source=file", "Particles/Files=text.h5"}), Contains("text.h5"));
+  const Outcome other = run(folder.path(), {"transfer", BRECCIA_SOURCE_DIR "/apps/scenes/quick_uniaxial.prm"});
+  CHECK(other.status == 2);
+  CHECK_THAT(other.err, Contains("Kind = uniaxial: a transfer wants a scene of kind sequential"));
+}
+
+TEST_CASE("A transfer past its limits is refused", "[apps][slow][S14]")
+{
+  const ScratchFolder folder;
+  const Outcome       outcome =
+    run(folder.path(), small({"run", scene, "-o", "results", "-s", "Transfer/Limits/Imbalance=1e-6"}, "-2.2e-3"));
+  CHECK(outcome.status == 2);
+  CHECK_THAT(outcome.err, Contains("out of balance by") && Contains("the scene allows 1e-06"));
+  CHECK_FALSE(std::filesystem::exists(folder / "results/summary.json"));
+}
+
+TEST_CASE("bench sequential tells error and cost of every kernel and mesh", "[apps][slow]")
+{
+  const ScratchFolder folder;
+  Arguments           arguments = small({"bench", "sequential", scene, "--quick", "-o", "bench"}, "-1e-3, -2.2e-3");
+  arguments.insert(arguments.end(), {"-s", "Particles/Uniaxial/End strain=-3e-3"});
+  const Outcome outcome = run(folder.path(), arguments);
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  const auto table = postprocess::read_csv_table(folder / "bench/sequential.csv", true);
+  CHECK(table.rows() == 14); // five kernels and two meshes, two instants each
+  for (const double error : table.column("error"))
+    CHECK((error > 0 && error < 2));
+  CHECK(std::filesystem::file_size(folder / "bench/sequential.png") > 0);
+  CHECK_THAT(content_of(folder / "bench/sequential.md"), Contains("| kernel | moving least squares 3 r |"));
+}
