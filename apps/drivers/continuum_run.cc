@@ -103,7 +103,7 @@ namespace apps
       resume();
     else
       begin();
-    if (is_first_rank())
+    if (is_first_rank() && !request.quiet)
       fmt::print(stderr, "{}: {} elements, {} unknowns; results {} in {}\n", request.scene_file,
                  solid->mesh().triangulation->n_global_active_cells(), solid->dofs().n_dofs(),
                  request.resume ? "go on" : "grow", location.string());
@@ -289,7 +289,7 @@ namespace apps
     save();
     if (progress)
       progress->clear();
-    if (is_first_rank())
+    if (is_first_rank() && !request.quiet)
       fmt::print(stderr, "breccia: interrupted, state saved. Go on with: breccia run {} --resume\n",
                  (location / scene_name).string());
   }
@@ -330,7 +330,8 @@ namespace apps
                              model.is_static()};
       report.write(location);
       folder->publish();
-      fmt::print("{}", report.text());
+      if (!request.quiet)
+        fmt::print("{}", report.text());
     });
   }
 

@@ -165,6 +165,7 @@ namespace apps
         const ParticleOutcome &outcome = particles.outcomes()[k];
         record.add(k, outcome);
         RunRequest part    = request;
+        part.quiet         = true;
         part.output_folder = running / continuation_name(k);
         part.deciding_text += fmt::format("\n# continuation {}", k);
         const auto begun = std::chrono::steady_clock::now();

@@ -153,6 +153,7 @@ namespace apps
           save();
       }
     stage->finish();
+    stage->save_discrete_state(folder->running());
     progress.clear();
     warn("crack picture", stage->draw_crack(folder->running()));
     return true;

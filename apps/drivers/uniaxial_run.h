@@ -17,7 +17,7 @@ namespace apps
    * written.
    *
    * In the result folder: packing.h5, scene.prm, series.csv (all tests), TEST_particles.pvd and TEST_links.pvd with
-   * their snapshots, checkpoint.h5 while running, and at the end summary.json, curve.png and TEST_crack.png.
+   * their snapshots, checkpoint.h5 while running, and at the end TEST_state.h5, summary.json, curve.png and TEST_crack.png.
    */
   class UniaxialRun
   {

@@ -1,6 +1,8 @@
 #include "apps/drivers/uniaxial_stage.h"
 
 #include "dem/core/errors.h"
+#include "dem/measures/discrete_state.h"
+#include "postprocess/discrete_state_hdf5.h"
 #include "postprocess/specimen_picture.h"
 #include "postprocess/vtk_links.h"
 #include "postprocess/vtk_particles.h"
@@ -121,6 +123,11 @@ namespace apps
       }
     // Ended by the stop strain, the largest stress may be the strength or may still grow.
     result.peak_passed = std::abs(test.curve().back().strain) > result.figures.strain_at_peak;
+  }
+
+  void UniaxialStage::save_discrete_state(const std::filesystem::path &folder) const
+  {
+    postprocess::write_discrete_state(dem::discrete_state(specimen), folder / (name + "_state.h5"));
   }
 
   std::string UniaxialStage::draw_crack(const std::filesystem::path &folder) const

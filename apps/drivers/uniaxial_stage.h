@@ -41,6 +41,8 @@ namespace apps
     bool finished() const { return test.finished(); }
     /** Call it when finished: completes the result, and takes the last snapshot. */
     void finish();
+    /** TEST_state.h5: the discrete state, from which `breccia transfer` can go on. */
+    void save_discrete_state(const std::filesystem::path &folder) const;
     /** TEST_crack.png of the present state. @return what went wrong, "" if nothing. */
     std::string draw_crack(const std::filesystem::path &folder) const;
 

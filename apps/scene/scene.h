@@ -13,10 +13,11 @@ namespace apps
   {
     std::filesystem::path    output_folder;
     bool                     resume = false;
-    std::string              scene_file;    ///< as typed
-    std::string              scene_text;    ///< the scene as completed, to be written beside the results
-    std::string              deciding_text; ///< of it, what decides the results: a checkpoint belongs to this text
-    std::vector<std::string> overrides;     ///< as typed after -s
+    bool                     quiet  = false; ///< part of a larger run, which tells the results itself
+    std::string              scene_file;     ///< as typed
+    std::string              scene_text;     ///< the scene as completed, to be written beside the results
+    std::string              deciding_text;  ///< of it, what decides the results: a checkpoint belongs to this text
+    std::vector<std::string> overrides;      ///< as typed after -s
   };
 
   /**
