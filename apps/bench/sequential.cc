@@ -78,7 +78,7 @@ namespace apps
       return model;
     }
 
-    /** The continuation of one instant by one variant; a continuum that finds no equilibrium has no error to show. */
+    /** The continuation of one instant by one variant, as far as it comes. */
     Row measure(const SequentialBench       &bench,
                 const Variant               &variant,
                 const ParticleCases         &particles,
@@ -97,18 +97,27 @@ namespace apps
       RunRequest request          = request_of(scene);
       request.output_folder       = folder;
       const auto start            = std::chrono::steady_clock::now();
+      const auto compare          = [&](const std::filesystem::path &where) {
+        ContinuationCurve curve = read_continuation(model.study, where);
+        curve.offset            = outcome.curve_strain.back();
+        row.error               = error_against(curve, all);
+      };
       try
         {
           const auto field = coupling::particle_field(outcome.state, model.transfer.field);
           if (continue_from(request, model.continuum, field, model.transfer.chosen()).status != exit_success)
             return row;
-          ContinuationCurve curve = read_continuation(model.study, folder);
-          curve.offset            = outcome.curve_strain.back();
-          row.error               = error_against(curve, all);
+          compare(folder);
         }
-      catch (const dem::NumericalError &failure)
+      catch (const dem::NumericalError &failure) // what was found until then is compared
         {
           fmt::print(stderr, "{}, {}: {}\n", variant.name, outcome.name, failure.what());
+          if (std::filesystem::exists(folder / "running" / "series.csv"))
+            compare(folder / "running");
+        }
+      catch (const dem::InputError &refusal) // past the limits of the transfer
+        {
+          fmt::print(stderr, "{}, {}: {}\n", variant.name, outcome.name, refusal.what());
         }
       row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
       return row;
