@@ -315,6 +315,7 @@ namespace apps
     size.points               = size.elements * solid->quadrature().size();
     const std::string problem = draw_damage(*solid, *analysis->state().displacement, location / "damage.png",
                                             std::filesystem::path(request.scene_file).stem().string());
+    const bool        at_end  = analysis->coordinate() >= analysis->end() * (1 - 1e-9);
     on_first_rank([&] {
       if (!problem.empty())
         fmt::print(stderr, "breccia: warning: no damage.png: {}\n", problem);
@@ -327,7 +328,10 @@ namespace apps
                              wall_seconds(),
                              horizontal,
                              vertical,
-                             model.is_static()};
+                             model.is_static(),
+                             was_stopped ? "stop fraction" :
+                             at_end      ? "end" :
+                                           "steps at most"};
       report.write(location);
       folder->publish();
       if (!request.quiet)

@@ -95,15 +95,16 @@ namespace apps
   nlohmann::json ContinuumReport::summary() const
   {
     nlohmann::json summary;
-    summary["scene"]   = request.scene_file;
-    summary["asked"]   = {{"kind", "continuum"}, {"overrides", request.overrides}};
-    summary["version"] = version();
-    summary["figures"] = figures();
-    summary["cost"]    = {{"elements", size.elements},
-                          {"unknowns", size.unknowns},
-                          {"integration_points", size.points},
-                          {"ranks", rank_count()},
-                          {"wall_seconds", wall_seconds}};
+    summary["scene"]    = request.scene_file;
+    summary["asked"]    = {{"kind", "continuum"}, {"overrides", request.overrides}};
+    summary["version"]  = version();
+    summary["ended_by"] = ended_by;
+    summary["figures"]  = figures();
+    summary["cost"]     = {{"elements", size.elements},
+                           {"unknowns", size.unknowns},
+                           {"integration_points", size.points},
+                           {"ranks", rank_count()},
+                           {"wall_seconds", wall_seconds}};
     for (const auto &[name, value] : cost)
       summary["cost"][name] = value;
     if (!linear_solver.empty())

@@ -26,6 +26,7 @@ namespace apps
     double                        wall_seconds;
     std::string                   horizontal, vertical; ///< columns of the curve
     bool                          is_static;
+    std::string                   ended_by; ///< "end", "stop fraction" or "steps at most"
 
     /** summary.json and curve.png. @throws postprocess::OutputError. */
     void write(const std::filesystem::path &folder) const;

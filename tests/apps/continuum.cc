@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 using namespace apps_tests;
 using Catch::Contains;
@@ -174,6 +175,120 @@ TEST_CASE("A bar against a wall presses with rho c v until the wave comes back",
         Approx(0.5 * 7850 * 0.5 * 4e-4 * 100 * (1 - 0.5 / 50)).epsilon(1e-9));
   for (const char *cost : {"time_step", "critical_step", "point_updates_per_second"})
     CHECK(summary["cost"][cost].get<double>() > 0);
+}
+
+TEST_CASE("Point forces stretch as the traction that they replace", "[apps]")
+{
+  const ScratchFolder folder;
+  folder.file("two.msh", two_squares_mesh());
+  std::string scene = replaced(two_squares_scene(), "  subsection right\n    set Traction x = 2e6*t\n  end\n", "");
+  scene             = replaced(scene, "subsection Points",
+                               "subsection Point forces\n  subsection low\n    set Position = 2, 0, 0\n    set Force x = 1e6*t\n"
+                                           "  end\n  subsection high\n    set Position = 2, 1, 0\n    set Force x = 1e6*t\n  end\nend\n"
+                                           "subsection Points");
+  folder.file("x.prm", scene);
+  const Outcome outcome = run(folder.path(), {"run", "x.prm", "-o", "results"});
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  CHECK(figure(summary_in(folder / "results"), "final_displacement_end_x") == Approx(1.5e-4).epsilon(1e-9));
+}
+
+TEST_CASE("The linear solver is as asked, said, and gives the same displacement", "[apps]")
+{
+  const ScratchFolder folder;
+  folder.file("two.msh", two_squares_mesh());
+  folder.file("x.prm", two_squares_scene());
+  const std::pair<const char *, const char *> methods[] = {
+    {"direct", "UMFPACK, as asked"}, {"iterative", "conjugate gradients with algebraic multigrid, as asked"}};
+  for (const auto &[method, said] : methods)
+    {
+      REQUIRE(run(folder.path(), {"run", "x.prm", "-o", method, "-s", std::string("Control/Linear solver=") + method})
+                .status == 0);
+      const nlohmann::json summary = summary_in(folder / method);
+      CHECK(summary["cost"]["linear_solver"] == said);
+      CHECK(figure(summary, "final_displacement_end_x") == Approx(1.5e-4).epsilon(1e-8));
+    }
+}
+
+TEST_CASE("A square turned by a right angle in large displacements holds no energy", "[apps]")
+{
+  const ScratchFolder folder;
+  folder.file("two.msh", two_squares_mesh());
+  std::string       scene = replaced(two_squares_scene(), "set Plane     = stress", "set Large displacement = true");
+  const std::string turn  = "    set Displacement x = x*(cos(pi/2*t) - 1) - y*sin(pi/2*t)\n"
+                            "    set Displacement y = x*sin(pi/2*t) + y*(cos(pi/2*t) - 1)\n";
+  scene                   = replaced(scene, "    set Displacement x = 0\n    set Displacement y = 0\n", turn);
+  scene                   = replaced(scene, "    set Traction x = 2e6*t\n", turn);
+  folder.file("x.prm", scene);
+  const Outcome outcome = run(folder.path(), {"run", "x.prm", "-o", "results", "-s", "Control/First step=0.1"});
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  const nlohmann::json summary = summary_in(folder / "results");
+  CHECK(figure(summary, "final_displacement_end_x") == Approx(-2 - 0.5).epsilon(1e-9));
+  CHECK(figure(summary, "final_displacement_end_y") == Approx(2 - 0.5).epsilon(1e-9));
+  // A strain of 1e-4 would hold 0.5 * 30e9 * 1e-8 * 2 m^3 = 300 J. Newton stops at 1e-8 of the forces that a turn by 9 degrees
+  // brings before the free nodes follow, some 1e9 N: 10 N over the way of a metre bound what the account may carry.
+  CHECK(std::fabs(summary["energy"]["internal"].get<double>()) < 1e-5 * 300);
+}
+
+TEST_CASE("Arc length: steps of the length asked for, loads in proportion while elastic", "[apps]")
+{
+  const ScratchFolder folder;
+  folder.file("two.msh", two_squares_mesh());
+  folder.file("x.prm", two_squares_scene());
+  const Outcome outcome = run(folder.path(), {"run", "x.prm", "-o", "results", "-s", "Control/Follow=arc length", "-s",
+                                              "Control/End=1e-3", "-s", "Control/First step=2e-4"});
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  const postprocess::CsvTable series = postprocess::read_csv_table(folder / "results/series.csv");
+  REQUIRE(series.rows() == 5);
+  // Norm over the nodes: two at x = 1 move by u1 = 5e-5, two at x = 2 by u2 = 1.5e-4 at load factor 1.
+  const double norm = std::sqrt(2 * (5e-5 * 5e-5 + 1.5e-4 * 1.5e-4));
+  for (std::size_t i = 0; i < 5; ++i)
+    {
+      CHECK(series.column("arc_length")[i] == Approx(2e-4 * (i + 1.0)).epsilon(1e-12));
+      CHECK(series.column("load_factor")[i] == Approx(2e-4 * (i + 1.0) / norm).epsilon(1e-8));
+    }
+}
+
+TEST_CASE("Two ranks under mpirun give the displacement of one, and PVTU files", "[apps]")
+{
+  const std::string mpirun = BRECCIA_MPIRUN;
+  if (mpirun.empty())
+    return;
+  const ScratchFolder folder;
+  folder.file("x.prm", impact_scene());
+  REQUIRE(run(folder.path(), {"run", "x.prm", "-o", "one"}).status == 0);
+  const std::string command = "cd " + folder.path().string() +
+                              " && OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 " + mpirun +
+                              " --oversubscribe -np 2 " BRECCIA_PROGRAM " run x.prm -o two > said 2>&1";
+  const int status = std::system(command.c_str());
+  INFO(content_of(folder / "said"));
+  REQUIRE(status == 0);
+  const nlohmann::json one = summary_in(folder / "one"), two = summary_in(folder / "two");
+  CHECK(two["cost"]["ranks"] == 2);
+  for (const char *name : {"peak_reaction_left_x", "final_displacement_free_end_x"})
+    CHECK(figure(two, name) == Approx(figure(one, name)).epsilon(1e-9)); // sums in another order
+  CHECK(std::filesystem::exists(folder / "two/solid/solid_000004.pvtu"));
+  CHECK_THAT(content_of(folder / "two/solid.pvd"), Contains("solid/solid_000004.pvtu"));
+  CHECK(std::count_if(std::filesystem::directory_iterator(folder / "two"), std::filesystem::directory_iterator(),
+                      [](const auto &) { return true; }) == 6);
+}
+
+TEST_CASE("The summary says by what a run ended", "[apps]")
+{
+  const ScratchFolder folder;
+  folder.file("x.prm", concrete_beam_scene());
+  const auto ended_by = [&](const std::vector<std::string> &changes) {
+    std::vector<std::string> words = {"run", "x.prm", "-o", "results", "-s", "Output/Snapshots=0"};
+    for (const std::string &change : changes)
+      words.insert(words.end(), {"-s", change});
+    REQUIRE(run(folder.path(), words).status == 0);
+    return summary_in(folder / "results")["ended_by"].get<std::string>();
+  };
+  CHECK(ended_by({"Control/End=1e-5"}) == "end");
+  CHECK(ended_by({"Control/Steps at most=3"}) == "steps at most");
+  CHECK(ended_by({"Control/Stop fraction=0.9", "Control/Largest step=5e-6"}) == "stop fraction");
 }
 
 TEST_CASE("check says what a continuum scene would take, and writes nothing", "[apps]")

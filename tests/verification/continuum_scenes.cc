@@ -91,6 +91,18 @@ TEST_CASE("The cantilever under its own weight sags as Timoshenko's beam", "[ver
   CHECK(fine == Approx(-1.4818e-3).epsilon(0.02));
 }
 
+TEST_CASE("The hole in the plate widens and narrows as Kirsch found", "[verification]")
+{
+  for (const char *elements : {"blocks", "simplices"})
+    {
+      const Results plate = results_of("plate_with_hole", {std::string("Mesh/Elements=") + elements});
+      // (a s/E)(1 + 2 cos 2 theta). The plate is 30 radii wide, not infinite: (a/W)^2 = 1e-3; the hole is a polygon: 2e-4.
+      CHECK(plate.figure("final_displacement_side_of_hole_x") == Approx(3 * 0.01 * 3e6 / 30e9).epsilon(5e-3));
+      CHECK(plate.figure("final_displacement_top_of_hole_y") == Approx(-0.01 * 3e6 / 30e9).epsilon(1e-2));
+      CHECK(plate.figure("peak_load_x") == Approx(3e6 * 0.3).epsilon(1e-10));
+    }
+}
+
 TEST_CASE("The bar on a wall carries the force rho c v A, and its wave comes back after 2 L/c", "[verification]")
 {
   const Results bar = results_of("bar_impact");
