@@ -21,8 +21,8 @@ namespace
   {
     std::string scene = replaced(scene_with_file(), "Kind = uniaxial", "Kind = quasi_static");
     scene             = replaced(scene, "  set Density           = 4800\n", "");
-    scene             = replaced(scene, "set Strain rate = 4\n", "set Stop fraction = 0.9\n");
-    scene             = replaced(scene, "set Strain rate = 20\n", "set Stop strain = 4e-4\n");
+    scene             = replaced(scene, "set Strain rate = 4\n", "set Stop fraction = 0.5\n");
+    scene = replaced(scene, "set Strain rate = 20\n", "set Stop strain = 4e-4\n    set Strain step = 1e-5\n");
     return replaced(scene, "  set Samples   = 50\n  set Snapshots = 5\n", "  set Points per snapshot = 20\n");
   }
 
