@@ -169,6 +169,7 @@ namespace apps
                    {"count", cuts.points.size()}, {"force_error", cuts.force_error()}, {"moment_error", cuts.moment_error()}};
     json["imbalance"]   = {{"before", imbalance(settled.before)}, {"after", imbalance(settled.after)}};
     json["equilibrium"] = {{"iterations", settled.iterations},
+                           {"steps", settled.steps},
                            {"largest_displacement", {{"value", settled.largest_displacement}, {"unit", "m"}}},
                            {"energy_released", {{"value", settled.released}, {"unit", "J"}}}};
     return json;

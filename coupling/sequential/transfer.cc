@@ -202,6 +202,40 @@ namespace coupling
     return found;
   }
 
+  namespace
+  {
+    /** At once if Newton finds it; otherwise the unbalanced force is let go in parts. */
+    template <int dim>
+    void settle(fem::StaticSolver<dim> &solver, Equilibration &done)
+    {
+      constexpr double smallest_part = 1e-4;
+      solver.hold_unbalance();
+      double share = 1, part = 1;
+      while (share > 0)
+        {
+          const double next = std::max(0.0, share - part);
+          solver.set_held_share(next);
+          const fem::StepReport step = solver.advance_to(0);
+          done.iterations += step.iterations;
+          if (step.converged)
+            {
+              share = next;
+              ++done.steps;
+              part *= 1.5;
+              continue;
+            }
+          part *= 0.5;
+          if (part < smallest_part)
+            {
+              std::ostringstream message;
+              message << "transfer: no equilibrium near the mapped state: with " << share
+                      << " of its unbalanced force still held, " << step.reason;
+              throw dem::NumericalError(message.str());
+            }
+        }
+    }
+  } // namespace
+
   template <int dim>
   Equilibration equilibrate(fem::Solid<dim> &solid, fem::StaticSolver<dim> &solver, const TransferLimits &limits)
   {
@@ -215,12 +249,9 @@ namespace coupling
                 << limits.imbalance << '.';
         throw dem::InputError(message.str());
       }
-    const fem::StepReport step = solver.advance_to(0);
-    if (!step.converged)
-      throw dem::NumericalError("transfer: no equilibrium near the mapped state: " + step.reason);
-    done.iterations        = step.iterations;
+    settle(solver, done);
     fem::StaticState state = solver.state();
-    done.released          = state.energy.external - state.energy.internal;
+    done.released          = -state.energy.internal;
     state.energy           = {}; // what the analysis accounts for begins here
     solver.restore(state);
     done.after                = imbalance(solid, solver);

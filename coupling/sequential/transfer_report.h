@@ -87,7 +87,8 @@ namespace coupling
   {
     Imbalance    before, after;            ///< both relate to the forces at hand before
     unsigned int iterations           = 0; ///< of Newton
+    unsigned int steps                = 0; ///< in which the unbalanced force was let go
     double       largest_displacement = 0; ///< it took [m]
-    double       released = 0; ///< energy that the iteration took out: work of the loads less that of the stresses [J]
+    double       released = 0; ///< work that the stresses gave off meanwhile [J]
   };
 } // namespace coupling

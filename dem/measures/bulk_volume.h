@@ -9,9 +9,10 @@ namespace dem
   /**
    * Volume, voids included, per solid volume of particles that form a body: the reciprocal of the packing fraction inside.
    *
-   * Measured in balls of 2.5 mean diameters around particles that lie deep inside (the centre of what the ball holds is near the
-   * ball's), so that a sparse surface, the body's shape and its orientation do not matter. Where no particle is deep (small or
-   * thin bodies): the box around all particles over their solid volume.
+   * Measured around particles that lie deep inside (what a ball of 2.5 mean diameters holds is centred on it), with a Gaussian
+   * weight so narrow that the surface does not count and so smooth that a lattice is measured exactly. A sparse surface, the
+   * body's shape and its orientation do not matter. Where no particle is deep (small or thin bodies): the box around all
+   * particles over their solid volume.
    *
    * @param solid volume of each particle [m^3], in two dimensions area times thickness
    * @param thickness of discs [m]; in space not used

@@ -99,6 +99,17 @@ namespace fem
   }
 
   template <int dim>
+  void StaticSolver<dim>::hold_unbalance()
+  {
+    Vector external = solid.make_vector();
+    solid.external_force(current_time, external);
+    held = f_int;
+    held -= external;
+    solid.constraints().set_zero(held);
+    held_share = 1;
+  }
+
+  template <int dim>
   StepReport StaticSolver<dim>::advance_to(const double time)
   {
     Trial      trial{u, f_int, f_ext, time};
@@ -179,6 +190,8 @@ namespace fem
       step_of_supports.update_ghost_values();
     }
     solid.external_force(trial.time, trial.f_ext);
+    if (held_share > 0)
+      trial.f_ext.add(held_share, held);
 
     for (unsigned int iteration = 0; iteration <= options.iterations; ++iteration)
       {

@@ -66,6 +66,13 @@ namespace fem
     /// Tries to go to a time.
     StepReport advance_to(double time);
 
+    /**
+     * From now on a given share of the force that is out of balance at this moment is carried by an outside hand: 1 keeps the
+     * solid where it is, 0 lets it go. To let a state from elsewhere settle in steps (advance_to() the same time after each).
+     */
+    void hold_unbalance();
+    void set_held_share(double share) { held_share = share; }
+
     /// Tries to go one increment of the control further.
     /// @throws std::invalid_argument if loads or displacements are not linear in time.
     StepReport advance_along(const PathControl &control, double increment);
@@ -97,12 +104,12 @@ namespace fem
       double time;
     };
 
-    double     measure(const PathControl &control, const Vector &of) const;
-    bool       balanced(const Trial &trial, const Vector &r, double &scale, StepReport &report) const;
-    void       set_tangent();
+    double measure(const PathControl &control, const Vector &of) const;
+    bool   balanced(const Trial &trial, const Vector &r, double &scale, StepReport &report) const;
+    void   set_tangent();
 
     /// Internal force and tangent at the trial displacement, and the product of the tangent with a direction if one is given.
-    void linearise(Trial &trial, const Vector *direction, Vector *product);
+    void       linearise(Trial &trial, const Vector *direction, Vector *product);
     void       unbalance(const Vector &external, const Vector &internal, Vector &r) const;
     StepReport finish_or_fail(const StepReport &report, const Trial &trial);
     StepReport newton(Trial &trial);
@@ -125,6 +132,8 @@ namespace fem
     double                        tangent_size  = 0;     // largest row sum [N/m]
     Vector                        u, f_int, f_ext, last_step;
     Vector                        load_0, load_1, support_0, support_1; // linear parts under path control
+    Vector                        held;                                 // force of the outside hand at share one
+    double                        held_share   = 0;
     bool                          path_known   = false;
     double                        current_time = 0;
     double                        last_length  = 0; // of the last step, in time
