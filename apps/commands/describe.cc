@@ -47,23 +47,24 @@ namespace apps
 
     void print(const Section &section, const std::string &kind, const std::string &format)
     {
-      if (format == "json")
-        {
-          nlohmann::json described = description_as_json(section);
-          described["kind"]        = kind;
-          fmt::print("{}\n", described.dump(2));
-        }
-      else if (format == "md")
+      if (format == "md")
         fmt::print("# Scenes of kind {}\n{}", kind, description_as_markdown(section));
       else
         fmt::print("# Scenes of kind {}\n{}", kind, description_as_prm(section));
     }
 
+    /** One kind asked for: its description; otherwise a list of those of all kinds that have the section. */
+    void print_json(const std::vector<nlohmann::json> &described, const bool one_kind)
+    {
+      fmt::print("{}\n", one_kind ? described.front().dump(2) : nlohmann::json(described).dump(2));
+    }
+
     /** Every kind that has the section, or the one asked for. */
     int describe(const DescribeOptions &options)
     {
-      std::vector<std::string> paths;
-      bool                     shown = false;
+      std::vector<std::string>    paths;
+      std::vector<nlohmann::json> described;
+      bool                        shown = false;
       for (const SceneKind &kind : scene_kinds())
         {
           if (!options.kind.empty() && kind.name != options.kind)
@@ -76,13 +77,21 @@ namespace apps
               paths.push_back(section->path());
           if (const Section *wanted = find(sections, options.section))
             {
-              print(*wanted, kind.name, options.format);
               shown = true;
+              if (options.format != "json")
+                {
+                  print(*wanted, kind.name, options.format);
+                  continue;
+                }
+              described.push_back(description_as_json(*wanted));
+              described.back()["kind"] = kind.name;
             }
         }
       if (!shown)
         throw dem::InputError("command line: section \"" + options.section + "\" is not known. " +
                               did_you_mean(options.section, paths));
+      if (options.format == "json")
+        print_json(described, !options.kind.empty());
       return exit_success;
     }
   } // namespace

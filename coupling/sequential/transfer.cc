@@ -208,10 +208,11 @@ namespace coupling
     template <int dim>
     void settle(fem::StaticSolver<dim> &solver, Equilibration &done)
     {
-      constexpr double smallest_part = 1e-4;
+      constexpr double smallest_part = 1e-3;
+      constexpr int most_attempts = 30; // a state that lets go of its unbalance grain by grain has no equilibrium near
       solver.hold_unbalance();
       double share = 1, part = 1;
-      while (share > 0)
+      for (int attempt = 1; share > 0; ++attempt)
         {
           const double next = std::max(0.0, share - part);
           solver.set_held_share(next);
@@ -222,10 +223,12 @@ namespace coupling
               share = next;
               ++done.steps;
               part *= 1.5;
-              continue;
+              if (attempt < most_attempts)
+                continue;
             }
-          part *= 0.5;
-          if (part < smallest_part)
+          else
+            part *= 0.5;
+          if (share > 0 && (part < smallest_part || attempt >= most_attempts))
             {
               std::ostringstream message;
               message << "transfer: no equilibrium near the mapped state: with " << share

@@ -1,3 +1,4 @@
+#include "apps/scene/value_text.h"
 #include "postprocess/csv_table.h"
 #include "postprocess/discrete_state_hdf5.h"
 #include "tests/apps/program.h"
@@ -7,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include <chrono>
-#include <cmath>
 #include <csignal>
+#include <sstream>
 #include <thread>
 
 using namespace apps_tests;
@@ -97,8 +98,9 @@ TEST_CASE("A state that was saved is transferred as in the run that saved it", "
   const ScratchFolder folder;
   REQUIRE(run(folder.path(), small({"transfer", scene, "-o", "first"}, "-2.2e-3")).status == 0);
   CHECK_FALSE(std::filesystem::exists(folder / "first/continuation_000"));
-  const Outcome again = run(folder.path(), {"transfer", scene, "-o", "again", "-s", "Particles/Source=file", "-s",
-                                            "Particles/Files=first/states/state_000.h5"});
+  Arguments arguments = small({"transfer", scene, "-o", "again"}, "-2.2e-3");
+  arguments.insert(arguments.end(), {"-s", "Particles/Source=file", "-s", "Particles/Files=first/states/state_000.h5"});
+  const Outcome again = run(folder.path(), arguments);
   INFO(again.err);
   REQUIRE(again.status == 0);
   auto first = summary_of(folder / "first")["transfers"][0], second = summary_of(folder / "again")["transfers"][0];
@@ -197,17 +199,24 @@ TEST_CASE("bench sequential tells error and cost of every kernel and mesh", "[ap
   const Outcome outcome = run(folder.path(), arguments);
   INFO(outcome.err);
   REQUIRE(outcome.status == 0);
-  const auto table = postprocess::read_csv_table(folder / "bench/sequential.csv", true);
-  CHECK(table.rows() == 14); // five kernels and two meshes, two instants each
-  int found =
-    0; // a uniform field past its peak may find no way on over several elements: then there is no error to show
-  for (const double error : table.column("error"))
-    if (std::isfinite(error))
-      {
-        ++found;
-        CHECK((error > 0 && error < 2));
-      }
-  CHECK(found >= 10);
+  std::istringstream csv(content_of(folder / "bench/sequential.csv"));
+  std::string        line;
+  std::getline(csv, line);
+  int rows  = 0,
+      found = 0; // past its peak a field may find no way on over several elements: then there is no error to show
+  while (std::getline(csv, line))
+    {
+      ++rows;
+      const auto fields = apps::comma_separated(line);
+      REQUIRE(fields.size() == 7);
+      if (const auto error = apps::number_in(fields[4]))
+        {
+          ++found;
+          CHECK((*error > 0 && *error < 2));
+        }
+    }
+  CHECK(rows == 14); // five kernels and two meshes, two instants each
+  CHECK(found >= 7); // all that were handed over before the peak
   CHECK(std::filesystem::file_size(folder / "bench/sequential.png") > 0);
   CHECK_THAT(content_of(folder / "bench/sequential.md"), Contains("| kernel | moving least squares 3 r |"));
 }
