@@ -1,5 +1,7 @@
 #include "fem/mesh/gmsh.h"
 
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
 #include <deal.II/grid/tria.h>
 
@@ -13,7 +15,8 @@ namespace
   {
   public:
     explicit TemporaryFile(const std::string &text)
-      : path(std::filesystem::temp_directory_path() / "breccia_test_gmsh.msh")
+      // Tests run side by side, each in a process of its own.
+      : path(std::filesystem::temp_directory_path() / ("breccia_test_gmsh_" + std::to_string(getpid()) + ".msh"))
     {
       std::ofstream(path) << text;
     }
@@ -81,7 +84,7 @@ TEST_CASE("Gmsh: triangles are read as simplices", "[fem]")
 
 TEST_CASE("Gmsh: bad files are refused with the file and the reason", "[fem]")
 {
-  CHECK_THAT(refusal("nonsense"), Catch::Contains("breccia_test_gmsh.msh") && Catch::Contains("is not a Gmsh file"));
+  CHECK_THAT(refusal("nonsense"), Catch::Contains("breccia_test_gmsh_") && Catch::Contains("is not a Gmsh file"));
   CHECK_THAT(refusal(two_squares("")), Catch::Contains("no named group"));
   CHECK_THROWS_WITH(fem::read_gmsh<2>("no_such_file.msh", MPI_COMM_SELF),
                     Catch::Contains("no_such_file.msh: cannot be read"));
