@@ -42,7 +42,7 @@ namespace dem
     Vector6 stress      = Vector6::Zero(); ///< [Pa]
     double  mean_damage = 0;
 
-    double external_work = 0;        ///< trapezoidal over the points, so that it errs by the square of the steps [J]
+    double external_work = 0;        ///< trapezoidal over the points: where damage jumps it errs in proportion to the steps [J]
     double stored        = 0;        ///< in links [J]
     double damage = 0, friction = 0; ///< dissipated by damage and by sliding [J]
     double damped = 0; ///< dissipated by the damping of relaxations: kinetic energy that cascades set free [J]

@@ -1,9 +1,9 @@
 #include "fem/mesh/gmsh.h"
 
-#include <unistd.h>
-
 #include <catch2/catch.hpp>
 #include <deal.II/grid/tria.h>
+
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
