@@ -113,7 +113,7 @@ namespace apps
       std::string("Loading/Tests has ") + name_of(load));
     section
       .number("Strain step", test.strain_step, "-", {std::numeric_limits<double>::min(), 1.0, true}, Need::optional)
-      .means("Largest step of the strain; halve it to see what it decides (the energy balance errs by its square)");
+      .means("Largest step of the strain; halve it to see what it decides (and to lower the error of the energy balance)");
     section.number("Stop fraction", test.stop_fraction, "-", Range::from_up_to(0, 1), Need::optional)
       .means("The test ends when the stress has fallen to this part of its peak");
     section
