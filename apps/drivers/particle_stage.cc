@@ -57,6 +57,36 @@ namespace apps
       ParticleOutcome result;
     };
 
+    /** What every computed case notes of its run: wall clock and the worst energy balance. */
+    class RunNotes
+    {
+    public:
+      /** Do some work on the specimen, and note what it took. */
+      template <typename Work>
+      void watch(const dem::Specimen &specimen, const Work &work)
+      {
+        const auto start = std::chrono::steady_clock::now();
+        work();
+        worst_balance = std::max(worst_balance, specimen.energy().balance_error());
+        seconds += seconds_since(start);
+      }
+
+      void put_into(ParticleOutcome &result) const
+      {
+        result.seconds       = seconds;
+        result.balance_error = worst_balance;
+      }
+
+      void visit_state(dem::StateVisitor &visitor)
+      {
+        visitor.scalar("seconds", seconds);
+        visitor.scalar("worst_balance", worst_balance);
+      }
+
+    private:
+      double seconds = 0, worst_balance = 0;
+    };
+
     dem::UniaxialParameters uniaxial_parameters(const ParticleStageSection &stage, const double furthest)
     {
       dem::UniaxialParameters p;
@@ -95,24 +125,20 @@ namespace apps
 
       void advance() override
       {
-        const auto         start = std::chrono::steady_clock::now();
-        const std::int64_t end   = specimen.steps() < steps_forward ? steps_forward : steps_forward + steps_back + 1;
-        const std::int64_t leg   = std::max<std::int64_t>(1, (steps_forward + steps_back) / samples_per_run);
+        const std::int64_t end = specimen.steps() < steps_forward ? steps_forward : steps_forward + steps_back + 1;
+        const std::int64_t leg = std::max<std::int64_t>(1, (steps_forward + steps_back) / samples_per_run);
         if (steps_back > 0 && specimen.steps() == steps_forward)
           test.set_strain_rate(back_rate);
-        test.advance(std::min(leg, end - specimen.steps()));
-        worst_balance = std::max(worst_balance, specimen.energy().balance_error());
-        seconds += seconds_since(start);
+        notes.watch(specimen, [&] { test.advance(std::min(leg, end - specimen.steps())); });
       }
 
       ParticleOutcome outcome() const override
       {
         ParticleOutcome result;
-        result.name          = instant.back ? fmt::format("{:.3g} > {:.3g}", instant.forward, *instant.back) :
-                                              fmt::format("{:.3g}", instant.forward);
-        result.severity      = instant.forward;
-        result.seconds       = seconds;
-        result.balance_error = worst_balance;
+        result.name     = instant.back ? fmt::format("{:.3g} > {:.3g}", instant.forward, *instant.back) :
+                                         fmt::format("{:.3g}", instant.forward);
+        result.severity = instant.forward;
+        notes.put_into(result);
         for (const dem::UniaxialSample &sample : test.curve())
           {
             result.curve_strain.push_back(sample.strain);
@@ -127,8 +153,7 @@ namespace apps
       {
         specimen.visit_state(visitor);
         test.visit_state(visitor);
-        visitor.scalar("seconds", seconds);
-        visitor.scalar("worst_balance", worst_balance);
+        notes.visit_state(visitor);
       }
 
     private:
@@ -142,7 +167,7 @@ namespace apps
       dem::UniaxialTest             test;
       double                        back_rate;
       std::int64_t                  steps_forward, steps_back;
-      double                        seconds = 0, worst_balance = 0;
+      RunNotes                      notes;
     };
 
     class ImpactCase : public ParticleCase
@@ -162,22 +187,18 @@ namespace apps
 
       void advance() override
       {
-        const auto start = std::chrono::steady_clock::now();
         const auto steps = static_cast<std::int64_t>(parameters.longest / specimen.time_step()) / samples_per_run;
-        test.advance(std::max<std::int64_t>(1, steps));
-        worst_balance = std::max(worst_balance, specimen.energy().balance_error());
-        seconds += seconds_since(start);
+        notes.watch(specimen, [&] { test.advance(std::max<std::int64_t>(1, steps)); });
       }
 
       ParticleOutcome outcome() const override
       {
         ParticleOutcome result;
-        result.name          = fmt::format("{:.3g} m/s", parameters.striker_velocity);
-        result.severity      = test.striker_energy();
-        result.absorbed      = test.absorbed();
-        result.seconds       = seconds;
-        result.balance_error = worst_balance;
-        result.state         = dem::discrete_state(specimen);
+        result.name     = fmt::format("{:.3g} m/s", parameters.striker_velocity);
+        result.severity = test.striker_energy();
+        result.absorbed = test.absorbed();
+        notes.put_into(result);
+        result.state = dem::discrete_state(specimen);
         return result;
       }
 
@@ -185,8 +206,7 @@ namespace apps
       {
         specimen.visit_state(visitor);
         test.visit_state(visitor);
-        visitor.scalar("seconds", seconds);
-        visitor.scalar("worst_balance", worst_balance);
+        notes.visit_state(visitor);
       }
 
     private:
@@ -199,7 +219,7 @@ namespace apps
       dem::ImpactParameters parameters;
       dem::Specimen         specimen;
       dem::ImpactTest       test;
-      double                seconds = 0, worst_balance = 0;
+      RunNotes              notes;
     };
   } // namespace
 
