@@ -21,7 +21,7 @@ namespace apps
     double balance_error() const;
   };
 
-  /** An analysis of a solid, static or explicit, as a run drives and records it. */
+  /** An analysis of a solid, static or explicit, as a run drives and records it. All ranks call each function together. */
   template <int dim>
   class ContinuumAnalysis
   {

@@ -219,7 +219,8 @@ namespace apps
         throw postprocess::OutputError(error.what());
       }
     ++snapshot_count;
-    on_first_rank([&] { snapshots->add(analysis->coordinate()); });
+    const double coordinate = analysis->coordinate();
+    on_first_rank([&] { snapshots->add(coordinate); });
   }
 
   /** The row of a new state, and what else is due. False ends the run. */
@@ -262,9 +263,11 @@ namespace apps
     try
       {
         analysis->run([&] {
-          const bool goes_on = record();
+          const bool        goes_on = record();
+          const double      part    = std::min(1.0, analysis->coordinate() / analysis->end());
+          const std::string details = analysis->details();
           if (progress)
-            progress->update(std::min(1.0, analysis->coordinate() / analysis->end()), analysis->details());
+            progress->update(part, details);
           return goes_on;
         });
       }

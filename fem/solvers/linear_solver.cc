@@ -10,8 +10,11 @@
 #include <deal.II/lac/sparse_direct.h>
 #include <deal.II/lac/sparse_matrix.h>
 #include <deal.II/lac/trilinos_precondition.h>
-#include <deal.II/lac/trilinos_solver.h>
 
+#include <Epetra_CrsMatrix.h>
+#include <Epetra_Import.h>
+
+#include <algorithm>
 #include <stdexcept>
 
 namespace fem
@@ -20,86 +23,103 @@ namespace fem
 
   namespace
   {
+    /**
+     * Factors of the whole matrix on the first rank. Solvers that share the factorisation (MUMPS) sum in the order in which
+     * messages happen to come: two runs would differ in their last digits.
+     */
     class Umfpack : public LinearSolver
     {
     public:
-      explicit Umfpack(const std::string &why)
+      Umfpack(const std::string &why, const MPI_Comm comm)
         : reason(why)
+        , communicator(comm)
+        , is_first(Utilities::MPI::this_mpi_process(comm) == 0)
       {
       }
 
       void set_matrix(const Matrix &matrix) override
       {
-        if (pattern.n_rows() != matrix.m())
+        const std::unique_ptr<Epetra_CrsMatrix> gathered = gather(matrix.trilinos_matrix());
+        int                                     singular = 0;
+        if (is_first)
           {
-            DynamicSparsityPattern dynamic(matrix.m(), matrix.n());
-            for (const auto &entry : matrix)
-              dynamic.add(entry.row(), entry.column());
-            local.clear();
-            pattern.copy_from(dynamic);
-            local.reinit(pattern);
+            copy(*gathered);
+            try
+              {
+                factors.initialize(local);
+              }
+            catch (const ExceptionBase &)
+              {
+                singular = 1;
+              }
           }
-        local.copy_from(matrix);
-        try
-          {
-            factors.initialize(local);
-          }
-        catch (const ExceptionBase &)
-          {
-            throw MaterialFailure("the tangent stiffness is singular.");
-          }
+        if (Utilities::MPI::max(singular, communicator) == 1)
+          throw MaterialFailure("the tangent stiffness is singular.");
       }
 
       void solve(Vector &solution, const Vector &right_side) override
       {
-        dealii::Vector<double> x(right_side.size());
-        for (types::global_dof_index i = 0; i < right_side.size(); ++i)
-          x[i] = right_side[i];
-        factors.solve(x);
-        for (types::global_dof_index i = 0; i < right_side.size(); ++i)
-          solution[i] = x[i];
+        // Ranks own consecutive unknowns: one after the other they are the whole.
+        std::vector<double> x(right_side.begin(), right_side.end());
+        const auto          parts = Utilities::MPI::gather(communicator, x);
+        if (is_first)
+          {
+            dealii::Vector<double> whole(right_side.size());
+            auto                   next = whole.begin();
+            for (const std::vector<double> &part : parts)
+              next = std::copy(part.begin(), part.end(), next);
+            factors.solve(whole);
+            x.assign(whole.begin(), whole.end());
+          }
+        x = Utilities::MPI::broadcast(communicator, x);
+        std::copy_n(x.begin() + right_side.get_partitioner()->local_range().first, right_side.locally_owned_size(),
+                    solution.begin());
       }
 
       std::string description() const override { return "UMFPACK, " + reason; }
 
     private:
-      std::string          reason;
-      SparsityPattern      pattern;
-      SparseMatrix<double> local;
-      SparseDirectUMFPACK  factors;
-    };
-
-    /// A direct solver over all ranks.
-    class Mumps : public LinearSolver
-    {
-    public:
-      explicit Mumps(const std::string &why)
-        : reason(why)
+      /// All rows on the first rank, none on the others.
+      std::unique_ptr<Epetra_CrsMatrix> gather(const Epetra_CrsMatrix &matrix)
       {
+        const Epetra_Map target(-1, is_first ? matrix.NumGlobalRows() : 0, 0, matrix.Comm());
+        if (!importer)
+          importer = std::make_unique<Epetra_Import>(target, matrix.RowMap());
+        auto whole = std::make_unique<Epetra_CrsMatrix>(Copy, target, 0);
+        whole->Import(matrix, *importer, Insert);
+        whole->FillComplete();
+        return whole;
       }
 
-      void set_matrix(const Matrix &matrix) override
+      void copy(const Epetra_CrsMatrix &whole)
       {
-        factors = std::make_unique<TrilinosWrappers::SolverDirect>(
-          control, TrilinosWrappers::SolverDirect::AdditionalData(false, "Amesos_Mumps"));
-        try
+        const auto visit_rows = [&](const auto &visit) {
+          int     entries = 0, *columns = nullptr;
+          double *values = nullptr;
+          for (int row = 0; row < whole.NumMyRows(); ++row)
+            {
+              whole.ExtractMyRowView(row, entries, values, columns);
+              for (int e = 0; e < entries; ++e)
+                visit(row, whole.ColMap().GID(columns[e]), values[e]);
+            }
+        };
+        if (pattern.n_rows() == 0)
           {
-            factors->initialize(matrix);
+            DynamicSparsityPattern dynamic(whole.NumMyRows(), whole.NumMyRows());
+            visit_rows([&](const int row, const int column, double) { dynamic.add(row, column); });
+            pattern.copy_from(dynamic);
+            local.reinit(pattern);
           }
-        catch (const ExceptionBase &)
-          {
-            throw MaterialFailure("the tangent stiffness is singular.");
-          }
+        visit_rows([&](const int row, const int column, const double value) { local.set(row, column, value); });
       }
 
-      void solve(Vector &solution, const Vector &right_side) override { factors->solve(solution, right_side); }
-
-      std::string description() const override { return "MUMPS, " + reason; }
-
-    private:
-      std::string                                     reason;
-      SolverControl                                   control;
-      std::unique_ptr<TrilinosWrappers::SolverDirect> factors;
+      std::string                    reason;
+      MPI_Comm                       communicator;
+      bool                           is_first;
+      std::unique_ptr<Epetra_Import> importer;
+      SparsityPattern                pattern;
+      SparseMatrix<double>           local;
+      SparseDirectUMFPACK            factors;
     };
 
     class Multigrid : public LinearSolver
@@ -173,19 +193,15 @@ namespace fem
   make_linear_solver(const Solid<dim> &solid, const LinearSolverOptions &options, const bool symmetric)
   {
     const auto unknowns = solid.dofs().n_dofs();
-    const bool alone    = Utilities::MPI::n_mpi_processes(solid.communicator()) == 1;
     const auto limit    = options.direct_limit > 0 ? options.direct_limit : (dim == 2 ? 200000u : 30000u);
-    const bool direct   = options.method == LinearMethod::direct ||
-                        (options.method == LinearMethod::automatic && alone && unknowns <= limit);
-    std::string why = options.method != LinearMethod::automatic ? "as asked" :
-                      !alone                                    ? "several ranks" :
-                                                                  std::to_string(unknowns) +
-                                 (direct ? " unknowns: not more than " : " unknowns: more than ") +
-                                 std::to_string(limit);
-    if (direct && alone)
-      return std::make_unique<Umfpack>(why);
+    const bool direct =
+      options.method == LinearMethod::direct || (options.method == LinearMethod::automatic && unknowns <= limit);
+    std::string why = options.method != LinearMethod::automatic ?
+                        "as asked" :
+                        std::to_string(unknowns) + (direct ? " unknowns: not more than " : " unknowns: more than ") +
+                          std::to_string(limit);
     if (direct)
-      return std::make_unique<Mumps>(why);
+      return std::make_unique<Umfpack>(why, solid.communicator());
     std::string obstacle;
     if (options.method == LinearMethod::automatic || options.method == LinearMethod::geometric)
       {

@@ -9,8 +9,8 @@ namespace fem
 {
   enum class LinearMethod
   {
-    automatic, ///< direct on one rank up to `direct_limit` unknowns; else geometric where it fits, iterative where not
-    direct,    ///< UMFPACK on one rank, MUMPS on several
+    automatic, ///< direct up to `direct_limit` unknowns; else geometric where it fits, iterative where not
+    direct,    ///< UMFPACK, on the first rank for all
     iterative, ///< algebraic multigrid (Trilinos ML) in conjugate gradients, or in GMRES where the matrix is not symmetric
     geometric ///< geometric multigrid in conjugate gradients, no matrix: elastic solids on meshes refined as a whole
   };

@@ -56,7 +56,8 @@ namespace fem
   StepReport StaticSolver<dim>::advance_along(const PathControl &control, const double increment)
   {
     prepare_path();
-    Trial      trial{u, f_int, f_ext, current_time};
+    Trial trial{u, f_int, f_ext, current_time};
+    trial.u.update_ghost_values(); // a copy has only what this rank owns
     StepReport report;
     try
       {

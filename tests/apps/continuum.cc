@@ -251,30 +251,6 @@ TEST_CASE("Arc length: steps of the length asked for, loads in proportion while 
     }
 }
 
-TEST_CASE("Two ranks under mpirun give the displacement of one, and PVTU files", "[apps]")
-{
-  const std::string mpirun = BRECCIA_MPIRUN;
-  if (mpirun.empty())
-    return;
-  const ScratchFolder folder;
-  folder.file("x.prm", impact_scene());
-  REQUIRE(run(folder.path(), {"run", "x.prm", "-o", "one"}).status == 0);
-  const std::string command = "cd " + folder.path().string() +
-                              " && OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 " + mpirun +
-                              " --oversubscribe -np 2 " BRECCIA_PROGRAM " run x.prm -o two > said 2>&1";
-  const int status = std::system(command.c_str());
-  INFO(content_of(folder / "said"));
-  REQUIRE(status == 0);
-  const nlohmann::json one = summary_in(folder / "one"), two = summary_in(folder / "two");
-  CHECK(two["cost"]["ranks"] == 2);
-  for (const char *name : {"peak_reaction_left_x", "final_displacement_free_end_x"})
-    CHECK(figure(two, name) == Approx(figure(one, name)).epsilon(1e-9)); // sums in another order
-  CHECK(std::filesystem::exists(folder / "two/solid/solid_000004.pvtu"));
-  CHECK_THAT(content_of(folder / "two/solid.pvd"), Contains("solid/solid_000004.pvtu"));
-  CHECK(std::count_if(std::filesystem::directory_iterator(folder / "two"), std::filesystem::directory_iterator(),
-                      [](const auto &) { return true; }) == 6);
-}
-
 TEST_CASE("The summary says by what a run ended", "[apps]")
 {
   const ScratchFolder folder;

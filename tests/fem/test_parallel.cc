@@ -165,3 +165,48 @@ TEST_CASE("ranks: concrete that yields answers as in serial", "[fem][mpi]")
     CHECK(all.solver->reaction("1")[c] == Approx(one.solver->reaction("1")[c]).epsilon(1e-7));
   CHECK(all.at({0.5, 0.5, 0.5}, 1) == Approx(one.at({0.5, 0.5, 0.5}, 1)).epsilon(1e-6));
 }
+
+TEST_CASE("ranks: concrete that cracks, led by opening and by arc length follows the serial path", "[fem][mpi]")
+{
+  // A plate bent by its right side turning, in plane stress: cracks from the top.
+  fem::Loads<2> loads;
+  for (unsigned int c = 0; c < 2; ++c)
+    loads.displacements.push_back({"0", c, [](const Point<2> &, double) { return 0.0; }});
+  loads.displacements.push_back({"1", 0, [](const Point<2> &x, double t) { return t * x[1]; }});
+  fem::SolidOptions options;
+  options.plane        = fem::Plane::stress;
+  auto ductile         = material_m1();
+  ductile.element_size = 0.1;
+  fem::NewtonOptions newton;
+  newton.tolerance = 1e-11;
+  for (const auto method : {fem::LinearMethod::direct, fem::LinearMethod::iterative})
+    for (const auto kind : {fem::PathControl::Kind::indirect, fem::PathControl::Kind::cylindrical})
+      {
+        fem::LinearSolverOptions linear;
+        linear.method       = method;
+        linear.tolerance    = 1e-12;
+        const auto to_crack = [&](const MPI_Comm comm) {
+          Model<2>         model(box<2>({0.2, 0.1}, {8, 4}), ElementFamily::hypercube, options,
+                                 fem::DamagePlasticConcrete(ductile), loads, newton, comm, linear);
+          fem::PathControl path;
+          path.kind = kind;
+          if (kind == fem::PathControl::Kind::indirect)
+            path.weights = model.solid.interpolation({0.05, 0.1}, 0);
+          std::vector<double> curve;
+          for (int step = 0; step < 8; ++step)
+            {
+              const auto report = model.solver->advance_along(path, kind == path.Kind::indirect ? 1e-6 : 1.4e-5);
+              INFO("step " << step << ": " << report.reason << " by " << model.solver->linear_solver());
+              REQUIRE(report.converged);
+              curve.push_back(model.solver->time());
+              curve.push_back(model.solver->energy().internal);
+            }
+          return curve;
+        };
+        const std::vector<double> one = to_crack(MPI_COMM_SELF), all = to_crack(MPI_COMM_WORLD);
+        // Cracked: less work than an elastic plate would take to the same turn.
+        CHECK(one[15] < 0.98 * one[1] * std::pow(one[14] / one[0], 2));
+        for (std::size_t i = 0; i < one.size(); ++i)
+          CHECK(all[i] == Approx(one[i]).epsilon(1e-7));
+      }
+}

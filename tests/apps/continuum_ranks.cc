@@ -1,0 +1,100 @@
+#include "postprocess/csv_table.h"
+#include "tests/apps/continuum_scenes.h"
+#include "tests/apps/program.h"
+#include "tests/apps/scenes.h"
+#include "tests/apps/scratch_folder.h"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+
+using namespace apps_tests;
+using Catch::Contains;
+
+namespace
+{
+  const std::string mpirun = BRECCIA_MPIRUN; ///< "" where there is none: nothing to test
+
+  /** A shell command in the folder, "RUN" standing for the program on two ranks; what it says lands in the file "said". */
+  int shell(const ScratchFolder &folder, std::string command)
+  {
+    command = replaced(command, "RUN", mpirun + " --oversubscribe -np 2 " BRECCIA_PROGRAM " run x.prm");
+    return std::system(("cd " + folder.path().string() +
+                        " && export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMP_NUM_THREADS=1 && { " +
+                        command + "; } > said 2>&1")
+                         .c_str());
+  }
+
+  nlohmann::json summary_in(const std::filesystem::path &folder)
+  {
+    return nlohmann::json::parse(content_of(folder / "summary.json"));
+  }
+} // namespace
+
+TEST_CASE("Two ranks under mpirun give the displacement of one, and PVTU files", "[apps]")
+{
+  if (mpirun.empty())
+    return;
+  const ScratchFolder folder;
+  folder.file("x.prm", impact_scene());
+  REQUIRE(run(folder.path(), {"run", "x.prm", "-o", "one"}).status == 0);
+  const int status = shell(folder, "RUN -o two");
+  INFO(content_of(folder / "said"));
+  REQUIRE(status == 0);
+  const nlohmann::json one = summary_in(folder / "one"), two = summary_in(folder / "two");
+  CHECK(two["cost"]["ranks"] == 2);
+  for (const char *name : {"peak_reaction_left_x", "final_displacement_free_end_x"})
+    CHECK(two["figures"][name]["value"].get<double>() ==
+          Approx(one["figures"][name]["value"].get<double>()).epsilon(1e-9)); // sums in another order
+  CHECK(std::filesystem::exists(folder / "two/solid/solid_000004.pvtu"));
+  CHECK_THAT(content_of(folder / "two/solid.pvd"), Contains("solid/solid_000004.pvtu"));
+  CHECK(std::count_if(std::filesystem::directory_iterator(folder / "two"), std::filesystem::directory_iterator(),
+                      [](const auto &) { return true; }) == 6);
+}
+
+TEST_CASE("Two ranks follow a softening beam past its peak as one does", "[apps][slow]")
+{
+  if (mpirun.empty())
+    return;
+  const ScratchFolder folder;
+  folder.file("x.prm", concrete_beam_scene());
+  REQUIRE(run(folder.path(), {"run", "x.prm", "-o", "one"}).status == 0);
+  for (const std::string solver : {"direct", "iterative"})
+    {
+      const int status = shell(folder, "RUN -o " + solver + " -s 'Control/Linear solver=" + solver + "'");
+      INFO(content_of(folder / "said"));
+      REQUIRE(status == 0);
+      const postprocess::CsvTable one = postprocess::read_csv_table(folder / "one/series.csv"),
+                                  two = postprocess::read_csv_table(folder / solver / "series.csv");
+      REQUIRE(two.rows() == one.rows());
+      const auto   load = one.column("reaction_load_y");
+      const double peak = *std::min_element(load.begin(), load.end());
+      CHECK(std::fabs(load.back()) < 0.9 * std::fabs(peak));
+      for (std::size_t row = 0; row < one.rows(); ++row)
+        // Newton stops at 1e-8 of the forces; what it leaves grows where the tangent is soft.
+        CHECK(two.column("reaction_load_y")[row] == Approx(load[row]).margin(1e-6 * std::fabs(peak)));
+    }
+}
+
+TEST_CASE("A run on two ranks that is interrupted past the peak goes on to the same bits", "[apps][slow][S13]")
+{
+  if (mpirun.empty())
+    return;
+  const ScratchFolder folder;
+  folder.file("x.prm", replaced(concrete_beam_scene(), "subsection Output",
+                                "subsection Output\n  set Checkpoint interval = 0.001"));
+  REQUIRE(shell(folder, "RUN -o whole") == 0);
+  shell(folder, "RUN -o results & while kill -0 $! && { [ ! -e results/running/checkpoint.h5 ] || "
+                "[ ! -e results/running/solid/solid_000002.pvtu ]; }; do sleep 0.01; done; kill -INT $!; wait $!");
+  INFO(content_of(folder / "said"));
+  REQUIRE_FALSE(std::filesystem::exists(folder / "results/summary.json"));
+  CHECK_THAT(content_of(folder / "said"), Contains("interrupted, state saved"));
+  const int resumed = shell(folder, "RUN -o results --resume");
+  INFO(content_of(folder / "said"));
+  REQUIRE(resumed == 0);
+  CHECK(content_of(folder / "results/series.csv") == content_of(folder / "whole/series.csv"));
+  for (const char *piece : {"results/solid/solid_000004.0.vtu", "results/solid/solid_000004.1.vtu"})
+    CHECK(content_of(folder / piece) == content_of(folder / replaced(piece, "results", "whole")));
+}
