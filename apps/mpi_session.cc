@@ -7,6 +7,7 @@
 
 #include <array>
 #include <csignal>
+#include <cstdlib>
 #include <memory>
 #include <string>
 
@@ -22,6 +23,15 @@ namespace apps
       return started;
     }
 
+    /** The number in the first of the environment's variables that there is. */
+    int number_in_environment(const std::array<const char *, 2> &names, const int otherwise)
+    {
+      for (const char *name : names)
+        if (const char *text = std::getenv(name))
+          return std::atoi(text);
+      return otherwise;
+    }
+
     enum Failure : int
     {
       none,
@@ -30,6 +40,8 @@ namespace apps
       other
     };
   } // namespace
+
+  int launched_ranks() { return number_in_environment({"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}, 1); }
 
   void start_mpi()
   {
@@ -50,7 +62,11 @@ namespace apps
 
   void finish_mpi() { session().reset(); }
 
-  bool is_first_rank() { return !session() || dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0; }
+  bool is_first_rank()
+  {
+    return (session() ? static_cast<int>(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD)) :
+                        number_in_environment({"OMPI_COMM_WORLD_RANK", "PMI_RANK"}, 0)) == 0;
+  }
 
   int rank_count() { return session() ? static_cast<int>(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD)) : 1; }
 

@@ -23,6 +23,7 @@ namespace apps
       if (!options.output_folder.empty())
         overrides.push_back("Output folder=" + options.output_folder);
       const LoadedScene scene = load_scene(options.scene, overrides);
+      refuse_idle_ranks(scene);
       catch_interrupts();
 
       RunRequest request = request_of(scene);

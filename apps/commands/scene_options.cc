@@ -1,6 +1,10 @@
 #include "apps/commands/scene_options.h"
 
+#include "apps/mpi_session.h"
+#include "dem/core/errors.h"
+
 #include <CLI/Validators.hpp>
+#include <fmt/format.h>
 
 #include <omp.h>
 
@@ -24,6 +28,14 @@ namespace apps
     command.add_option("--threads", threads, "Threads to use; default: all cores, or OMP_NUM_THREADS")
       ->type_name("N")
       ->check(CLI::Range(1, 4096));
+  }
+
+  void refuse_idle_ranks(const LoadedScene &scene)
+  {
+    if (launched_ranks() > 1 && !scene.scene->shares_ranks())
+      throw dem::InputError(fmt::format("{}: Kind = {}: runs in one process, and mpirun has started {}. Use --threads; "
+                                        "only scenes of kind continuum share their work among processes.",
+                                        scene.file, scene.kind, launched_ranks()));
   }
 
   void use_threads(const int threads)

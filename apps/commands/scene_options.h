@@ -1,5 +1,7 @@
 #pragma once
 
+#include "apps/scene/load.h"
+
 #include <CLI/App.hpp>
 
 #include <string>
@@ -22,6 +24,9 @@ namespace apps
 
   /** Option --threads. */
   void add_threads(CLI::App &command, int &threads);
+
+  /** @throws dem::InputError when mpirun has started several processes and the kind of the scene runs in one. */
+  void refuse_idle_ranks(const LoadedScene &scene);
 
   /** Let OpenMP use the given number of threads; 0 leaves it as it is. */
   void use_threads(int threads);

@@ -26,6 +26,7 @@ namespace apps
       const auto       *sequential = dynamic_cast<const SequentialScene *>(scene.scene.get());
       if (!sequential)
         throw dem::InputError(scene.file + ": Kind = " + scene.kind + ": a transfer wants a scene of kind sequential.");
+      refuse_idle_ranks(scene);
       catch_interrupts();
 
       RunRequest request = request_of(scene);

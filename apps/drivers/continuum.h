@@ -12,6 +12,7 @@ namespace apps
     void        declare(Section &root) override { model.declare(root); }
     void        validate(const Section &root) const override { model.validate(root); }
     std::string forecast() const override;
+    bool        shares_ranks() const override { return true; }
     int         run(const RunRequest &request) const override;
 
   private:

@@ -42,6 +42,9 @@ namespace apps
      */
     virtual std::string forecast() const = 0;
 
+    /** Whether processes started by mpirun share the work of run(). */
+    virtual bool shares_ranks() const { return false; }
+
     /**
      * Do the work and write the results.
      * @return exit status: 0, or 130 when interrupted by a signal, with a checkpoint left.

@@ -144,6 +144,30 @@ namespace fem
           c = '_';
       return name;
     }
+
+    /// @return whether all of it is in the file
+    bool write_whole(const std::string &file, const std::string &text)
+    {
+      std::ofstream stream(file);
+      stream << text;
+      stream.close();
+      return !stream.fail();
+    }
+
+    /// The file that names the pieces of all ranks, without the date that the library puts into it: equal states, equal files.
+    template <int dim, typename Piece>
+    std::string record_of(const DataOut<dim> &out, const unsigned int ranks, const Piece &piece)
+    {
+      std::vector<std::string> pieces;
+      for (unsigned int rank = 0; rank < ranks; ++rank)
+        pieces.push_back(piece(rank));
+      std::ostringstream stream;
+      out.write_pvtu_record(stream, pieces);
+      std::string text = stream.str();
+      if (const auto date = text.find(" on 2"); date != std::string::npos)
+        text.erase(date, text.find('\n', date) - date);
+      return text;
+    }
   }
 
   template <int dim>
@@ -192,17 +216,21 @@ namespace fem
     DataOutBase::VtkFlags flags;
     flags.print_date_and_time = false; // equal states, equal files
     out.set_flags(flags);
-    const MPI_Comm comm = solid.communicator();
-    if (Utilities::MPI::n_mpi_processes(comm) > 1)
-      return out.write_vtu_with_pvtu_record(folder + "/", name, number, comm, 6);
-    std::ostringstream file;
-    file << name << "_" << std::setw(6) << std::setfill('0') << number << ".vtu";
-    std::ofstream stream(folder + "/" + file.str());
-    out.write_vtu(stream);
-    stream.close();
-    if (!stream)
-      throw std::runtime_error(folder + "/" + file.str() + ": cannot be written. Check space and permissions.");
-    return file.str();
+    const MPI_Comm     comm  = solid.communicator();
+    const unsigned int ranks = Utilities::MPI::n_mpi_processes(comm), rank = Utilities::MPI::this_mpi_process(comm);
+    std::ostringstream stem;
+    stem << name << "_" << std::setw(6) << std::setfill('0') << number;
+    const auto piece = [&](const unsigned int of) {
+      return stem.str() + (ranks > 1 ? "." + std::to_string(of) : "") + ".vtu";
+    };
+    std::ostringstream text;
+    out.write_vtu(text);
+    bool good = write_whole(folder + "/" + piece(rank), text.str());
+    if (ranks > 1 && rank == 0)
+      good = write_whole(folder + "/" + stem.str() + ".pvtu", record_of(out, ranks, piece)) && good;
+    if (Utilities::MPI::min(good ? 1 : 0, comm) == 0)
+      throw std::runtime_error(folder + "/" + piece(rank) + ": cannot be written. Check space and permissions.");
+    return ranks > 1 ? stem.str() + ".pvtu" : piece(0);
   }
 
   template std::string

@@ -95,6 +95,21 @@ TEST_CASE("A run on two ranks that is interrupted past the peak goes on to the s
   INFO(content_of(folder / "said"));
   REQUIRE(resumed == 0);
   CHECK(content_of(folder / "results/series.csv") == content_of(folder / "whole/series.csv"));
-  for (const char *piece : {"results/solid/solid_000004.0.vtu", "results/solid/solid_000004.1.vtu"})
-    CHECK(content_of(folder / piece) == content_of(folder / replaced(piece, "results", "whole")));
+  CHECK(listing_of(folder / "results/solid") == listing_of(folder / "whole/solid"));
+}
+
+TEST_CASE("A scene of particles under mpirun is refused in one message", "[apps][S14]")
+{
+  if (mpirun.empty())
+    return;
+  const ScratchFolder folder;
+  folder.file("packing.txt", stack_packing());
+  folder.file("x.prm", scene_with_file());
+  CHECK(shell(folder, "RUN -o results || [ $? = 2 ] && [ ! -e results ]") == 0);
+  const std::string said = content_of(folder / "said");
+  INFO(said);
+  const std::string refusal = "x.prm: Kind = uniaxial: runs in one process, and mpirun has started 2.";
+  const auto        place   = said.find(refusal);
+  CHECK(place != std::string::npos);
+  CHECK(said.find(refusal, place + 1) == std::string::npos);
 }
