@@ -96,6 +96,7 @@ namespace apps
       row.seconds_saved           = (1 - done) * all.seconds;
       RunRequest request          = request_of(scene);
       request.output_folder       = folder;
+      request.quiet               = true;
       const auto start            = std::chrono::steady_clock::now();
       const auto compare          = [&](const std::filesystem::path &where) {
         ContinuationCurve curve = read_continuation(model.study, where);

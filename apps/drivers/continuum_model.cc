@@ -63,6 +63,10 @@ namespace apps
       .means("Unbalanced force over the largest of load, internal force and reaction");
     s.integer("Iterations", iterations, "", Range::between(1, 1000), Need::optional).means("Of Newton, per step");
     s.flag("Line search", line_search).means("Shorter Newton corrections where the full one makes it worse");
+    s.flag("Relax", relax)
+      .means("Where no equilibrium lies near, let the solid go like an overdamped body until it finds one; "
+             "energy_damped in series.csv is what that dissipates. Off: the analysis ends there")
+      .only_if([this] { return follow == Follow::time; }, "Control/Follow = time");
     s.choice("Linear solver", linear_solver,
              {{"automatic", LinearSolver::automatic},
               {"direct", LinearSolver::direct},

@@ -49,6 +49,7 @@ namespace apps
     double                tolerance        = 1e-8;
     std::int64_t          iterations       = 25;
     bool                  line_search      = true;
+    bool                  relax            = false;
     LinearSolver          linear_solver    = LinearSolver::automatic;
     double                linear_tolerance = 1e-10;
 

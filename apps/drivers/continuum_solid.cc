@@ -103,8 +103,10 @@ namespace apps
         }
       if (any_given(model.loads.body_force))
         loads.body_force = vector<dim>(model.loads.body_force);
-      loads.remove_rigid_motion = model.solid.remove_rigid_motion;
-      loads.may_move_freely     = !model.is_static();
+      loads.body_force_is_steady = std::none_of(model.loads.body_force.begin(), model.loads.body_force.end(),
+                                                [](const Expression &formula) { return formula.varies_in_time(); });
+      loads.remove_rigid_motion  = model.solid.remove_rigid_motion;
+      loads.may_move_freely      = !model.is_static();
       return loads;
     }
   } // namespace

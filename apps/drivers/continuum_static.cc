@@ -82,12 +82,14 @@ namespace apps
         steps.largest   = control.largest();
         steps.growth    = control.growth;
         steps.easy      = static_cast<unsigned int>(control.easy_iterations);
+        steps.relax     = control.relax;
         auto       last = Clock::now();
         const auto each = [&](const fem::StepReport &report, const double done) {
           seconds += std::chrono::duration<double>(Clock::now() - last).count();
           ++accepted;
           iterations += report.iterations;
           rounded += report.rounded ? 1 : 0;
+          relaxed += report.relaxed > 0 ? 1 : 0;
           report_of_last = report;
           travelled += done;
           const bool goes_on = observe() && accepted < control.most_steps && coordinate() < end() * (1 - 1e-12);
@@ -112,6 +114,7 @@ namespace apps
         ContinuumEnergy energy;
         energy.external = solver.energy().external;
         energy.internal = solver.energy().internal;
+        energy.damped   = solver.energy().damped;
         return energy;
       }
 
@@ -139,6 +142,8 @@ namespace apps
           all.push_back({"opening", "m"});
         if (control.follow == ControlSection::Follow::arc_length)
           all.push_back({"arc_length", "m"});
+        if (control.relax)
+          all.push_back({"energy_damped", "J"});
         return all;
       }
 
@@ -147,6 +152,8 @@ namespace apps
         std::vector<double> row = {solver.time(), static_cast<double>(report_of_last.iterations)};
         if (control.follow != ControlSection::Follow::time)
           row.push_back(coordinate());
+        if (control.relax)
+          row.push_back(solver.energy().damped);
         return row;
       }
 
@@ -161,6 +168,7 @@ namespace apps
         return {{"steps", static_cast<double>(accepted)},
                 {"newton_iterations", static_cast<double>(iterations)},
                 {"steps_stopped_at_rounding", static_cast<double>(rounded)},
+                {"steps_relaxed", static_cast<double>(relaxed)},
                 {"linear_iterations_of_last_solve", static_cast<double>(solver.linear_iterations())},
                 {"stepping_seconds", seconds}};
       }
@@ -176,6 +184,7 @@ namespace apps
         visitor.scalar("last_length", saved.last_length);
         visitor.scalar("external_work", saved.energy.external);
         visitor.scalar("internal_work", saved.energy.internal);
+        visitor.scalar("damped_work", saved.energy.damped);
         visit_vector(visitor, "displacement", saved.displacement);
         visit_vector(visitor, "last_step", saved.last_step);
         visit_vector(visitor, "internal_force", saved.internal_force);
@@ -185,6 +194,7 @@ namespace apps
         visitor.scalar("steps", accepted);
         visitor.scalar("iterations", iterations);
         visitor.scalar("rounded", rounded);
+        visitor.scalar("relaxed", relaxed);
         visitor.scalar("stepping_seconds", seconds);
         visit_histories(visitor, solid);
       }
@@ -198,7 +208,7 @@ namespace apps
       fem::PathControl       path;
       double                 length; ///< of the next step
       double                 travelled = 0, seconds = 0;
-      std::int64_t           accepted = 0, iterations = 0, rounded = 0;
+      std::int64_t           accepted = 0, iterations = 0, rounded = 0, relaxed = 0;
       fem::StepReport        report_of_last;
     };
   } // namespace

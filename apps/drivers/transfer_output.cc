@@ -157,21 +157,24 @@ namespace apps
       return nlohmann::json{{"largest", i.largest}, {"relative", i.relative()}, {"unit", "N"}};
     };
     nlohmann::json json;
-    json["points"]            = {{"all", c.points},          {"elastic", c.elastic},
-                                 {"empty", c.empty},         {"sparse", c.sparse},
-                                 {"boundary", c.boundary},   {"averaged_instead_of_fitted", c.averaged},
-                                 {"damaged", c.damaged},     {"fully_damaged", c.fully_damaged},
-                                 {"at_switch", c.at_switch}, {"returned_to_yield_surface", c.returned}};
-    json["largest_return"]    = {{"value", report.largest_return}, {"unit", "Pa"}};
+    json["points"]         = {{"all", c.points},          {"elastic", c.elastic},
+                              {"empty", c.empty},         {"sparse", c.sparse},
+                              {"boundary", c.boundary},   {"averaged_instead_of_fitted", c.averaged},
+                              {"damaged", c.damaged},     {"fully_damaged", c.fully_damaged},
+                              {"at_switch", c.at_switch}, {"returned_to_yield_surface", c.returned}};
+    json["largest_return"] = {{"value", report.largest_return}, {"unit", "Pa"}};
+    json["volume"]         = {
+              {"particles", report.integrals.volume_particles}, {"points", report.integrals.volume_points}, {"unit", "m^3"}};
     json["mean_stress_error"] = report.integrals.stress_error();
     json["mean_damage_error"] = report.integrals.damage_error();
     json["cuts"]              = {
                    {"count", cuts.points.size()}, {"force_error", cuts.force_error()}, {"moment_error", cuts.moment_error()}};
     json["imbalance"]   = {{"before", imbalance(settled.before)}, {"after", imbalance(settled.after)}};
     json["equilibrium"] = {{"iterations", settled.iterations},
-                           {"steps", settled.steps},
+                           {"damped_steps", settled.relaxed},
                            {"largest_displacement", {{"value", settled.largest_displacement}, {"unit", "m"}}},
-                           {"energy_released", {{"value", settled.released}, {"unit", "J"}}}};
+                           {"energy_released", {{"value", settled.released}, {"unit", "J"}}},
+                           {"energy_damped", {{"value", settled.damped}, {"unit", "J"}}}};
     return json;
   }
 
@@ -189,8 +192,9 @@ namespace apps
       "  conserved    mean stress within {:.1e}, mean damage {:.1e}, cut forces {:.1e}, moments {:.1e}\n",
       report.integrals.stress_error(), report.integrals.damage_error(), cuts.force_error(), cuts.moment_error());
     text += fmt::format(
-      "  imbalance    {:.2e} of the forces at hand before, {:.2e} after {} iterations that moved {:.2e} m\n",
-      settled.before.relative(), settled.after.relative(), settled.iterations, settled.largest_displacement);
+      "  imbalance    {:.2e} of the forces at hand before, {:.2e} after {} iterations{} that moved {:.2e} m\n",
+      settled.before.relative(), settled.after.relative(), settled.iterations,
+      settled.relaxed > 0 ? fmt::format(" in {} damped steps", settled.relaxed) : "", settled.largest_displacement);
     return text;
   }
 } // namespace apps

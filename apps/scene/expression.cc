@@ -46,6 +46,8 @@ namespace apps
       }
   }
 
+  bool Expression::varies_in_time() const { return given() && parser->formula.GetUsedVar().count("t") > 0; }
+
   double Expression::operator()(const double x, const double y, const double z, const double t) const
   {
     parser->x          = x;

@@ -24,6 +24,9 @@ namespace apps
 
     bool given() const { return parser != nullptr; }
 
+    /** Whether t occurs in it; a formula that is not given does not vary. */
+    bool varies_in_time() const;
+
     /** @throws dem::NumericalError naming the formula and the place if the value is not a finite number. */
     double operator()(double x, double y, double z, double t) const;
 

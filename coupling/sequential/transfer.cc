@@ -202,43 +202,6 @@ namespace coupling
     return found;
   }
 
-  namespace
-  {
-    /** At once if Newton finds it; otherwise the unbalanced force is let go in parts. */
-    template <int dim>
-    void settle(fem::StaticSolver<dim> &solver, Equilibration &done)
-    {
-      constexpr double smallest_part = 1e-3;
-      constexpr int most_attempts = 30; // a state that lets go of its unbalance grain by grain has no equilibrium near
-      solver.hold_unbalance();
-      double share = 1, part = 1;
-      for (int attempt = 1; share > 0; ++attempt)
-        {
-          const double next = std::max(0.0, share - part);
-          solver.set_held_share(next);
-          const fem::StepReport step = solver.advance_to(0);
-          done.iterations += step.iterations;
-          if (step.converged)
-            {
-              share = next;
-              ++done.steps;
-              part *= 1.5;
-              if (attempt < most_attempts)
-                continue;
-            }
-          else
-            part *= 0.5;
-          if (share > 0 && (part < smallest_part || attempt >= most_attempts))
-            {
-              std::ostringstream message;
-              message << "transfer: no equilibrium near the mapped state: with " << share
-                      << " of its unbalanced force still held, " << step.reason;
-              throw dem::NumericalError(message.str());
-            }
-        }
-    }
-  } // namespace
-
   template <int dim>
   Equilibration equilibrate(fem::Solid<dim> &solid, fem::StaticSolver<dim> &solver, const TransferLimits &limits)
   {
@@ -252,9 +215,14 @@ namespace coupling
                 << limits.imbalance << '.';
         throw dem::InputError(message.str());
       }
-    settle(solver, done);
+    const fem::StepReport report = solver.relax_to(solver.time());
+    if (!report.converged)
+      throw dem::NumericalError("transfer: no equilibrium near the mapped state: " + report.reason);
+    done.iterations        = report.iterations;
+    done.relaxed           = report.relaxed;
     fem::StaticState state = solver.state();
     done.released          = -state.energy.internal;
+    done.damped            = state.energy.damped;
     state.energy           = {}; // what the analysis accounts for begins here
     solver.restore(state);
     done.after                = imbalance(solid, solver);

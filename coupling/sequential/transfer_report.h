@@ -87,8 +87,9 @@ namespace coupling
   {
     Imbalance    before, after;            ///< both relate to the forces at hand before
     unsigned int iterations           = 0; ///< of Newton
-    unsigned int steps                = 0; ///< in which the unbalanced force was let go
+    unsigned int relaxed              = 0; ///< damped steps that it took; 0: Newton alone
     double       largest_displacement = 0; ///< it took [m]
-    double       released = 0; ///< work that the stresses gave off meanwhile [J]
+    double       released             = 0; ///< work that the stresses gave off meanwhile [J]
+    double       damped               = 0; ///< of it, what dampers dissipated [J]
   };
 } // namespace coupling

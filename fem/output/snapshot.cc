@@ -214,7 +214,8 @@ namespace fem
     const unsigned int degree = solid.options().degree;
     out.build_patches(solid.mapping(), degree);
     DataOutBase::VtkFlags flags;
-    flags.print_date_and_time = false; // equal states, equal files
+    flags.print_date_and_time = false;                             // equal states, equal files
+    flags.compression_level   = DataOutBase::VtkFlags::best_speed; // the best one took half the time of explicit runs
     out.set_flags(flags);
     const MPI_Comm     comm  = solid.communicator();
     const unsigned int ranks = Utilities::MPI::n_mpi_processes(comm), rank = Utilities::MPI::this_mpi_process(comm);

@@ -94,6 +94,12 @@ namespace fem
     for (const auto &p : loads.pressures)
       grid.boundary(p.boundary);
     place_surface_loads();
+    if (loads.body_force && loads.body_force_is_steady)
+      {
+        steady_body_force = make_vector();
+        add_body_force(0, steady_body_force);
+        steady_body_force.compress(VectorOperation::add);
+      }
   }
 
   template <int dim>
@@ -108,9 +114,11 @@ namespace fem
             force[dof] += weight * value[c];
       }
     add_surface_loads(time, force);
-    if (loads.body_force)
+    if (loads.body_force && !loads.body_force_is_steady)
       add_body_force(time, force);
     force.compress(VectorOperation::add);
+    if (loads.body_force && loads.body_force_is_steady)
+      force += steady_body_force;
     force.update_ghost_values();
   }
 

@@ -79,8 +79,9 @@ namespace fem
     std::vector<Traction<dim>>               tractions;
     std::vector<Pressure<dim>>               pressures;
     std::vector<PointForce<dim>>             point_forces;
-    VectorOf<dim>                            body_force; ///< [N/m^3]; empty: none
-    bool remove_rigid_motion = false;                    ///< hold 3 (2d) or 6 (3d) displacements of three nodes at zero
+    VectorOf<dim>                            body_force;                   ///< [N/m^3]; empty: none
+    bool                                     body_force_is_steady = false; ///< the same at all times: integrated once
+    bool remove_rigid_motion = false; ///< hold 3 (2d) or 6 (3d) displacements of three nodes at zero
     bool may_move_freely     = false; ///< supports need not hold the solid: its mass does, in explicit motion
   };
 }

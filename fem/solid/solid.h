@@ -203,5 +203,6 @@ namespace fem
     std::map<dealii::types::global_dof_index, PrescribedDof>   prescribed_dofs; // relevant ones
     std::vector<NodalForce>                                    nodal_forces;
     std::vector<SurfacePoint>                                  surface_points;
+    Vector                                                     steady_body_force; // integrated once, if it is steady
   };
 }

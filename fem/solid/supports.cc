@@ -1,4 +1,5 @@
 // Supports of a solid: which displacements are prescribed, and whether they hold it.
+#include "fem/mesh/extent.h"
 #include "fem/solid/rigid_motion.h"
 #include "fem/solid/solid.h"
 
@@ -18,27 +19,6 @@ namespace fem
 
   namespace
   {
-    /// Diagonal of the bounding box of the whole mesh [m], and its lowest corner.
-    template <int dim>
-    std::pair<double, Point<dim>> extent_of(const Mesh<dim> &mesh)
-    {
-      const MPI_Comm communicator = mesh.triangulation->get_communicator();
-      Point<dim>     low, high;
-      for (int d = 0; d < dim; ++d)
-        {
-          low[d]  = 1e300;
-          high[d] = -1e300;
-          for (const auto &vertex : mesh.triangulation->get_vertices())
-            {
-              low[d]  = std::min(low[d], vertex[d]);
-              high[d] = std::max(high[d], vertex[d]);
-            }
-          low[d]  = Utilities::MPI::min(low[d], communicator);
-          high[d] = Utilities::MPI::max(high[d], communicator);
-        }
-      return {low.distance(high), low};
-    }
-
     /// The vertex at which `score` is largest, the same on every rank (ties: the first in rank order).
     template <int dim, typename Score>
     Point<dim> best_vertex(const Mesh<dim> &mesh, const Score &score)
@@ -129,7 +109,7 @@ namespace fem
   template <int dim>
   void Solid<dim>::hold_node(const PrescribedNode<dim> &node)
   {
-    const double extent   = extent_of(grid).first;
+    const double extent   = extent_of(grid).diagonal();
     double       distance = 1e300;
     visit_nodes(
       [&](const auto &, unsigned int, types::global_dof_index, const unsigned int component, const auto &place) {
@@ -172,7 +152,7 @@ namespace fem
   template <int dim>
   void Solid<dim>::hold_box(const PrescribedBox<dim> &box)
   {
-    const double tolerance = box_tolerance * extent_of(grid).first;
+    const double tolerance = box_tolerance * extent_of(grid).diagonal();
     double       distance  = 1e300;
     visit_nodes([&](const auto &, unsigned int, const types::global_dof_index dof, const unsigned int component,
                     const auto &place) {
@@ -210,7 +190,7 @@ namespace fem
   std::vector<types::global_dof_index>
   Solid<dim>::dofs_within(const Point<dim> &low, const Point<dim> &high, const unsigned int component) const
   {
-    const double                      tolerance = box_tolerance * extent_of(grid).first;
+    const double                      tolerance = box_tolerance * extent_of(grid).diagonal();
     std::set<types::global_dof_index> found;
     visit_nodes(
       [&](const auto &, unsigned int, const types::global_dof_index dof, const unsigned int c, const auto &place) {
@@ -225,7 +205,7 @@ namespace fem
   {
     const auto zero   = [](const Point<dim> &, double) { return 0.0; };
     const auto hold   = [&](const Point<dim> &where, const unsigned int c) { hold_node({where, c, zero, 1e-9}); };
-    const auto corner = extent_of(grid).second;
+    const auto corner = extent_of(grid).low;
 
     const Point<dim> a = best_vertex<dim>(grid, [&](const Point<dim> &x) { return -x.distance(corner); });
     for (unsigned int c = 0; c < dim; ++c)
@@ -256,7 +236,7 @@ namespace fem
   void Solid<dim>::refuse_free_motion() const
   {
     const auto       extent = extent_of(grid);
-    RigidMotion<dim> motion(extent.second, extent.first);
+    RigidMotion<dim> motion(extent.low, extent.diagonal());
     for (const auto &entry : prescribed_dofs)
       if (owned.is_element(entry.first))
         motion.hold(entry.second.place, entry.second.component);

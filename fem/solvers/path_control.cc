@@ -112,7 +112,7 @@ namespace fem
         trial.f_ext = load_0;
         trial.f_ext.add(trial.time, load_1);
         linearise(trial, &support_1, &carried);
-        unbalance(trial.f_ext, trial.f_int, r);
+        unbalance(trial, r);
         report.iterations = iteration;
         report.converged  = balanced(trial, r, scale, report) && iteration > 0;
         if (report.converged)

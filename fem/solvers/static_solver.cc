@@ -88,25 +88,22 @@ namespace fem
     if (direction)
       wanted.products = {{direction, product}};
     solid.sweep(trial.u, wanted);
+    if (damper > 0)
+      {
+        for (auto i = tangent.local_range().first; i < tangent.local_range().second; ++i)
+          tangent.add(i, i, damper);
+        tangent.compress(VectorOperation::add);
+      }
   }
 
   template <int dim>
-  void StaticSolver<dim>::unbalance(const Vector &external, const Vector &internal, Vector &r) const
+  void StaticSolver<dim>::unbalance(const Trial &trial, Vector &r) const
   {
-    r = external;
-    r -= internal;
+    r = trial.f_ext;
+    r -= trial.f_int;
+    if (damper > 0)
+      r.add(-damper, trial.u, damper, damper_from);
     solid.constraints().set_zero(r);
-  }
-
-  template <int dim>
-  void StaticSolver<dim>::hold_unbalance()
-  {
-    Vector external = solid.make_vector();
-    solid.external_force(current_time, external);
-    held = f_int;
-    held -= external;
-    solid.constraints().set_zero(held);
-    held_share = 1;
   }
 
   template <int dim>
@@ -161,6 +158,8 @@ namespace fem
     solid.constraints().set_zero(reaction);
     mean -= reaction; // what remains acts on supported displacements only
     work.external += 0.5 * (outer * last_step + mean * last_step);
+    if (damper > 0)
+      work.damped -= 0.5 * (reaction * last_step);
 
     u            = trial.u;
     f_int        = trial.f_int;
@@ -190,13 +189,11 @@ namespace fem
       step_of_supports.update_ghost_values();
     }
     solid.external_force(trial.time, trial.f_ext);
-    if (held_share > 0)
-      trial.f_ext.add(held_share, held);
 
     for (unsigned int iteration = 0; iteration <= options.iterations; ++iteration)
       {
         linearise(trial, iteration == 0 ? &step_of_supports : nullptr, &carried);
-        unbalance(trial.f_ext, trial.f_int, r);
+        unbalance(trial, r);
         report.iterations = iteration;
         report.converged  = balanced(trial, r, scale, report) && iteration > 0;
         if (report.converged)
@@ -247,7 +244,7 @@ namespace fem
         try
           {
             solid.internal_force(trial.u, trial.f_int);
-            unbalance(trial.f_ext, trial.f_int, r);
+            unbalance(trial, r);
             const double size = r.l2_norm();
             if (size < unbalanced)
               return;

@@ -33,7 +33,8 @@ namespace fem
     double       residual   = 0; ///< relative
     bool         rounded =
       false; ///< stopped at the rounding error of the forces, above the tolerance: slender or ill-scaled elements
-    std::string reason; ///< why not
+    unsigned int relaxed = 0; ///< damped steps of a relaxation; 0: Newton alone
+    std::string  reason;      ///< why not
   };
 
   /// Energies since the start [J].
@@ -41,6 +42,7 @@ namespace fem
   {
     double external = 0; ///< work of loads and of prescribed displacements
     double internal = 0; ///< work of stresses: stored and dissipated
+    double damped   = 0; ///< by the dampers of relaxations
   };
 
   /// All that a static analysis remembers besides the histories of its points.
@@ -67,11 +69,13 @@ namespace fem
     StepReport advance_to(double time);
 
     /**
-     * From now on a given share of the force that is out of balance at this moment is carried by an outside hand: 1 keeps the
-     * solid where it is, 0 lets it go. To let a state from elsewhere settle in steps (advance_to() the same time after each).
+     * Goes to a time, where no equilibrium may lie near, as an overdamped body would: it lets go until it is in equilibrium.
+     *
+     * Dampers on all free displacements, as stiff as the solid at first, give way in implicit steps that grow while they are
+     * easy; what they dissipate is energy().damped. Where Newton alone finds an equilibrium, no damper is used. A relaxation
+     * that fails changes nothing.
      */
-    void hold_unbalance();
-    void set_held_share(double share) { held_share = share; }
+    StepReport relax_to(double time);
 
     /// Tries to go one increment of the control further.
     /// @throws std::invalid_argument if loads or displacements are not linear in time.
@@ -110,7 +114,8 @@ namespace fem
 
     /// Internal force and tangent at the trial displacement, and the product of the tangent with a direction if one is given.
     void       linearise(Trial &trial, const Vector *direction, Vector *product);
-    void       unbalance(const Vector &external, const Vector &internal, Vector &r) const;
+    void       unbalance(const Trial &trial, Vector &r) const;
+    StepReport relax(double time);
     StepReport finish_or_fail(const StepReport &report, const Trial &trial);
     StepReport newton(Trial &trial);
     StepReport attempt(Trial &trial, double extrapolation);
@@ -132,8 +137,8 @@ namespace fem
     double                        tangent_size  = 0;     // largest row sum [N/m]
     Vector                        u, f_int, f_ext, last_step;
     Vector                        load_0, load_1, support_0, support_1; // linear parts under path control
-    Vector                        held;                                 // force of the outside hand at share one
-    double                        held_share   = 0;
+    Vector                        damper_from;      // displacement at which the dampers pull nothing
+    double                        damper       = 0; // their stiffness in a step [N/m]; 0: none
     bool                          path_known   = false;
     double                        current_time = 0;
     double                        last_length  = 0; // of the last step, in time

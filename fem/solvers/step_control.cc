@@ -7,14 +7,18 @@ namespace fem
 {
   namespace
   {
+    constexpr double relaxed_part = 0.25; // of the first step: how far a step that is relaxed goes
+
     /// One accepted step of at most `length`, which becomes what the next one should try. Returns the length done.
-    template <typename Attempt>
+    /// `let_go` attempts the same when the step has been cut too often; what it does may be as hard as it likes.
+    template <typename Attempt, typename LetGo>
     double step(const StepControl &steps,
                 double            &length,
                 const double       bound,
                 StepReport        &report,
                 const double       time,
-                const Attempt     &attempt)
+                const Attempt     &attempt,
+                const LetGo       &let_go)
     {
       double now = std::min(length, bound);
       for (;;)
@@ -23,15 +27,29 @@ namespace fem
           if (report.converged)
             break;
           now /= 2;
-          if (now < steps.smallest)
+          const double floor   = std::min(steps.first * relaxed_part, bound);
+          const bool   relaxes = steps.relax && now < floor;
+          if (relaxes)
+            {
+              now    = floor;
+              report = let_go(now);
+            }
+          if (report.converged)
+            break;
+          if (relaxes || now < steps.smallest)
             {
               std::ostringstream text;
-              text << "no equilibrium beyond time " << time << ": the step was cut below its smallest length "
-                   << steps.smallest << ". " << report.reason;
+              text << "no equilibrium beyond time " << time << ": the step was cut "
+                   << (relaxes ? "and relaxed in vain. " : "below its smallest length ");
+              if (!relaxes)
+                text << steps.smallest << ". ";
+              text << report.reason;
               throw NoEquilibrium(text.str());
             }
         }
-      if (now < std::min(length, bound))
+      if (report.relaxed > 0)
+        length = now * steps.growth; // what was in the way has let go
+      else if (now < std::min(length, bound))
         length = now; // it was cut: go on like this
       else if (report.iterations <= steps.easy)
         length = std::min(std::max(length, now) * steps.growth, steps.largest);
@@ -48,8 +66,10 @@ namespace fem
       {
         const double from = solver.time();
         const double left = end - from;
-        const double done = step(steps, length, left, report, from,
-                                 [&](const double now) { return solver.advance_to(now >= left ? end : from + now); });
+        const auto   to   = [&](const double now) { return now >= left ? end : from + now; };
+        const double done = step(
+          steps, length, left, report, from, [&](const double now) { return solver.advance_to(to(now)); },
+          [&](const double now) { return solver.relax_to(to(now)); });
         if (!observe(report, done))
           return;
       }
@@ -65,8 +85,8 @@ namespace fem
     StepReport report;
     for (;;)
       {
-        const double done = step(steps, length, 1e300, report, solver.time(),
-                                 [&](const double now) { return solver.advance_along(control, now); });
+        const auto   along = [&](const double now) { return solver.advance_along(control, now); };
+        const double done  = step(steps, length, 1e300, report, solver.time(), along, along);
         if (!observe(report, done))
           return;
       }

@@ -14,6 +14,8 @@ namespace fem
     double       largest  = 0.1;
     unsigned int easy     = 6;   ///< iterations up to which the next step may grow
     double       growth   = 1.5; ///< after an easy step
+    bool         relax =
+      false; ///< a step that would be cut below a quarter of the first relaxes over it instead (not under path control)
   };
 
   /// Called after every accepted step; false ends the run.
