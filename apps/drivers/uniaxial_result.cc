@@ -21,6 +21,7 @@ namespace apps
     {
       visitor.scalar("energy_initial", energy.initial);
       visitor.scalar("energy_external_work", energy.external_work);
+      visitor.scalar("energy_gravity", energy.gravity);
       visitor.scalar("energy_kinetic", energy.kinetic);
       visitor.scalar("energy_elastic", energy.elastic);
       visitor.scalar("energy_damage", energy.damage);
