@@ -33,6 +33,7 @@ namespace apps
 
   void UniaxialResult::visit_state(dem::StateVisitor &visitor)
   {
+    apps::visit_state(visitor, start);
     visitor.scalar("young_modulus", figures.young_modulus);
     visitor.scalar("strength", figures.strength);
     visitor.scalar("strain_at_peak", figures.strain_at_peak);
