@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 namespace dem
 {
@@ -16,7 +18,9 @@ namespace dem
     double      largest_strain = 0; ///< in tension, of any link, over the strain at which it would damage [-]
     int         solutions      = 0; ///< of the linearised equilibrium; the geometry follows
     std::size_t undetermined =
-      0;                ///< particles with a motion that no link resists and nothing loads; they stay where they are
-    std::string solver; ///< method, iterations, residual of the first solution
+      0; ///< particles with a motion that no link resists and nothing loads; they stay where they are
+    /** Numbers of the particles that find no equilibrium, as on a hinge of two links: they start to move with the first step. */
+    std::vector<std::int32_t> unsettled;
+    std::string               solver; ///< method, iterations, residual of the first solution
   };
 } // namespace dem

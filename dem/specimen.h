@@ -161,7 +161,7 @@ namespace dem
     /**
    * Before the first step: move the particles to where links and weight are in equilibrium, grips held where they are. Found by the
    * static solver, and followed through the change of geometry with the links' own update until it holds for the very forces that the
-   * first step will see. Loose particles stay as they are. Displacements count from the packing; what is stored becomes initial energy.
+   * first step will see. Loose particles stay as they are, and so do a few that no links hold (one in a hundred at most, named). Displacements count from the packing; what is stored becomes initial energy.
    * @throws InputError, naming particles, where there is no such equilibrium or not every link stays elastic in it
    */
     InitialEquilibrium find_equilibrium();

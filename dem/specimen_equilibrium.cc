@@ -3,6 +3,7 @@
 #include "dem/measures/link_measures.h"
 #include "dem/specimen_implementation.h"
 #include "dem/statics/linear_solver.h"
+#include "dem/statics/loaded_hinges.h"
 #include "dem/statics/loaded_network.h"
 #include "dem/statics/rigid_motions.h"
 
@@ -19,6 +20,8 @@ namespace dem
     constexpr int    most_solutions = 30; // each gains the digits of 1/strain, unless the specimen is about to buckle
     /** Share of the weight along a motion that nothing holds, beyond rounding. */
     constexpr double no_load = 1e-9;
+    /** Of the particles: more without equilibrium, and the specimen is not what it was meant to be. */
+    constexpr double unsettled_share = 0.01;
     /** Residuals that rounding alone may leave, over its root-mean-square estimate. */
     constexpr double rounding_margin = 4;
 
@@ -161,6 +164,34 @@ namespace dem
       why << " Let gravity act in motion instead (Initial equilibrium = none), or lower it.";
       refuse(why.str());
     }
+    [[noreturn]] void refuse_unbalanced(const InitialEquilibrium &found)
+    {
+      std::ostringstream why;
+      why << "none is near: after " << found.solutions << " solutions the unbalanced forces are still "
+          << found.unbalanced_ratio << " of the link forces. It is too slender or too soft for its weight.";
+      refuse(why.str());
+    }
+
+    /** Hold what has no equilibrium where it is, so that the rest can find its own; a small part at most. */
+    void leave_unsettled(const ElasticNetwork     &network,
+                         const ParticleMotions    &weight,
+                         std::vector<HeldMotions> &held,
+                         InitialEquilibrium       &found)
+    {
+      std::vector<Mechanism> unsettled = hold_loaded_hinges(network, held, weight);
+      const RigidMotions     rigid(network, held);
+      for (const Mechanism &body : rigid.floating())
+        {
+          for (const std::int32_t i : body.particles)
+            held[i] = HeldMotions(~0u);
+          unsettled.push_back(body);
+        }
+      found.unsettled = floaters(unsettled);
+      if (static_cast<double>(found.unsettled.size()) <= unsettled_share * static_cast<double>(network.particles()))
+        return;
+      refuse((rigid.floating().empty() ? "" : "nothing holds a part of the specimen: ") + describe(unsettled) +
+             " Raise the interaction ratio, grip them or take them out of the packing.");
+    }
   } // namespace
 
   double Specimen::Implementation::weight_work() const
@@ -223,24 +254,21 @@ namespace dem
 
   InitialEquilibrium Specimen::Implementation::find_equilibrium()
   {
-    InitialEquilibrium             found;
-    const std::vector<HeldMotions> held = held_motions(particles, parameters.loose);
+    InitialEquilibrium       found;
+    std::vector<HeldMotions> held = held_motions(particles, parameters.loose);
     find_forces();
     ParticleMotions left = free_forces(particles, held);
     if (left.isZero(0))
       return found;
-    for (;;)
+    leave_unsettled(network_of(particles, bonds, law, parameters.physics), left, held, found);
+    left = free_forces(particles, held);
+    while (true)
       {
         const ElasticNetwork network = network_of(particles, bonds, law, parameters.physics);
         const RigidMotions   rigid(network, held);
-        if (found.solutions == 0)
-          {
-            if (!rigid.floating().empty())
-              refuse("nothing holds the specimen: " + describe(rigid.floating()));
-            if (rigid.loaded_by(left) > no_load)
-              refuse("gravity acts along a motion of the whole specimen that no grip or support prevents. Hold it, or "
-                     "turn gravity.");
-          }
+        if (found.solutions == 0 && rigid.loaded_by(left) > no_load)
+          refuse("gravity acts along a motion of the whole specimen that no grip or support prevents. Hold it, or turn "
+                 "gravity.");
         SolverReport    solver;
         ParticleMotions motion = solve(network, rigid.supported(), left, solver);
         if (!solver.converged)
@@ -263,12 +291,7 @@ namespace dem
         if (residual.ratio <= wanted_ratio || (stalls && residual.ratio <= rounding_margin * residual.rounding))
           break;
         if (found.solutions == most_solutions || !std::isfinite(residual.ratio))
-          {
-            std::ostringstream why;
-            why << "none is near: after " << found.solutions << " solutions the unbalanced forces are still "
-                << residual.ratio << " of the link forces. It is too slender or too soft for its weight.";
-            refuse(why.str());
-          }
+          refuse_unbalanced(found);
       }
     start_from_equilibrium(found);
     return found;

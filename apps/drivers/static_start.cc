@@ -12,12 +12,30 @@ namespace apps
     return specimen.find_equilibrium();
   }
 
+  namespace
+  {
+    /** As users count, from 1; the first ten. */
+    std::string numbers_of(const std::vector<std::int32_t> &particles)
+    {
+      constexpr std::size_t named = 10;
+      std::string           text;
+      for (std::size_t k = 0; k < particles.size() && k < named; ++k)
+        text += (k ? ", " : "") + std::to_string(particles[k] + 1);
+      return text + (particles.size() > named ? ", ..." : "");
+    }
+  } // namespace
+
   std::string text_of(const dem::InitialEquilibrium &found)
   {
     std::string text =
       fmt::format("displaced by {:.3g} m at most, links strained to {:.2g} of their limit; unbalanced "
                   "ratio {:.1e} after {} solutions",
                   found.largest_displacement, found.largest_strain, found.unbalanced_ratio, found.solutions);
+    if (found.unbalanced_ratio > 1e-10)
+      text += fmt::format(" (rounding of coordinates: {:.0e})", found.rounding);
+    if (!found.unsettled.empty())
+      text += fmt::format("; {} of the particles {} no equilibrium and will move: {}", found.unsettled.size(),
+                          found.unsettled.size() == 1 ? "finds" : "find", numbers_of(found.unsettled));
     if (found.undetermined > 0)
       text += fmt::format("; {} particles have motions that nothing resists and nothing loads", found.undetermined);
     return text;
@@ -32,6 +50,8 @@ namespace apps
                            {"of_it_rounding", found.rounding},
                            {"solutions", found.solutions},
                            {"undetermined_particles", found.undetermined}};
+    for (const std::int32_t i : found.unsettled)
+      json["unsettled_particles"].push_back(i + 1);
     if (!found.solver.empty())
       json["solver"] = found.solver;
     return json;
@@ -47,6 +67,7 @@ namespace apps
       found.emplace();
     auto solutions    = static_cast<std::int64_t>(found->solutions),
          undetermined = static_cast<std::int64_t>(found->undetermined);
+    visitor.column("equilibrium_unsettled", found->unsettled);
     visitor.scalar("equilibrium_displacement", found->largest_displacement);
     visitor.scalar("equilibrium_unbalanced_ratio", found->unbalanced_ratio);
     visitor.scalar("equilibrium_rounding", found->rounding);

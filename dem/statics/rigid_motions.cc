@@ -60,6 +60,23 @@ namespace dem
     }
   } // namespace
 
+  std::vector<Eigen::Index> rows_to_hold(Eigen::MatrixXd free)
+  {
+    std::vector<Eigen::Index> rows;
+    while (free.cols() > 0)
+      {
+        rows.push_back(0);
+        free.rowwise().squaredNorm().maxCoeff(&rows.back());
+        // Of the combinations of columns, those that vanish there.
+        const Eigen::VectorXd                       here = free.row(rows.back()).transpose();
+        const Eigen::HouseholderQR<Eigen::MatrixXd> factors(here);
+        const Eigen::MatrixXd                       rest =
+          factors.householderQ() * Eigen::MatrixXd::Identity(free.cols(), free.cols()).rightCols(free.cols() - 1);
+        free = (free * rest).eval();
+      }
+    return rows;
+  }
+
   RigidMotions::RigidMotions(const ElasticNetwork &network, const std::vector<HeldMotions> &what_is_held)
     : scale(mean_arm(network))
     , held(what_is_held)
@@ -107,24 +124,8 @@ namespace dem
         fields.push_back({members, Eigen::Map<const ParticleMotions>(column.data(), motions,
                                                                      static_cast<Eigen::Index>(members.size()))});
       }
-    add_supports(members, basis);
-  }
-
-  /** One after the other where the motions still free move a particle most. */
-  void RigidMotions::add_supports(const std::vector<std::int32_t> &members, Eigen::MatrixXd free)
-  {
-    while (free.cols() > 0)
-      {
-        Eigen::Index best = 0;
-        free.rowwise().squaredNorm().maxCoeff(&best);
-        supports[members[best / motions]] |= HeldMotions(1u << best % motions);
-        // Of the combinations of free motions, those that do not move this one.
-        const Eigen::VectorXd                       moved = free.row(best).transpose();
-        const Eigen::HouseholderQR<Eigen::MatrixXd> factors(moved);
-        const Eigen::MatrixXd                       turned =
-          factors.householderQ() * Eigen::MatrixXd::Identity(free.cols(), free.cols()).rightCols(free.cols() - 1);
-        free = (free * turned).eval();
-      }
+    for (const Eigen::Index row : rows_to_hold(basis))
+      supports[members[row / motions]] |= HeldMotions(1u << row % motions);
   }
 
   double RigidMotions::loaded_by(const ParticleMotions &load) const

@@ -13,6 +13,9 @@ namespace dem
   /** Of each particle: displacement and rotation, or force and moment. */
   using ParticleMotions = Eigen::Matrix<double, motions, Eigen::Dynamic>;
 
+  /** As many rows as the matrix has columns: no combination of its columns vanishes in all of them. They are where it is largest. */
+  std::vector<Eigen::Index> rows_to_hold(Eigen::MatrixXd free);
+
   /**
    * Motions of whole bodies (particles joined by links) that what is held does not prevent: specimens between grips that hold them
    * along their axis only may still move sideways. A static solution exists if no load acts along them, and is made unique by
@@ -42,9 +45,7 @@ namespace dem
       ParticleMotions motion; ///< of each of them, rotations as lengths; orthonormal to the others of the body
     };
 
-    void add_body(const ElasticNetwork &network, const std::vector<std::int32_t> &members);
-    void add_supports(const std::vector<std::int32_t> &members, Eigen::MatrixXd free);
-
+    void                     add_body(const ElasticNetwork &network, const std::vector<std::int32_t> &members);
     double                   scale; ///< of rotations [m]
     std::vector<HeldMotions> held, supports;
     std::vector<Field>       fields;
