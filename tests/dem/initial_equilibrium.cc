@@ -45,7 +45,7 @@ namespace
   /** A body of unequal spheres, at least three links each at a ratio of 2, of which the three lowest are held. */
   struct HeldBody
   {
-    dem::Packing             packing = cluster::random_cluster(12, 200, 0.6e-3, 1e-3);
+    dem::Packing             packing = cluster::random_cluster(12, 120, 0.6e-3, 1e-3);
     std::vector<std::size_t> feet;
 
     HeldBody()
