@@ -19,7 +19,7 @@ namespace dem
     int         solutions      = 0; ///< of the linearised equilibrium; the geometry follows
     std::size_t undetermined =
       0; ///< particles with a motion that no link resists and nothing loads; they stay where they are
-    /** Numbers of the particles that find no equilibrium, as on a hinge of two links: they start to move with the first step. */
+    /** Numbers of the particles that find no equilibrium, as on a hinge of two links: their weight acts with the first step. */
     std::vector<std::int32_t> unsettled;
     std::string               solver; ///< method, iterations, residual of the first solution
   };

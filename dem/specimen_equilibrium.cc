@@ -172,14 +172,14 @@ namespace dem
       refuse(why.str());
     }
 
-    /** Hold what has no equilibrium where it is, so that the rest can find its own; a small part at most. */
-    void leave_unsettled(const ElasticNetwork     &network,
-                         const ParticleMotions    &weight,
-                         std::vector<HeldMotions> &held,
-                         InitialEquilibrium       &found)
+    /** What is held, and as much of what has no equilibrium that its place is determined; a small part at most. */
+    std::vector<HeldMotions> with_unsettled(const ElasticNetwork    &network,
+                                            const ParticleMotions   &weight,
+                                            std::vector<HeldMotions> held,
+                                            InitialEquilibrium      &found)
     {
-      std::vector<Mechanism> unsettled = hold_loaded_hinges(network, held, weight);
       const RigidMotions     rigid(network, held);
+      std::vector<Mechanism> unsettled = hold_loaded_hinges(network, held, weight);
       for (const Mechanism &body : rigid.floating())
         {
           for (const std::int32_t i : body.particles)
@@ -188,7 +188,7 @@ namespace dem
         }
       found.unsettled = floaters(unsettled);
       if (static_cast<double>(found.unsettled.size()) <= unsettled_share * static_cast<double>(network.particles()))
-        return;
+        return held;
       refuse((rigid.floating().empty() ? "" : "nothing holds a part of the specimen: ") + describe(unsettled) +
              " Raise the interaction ratio, grip them or take them out of the packing.");
     }
@@ -254,23 +254,36 @@ namespace dem
 
   InitialEquilibrium Specimen::Implementation::find_equilibrium()
   {
-    InitialEquilibrium       found;
-    std::vector<HeldMotions> held = held_motions(particles, parameters.loose);
+    InitialEquilibrium             found;
+    const std::vector<HeldMotions> held = held_motions(particles, parameters.loose);
     find_forces();
     ParticleMotions left = free_forces(particles, held);
     if (left.isZero(0))
       return found;
-    leave_unsettled(network_of(particles, bonds, law, parameters.physics), left, held, found);
-    left = free_forces(particles, held);
+    const std::vector<HeldMotions> still =
+      with_unsettled(network_of(particles, bonds, law, parameters.physics), left, held, found);
+    // What finds no equilibrium weighs nothing yet: held up, it would push the rest about.
+    const auto unbalanced = [&] {
+      ParticleMotions force = free_forces(particles, still);
+      for (const std::int32_t i : found.unsettled)
+        for (int c = 0; c < 3; ++c)
+          if (!(still[i] >> c & 1))
+            force(c, i) -= particles.mass[slot[i]] * parameters.gravity[c];
+      return force;
+    };
+    left = unbalanced();
     while (true)
       {
         const ElasticNetwork network = network_of(particles, bonds, law, parameters.physics);
-        const RigidMotions   rigid(network, held);
+        const RigidMotions   rigid(network, held, found.unsettled);
         if (found.solutions == 0 && rigid.loaded_by(left) > no_load)
           refuse("gravity acts along a motion of the whole specimen that no grip or support prevents. Hold it, or turn "
                  "gravity.");
+        std::vector<HeldMotions> supported = rigid.supported();
+        for (std::size_t i = 0; i < supported.size(); ++i)
+          supported[i] |= still[i];
         SolverReport    solver;
-        ParticleMotions motion = solve(network, rigid.supported(), left, solver);
+        ParticleMotions motion = solve(network, supported, left, solver);
         if (!solver.converged)
           refuse(solver.mechanisms.empty() ? "the linear solution did not converge: " + solver.text() :
                                              describe(solver.mechanisms));
@@ -283,7 +296,7 @@ namespace dem
         displace(motion);
         find_forces();
         refuse_onset(particles, bonds, law, parameters.physics);
-        left                    = free_forces(particles, held);
+        left                    = unbalanced();
         const Residual residual = residual_of(left, particles, bonds, law, mean_arm(network));
         const bool     stalls   = found.solutions > 1 && residual.ratio > 0.5 * found.unbalanced_ratio;
         found.unbalanced_ratio  = residual.ratio;

@@ -77,11 +77,16 @@ namespace dem
     return rows;
   }
 
-  RigidMotions::RigidMotions(const ElasticNetwork &network, const std::vector<HeldMotions> &what_is_held)
+  RigidMotions::RigidMotions(const ElasticNetwork            &network,
+                             const std::vector<HeldMotions>  &what_is_held,
+                             const std::vector<std::int32_t> &weak)
     : scale(mean_arm(network))
     , held(what_is_held)
     , supports(what_is_held)
+    , is_weak(what_is_held.size(), 0)
   {
+    for (const std::int32_t i : weak)
+      is_weak[i] = 1;
     ParticleGroups groups(network.particles());
     for (const ElasticLink &l : network.links)
       groups.join(l.first, l.second);
@@ -124,7 +129,11 @@ namespace dem
         fields.push_back({members, Eigen::Map<const ParticleMotions>(column.data(), motions,
                                                                      static_cast<Eigen::Index>(members.size()))});
       }
-    for (const Eigen::Index row : rows_to_hold(basis))
+    Eigen::MatrixXd strong = basis;
+    for (std::size_t k = 0; k < members.size(); ++k)
+      if (is_weak[members[k]])
+        strong.middleRows<motions>(static_cast<Eigen::Index>(motions * k)).setZero();
+    for (const Eigen::Index row : rows_to_hold(strong))
       supports[members[row / motions]] |= HeldMotions(1u << row % motions);
   }
 

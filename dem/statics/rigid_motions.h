@@ -24,8 +24,13 @@ namespace dem
   class RigidMotions
   {
   public:
-    /** @param held of each particle */
-    RigidMotions(const ElasticNetwork &network, const std::vector<HeldMotions> &held);
+    /**
+     * @param held  of each particle
+     * @param weak  particles that cannot support the others, such as those on hinges
+     */
+    RigidMotions(const ElasticNetwork            &network,
+                 const std::vector<HeldMotions>  &held,
+                 const std::vector<std::int32_t> &weak = {});
 
     /** Bodies of which nothing is held at all. */
     const std::vector<Mechanism> &floating() const { return unheld; }
@@ -48,6 +53,7 @@ namespace dem
     void                     add_body(const ElasticNetwork &network, const std::vector<std::int32_t> &members);
     double                   scale; ///< of rotations [m]
     std::vector<HeldMotions> held, supports;
+    std::vector<char>        is_weak;
     std::vector<Field>       fields;
     std::vector<Mechanism>   unheld;
   };

@@ -313,6 +313,23 @@ TEST_CASE("a few particles on hinges are named and let go, and disturb nothing",
   CHECK(with_arm.energy().balance_error() < 1e-6);
 }
 
+TEST_CASE("a particle on a hinge supports nothing", "[dem][statics][gravity]")
+{
+  // The block stands on feet that may slip: its sideways motions are fixed somewhere, but not at the arm.
+  omp_set_num_threads(1);
+  auto arm = cluster::cubic_lattice(5, 5, 6, r);
+  arm.centre.push_back({10.9 * r, 8 * r, 10 * r});
+  arm.radius.push_back(r);
+  std::vector<std::size_t> feet(25);
+  for (std::size_t i = 0; i < feet.size(); ++i)
+    feet[i] = i;
+  dem::Specimen specimen(arm, with_gravity(cluster::bonded(1.5), {0, 0, -2e3}), cluster::concrete());
+  specimen.add_grip(held(feet, along_z));
+  const auto found = specimen.find_equilibrium();
+  CHECK(found.unsettled == std::vector<std::int32_t>{150});
+  CHECK(found.unbalanced_ratio <= std::max(1e-10, 4 * found.rounding));
+}
+
 TEST_CASE("without gravity the packing is the equilibrium", "[dem][statics][gravity]")
 {
   dem::Specimen specimen(cluster::cubic_lattice(2, 2, 3, r), cluster::next_neighbours(), cluster::concrete());
