@@ -8,8 +8,8 @@ namespace dem
   double EnergyAccount::balance_error() const
   {
     const double dissipated = damage + friction + released + damping;
-    const double largest    = std::max(
-         {std::abs(initial) + std::abs(external_work), std::abs(kinetic), std::abs(elastic), std::abs(dissipated)});
+    const double largest = std::max({std::abs(initial) + std::abs(external_work) + std::abs(gravity), std::abs(kinetic),
+                                     std::abs(elastic), std::abs(dissipated)});
     return largest > 0 ? std::abs(residual()) / largest : 0.0;
   }
 } // namespace dem

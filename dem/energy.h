@@ -7,15 +7,16 @@ namespace dem
   /**
  * Where the energy of a specimen is and where it went, at one instant t_n [J].
  *
- * Balance: initial + external_work = kinetic + elastic + damage + friction + released + damping (mesoscale specification,
+ * Balance: initial + external_work + gravity = kinetic + elastic + damage + friction + released + damping (mesoscale specification,
  * section 8). Kinetic energy is the leap-frog invariant 1/2 m v(n-1/2).v(n+1/2) (+ the same of rotation): together with the
  * elastic energy at t_n it is conserved exactly by a linear system at any stable step, so that the balance error shows the
  * physics' integration and not the sampling.
  */
   struct EnergyAccount
   {
-    double initial       = 0; ///< kinetic and elastic energy put in before the first step
+    double initial       = 0; ///< kinetic energy put in before the first step, and what a static start has stored
     double external_work = 0; ///< by prescribed motion, and by the stress on a deforming cell, V sigma : G
+    double gravity       = 0; ///< work of the weight: potential energy lost since the first step
     double kinetic       = 0; ///< in a periodic cell: of the motion about the cell's
     double elastic       = 0; ///< stored in links and contacts
     double damage        = 0; ///< dissipated by link damage
@@ -26,10 +27,10 @@ namespace dem
     /** input - (stored + dissipated) [J]; zero when every mechanism is accounted for. */
     double residual() const
     {
-      return initial + external_work - (kinetic + elastic + damage + friction + released + damping);
+      return initial + external_work + gravity - (kinetic + elastic + damage + friction + released + damping);
     }
 
-    /** |residual| over the largest amount that took part (initial + |external work|, kinetic, elastic, dissipated); 0 for nothing. */
+    /** |residual| over the largest amount that took part (initial + |work|, kinetic, elastic, dissipated); 0 for nothing. */
     double balance_error() const;
 
     /** Call visitor(name, value) for every term, in the order above, then the residual: the one list for series and summary. */
@@ -38,6 +39,7 @@ namespace dem
     {
       visitor("initial", initial);
       visitor("external_work", external_work);
+      visitor("gravity", gravity);
       visitor("kinetic", kinetic);
       visitor("elastic", elastic);
       visitor("damage", damage);

@@ -33,6 +33,12 @@ namespace dem
         refuse("Step factor", p.step_factor, "must be above 0, and below 1 for a stable run.");
       if (!(p.damping >= 0 && p.damping < 1))
         refuse("Damping", p.damping, "must be in [0, 1).");
+      if (!p.gravity.allFinite())
+        throw InputError("Gravity: must be finite.");
+      if (p.physics.periodic && !p.gravity.isZero(0))
+        throw InputError("Gravity: a periodic cell has nothing to stand on and would fall for ever.");
+      if (p.physics.dimension == 2 && p.gravity.z() != 0)
+        throw InputError("Gravity: in two dimensions it must lie in the plane, z = 0.");
       if (p.physics.dimension == 2 && !(p.thickness > 0))
         refuse("Thickness", p.thickness, "must be above 0 m in two dimensions.");
     }
@@ -170,7 +176,7 @@ namespace dem
   void Specimen::advance(const std::int64_t steps)
   {
     if (self->step_count == 0)
-      self->initial = self->kinetic_of_velocities();
+      self->begin();
     for (std::int64_t s = 0; s < steps; ++s)
       self->step();
     self->check_numbers();
@@ -277,6 +283,8 @@ namespace dem
                                                                   {"time_step", &s.time_step},
                                                                   {"damping", &s.parameters.damping},
                                                                   {"energy/initial", &s.initial},
+                                                                  {"energy/stored_at_start", &s.stored_at_start},
+                                                                  {"energy/weight_at_start", &s.weight_at_start},
                                                                   {"energy/work_before", &s.work_before},
                                                                   {"energy/work_now", &s.work_now},
                                                                   {"energy/work_after", &s.work_after},

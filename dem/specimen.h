@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dem/energy.h"
+#include "dem/initial_equilibrium.h"
 #include "dem/laws/cpm.h"
 #include "dem/measures/loads.h"
 #include "dem/measures/mandel.h"
@@ -31,13 +32,14 @@ namespace dem
   /** How the specimen is made from a packing and integrated in time. */
   struct SpecimenParameters
   {
-    Physics     physics;
-    double      density           = 0; ///< of the particles, not bulk [kg/m^3], > 0
-    double      interaction_ratio = 0; ///< iota: cohesive links where distance < iota (r_J + r_K), >= 1
-    double      thickness         = 0; ///< [m], of the discs; two dimensions only
-    std::size_t loose             = 0; ///< how many of the packing's last particles are linked to nothing: projectiles
-    double      step_factor       = 0.8; ///< time step over the stable estimate (5.1), in (0, 1)
-    double      damping           = 0;   ///< local (Cundall) damping D in [0, 1)
+    Physics         physics;
+    double          density           = 0; ///< of the particles, not bulk [kg/m^3], > 0
+    double          interaction_ratio = 0; ///< iota: cohesive links where distance < iota (r_J + r_K), >= 1
+    double          thickness         = 0; ///< [m], of the discs; two dimensions only
+    std::size_t     loose       = 0;   ///< how many of the packing's last particles are linked to nothing: projectiles
+    double          step_factor = 0.8; ///< time step over the stable estimate (5.1), in (0, 1)
+    double          damping     = 0;   ///< local (Cundall) damping D in [0, 1)
+    Eigen::Vector3d gravity     = {0, 0, 0}; ///< acceleration of what falls [m/s^2]; not in a periodic cell
   };
 
   /** A group of particles with prescribed motion (a grip). */
@@ -155,6 +157,14 @@ namespace dem
 
     /** Local damping from the next step on: little while waves matter, more to come to rest. @throws InputError outside [0, 1) */
     void set_damping(double damping);
+
+    /**
+   * Before the first step: move the particles to where links and weight are in equilibrium, grips held where they are. Found by the
+   * static solver, and followed through the change of geometry with the links' own update until it holds for the very forces that the
+   * first step will see. Loose particles stay as they are, and so do a few that no links hold (one in a hundred at most, named). Displacements count from the packing; what is stored becomes initial energy.
+   * @throws InputError, naming particles, where there is no such equilibrium or not every link stays elastic in it
+   */
+    InitialEquilibrium find_equilibrium();
 
     /** Set velocities (by packing number) before the first step; they count as initial energy. In a periodic cell: about its motion. */
     void set_velocity(std::size_t particle, const Eigen::Vector3d &velocity, const Eigen::Vector3d &spin);

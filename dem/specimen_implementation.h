@@ -5,6 +5,7 @@
 #include "dem/kernels/link_pass.h"
 #include "dem/kernels/particle_pass.h"
 #include "dem/specimen.h"
+#include "dem/statics/rigid_motions.h"
 
 #include <array>
 #include <vector>
@@ -16,7 +17,8 @@ namespace dem
   {
     Grip                      grip;
     std::vector<std::int32_t> members;
-    std::array<double, 6>     pull = {}; ///< sum of the links' force and moment over the members, at t_n [N, N m]
+    std::array<double, 6>     pull =
+      {};                 ///< sum of the links' (and weight's) force and moment over the members, at t_n [N, N m]
     Column lost_velocity; ///< of each member, 6 components: what set_grip_velocity took away since the last step
 
     double rate(const int c) const { return c < 3 ? grip.velocity[c] : grip.spin[c - 3]; }
@@ -53,12 +55,13 @@ namespace dem
     std::int64_t step_count = 0;
     double       time = 0, time_step = 0;
     double       initial = 0, work_before = 0, work_now = 0,
-           work_after                       = 0; ///< by grips: before t_n's half step, it, the half after
-    double                    damped_before = 0, damped_now = 0, damped_after = 0; ///< dissipated, likewise
-    double                    released = 0, broken_damage = 0;                     ///< of deleted links
-    Eigen::Matrix3d           stress_moment = Eigen::Matrix3d::Zero(); ///< sum l (x) f at t_n [N m]; only if periodic
-    std::vector<std::int32_t> crack_log; ///< ends of the cohesive links deleted so far, flattened
-    Column crack_geometry;               ///< records: last branch (3) [m] | contact point (3) [m] | dissipated [J] | 0
+           work_after             = 0; ///< by grips: before t_n's half step, it, the half after
+    double          damped_before = 0, damped_now = 0, damped_after = 0; ///< dissipated, likewise
+    double          released = 0, broken_damage = 0;                     ///< of deleted links
+    double          stored_at_start = 0, weight_at_start = 0; ///< energy in links, work of weight, of a static start
+    Eigen::Matrix3d stress_moment = Eigen::Matrix3d::Zero();  ///< sum l (x) f at t_n [N m]; only if periodic
+    std::vector<std::int32_t> crack_log;                      ///< ends of the cohesive links deleted so far, flattened
+    Column crack_geometry; ///< records: last branch (3) [m] | contact point (3) [m] | dissipated [J] | 0
 
     Implementation(const Packing &packing, const SpecimenParameters &p, const CpmParameters &law_parameters);
     bool shear_damages() const { return parameters.physics.damage && law.shear_weight > 0; }
@@ -67,7 +70,25 @@ namespace dem
     void   leave_loose(std::vector<NeighbourPair> &pairs);
     double stable() const { return dem::stable_step(particles, bonds, &contacts, law, parameters.physics.rotations); }
     /** Particles' kinetic energy with the velocities as they are [J]. */
-    double kinetic_of_velocities() const;
+    double       kinetic_of_velocities() const;
+    Surroundings surroundings() const
+    {
+      return parameters.physics.periodic  ? Surroundings::periodic :
+             parameters.gravity.isZero(0) ? Surroundings::free :
+                                            Surroundings::weight;
+    }
+    /** Set the energy account to where the first step starts from. */
+    void begin();
+    /** Work of the weight on the way from the packing to where the particles were at t_n [J]. */
+    double             weight_work() const;
+    InitialEquilibrium find_equilibrium();
+    /** Forces of links and weight where the particles are. */
+    void find_forces();
+    /** Move particles (by packing number) as a step would: the links follow with the next forces. */
+    void displace(const ParticleMotions &motion);
+    void start_from_equilibrium(InitialEquilibrium &found);
+    /** Sum up what the links and the weight do to each grip's particles. */
+    void sum_pulls();
     /** One leap-frog step: links, contacts, break tests, particles, accounts, new contacts. */
     void step();
     /** Stress moment of all links and contacts as the link passes have left it. */

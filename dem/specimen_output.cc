@@ -23,10 +23,14 @@ namespace dem
   {
     EnergyAccount e;
     const auto   &s = *self;
-    e.initial       = s.step_count == 0 ? s.kinetic_of_velocities() : s.initial;
     e.external_work = s.work_before + s.work_now;
+    e.gravity       = s.step_count == 0 ? 0.0 : s.weight_work() - s.weight_at_start;
+    e.initial       = s.initial;
     if (s.step_count == 0)
-      e.kinetic = e.initial;
+      {
+        e.kinetic = s.kinetic_of_velocities();
+        e.initial = e.kinetic + s.stored_at_start;
+      }
     else
       for (const auto &block : s.accounts)
         e.kinetic += block.kinetic;

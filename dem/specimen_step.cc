@@ -25,8 +25,8 @@ namespace dem
       sum_stress();
     delete_exhausted(bonds, true);
     delete_exhausted(contacts, false);
-    select_particle_pass(contacts.alive > 0, parameters.damping > 0, equal_radii, parameters.physics.periodic)(
-      particles, bonds, &contacts, time_step, parameters.damping, accounts);
+    select_particle_pass(contacts.alive > 0, parameters.damping > 0, equal_radii, surroundings())(
+      particles, bonds, &contacts, time_step, parameters.damping, parameters.gravity, accounts);
     account();
     if (parameters.physics.periodic)
       particles.cell.advance(time_step);
@@ -48,6 +48,17 @@ namespace dem
             Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(&links->stress_moments[stress_record * b]);
   }
 
+  void Specimen::Implementation::sum_pulls()
+  {
+    for (auto &grip : grips)
+      {
+        grip.pull = {};
+        for (const std::int32_t i : grip.members)
+          for (int c = 0; c < 6; ++c)
+            grip.pull[c] += particles.force[record_size * static_cast<std::size_t>(i) + c];
+      }
+  }
+
   void Specimen::Implementation::account()
   {
     damped_before += damped_now + damped_after;
@@ -58,17 +69,14 @@ namespace dem
         damped_now -= block.damping_before;
         damped_after -= block.damping_after;
       }
+    sum_pulls();
     for (auto &grip : grips)
       {
-        grip.pull         = {};
         double lost_power = 0; // in the half step before t_n members had the velocities of before the last change
         for (std::size_t k = 0; k < grip.members.size(); ++k)
           for (int c = 0; c < 6; ++c)
-            {
-              const double force = particles.force[record_size * static_cast<std::size_t>(grip.members[k]) + c];
-              grip.pull[c] += force;
-              lost_power -= force * grip.lost_velocity[6 * k + c];
-            }
+            lost_power -= particles.force[record_size * static_cast<std::size_t>(grip.members[k]) + c] *
+                          grip.lost_velocity[6 * k + c];
         std::fill(grip.lost_velocity.begin(), grip.lost_velocity.end(), 0.0);
         work_now += 0.5 * time_step * (grip.power() + lost_power);
         work_after += 0.5 * time_step * grip.power();

@@ -47,6 +47,7 @@ namespace apps
         result.severity = static_cast<double>(number + 1);
         result.state    = postprocess::read_discrete_state(file);
       }
+      StaticStart     settle() override { return {}; }
       bool            finished() const override { return true; }
       void            advance() override {}
       double          done() const override { return 1; }
@@ -57,15 +58,24 @@ namespace apps
       ParticleOutcome result;
     };
 
-    /** What every computed case notes of its run: wall clock and the worst energy balance. */
+    /** What every computed case notes of its run: static start, wall clock and the worst energy balance. */
     class RunNotes
     {
     public:
+      explicit RunNotes(const GravitySection &asked)
+        : gravity(asked)
+      {
+      }
+
+      StaticStart settle(dem::Specimen &specimen) { return equilibrium = start_statically(specimen, gravity); }
+
       /** Do some work on the specimen, and note what it took. */
       template <typename Work>
-      void watch(const dem::Specimen &specimen, const Work &work)
+      void watch(dem::Specimen &specimen, const Work &work)
       {
         const auto start = std::chrono::steady_clock::now();
+        if (specimen.steps() == 0 && !equilibrium)
+          settle(specimen);
         work();
         worst_balance = std::max(worst_balance, specimen.energy().balance_error());
         seconds += seconds_since(start);
@@ -75,16 +85,20 @@ namespace apps
       {
         result.seconds       = seconds;
         result.balance_error = worst_balance;
+        result.start         = equilibrium;
       }
 
       void visit_state(dem::StateVisitor &visitor)
       {
+        apps::visit_state(visitor, equilibrium);
         visitor.scalar("seconds", seconds);
         visitor.scalar("worst_balance", worst_balance);
       }
 
     private:
-      double seconds = 0, worst_balance = 0;
+      GravitySection gravity;
+      StaticStart    equilibrium;
+      double         seconds = 0, worst_balance = 0;
     };
 
     dem::UniaxialParameters uniaxial_parameters(const ParticleStageSection &stage, const double furthest)
@@ -112,12 +126,14 @@ namespace apps
         , back_rate(-std::copysign(stage.back_rate > 0 ? stage.back_rate : 0.5 * stage.strain_rate, when.forward))
         , steps_forward(steps_for(when.forward, stage.strain_rate))
         , steps_back(when.back ? steps_for(when.forward - *when.back, back_rate) : 0)
+        , notes(stage.gravity)
       {
         // One step more on each leg: the last sample then shows the forces of the strain asked for.
       }
 
-      bool   finished() const override { return specimen.steps() >= steps_forward + steps_back + 1; }
-      double done() const override
+      StaticStart settle() override { return notes.settle(specimen); }
+      bool        finished() const override { return specimen.steps() >= steps_forward + steps_back + 1; }
+      double      done() const override
       {
         return std::min(1.0,
                         static_cast<double>(specimen.steps()) / static_cast<double>(steps_forward + steps_back + 1));
@@ -179,11 +195,13 @@ namespace apps
                    stage.specimen_parameters(),
                    stage.material.cpm)
         , test(specimen, parameters)
+        , notes(stage.gravity)
       {
       }
 
-      bool   finished() const override { return test.finished(); }
-      double done() const override { return std::min(1.0, specimen.time() / parameters.longest); }
+      StaticStart settle() override { return notes.settle(specimen); }
+      bool        finished() const override { return test.finished(); }
+      double      done() const override { return std::min(1.0, specimen.time() / parameters.longest); }
 
       void advance() override
       {
@@ -239,7 +257,8 @@ namespace apps
     material.declare(s);
     declare_physics(s, physics);
     time.declare(s);
-    for (const char *name : {"Specimen", "Material", "Physics", "Time"})
+    gravity.declare(s);
+    for (const char *name : {"Specimen", "Material", "Physics", "Time", "Gravity"})
       s.find_section(name)->only_if(computed, "Particles/Source is not file");
 
     Section &u = s.section("Uniaxial", "Between two gripped layers");
@@ -287,6 +306,7 @@ namespace apps
       }
     specimen.validate(s, physics.dimension);
     material.validate();
+    gravity.validate(s, physics.dimension);
     if (source == Source::impact)
       {
         if (velocities_asked().empty())
@@ -344,6 +364,7 @@ namespace apps
     p.thickness         = specimen.thickness;
     p.step_factor       = time.step_factor;
     p.damping           = time.damping;
+    p.gravity           = gravity.vector();
     p.loose             = source == Source::impact ? 1 : 0;
     return p;
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/drivers/static_start.h"
 #include "apps/scene/material_section.h"
 #include "apps/scene/specimen_section.h"
 #include "apps/scene/time_section.h"
@@ -37,6 +38,7 @@ namespace apps
     MaterialSection material;
     dem::Physics    physics;
     TimeSection     time;
+    GravitySection  gravity;
 
     int         axis            = 2;
     double      strain_rate     = 0; ///< [1/s], magnitude; the sign is that of the strains
@@ -69,6 +71,7 @@ namespace apps
     double              stress        = 0; ///< between the grips at the hand-over [Pa]
     double              seconds       = 0; ///< wall clock
     double              balance_error = 0;
+    StaticStart         start;                      ///< if the scene asks for one
     std::vector<double> curve_strain, curve_stress; ///< uniaxial only
     dem::DiscreteState  state;
   };
@@ -79,6 +82,8 @@ namespace apps
   public:
     virtual ~ParticleCase() = default;
 
+    /** Before the first step: what advance() would do by itself. @throws dem::InputError if there is no equilibrium. */
+    virtual StaticStart     settle()                                = 0;
     virtual bool            finished() const                        = 0;
     virtual void            advance()                               = 0; ///< one sample further
     virtual double          done() const                            = 0; ///< in [0, 1]

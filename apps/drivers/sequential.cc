@@ -142,6 +142,9 @@ namespace apps
         const dem::Specimen body(packing, model.particles.specimen_parameters(), model.particles.material.cpm);
         text += fmt::format("  particles    {}\n  links        {}\n  time step    {:.4g} s\n", body.counts().particles,
                             body.counts().links, body.time_step());
+        if (model.particles.gravity.asks_for_equilibrium())
+          if (const StaticStart start = make_particle_case(model.particles, packing, 0)->settle())
+            text += fmt::format("  start        {}\n", text_of(*start));
       }
     return text;
   }

@@ -21,6 +21,7 @@ namespace apps
       visitor.scalar("stress", outcome.stress);
       visitor.scalar("seconds", outcome.seconds);
       visitor.scalar("balance_error", outcome.balance_error);
+      apps::visit_state(visitor, outcome.start);
       dem::Column strain(outcome.curve_strain.begin(), outcome.curve_strain.end()),
         stress(outcome.curve_stress.begin(), outcome.curve_stress.end());
       visitor.column("curve_strain", strain);

@@ -187,6 +187,8 @@ namespace apps
           one["absorbed"] = quantity(particles[k].absorbed, "J");
         if (model.particles.source == ParticleStageSection::Source::uniaxial)
           one["stress"] = quantity(particles[k].stress, "Pa");
+        if (particles[k].start)
+          one["initial_equilibrium"] = json_of(*particles[k].start);
         if (all_particles)
           one["error_against_all_particles"] = error_against(curves[k], *all_particles);
         cases.push_back(one);

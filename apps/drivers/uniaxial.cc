@@ -1,6 +1,7 @@
 #include "apps/drivers/uniaxial.h"
 
 #include "apps/drivers/specimen_packing.h"
+#include "apps/drivers/static_start.h"
 #include "apps/drivers/uniaxial_run.h"
 #include "apps/drivers/uniaxial_stage.h"
 #include "apps/exit_status.h"
@@ -19,6 +20,7 @@ namespace apps
     material.declare(root);
     declare_physics(root, physics);
     time.declare(root);
+    gravity.declare(root);
     loading.declare(root);
     output.declare(root);
   }
@@ -27,6 +29,7 @@ namespace apps
   {
     specimen.validate(root, physics.dimension);
     material.validate();
+    gravity.validate(root, physics.dimension);
     if (physics.dimension == 2 && loading.axis == 2)
       root.find_section("Loading")->refuse(
         "Axis", "in two dimensions the specimen lies in the plane z = 0. Load it along x or y.");
@@ -42,7 +45,9 @@ namespace apps
     model.specimen.thickness         = specimen.thickness;
     model.specimen.step_factor       = time.step_factor;
     model.specimen.damping           = time.damping;
+    model.specimen.gravity           = gravity.vector();
     model.law                        = material.cpm;
+    model.gravity                    = gravity;
     model.loading                    = loading;
     model.output                     = output;
     return model;
@@ -88,9 +93,13 @@ namespace apps
     double steps = 0;
     for (const UniaxialLoad load : asked.loading.tests)
       {
+        // Refuses what a run would refuse.
         dem::Specimen           fresh(packing, asked.specimen, asked.law);
-        const dem::UniaxialTest test(fresh, asked.loading.parameters(load)); // refuses what a run would refuse
+        const dem::UniaxialTest test(fresh, asked.loading.parameters(load));
         const std::int64_t      most = most_steps(asked.loading, load, fresh.time_step());
+        if (load == asked.loading.tests.front()) // the grips hold alike in all of them
+          if (const StaticStart start = start_statically(fresh, asked.gravity))
+            text += fmt::format("  start        {}\n", text_of(*start));
         steps += static_cast<double>(most);
         text += fmt::format("  {:<12} at most {} steps\n", name_of(load), most);
       }

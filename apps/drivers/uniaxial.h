@@ -26,6 +26,7 @@ namespace apps
     MaterialSection        material;
     dem::Physics           physics;
     TimeSection            time;
+    GravitySection         gravity;
     UniaxialLoadingSection loading;
     OutputSection          output;
   };

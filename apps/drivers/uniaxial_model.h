@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/scene/gravity_section.h"
 #include "apps/scene/loading_section.h"
 #include "apps/scene/output_section.h"
 #include "apps/scene/specimen_section.h"
@@ -13,6 +14,7 @@ namespace apps
     SpecimenSection         source;
     dem::SpecimenParameters specimen;
     dem::CpmParameters      law;
+    GravitySection          gravity;
     UniaxialLoadingSection  loading;
     OutputSection           output;
   };

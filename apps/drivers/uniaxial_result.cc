@@ -21,6 +21,7 @@ namespace apps
     {
       visitor.scalar("energy_initial", energy.initial);
       visitor.scalar("energy_external_work", energy.external_work);
+      visitor.scalar("energy_gravity", energy.gravity);
       visitor.scalar("energy_kinetic", energy.kinetic);
       visitor.scalar("energy_elastic", energy.elastic);
       visitor.scalar("energy_damage", energy.damage);
@@ -32,6 +33,7 @@ namespace apps
 
   void UniaxialResult::visit_state(dem::StateVisitor &visitor)
   {
+    apps::visit_state(visitor, start);
     visitor.scalar("young_modulus", figures.young_modulus);
     visitor.scalar("strength", figures.strength);
     visitor.scalar("strain_at_peak", figures.strain_at_peak);

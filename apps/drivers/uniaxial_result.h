@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/drivers/static_start.h"
 #include "apps/scene/loading_section.h"
 #include "dem/core/column.h"
 #include "dem/energy.h"
@@ -15,6 +16,7 @@ namespace apps
   struct UniaxialResult
   {
     UniaxialLoad         load = UniaxialLoad::tension;
+    StaticStart          start;
     dem::UniaxialFigures figures;
     bool                 peak_passed = false;     ///< ended by the stop fraction, so that the strength is one
     dem::EnergyAccount   energy;                  ///< at the end

@@ -61,6 +61,7 @@ namespace apps
         if (finished.size() == model.loading.tests.size())
           break;
         stage = std::make_unique<UniaxialStage>(model, packing, finished.size());
+        stage->settle();
         stage->open(folder->running());
       }
     finish();
@@ -72,6 +73,7 @@ namespace apps
     // All refusals come before the folder is touched.
     packing = make_packing(model.source);
     stage   = std::make_unique<UniaxialStage>(model, packing, 0);
+    stage->settle();
 
     folder = std::make_unique<ResultFolder>(request.output_folder, ResultFolder::Start::afresh);
     const std::filesystem::path &location = folder->running();

@@ -43,6 +43,7 @@ namespace apps
     , axis(model.loading.axis)
     , specimen(packing, model.specimen, model.law)
     , test(specimen, model.loading.parameters(model.loading.tests[which]))
+    , gravity(model.gravity)
     , steps_at_most(most_steps(model.loading, model.loading.tests[which], specimen.time_step()))
     , steps_per_sample(std::max<std::int64_t>(1, steps_at_most / model.output.samples))
     , samples_per_snapshot(rounded_up(model.output.samples, model.output.snapshots))
@@ -51,6 +52,8 @@ namespace apps
     result.time_step = specimen.time_step();
     result.at_start  = specimen.counts();
   }
+
+  void UniaxialStage::settle() { result.start = start_statically(specimen, gravity); }
 
   void UniaxialStage::open(const std::filesystem::path &folder)
   {

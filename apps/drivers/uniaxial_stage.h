@@ -31,6 +31,8 @@ namespace apps
     UniaxialStage(const UniaxialStage &)            = delete;
     UniaxialStage &operator=(const UniaxialStage &) = delete;
 
+    /** Find the initial equilibrium, if the scene asks for one; not of a stage that goes on from a checkpoint. @throws dem::InputError */
+    void settle();
     /** From now on snapshots go to this folder; without this call there are none. @throws postprocess::OutputError. */
     void open(const std::filesystem::path &folder);
 
@@ -78,6 +80,7 @@ namespace apps
     int                                       axis;
     dem::Specimen                             specimen;
     dem::UniaxialTest                         test;
+    GravitySection                            gravity;
     std::int64_t                              steps_at_most, steps_per_sample;
     std::int64_t                              samples_per_snapshot; ///< 0: no snapshots
     std::optional<postprocess::PvdCollection> particles, links;

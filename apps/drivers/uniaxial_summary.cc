@@ -64,17 +64,20 @@ namespace apps
 
     nlohmann::json test_details(const UniaxialResult &result)
     {
-      const UniaxialResult &r = result;
-      return {{"name", name_of(r.load)},
-              {"young_modulus", quantity(r.figures.young_modulus, "Pa")},
-              {"strength", quantity(r.figures.strength, "Pa")},
-              {"strain_at_peak", quantity(r.figures.strain_at_peak, "-")},
-              {"peak_passed", r.peak_passed},
-              {"broken_links", r.at_end.broken},
-              {"contacts", r.at_end.contacts},
-              {"steps", r.steps},
-              {"stepping_seconds", r.stepping_seconds},
-              {"energy", energy(r)}};
+      const UniaxialResult &r       = result;
+      nlohmann::json        details = {{"name", name_of(r.load)},
+                                       {"young_modulus", quantity(r.figures.young_modulus, "Pa")},
+                                       {"strength", quantity(r.figures.strength, "Pa")},
+                                       {"strain_at_peak", quantity(r.figures.strain_at_peak, "-")},
+                                       {"peak_passed", r.peak_passed},
+                                       {"broken_links", r.at_end.broken},
+                                       {"contacts", r.at_end.contacts},
+                                       {"steps", r.steps},
+                                       {"stepping_seconds", r.stepping_seconds},
+                                       {"energy", energy(r)}};
+      if (r.start)
+        details["initial_equilibrium"] = json_of(*r.start);
+      return details;
     }
 
     double sum(const std::vector<UniaxialResult> &results, double UniaxialResult::*member)
@@ -144,6 +147,8 @@ namespace apps
                             1e-9 * result.figures.young_modulus, result.at_end.broken, result.at_start.links,
                             result.peak_passed ? "" : " (no peak: the stress still grows)");
       }
+    if (const StaticStart &start = results.front().start)
+      text += fmt::format("start        {}\n", text_of(*start));
     text += fmt::format("energy       balance error {:.1e} at worst\n", worst_balanced(results).worst_balance_error);
     text += fmt::format("cost         {}, {:.1f} million link updates/s with {} threads\n", duration_text(wall_seconds),
                         1e-6 * updates_per_second(results), omp_get_max_threads());

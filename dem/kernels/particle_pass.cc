@@ -125,12 +125,13 @@ namespace dem
         }
     }
 
-    template <bool with_contacts, bool damped, bool equal_radii, bool periodic>
+    template <bool with_contacts, bool damped, bool equal_radii, Surroundings surroundings>
     void particle_pass(Particles                         &particles,
                        const LinkSet                     &bonds,
                        const LinkSet                     *contacts,
                        const double                       time_step,
                        const double                       damping,
+                       const Eigen::Vector3d             &gravity,
                        std::vector<ParticleBlockAccount> &accounts)
     {
       const auto blocks = static_cast<std::ptrdiff_t>(accounts.size());
@@ -139,6 +140,7 @@ namespace dem
         {
           const Lanes       lanes;
           const Pack        step(time_step), coefficient(damping);
+          const Pack        fall([&](auto lane) { return lane < 3 ? gravity[lane < 3 ? int(lane) : 0] : 0.0; });
           Sums              sums;
           const std::size_t begin = static_cast<std::size_t>(b) * particles_per_block,
                             end   = std::min(begin + particles_per_block, particles.count);
@@ -148,7 +150,10 @@ namespace dem
               add_links<equal_radii>(bonds, i, lanes, force);
               if constexpr (with_contacts)
                 add_links<equal_radii>(*contacts, i, lanes, force);
-              integrate<damped, periodic>(particles, i, force, lanes, step, coefficient, sums);
+              if constexpr (surroundings == Surroundings::weight)
+                force += Pack(particles.mass[i]) * fall;
+              integrate<damped, surroundings == Surroundings::periodic>(particles, i, force, lanes, step, coefficient,
+                                                                        sums);
             }
           accounts[b] = {stdx::reduce(sums.damping_before), stdx::reduce(sums.damping_after),
                          stdx::reduce(sums.kinetic), stdx::reduce(sums.fastest)};
@@ -156,26 +161,34 @@ namespace dem
     }
 
     template <bool with_contacts, bool damped, bool equal_radii>
-    ParticlePass select_cell(const bool periodic)
+    ParticlePass select_surroundings(const Surroundings surroundings)
     {
-      return periodic ? particle_pass<with_contacts, damped, equal_radii, true> :
-                        particle_pass<with_contacts, damped, equal_radii, false>;
+      switch (surroundings)
+        {
+        case Surroundings::weight:
+          return particle_pass<with_contacts, damped, equal_radii, Surroundings::weight>;
+        case Surroundings::periodic:
+          return particle_pass<with_contacts, damped, equal_radii, Surroundings::periodic>;
+        default:
+          return particle_pass<with_contacts, damped, equal_radii, Surroundings::free>;
+        }
     }
 
     template <bool with_contacts, bool damped>
-    ParticlePass select_radii(const bool equal_radii, const bool periodic)
+    ParticlePass select_radii(const bool equal_radii, const Surroundings surroundings)
     {
-      return equal_radii ? select_cell<with_contacts, damped, true>(periodic) :
-                           select_cell<with_contacts, damped, false>(periodic);
+      return equal_radii ? select_surroundings<with_contacts, damped, true>(surroundings) :
+                           select_surroundings<with_contacts, damped, false>(surroundings);
     }
   } // namespace
 
-  ParticlePass select_particle_pass(const bool contacts, const bool damped, const bool equal_radii, const bool periodic)
+  ParticlePass
+  select_particle_pass(const bool contacts, const bool damped, const bool equal_radii, const Surroundings surroundings)
   {
     if (contacts)
-      return damped ? select_radii<true, true>(equal_radii, periodic) :
-                      select_radii<true, false>(equal_radii, periodic);
-    return damped ? select_radii<false, true>(equal_radii, periodic) :
-                    select_radii<false, false>(equal_radii, periodic);
+      return damped ? select_radii<true, true>(equal_radii, surroundings) :
+                      select_radii<true, false>(equal_radii, surroundings);
+    return damped ? select_radii<false, true>(equal_radii, surroundings) :
+                    select_radii<false, false>(equal_radii, surroundings);
   }
 } // namespace dem

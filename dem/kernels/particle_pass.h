@@ -3,6 +3,8 @@
 #include "dem/links.h"
 #include "dem/particles.h"
 
+#include <Eigen/Core>
+
 #include <vector>
 
 namespace dem
@@ -22,23 +24,33 @@ namespace dem
 
   /**
  * Second of the two passes: every particle adds up its links in a fixed order (its own, then those of which it is the second end,
- * then contacts the same way), and takes a leap-frog step with local damping (mesoscale specification 4 and 5.1).
+ * then contacts the same way) and its weight, and takes a leap-frog step with local damping (mesoscale specification 4 and 5.1).
  *
  * In a periodic cell the velocity is the fluctuation u = v - G x, and the step is u += dt a, x += dt (G x + u). This is the
  * specification's section 6 in other variables: v += (G_new - G_old) x_n + dt G_old v_(n-1/2) + dt a leaves u_(n+1/2) =
  * u_(n-1/2) + dt a exactly. Damping and kinetic energy are those of u.
  *
  * @param contacts may be null: there are none
+ * @param gravity  acceleration [m/s^2]; looked at only by a pass with weight
  */
   using ParticlePass = void (*)(Particles                         &particles,
                                 const LinkSet                     &bonds,
                                 const LinkSet                     *contacts,
                                 double                             time_step,
                                 double                             damping,
+                                const Eigen::Vector3d             &gravity,
                                 std::vector<ParticleBlockAccount> &accounts);
 
+  /** How particles move on: what the pass is compiled for. */
+  enum class Surroundings
+  {
+    free,
+    weight,  ///< every particle weighs
+    periodic ///< in a cell, where nothing can weigh: it would fall for ever
+  };
+
   /** The pass compiled for what the specimen has. */
-  ParticlePass select_particle_pass(bool contacts, bool damped, bool equal_radii, bool periodic = false);
+  ParticlePass select_particle_pass(bool contacts, bool damped, bool equal_radii, Surroundings surroundings);
 
   inline std::size_t particle_blocks(const std::size_t particles)
   {

@@ -70,11 +70,12 @@ TEST_CASE("An interrupted run checkpoints, leaves with 130, and goes on to the s
     }
 }
 
-TEST_CASE("A killed run goes on from its last checkpoint to the same bits", "[apps][slow][S13]")
+TEST_CASE("A killed run goes on from its last checkpoint to the same bits, weight and static start included",
+          "[apps][slow][S13]")
 {
   const ScratchFolder folder;
   folder.file("packing.txt", stack_packing());
-  folder.file("x.prm", slow_scene());
+  folder.file("x.prm", slow_scene() + "subsection Gravity\n  set Acceleration = 0, 0, -1000\nend\n");
   REQUIRE(run(folder.path(), {"run", "x.prm", "-o", "whole"}).status == 0);
   REQUIRE(interrupted_run(folder, {"run", "x.prm", "-o", "results"}, SIGKILL).status == 128 + SIGKILL);
   const Outcome resumed = run(folder.path(), {"run", "x.prm", "-o", "results", "--resume"});

@@ -1,7 +1,7 @@
 // Random packings against the published static solutions, homogenisation specification 5 and 6.
 #include "dem/homogenisation/isotropy.h"
 #include "dem/homogenisation/relaxed_stiffness.h"
-#include "dem/packing/frictional_assembly.h"
+#include "dem/packing/compaction.h"
 #include "tests/dem/homogenisation_fixture.h"
 
 #include <catch2/catch.hpp>
@@ -14,7 +14,7 @@ using namespace homogenisation_fixture;
 
 namespace
 {
-  /** A row of the table of section 6 for N = 500; the packings behind it are 61 to 63 % solid. */
+  /** A row of the table of section 6 for N = 500. */
   struct Published
   {
     double interaction_ratio, shear_ratio, young, young_deviation, poisson, young_spread, shear_spread;
@@ -34,34 +34,38 @@ namespace
     {1.05, 10., 2.5202, 0.0783, -0.4900, 0.0269, 0.1316}, {1.50, 0.1, 1.4604, 0.0224, +0.2198, 0.0162, 0.0280},
     {1.50, 1.0, 2.6199, 0.0478, +0.0062, 0.0119, 0.0091}, {1.50, 10., 6.0620, 0.1173, -0.6300, 0.0049, 0.0176}};
 
-  /** Frictionless compaction to 62.5 % solid, the middle of the published packings; then settled at that size. */
-  dem::Packing packing(const std::size_t count, const std::uint64_t seed)
+  /**
+   * Spheres compacted without friction, as the published ones: to a pressure of a tenth of k_n/2r, and back. The generator stops with
+   * the spheres just touching, 64.6 % solid; so are some of the published cells. Others were let go a little further: the link
+   * density of the one that is published in full (section 5), 10.447 at 2 diameters, is that of ours grown to 63 % solid.
+   */
+  enum class State
   {
-    const auto edge = [&](const double solid) {
-      return std::cbrt(static_cast<double>(count) * 4.0 / 3 * M_PI / solid);
-    };
-    dem::FrictionalAssemblyParameters p;
-    p.friction    = 0;
-    p.shear_ratio = 0.3;
-    p.damping     = 0.1;
-    p.time_step   = 0.2;
-    dem::FrictionalAssembly assembly(dem::place_sequentially(count, 1.0, edge(0.30), seed), p);
-    constexpr int           steps = 1500;
-    for (int i = 0; i < steps; ++i)
-      assembly.step(std::expm1(std::log(edge(0.625) / edge(0.30)) / steps));
-    for (int i = 0; i < 1000; ++i)
-      assembly.step(0);
-    REQUIRE(assembly.measures().mean_overlap < 2e-3); // hardly compressed
-    dem::Packing packing;
-    packing.centre = assembly.centres();
-    packing.radius.assign(count, 1.0);
-    packing.periodic_cell = Eigen::Vector3d::Constant(assembly.edge());
-    return packing;
+    touching,
+    let_go
+  };
+
+  dem::Packing packing(const std::size_t count, const std::uint64_t seed, const State state)
+  {
+    dem::CompactionParameters p;
+    p.radius                     = 1;
+    p.count                      = count;
+    p.seed                       = seed;
+    p.friction                   = 0;
+    p.damping                    = 0.1;
+    dem::CompactionResult result = dem::compact(p);
+    if (state == State::touching)
+      return result.packing;
+    const double growth = std::cbrt(result.packing_fraction / 0.63);
+    for (Eigen::Vector3d &x : result.packing.centre)
+      x *= growth;
+    *result.packing.periodic_cell *= growth;
+    return result.packing;
   }
 
   struct Means
   {
-    double young = 0, poisson = 0, young_spread = 0, shear_spread = 0, ratio_to_affine = 0;
+    double young = 0, poisson = 0, young_spread = 0, shear_spread = 0, ratio_to_affine = 0, link_density = 0;
   };
 
   Means means(const std::vector<dem::Packing> &packings, const double interaction_ratio, const double shear_ratio)
@@ -80,56 +84,66 @@ namespace
         m.young_spread += relaxed.young_spread / n;
         m.shear_spread += relaxed.shear_spread / n;
         m.ratio_to_affine += relaxed.mean.young / affine.mean.young / n;
+        for (const dem::ElasticLink &l : network.links)
+          m.link_density += l.branch.norm() * l.area / (3 * network.volume) / n;
       }
     return m;
   }
 
-  std::vector<dem::Packing> five(const std::size_t count)
+  std::vector<dem::Packing> five(const std::size_t count, const State state)
   {
     std::vector<dem::Packing> packings;
     for (std::uint64_t seed = 1; seed <= 5; ++seed)
-      packings.push_back(packing(count, seed));
+      packings.push_back(packing(count, seed, state));
     return packings;
+  }
+
+  void check_rows(const std::vector<Published> &rows, const std::vector<dem::Packing> &packings)
+  {
+    for (const Published &row : rows)
+      {
+        const Means m = means(packings, row.interaction_ratio, row.shear_ratio);
+        CAPTURE(packings.front().size(), row.interaction_ratio, row.shear_ratio, m.young, m.poisson);
+        // The specification's rule for packings made otherwise than the published ones.
+        CHECK(std::fabs(m.young - row.young) <= std::max(3 * row.young_deviation, 0.08 * row.young));
+        CHECK(std::fabs(m.poisson - row.poisson) <= (row.interaction_ratio < 1.1 ? 0.03 : 0.015));
+      }
   }
 } // namespace
 
+// Between both states lie all published means for 500 spheres: let go 0.2 % above to 2.7 % below them, touching 2 to 7 % above. What
+// decides is how many neighbours the compaction leaves within 1.05 diameters. Spheres that are merely brought to 62.5 % from a looser
+// state, without ever being pressed together, have too few: their link density is 1.19 for 100 spheres where the published moduli
+// tell of 1.31, and their modulus is 10 % low.
 TEST_CASE("random packings: moduli of every row of the published table", "[dem][homogenisation]")
 {
-  const std::vector<dem::Packing>                                      large = five(500), small = five(100);
-  std::vector<std::pair<Published, const std::vector<dem::Packing> *>> rows;
-  for (const Published &row : table)
-    rows.emplace_back(row, &large);
-  for (const Published &row : small_table)
-    rows.emplace_back(row, &small);
-  for (const auto &[row, packings] : rows)
-    {
-      const Means m = means(*packings, row.interaction_ratio, row.shear_ratio);
-      CAPTURE(packings->front().size());
-      CAPTURE(row.interaction_ratio, row.shear_ratio, m.young, m.poisson);
-      // The specification's rule for packings made otherwise than the published ones.
-      // Two rows are beyond it: of 100 spheres touching at 1.05, shear ratios 1 and 10, ours are 9.7 % and 9.9 % softer. The published
-      // cells are not all unloaded, which small ones feel most, and our own under 0.63 of solid still overlap by more than 0.2 %.
-      const bool beyond = packings->front().size() == 100 && row.interaction_ratio < 1.1;
-      CHECK(std::fabs(m.young - row.young) <= std::max(3 * row.young_deviation, (beyond ? 0.10 : 0.08) * row.young));
-      CHECK(std::fabs(m.poisson - row.poisson) <= (row.interaction_ratio < 1.1 ? 0.03 : 0.015));
-    }
+  const State state = GENERATE(State::let_go, State::touching);
+  CAPTURE(state == State::let_go);
+  check_rows(table, five(500, state));
+  check_rows(small_table, five(100, state));
 }
 
-TEST_CASE("random packings: relaxed over affine modulus as published", "[dem][homogenisation]")
+TEST_CASE("random packings: link density and relaxed over affine modulus as published", "[dem][homogenisation]")
 {
-  const auto packings = five(500);
-  for (const auto &[interaction_ratio, expected] :
-       std::map<double, double>{{1.05, 0.854}, {1.25, 0.963}, {1.5, 0.977}, {2.0, 0.990}})
+  // Section 5, shear ratio 1: density of links and modulus of one published packing. Single packings scatter by 1 %.
+  struct Known
+  {
+    double interaction_ratio, link_density, ratio;
+  };
+  const auto packings = five(500, State::let_go);
+  for (const Known &known :
+       {Known{1.05, 1.22730, 0.854}, {1.25, 1.84129, 0.963}, {1.5, 2.61087, 0.977}, {2.0, 10.44749, 0.990}})
     {
-      const Means m = means(packings, interaction_ratio, 1.0);
-      CAPTURE(interaction_ratio, m.ratio_to_affine);
-      CHECK(std::fabs(m.ratio_to_affine - expected) <= 0.02);
+      const Means m = means(packings, known.interaction_ratio, 1.0);
+      CAPTURE(known.interaction_ratio, m.link_density, m.ratio_to_affine);
+      CHECK(m.link_density == Approx(known.link_density).epsilon(0.03));
+      CHECK(std::fabs(m.ratio_to_affine - known.ratio) <= 0.02);
     }
 }
 
 TEST_CASE("random packings: anisotropy falls as the root of the number of spheres", "[dem][homogenisation]")
 {
-  const Means few = means(five(100), 1.5, 0.1), many = means(five(900), 1.5, 0.1);
+  const Means few = means(five(100, State::let_go), 1.5, 0.1), many = means(five(900, State::let_go), 1.5, 0.1);
   // A third for nine times as many; means of five maxima scatter by about a third.
   CHECK(many.young_spread < 0.6 * few.young_spread);
   CHECK(many.shear_spread < 0.6 * few.shear_spread);
