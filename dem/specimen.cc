@@ -64,18 +64,6 @@ namespace dem
       return Cell(edges.asDiagonal(), p.physics.dimension);
     }
 
-    void check_materials(const Packing &packing, const CpmMaterials &materials)
-    {
-      for (std::size_t i = 0; i < packing.material.size(); ++i)
-        if (static_cast<std::size_t>(packing.material[i]) >= materials.list.size())
-          {
-            std::ostringstream message;
-            message << "particle " << i + 1 << ": material = " << packing.material[i] << ", but "
-                    << materials.list.size() << " are given, numbered from 0.";
-            throw InputError(message.str());
-          }
-    }
-
     /** Their materials are noted only where there are several. */
     Particles make_particles_in_cell(const Packing            &packing,
                                      const ParticleShape      &shape,

@@ -28,6 +28,14 @@ namespace dem
     return found;
   }
 
+  void check_materials(const Packing &packing, const CpmMaterials &materials)
+  {
+    for (std::size_t i = 0; i < packing.material.size(); ++i)
+      if (packing.material[i] < 0 || static_cast<std::size_t>(packing.material[i]) >= materials.list.size())
+        throw InputError("particle " + std::to_string(i + 1) + ": material = " + std::to_string(packing.material[i]) +
+                         ": " + std::to_string(materials.list.size()) + " given, numbered from 0.");
+  }
+
   CpmParameters mean_of(const CpmMaterial &one, const CpmMaterial &other)
   {
     const CpmParameters &a = one.parameters, &b = other.parameters;
@@ -48,11 +56,19 @@ namespace dem
     return between;
   }
 
+  std::vector<CpmParameters> CpmMaterials::pairs() const
+  {
+    std::vector<CpmParameters> all;
+    for (std::size_t one = 0; one < list.size(); ++one)
+      for (std::size_t other = 0; other <= one; ++other)
+        all.push_back(mean_of(list[other], list[one]));
+    return all;
+  }
+
   CpmTable::CpmTable(const CpmMaterials &materials)
   {
-    for (std::size_t one = 0; one < materials.list.size(); ++one)
-      for (std::size_t other = 0; other <= one; ++other)
-        laws.emplace_back(mean_of(materials.list[other], materials.list[one]));
+    for (const CpmParameters &between : materials.pairs())
+      laws.emplace_back(between);
     if (laws.empty())
       throw InputError("Materials: there must be at least one.");
     tabulate();

@@ -2,6 +2,7 @@
 
 #include "dem/core/column.h"
 #include "dem/laws/cpm.h"
+#include "dem/packing/packing.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -34,9 +35,14 @@ namespace dem
     }
 
     bool several() const { return list.size() > 1; }
+    /** Parameters of every pair, in the order of CpmTable::pair(). @throws as mean_of() */
+    std::vector<CpmParameters> pairs() const;
     /** Density of each material's particles [kg/m^3]. @param otherwise of those that have none of their own */
     std::vector<double> densities(double otherwise) const;
   };
+
+  /** @throws InputError for a particle of a material that is not among those given; see also check_packing() */
+  void check_materials(const Packing &packing, const CpmMaterials &materials);
 
   /**
    * Constants of a link between particles of two materials: arithmetic means of modulus, shear ratio, limit strain, ductility,

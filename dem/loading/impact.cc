@@ -68,6 +68,8 @@ namespace dem
     centre[up]             = extent.high[up] + clear * (largest + parameters.striker_radius);
     packing.centre.push_back(centre);
     packing.radius.push_back(parameters.striker_radius);
+    if (!packing.material.empty())
+      packing.material.push_back(0);
     return packing;
   }
 
