@@ -54,6 +54,7 @@ namespace dem
   {
     std::vector<Eigen::Vector3d> position, displacement, velocity, angular_velocity;
     std::vector<double>          radius;
+    std::vector<double>          mass;   ///< [kg]; of a specimen in motion only
     std::vector<double>          damage; ///< mean damage of the links it was made with, broken ones count as 1 [-]
     std::vector<std::int32_t>    broken_links; ///< how many of its cohesive links are gone
     std::vector<double>          volume;       ///< the particle's share of the specimen's volume, voids included [m^3]

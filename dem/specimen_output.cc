@@ -68,6 +68,7 @@ namespace dem
     out.velocity.resize(n);
     out.angular_velocity.resize(n);
     out.radius.resize(n);
+    out.mass.resize(n);
     out.damage.resize(n);
     out.broken_links.resize(n);
     out.volume.resize(n);
@@ -88,6 +89,7 @@ namespace dem
         out.velocity[to]         = Eigen::Vector3d(&p.velocity[record_size * i]) + p.cell.gradient() * p.position_of(i);
         out.angular_velocity[to] = Eigen::Vector3d(&p.velocity[record_size * i + 3]);
         out.radius[to]           = p.radius_of(i);
+        out.mass[to]             = p.mass[i];
         out.damage[to]           = p.made_links[i] > 0 ? (damage[i] + p.broken_links[i]) / p.made_links[i] : 0.0;
         out.broken_links[to]     = p.broken_links[i];
         if (!p.material.empty())

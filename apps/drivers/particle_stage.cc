@@ -107,7 +107,7 @@ namespace apps
                    const dem::Packing                  &packing,
                    const ParticleStageSection::Instant &when)
         : instant(when)
-        , specimen(packing, stage.specimen_parameters(), stage.material.cpm)
+        , specimen(packing, stage.specimen_parameters(), stage.material.materials())
         , test(specimen, uniaxial_parameters(stage, when.forward))
         , back_rate(-std::copysign(stage.back_rate > 0 ? stage.back_rate : 0.5 * stage.strain_rate, when.forward))
         , steps_forward(steps_for(when.forward, stage.strain_rate))
@@ -177,7 +177,7 @@ namespace apps
         : parameters(with_velocity(stage.impact, velocity))
         , specimen(dem::with_striker(packing, parameters, stage.physics.dimension),
                    stage.specimen_parameters(),
-                   stage.material.cpm)
+                   stage.material.materials())
         , test(specimen, parameters)
       {
       }
@@ -239,8 +239,11 @@ namespace apps
     material.declare(s);
     declare_physics(s, physics);
     time.declare(s);
-    for (const char *name : {"Specimen", "Material", "Physics", "Time"})
+    for (const char *name : {"Specimen", "Physics", "Time"})
       s.find_section(name)->only_if(computed, "Particles/Source is not file");
+    s.find_section("Material")
+      ->only_if([this] { return source != Source::file && material.named.empty(); },
+                "Particles/Source is not file, and there is no section Particles/Materials");
 
     Section &u = s.section("Uniaxial", "Between two gripped layers");
     u.only_if(strained, "Particles/Source = uniaxial");
@@ -286,7 +289,7 @@ namespace apps
         return;
       }
     specimen.validate(s, physics.dimension);
-    material.validate();
+    material.validate(s, physics.dimension);
     if (source == Source::impact)
       {
         if (velocities_asked().empty())
@@ -363,7 +366,9 @@ namespace apps
 
   dem::Packing stage_packing(const ParticleStageSection &stage)
   {
-    return stage.source == ParticleStageSection::Source::file ? dem::Packing() : make_packing(stage.specimen);
+    return stage.source == ParticleStageSection::Source::file ?
+             dem::Packing() :
+             make_packing(stage.specimen, stage.material, stage.physics.dimension);
   }
 
   std::unique_ptr<ParticleCase>

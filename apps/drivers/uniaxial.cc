@@ -1,5 +1,6 @@
 #include "apps/drivers/uniaxial.h"
 
+#include "apps/drivers/material_counts.h"
 #include "apps/drivers/specimen_packing.h"
 #include "apps/drivers/uniaxial_run.h"
 #include "apps/drivers/uniaxial_stage.h"
@@ -26,7 +27,7 @@ namespace apps
   void UniaxialScene::validate(const Section &root) const
   {
     specimen.validate(root, physics.dimension);
-    material.validate();
+    material.validate(root, physics.dimension);
     if (physics.dimension == 2 && loading.axis == 2)
       root.find_section("Loading")->refuse(
         "Axis", "in two dimensions the specimen lies in the plane z = 0. Load it along x or y.");
@@ -42,7 +43,7 @@ namespace apps
     model.specimen.thickness         = specimen.thickness;
     model.specimen.step_factor       = time.step_factor;
     model.specimen.damping           = time.damping;
-    model.law                        = material.cpm;
+    model.material                   = material;
     model.loading                    = loading;
     model.output                     = output;
     return model;
@@ -74,12 +75,14 @@ namespace apps
 
   std::string UniaxialScene::forecast() const
   {
-    const UniaxialModel asked   = model();
-    const dem::Packing  packing = make_packing(asked.source);
-    dem::Specimen       body(packing, asked.specimen, asked.law);
+    const UniaxialModel asked     = model();
+    const dem::Packing  packing   = make_packing(asked.source, asked.material, physics.dimension);
+    const auto          materials = asked.material.materials();
+    dem::Specimen       body(packing, asked.specimen, materials);
     std::string         text;
     text += fmt::format("  particles    {}\n", body.counts().particles);
     text += fmt::format("  links        {}\n", body.counts().links);
+    text += MaterialCounts(packing.material_names, body.particles().material, body.links().law).text();
     text += fmt::format("  time step    {:.4g} s = {} of the bound of its particles\n", body.time_step(),
                         asked.specimen.step_factor);
     text += fmt::format("               {:.4g} s would be critical: sharp, by the largest eigenvalue\n",
@@ -88,7 +91,7 @@ namespace apps
     double steps = 0;
     for (const UniaxialLoad load : asked.loading.tests)
       {
-        dem::Specimen           fresh(packing, asked.specimen, asked.law);
+        dem::Specimen           fresh(packing, asked.specimen, materials);
         const dem::UniaxialTest test(fresh, asked.loading.parameters(load)); // refuses what a run would refuse
         const std::int64_t      most = most_steps(asked.loading, load, fresh.time_step());
         steps += static_cast<double>(most);

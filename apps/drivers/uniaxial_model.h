@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/scene/loading_section.h"
+#include "apps/scene/material_section.h"
 #include "apps/scene/output_section.h"
 #include "apps/scene/specimen_section.h"
 #include "dem/specimen.h"
@@ -12,7 +13,7 @@ namespace apps
   {
     SpecimenSection         source;
     dem::SpecimenParameters specimen;
-    dem::CpmParameters      law;
+    MaterialSection         material;
     UniaxialLoadingSection  loading;
     OutputSection           output;
   };

@@ -41,7 +41,7 @@ namespace apps
     : name(name_of(model.loading.tests[which]))
     , number(which)
     , axis(model.loading.axis)
-    , specimen(packing, model.specimen, model.law)
+    , specimen(packing, model.specimen, model.material.materials())
     , test(specimen, model.loading.parameters(model.loading.tests[which]))
     , steps_at_most(most_steps(model.loading, model.loading.tests[which], specimen.time_step()))
     , steps_per_sample(std::max<std::int64_t>(1, steps_at_most / model.output.samples))
@@ -50,6 +50,8 @@ namespace apps
     result.load      = model.loading.tests[which];
     result.time_step = specimen.time_step();
     result.at_start  = specimen.counts();
+    if (packing.material_names.size() > 1)
+      materials = MaterialCounts(packing.material_names, specimen.particles().material, specimen.links().law);
   }
 
   void UniaxialStage::open(const std::filesystem::path &folder)

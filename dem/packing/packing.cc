@@ -63,8 +63,7 @@ namespace dem
       const auto &names = packing.material_names;
       for (std::size_t i = 0; i < names.size(); ++i)
         if (!is_material_name(names[i]))
-          throw InputError(origin + ": material name \"" + names[i] +
-                           "\": expected letters, digits, and any of . _ + -, without blanks.");
+          throw InputError(origin + ": material \"" + names[i] + "\": " + material_name_rule() + ".");
         else if (std::count(names.begin(), names.end(), names[i]) > 1)
           throw InputError(origin + ": the material name \"" + names[i] + "\" stands for two numbers.");
       if (packing.material.empty())
@@ -87,7 +86,13 @@ namespace dem
     const auto allowed = [](const unsigned char c) {
       return std::isalnum(c) || c == '.' || c == '_' || c == '+' || c == '-';
     };
-    return !name.empty() && std::all_of(name.begin(), name.end(), allowed);
+    return !name.empty() && std::isalnum(static_cast<unsigned char>(name[0])) &&
+           std::all_of(name.begin(), name.end(), allowed);
+  }
+
+  const char *material_name_rule()
+  {
+    return "a material's name begins with a letter or digit, and goes on with these and any of . _ + -";
   }
 
   void check_packing(const Packing &packing, const std::string &origin)

@@ -39,8 +39,9 @@ namespace dem
  */
   void check_packing(const Packing &packing, const std::string &origin);
 
-  /** What a material may be called so that it fits a column of a table: letters, digits, and any of . _ + -. */
-  bool is_material_name(const std::string &name);
+  /** Whether a material may be called so: its name must fit a column of a table. */
+  bool        is_material_name(const std::string &name);
+  const char *material_name_rule(); ///< in words
 
   /** Volume of all particles [m^3] (spheres; overlaps counted twice). */
   double solid_volume(const Packing &packing);
