@@ -262,8 +262,8 @@ namespace apps
     u.number("End strain", end_strain, "-", Range(), Need::optional)
       .means("To which an all-particle run goes on, to compare with; 0: none");
 
-    Section &i =
-      s.section("Impact", "A beam along x on two supports, hit at mid-span from above by a sphere of its own material");
+    Section &i = s.section(
+      "Impact", "A beam along x on two supports, hit at mid-span from above by a sphere of its own (first) material");
     i.only_if(hit, "Particles/Source = impact");
     i.number("Span", impact.span, "m", Range::positive(), Need::required).means("Distance of the supports");
     i.number("Support width", impact.support_width, "m", Range::positive(), Need::required)
