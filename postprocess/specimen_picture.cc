@@ -121,15 +121,15 @@ namespace postprocess
       return text;
     }
 
-    /** Circles around what is not of the first material: place, radius, colour by material. */
-    std::string ring_rows(const dem::ParticleOutput &particles, const View &view, const std::vector<std::size_t> &shown)
+    /** Dots on what is not of the first material: place, colour by material. */
+    std::string dot_rows(const dem::ParticleOutput &particles, const View &view, const std::vector<std::size_t> &shown)
     {
       constexpr std::array<double, 5> colours = {0xb36b00, 0x2e7d32, 0x6a3d9a, 0x00838f, 0x5d4037};
 
       std::string text;
       for (const std::size_t i : shown)
         if (!particles.material.empty() && particles.material[i] > 0)
-          append_row(text, {view.on_paper(i).x(), view.on_paper(i).y(), 0.9 * particles.radius[i] * millimetres,
+          append_row(text, {view.on_paper(i).x(), view.on_paper(i).y(),
                             colours[static_cast<std::size_t>(particles.material[i] - 1) % colours.size()]});
       return text;
     }
@@ -229,11 +229,11 @@ namespace postprocess
                       "set palette defined (0 '#f0f0f0', 1 '#5b7fb0')\nset style fill solid 1 noborder\n" +
                       "set key outside below center Left reverse\n" +
                       "plot 'particles' using 1:2:3:4 with circles lc palette notitle";
-        if (const std::string rings = ring_rows(particles, view, shown); !rings.empty())
+        if (const std::string dots = dot_rows(particles, view, shown); !dots.empty())
           {
-            job.data["materials"] = rings;
-            job.script += ", 'materials' using 1:2:3:4 with circles fillstyle empty lw 1.5 lc rgb variable notitle, "
-                          "NaN with lines lw 1.5 lc rgb '#b36b00' title 'not of the first material'";
+            job.data["materials"] = dots;
+            job.script += ", 'materials' using 1:2:3 with points pt 7 ps 0.7 lc rgb variable notitle, "
+                          "NaN with points pt 7 ps 0.7 lc rgb '#b36b00' title 'not of the first material'";
           }
         if (!cracks.empty())
           {

@@ -37,7 +37,7 @@ namespace
     dem::QuasiStaticParameters p;
     p.strain_step = 1e-5;
     p.end_strain  = 30e-4;
-    p.growth_step = 0.05;
+    p.growth_step = 0.02; // the work of the path is summed up by trapezoids
     p.end_stress  = 0.3;
     dem::QuasiStaticPath path(loaded, materials, p);
     while (!path.finished())
