@@ -94,8 +94,11 @@ namespace postprocess
         split(line, fields);
         if (!fields.empty() && (fields[0] == "periodic_cell" || fields[0] == "periodic_cell:"))
           read_periodic_cell();
-        else if (!fields.empty() && (fields[0] == "materials" || fields[0] == "materials:"))
-          read_material_names();
+        else if (packing.size() == 0 && !fields.empty() && (fields[0] == "materials" || fields[0] == "materials:"))
+          {
+            announced.assign(fields.begin() + 1, fields.end());
+            announced_in = lines.number();
+          }
         else if (const auto names = column_names(line); packing.size() == 0 && names_all_quantities(names))
           commented_names = names;
         else if (const std::size_t colon = line.find(':'); colon != std::string_view::npos)
@@ -112,32 +115,31 @@ namespace postprocess
           (*packing.periodic_cell)[d] = positive("periodic_cell edge", fields[d + 1]);
       }
 
-      void read_material_names()
+      /** The line "# materials" is only looked at where there is a column to name: elsewhere it may be prose. */
+      void number_materials()
       {
-        if (packing.size() > 0)
-          refuse_line("the materials must be named before the first particle.");
-        for (std::size_t i = 1; i < fields.size(); ++i)
-          if (const std::string name(fields[i]); !numbers.emplace(check_material(name), numbers.size()).second)
-            refuse_line("the material \"" + name + "\" is named twice.");
-        all_named = true;
+        for (const std::string &name : announced)
+          {
+            if (!dem::is_material_name(name))
+              refuse(origin, announced_in, "material \"" + name + "\": " + dem::material_name_rule() + ".");
+            if (!numbers.emplace(name, numbers.size()).second)
+              refuse(origin, announced_in, "the material \"" + name + "\" is named twice.");
+          }
       }
 
-      const std::string &check_material(const std::string &name) const
-      {
-        if (!dem::is_material_name(name))
-          refuse_line("material \"" + name + "\": " + dem::material_name_rule() + ".");
-        return name;
-      }
-
-      /** Number of a material, in the order of a line that names them all, or else of first appearance. */
+      /** Number of a material, in the order of the line that names them, or else of first appearance. */
       std::int32_t material_in(const std::string_view field)
       {
+        if (numbers.empty())
+          number_materials();
         const std::string name(field);
         if (const auto known = numbers.find(name); known != numbers.end())
           return known->second;
-        if (all_named)
+        if (!announced.empty())
           refuse_line("material \"" + name + "\" is not in the line \"# materials\".");
-        return numbers.emplace(check_material(name), numbers.size()).first->second;
+        if (!dem::is_material_name(name))
+          refuse_line("material \"" + name + "\": " + dem::material_name_rule() + ".");
+        return numbers.emplace(name, numbers.size()).first->second;
       }
 
       void use_header(const std::vector<ColumnName> &names)
@@ -197,8 +199,9 @@ namespace postprocess
       RowLayout                           layout;
       std::vector<std::string_view>       fields;
       std::vector<ColumnName>             commented_names;
-      std::map<std::string, std::int32_t> numbers;           ///< of materials
-      bool                                all_named = false; ///< a line has said which there are
+      std::map<std::string, std::int32_t> numbers;          ///< of materials
+      std::vector<std::string>            announced;        ///< materials of the line "# materials"
+      std::size_t                         announced_in = 0; ///< its number
       dem::Packing                        packing;
       Metadata                            metadata;
     };

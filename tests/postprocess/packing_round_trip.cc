@@ -119,6 +119,9 @@ TEST_CASE("materials are words in a named column, numbered as they come; without
   REQUIRE(numbered.material_names == std::vector<std::string>{"7", "0"});
   REQUIRE(read_packing(folder.file("c.txt", "x y z r matter\n0 0 0 1 7\n3 0 0 1 0\n")).material.empty());
 
+  // Without a column to name the line is prose, whatever it says.
+  REQUIRE(read_packing(folder.file("e.txt", "# materials: (see the report)\n0 0 0 1\n")).material.empty());
+
   dem::Packing nameless = commas;
   nameless.material_names.clear();
   write_packing(nameless, folder / "d.h5");
