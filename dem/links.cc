@@ -1,5 +1,7 @@
 #include "dem/links.h"
 
+#include "dem/laws/cpm_table.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -18,7 +20,7 @@ namespace dem
     for (int i = 0; i < 3; ++i)
       doubles += elastic_shear[i].capacity() + total_shear[i].capacity();
     std::size_t integers = 0;
-    for (const auto *column : {&first, &second, &image, &own_begin, &other_begin, &others})
+    for (const auto *column : {&first, &second, &image, &law, &own_begin, &other_begin, &others})
       integers += column->capacity();
     return doubles * sizeof(double) + integers * sizeof(std::int32_t) + accounts.capacity() * sizeof(LinkBlockAccount);
   }
@@ -36,6 +38,11 @@ namespace dem
         image.resize(lines);
         std::fill(image.begin() + n, image.end(), 0);
         stress_moments.assign(stress_record * std::max<std::size_t>(lines / links_per_block, 1), 0.0);
+      }
+    if (several_laws)
+      {
+        law.resize(lines);
+        std::fill(law.begin() + n, law.end(), 0);
       }
     reference_length.resize(lines);
     std::fill(reference_length.begin() + n, reference_length.end(), 1.0);
@@ -84,6 +91,8 @@ namespace dem
     second[to] = source.second[from];
     if (periodic)
       image[to] = source.image[from];
+    if (several_laws)
+      law[to] = source.law[from];
     reference_length[to] = source.reference_length[from];
     area[to]             = source.area[from];
     kappa[to]            = source.kappa[from];
@@ -109,6 +118,7 @@ namespace dem
     LinkSet kept;
     kept.shear_components = shear_components;
     kept.periodic         = periodic;
+    kept.several_laws     = several_laws;
     kept.alive            = alive;
     kept.resize(alive, particles, !total_shear[0].empty());
     std::size_t to = 0;
@@ -138,6 +148,7 @@ namespace dem
   {
     links.shear_components = shape.dimension == 3 ? 3 : 1;
     links.periodic         = particles.cell.repeats();
+    links.several_laws     = !particles.material.empty();
     links.alive            = pairs.size();
     links.resize(pairs.size(), particles.count, with_total_shear);
     for (std::size_t l = 0; l < pairs.size(); ++l)
@@ -147,6 +158,8 @@ namespace dem
         links.second[l]          = K;
         if (links.periodic)
           links.image[l] = particles.cell.enter(shift);
+        if (links.several_laws)
+          links.law[l] = CpmTable::pair(particles.material[J], particles.material[K]);
         links.reference_length[l] = branch_of(particles, links, l).norm();
         links.area[l]             = shape.link_area(particles.radius_of(J), particles.radius_of(K));
       }
@@ -164,6 +177,8 @@ namespace dem
     visitor.column(name + "/second", second);
     if (periodic)
       visitor.column(name + "/image", image);
+    if (several_laws)
+      visitor.column(name + "/law", law);
     visitor.column(name + "/reference_length", reference_length);
     visitor.column(name + "/area", area);
     visitor.column(name + "/kappa", kappa);

@@ -34,11 +34,13 @@ namespace dem
     std::size_t count            = 0; ///< lines in use, deleted ones included
     std::size_t alive            = 0;
     int         shear_components = 3;
-    bool        periodic = false; ///< links reach to images of particles, and their share of stress is summed up
+    bool        periodic     = false; ///< links reach to images of particles, and their share of stress is summed up
+    bool        several_laws = false; ///< particles are of several materials, and each link knows the law of its pair
 
     std::vector<std::int32_t> first,
       second;                        ///< particle numbers in the order of Particles, first < second (<= if periodic)
     std::vector<std::int32_t> image; ///< of the second end, number in the cell's table; only if periodic
+    std::vector<std::int32_t> law;   ///< number in the table of laws; only with several
     Column                    reference_length; ///< L0 [m]
     Column                    area;             ///< A [m^2]; 0: deleted
     Column                    kappa;            ///< largest equivalent strain
@@ -55,6 +57,7 @@ namespace dem
 
     std::size_t blocks() const { return accounts.size(); }
     bool        is_alive(const std::size_t link) const { return area[link] > 0; }
+    std::size_t law_of(const std::size_t link) const { return several_laws ? law[link] : 0; } ///< number in the table
     std::size_t bytes() const;
 
     /** Make room for `n` links of particles numbered below `particles`; all lines are padding between its two extra particles. */
@@ -74,7 +77,7 @@ namespace dem
   Eigen::Vector3d branch_of(const Particles &particles, const LinkSet &links, std::size_t link);
 
   /** Fill a set with undamaged links between the pairs, each with its present distance as reference length.
-   * Images that the cell does not know yet are entered into its table. */
+   * Images that the cell does not know yet are entered into its table. Where particles have materials, laws are those of the pairs. */
   void make_links(LinkSet                          &links,
                   const std::vector<NeighbourPair> &pairs,
                   Particles                        &particles,

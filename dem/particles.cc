@@ -59,13 +59,18 @@ namespace dem
     p.made_links.assign(p.count, 0);
     p.broken_links.assign(p.count, 0);
     p.number = hilbert_order(packing.centre);
+    if (!packing.material.empty())
+      for (const std::int32_t number : p.number)
+        p.material.push_back(packing.material[number]);
 
     for (std::size_t i = 0; i < p.count; ++i)
       {
         const double radius = packing.radius[p.number[i]];
         place(p, i, packing.centre[p.number[i]], radius);
-        p.mass[i]    = shape.mass(radius);
-        p.inertia[i] = shape.inertia(radius);
+        const double denser =
+          shape.densities.empty() || p.material.empty() ? 1.0 : shape.densities[p.material[i]] / shape.density;
+        p.mass[i]    = denser * shape.mass(radius);
+        p.inertia[i] = denser * shape.inertia(radius);
         set_inverse_mass(p, i, shape, rotations);
       }
     place(p, p.count, Eigen::Vector3d::Zero(), 0.5);
@@ -79,7 +84,9 @@ namespace dem
     for (const Column *column : {&pose, &motion, &velocity, &force, &inverse_mass, &reference, &mass, &inertia})
       doubles += column->capacity();
     return doubles * sizeof(double) +
-           (number.capacity() + made_links.capacity() + broken_links.capacity()) * sizeof(std::int32_t) + cell.bytes();
+           (number.capacity() + made_links.capacity() + broken_links.capacity() + material.capacity()) *
+             sizeof(std::int32_t) +
+           cell.bytes();
   }
 
   void Particles::visit_state(StateVisitor &visitor)

@@ -35,6 +35,7 @@ namespace dem
     std::vector<std::int32_t> number;       ///< of each particle in the packing
     std::vector<std::int32_t> made_links;   ///< cohesive links at the start
     std::vector<std::int32_t> broken_links; ///< cohesive links deleted since
+    std::vector<std::int32_t> material;     ///< number of each particle's material; empty: there is one
 
     const double   *pose_of(const std::size_t i) const { return &pose[record_size * i]; }
     double          radius_of(const std::size_t i) const { return pose[record_size * i + 6]; }
@@ -51,8 +52,10 @@ namespace dem
     double density   = 0; ///< [kg/m^3]
     double thickness = 0; ///< [m], two dimensions only
 
+    std::vector<double> densities = {}; ///< of each material [kg/m^3]; empty: all have the density above
+
     double volume(double radius) const;
-    double mass(double radius) const { return density * volume(radius); }
+    double mass(double radius) const { return density * volume(radius); } ///< at the density above
     /** (2/5) m r^2 of a sphere, (1/2) m r^2 of a disc. */
     double inertia(double radius) const;
     /** Cross-section of a link: pi r^2 of the smaller sphere, 2 r t of the smaller disc. */

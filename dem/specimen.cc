@@ -70,10 +70,18 @@ namespace dem
       return Cell(edges.asDiagonal(), p.physics.dimension);
     }
 
-    Particles make_particles_in_cell(const Packing &packing, const ParticleShape &shape, const SpecimenParameters &p)
+    /** Their materials are noted only where there are several. */
+    Particles make_particles_in_cell(const Packing            &packing,
+                                     const ParticleShape      &shape,
+                                     const SpecimenParameters &p,
+                                     const bool                several_materials)
     {
       Particles particles = make_particles(packing, shape, p.physics.rotations);
       particles.cell      = make_cell(packing, p);
+      if (!several_materials)
+        particles.material.clear();
+      else if (particles.material.empty())
+        particles.material.assign(particles.count, 0);
       return particles;
     }
 
@@ -101,17 +109,17 @@ namespace dem
 
   Specimen::Implementation::Implementation(const Packing            &packing,
                                            const SpecimenParameters &p,
-                                           const CpmParameters      &law_parameters)
+                                           const CpmMaterials       &materials)
     : parameters(p)
-    , law(law_parameters)
-    , shape{p.physics.dimension, p.density, p.thickness}
-    , particles(make_particles_in_cell(packing, shape, p))
+    , laws(materials)
+    , shape{p.physics.dimension, p.density, p.thickness, materials.densities(p.density)}
+    , particles(make_particles_in_cell(packing, shape, p, materials.several()))
     , equal_radii(std::all_of(
         packing.radius.begin(), packing.radius.end(), [&](const double r) { return r == packing.radius[0]; }))
     , start_margin(2.0 * *std::min_element(packing.radius.begin(), packing.radius.end()) * (p.interaction_ratio - 1.0))
     , search(particles, start_margin)
-    , bond_pass(select_bond_pass(p.physics, equal_radii, shear_damages()))
-    , contact_pass(select_contact_pass(p.physics, equal_radii))
+    , bond_pass(select_bond_pass(p.physics, mixture(), shear_damages()))
+    , contact_pass(select_contact_pass(p.physics, mixture()))
     , accounts(particle_blocks(particles.count))
     , slot(particles.count)
   {
@@ -160,13 +168,14 @@ namespace dem
     add_contacts(contacts, {}, particles, shape);
   }
 
-  Specimen::Specimen(const Packing &packing, const SpecimenParameters &parameters, const CpmParameters &law)
+  Specimen::Specimen(const Packing &packing, const SpecimenParameters &parameters, const CpmMaterials &materials)
   {
     check(parameters);
     check_packing(packing, "packing");
+    check_materials(packing, materials);
     if (parameters.physics.dimension == 2)
       check_plane(packing);
-    self = std::make_unique<Implementation>(packing, parameters, law);
+    self = std::make_unique<Implementation>(packing, parameters, materials);
   }
 
   Specimen::~Specimen()                               = default;
@@ -191,7 +200,7 @@ namespace dem
 
   double Specimen::critical_step() const
   {
-    return dem::critical_step(self->particles, self->bonds, &self->contacts, self->law,
+    return dem::critical_step(self->particles, self->bonds, &self->contacts, self->laws,
                               self->parameters.physics.rotations);
   }
 

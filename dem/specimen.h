@@ -2,7 +2,7 @@
 
 #include "dem/energy.h"
 #include "dem/initial_equilibrium.h"
-#include "dem/laws/cpm.h"
+#include "dem/laws/cpm_table.h"
 #include "dem/measures/loads.h"
 #include "dem/measures/mandel.h"
 #include "dem/packing/packing.h"
@@ -56,10 +56,12 @@ namespace dem
   {
     std::vector<Eigen::Vector3d> position, displacement, velocity, angular_velocity;
     std::vector<double>          radius;
+    std::vector<double>          mass;   ///< [kg]; of a specimen in motion only
     std::vector<double>          damage; ///< mean damage of the links it was made with, broken ones count as 1 [-]
     std::vector<std::int32_t>    broken_links; ///< how many of its cohesive links are gone
     std::vector<double>          volume;       ///< the particle's share of the specimen's volume, voids included [m^3]
     std::vector<std::int32_t>    held;         ///< 1: some of its motion is prescribed by a grip
+    std::vector<std::int32_t>    material;     ///< number of each particle's material; empty: there is one
     std::vector<Eigen::Matrix3d> stress;       ///< Love-Weber, symmetric part, over the particle's share of volume [Pa]
   };
 
@@ -83,7 +85,8 @@ namespace dem
     std::vector<double>
       strength_damage;              ///< lost part of the strength, (6.6) of Stransky (2018); broken and contacts: 1
     std::vector<double> dissipated; ///< by the link's damage so far [J]; zero where shear damages (then only summed up)
-    std::vector<LinkLoad> load;     ///< force and geometry at t_n; of a broken link its last geometry without force
+    std::vector<std::int32_t> law;  ///< of each, its number in the table of laws (CpmTable); empty: there is one
+    std::vector<LinkLoad>     load; ///< force and geometry at t_n; of a broken link its last geometry without force
   };
 
   /** The periodic cell of a specimen. */
@@ -112,11 +115,12 @@ namespace dem
   {
   public:
     /**
-   * Link the packing and set it at rest.
-   * @throws InputError when nothing can be made of it: see check_packing(); when no two particles are near enough to be linked; or
-   *         when it is to be periodic and the packing is not.
+   * Link the packing and set it at rest. Links take the constants of the pair of materials that they join.
+   * @param materials numbered as the packing does; where it does not say, all particles are of the first
+   * @throws InputError when nothing can be made of it: see check_packing(); when no two particles are near enough to be linked;
+   *         when it is to be periodic and the packing is not; or when it has a material that is not among those given.
    */
-    Specimen(const Packing &packing, const SpecimenParameters &parameters, const CpmParameters &law);
+    Specimen(const Packing &packing, const SpecimenParameters &parameters, const CpmMaterials &materials);
     ~Specimen();
     Specimen(Specimen &&) noexcept;
     Specimen &operator=(Specimen &&) noexcept;

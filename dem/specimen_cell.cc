@@ -23,13 +23,14 @@ namespace dem
     }
 
     /** Sum of H^T C H over the links [N m]. */
-    Matrix6d stiffness_moment(const Particles &particles, const LinkSet &links, const CpmConstants &law)
+    Matrix6d stiffness_moment(const Particles &particles, const LinkSet &links, const CpmTable &laws)
     {
       Matrix6d sum = Matrix6d::Zero();
       for (std::size_t l = 0; l < links.count; ++l)
         {
           if (!links.is_alive(l))
             continue;
+          const CpmConstants   &law       = laws[links.law_of(l)];
           const LinkView        view      = link_at(particles, links, l);
           const double          normal    = view.strain > 0 ? (1.0 - links.damage[l]) * law.E : law.E;
           const auto            along     = view.direction * view.direction.transpose();
@@ -75,8 +76,8 @@ namespace dem
   Matrix6d Specimen::affine_stiffness() const
   {
     require_cell(self->particles, "affine stiffness");
-    return (stiffness_moment(self->particles, self->bonds, self->law) +
-            stiffness_moment(self->particles, self->contacts, self->law)) /
+    return (stiffness_moment(self->particles, self->bonds, self->laws) +
+            stiffness_moment(self->particles, self->contacts, self->laws)) /
            self->particles.cell.volume();
   }
 

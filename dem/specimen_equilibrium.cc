@@ -28,7 +28,7 @@ namespace dem
     [[noreturn]] void refuse(const std::string &why) { throw InputError("Initial equilibrium: " + why); }
 
     /** The bonds as they are now, undamaged; particles by their number in the packing. */
-    ElasticNetwork network_of(const Particles &p, const LinkSet &bonds, const CpmConstants &law, const Physics &physics)
+    ElasticNetwork network_of(const Particles &p, const LinkSet &bonds, const CpmTable &laws, const Physics &physics)
     {
       ElasticNetwork network;
       network.dimension = physics.dimension;
@@ -38,7 +38,8 @@ namespace dem
         network.centre[static_cast<std::size_t>(p.number[i])] = p.position_of(i);
       for (std::size_t l = 0; l < bonds.count; ++l)
         {
-          const std::int32_t J = bonds.first[l], K = bonds.second[l];
+          const CpmConstants &law = laws[bonds.law_of(l)];
+          const std::int32_t  J = bonds.first[l], K = bonds.second[l];
           ElasticLink        link;
           link.first                   = p.number[J];
           link.second                  = p.number[K];
@@ -90,11 +91,12 @@ namespace dem
     };
 
     Residual residual_of(
-      const ParticleMotions &force, const Particles &p, const LinkSet &bonds, const CpmConstants &law, const double arm)
+      const ParticleMotions &force, const Particles &p, const LinkSet &bonds, const CpmTable &laws, const double arm)
     {
       double links = 0, noise = 0;
       for (std::size_t l = 0; l < bonds.count; ++l)
         {
+          const CpmConstants &law = laws[bonds.law_of(l)];
           links += Eigen::Vector3d(&bonds.force[record_size * l]).squaredNorm();
           const double coordinate = std::max(p.position_of(bonds.first[l]).lpNorm<Eigen::Infinity>(),
                                              p.position_of(bonds.second[l]).lpNorm<Eigen::Infinity>());
@@ -132,13 +134,14 @@ namespace dem
     }
 
     /** Links that the law no longer takes as elastic. */
-    void refuse_onset(const Particles &p, const LinkSet &bonds, const CpmConstants &law, const Physics &physics)
+    void refuse_onset(const Particles &p, const LinkSet &bonds, const CpmTable &laws, const Physics &physics)
     {
       const bool  slid    = physics.friction && plastic_dissipation(bonds) > 0;
       std::size_t damaged = 0, sliding = 0, worst = 0;
       double      strain = 0;
       for (std::size_t l = 0; l < bonds.count; ++l)
         {
+          const CpmConstants &law = laws[bonds.law_of(l)];
           const LinkView view   = link_at(p, bonds, l);
           const double   normal = view.force.dot(view.direction) / bonds.area[l],
                        shear    = (view.force / bonds.area[l] - normal * view.direction).norm();
@@ -146,9 +149,9 @@ namespace dem
             ++sliding;
           if (physics.damage && bonds.kappa[l] > law.onset)
             ++damaged;
-          if (physics.damage && bonds.kappa[l] > strain)
+          if (physics.damage && bonds.kappa[l] / law.onset > strain)
             {
-              strain = bonds.kappa[l];
+              strain = bonds.kappa[l] / law.onset;
               worst  = l;
             }
         }
@@ -159,7 +162,7 @@ namespace dem
           << " slide, so that it is not elastic.";
       if (damaged > 0)
         why << " The worst joins particles " << p.number[bonds.first[worst]] + 1 << " and "
-            << p.number[bonds.second[worst]] + 1 << ", strained to " << strain / law.onset
+            << p.number[bonds.second[worst]] + 1 << ", strained to " << strain
             << " of the limit elastic strain.";
       why << " Let gravity act in motion instead (Initial equilibrium = none), or lower it.";
       refuse(why.str());
@@ -226,7 +229,7 @@ namespace dem
 
   void Specimen::Implementation::find_forces()
   {
-    bond_pass(bonds, particles, law);
+    bond_pass(bonds, particles, laws);
     // A step of no length: forces are summed up, nothing moves, and the last motion is done with.
     select_particle_pass(false, false, equal_radii, surroundings())(particles, bonds, nullptr, 0.0, 0.0,
                                                                     parameters.gravity, accounts);
@@ -261,7 +264,7 @@ namespace dem
     if (left.isZero(0))
       return found;
     const std::vector<HeldMotions> still =
-      with_unsettled(network_of(particles, bonds, law, parameters.physics), left, held, found);
+      with_unsettled(network_of(particles, bonds, laws, parameters.physics), left, held, found);
     // What finds no equilibrium weighs nothing yet: held up, it would push the rest about.
     const auto unbalanced = [&] {
       ParticleMotions force = free_forces(particles, still);
@@ -274,7 +277,7 @@ namespace dem
     left = unbalanced();
     while (true)
       {
-        const ElasticNetwork network = network_of(particles, bonds, law, parameters.physics);
+        const ElasticNetwork network = network_of(particles, bonds, laws, parameters.physics);
         const RigidMotions   rigid(network, held, found.unsettled);
         if (found.solutions == 0 && rigid.loaded_by(left) > no_load)
           refuse("gravity acts along a motion of the whole specimen that no grip or support prevents. Hold it, or turn "
@@ -295,9 +298,9 @@ namespace dem
         rigid.remove_from(motion);
         displace(motion);
         find_forces();
-        refuse_onset(particles, bonds, law, parameters.physics);
+        refuse_onset(particles, bonds, laws, parameters.physics);
         left                    = unbalanced();
-        const Residual residual = residual_of(left, particles, bonds, law, mean_arm(network));
+        const Residual residual = residual_of(left, particles, bonds, laws, mean_arm(network));
         const bool     stalls   = found.solutions > 1 && residual.ratio > 0.5 * found.unbalanced_ratio;
         found.unbalanced_ratio  = residual.ratio;
         found.rounding          = residual.rounding;
@@ -317,8 +320,8 @@ namespace dem
         found.largest_displacement = std::max(
           found.largest_displacement, (particles.position_of(i) - Eigen::Vector3d(&particles.reference[3 * i])).norm());
     for (std::size_t l = 0; l < bonds.count; ++l)
-      found.largest_strain = std::max(found.largest_strain, bonds.kappa[l] / law.onset);
-    stored_at_start = elastic_energy(particles, bonds, law);
+      found.largest_strain = std::max(found.largest_strain, bonds.kappa[l] / laws[bonds.law_of(l)].onset);
+    stored_at_start = elastic_energy(particles, bonds, laws);
     if (parameters.physics.contacts)
       {
         accounts.front().fastest = found.largest_displacement * found.largest_displacement;

@@ -37,7 +37,7 @@ namespace dem
   struct Specimen::Implementation
   {
     SpecimenParameters parameters;
-    CpmConstants       law;
+    CpmTable           laws;
     ParticleShape      shape;
     Particles          particles;
     bool               equal_radii;
@@ -63,12 +63,16 @@ namespace dem
     std::vector<std::int32_t> crack_log;                      ///< ends of the cohesive links deleted so far, flattened
     Column crack_geometry; ///< records: last branch (3) [m] | contact point (3) [m] | dissipated [J] | 0
 
-    Implementation(const Packing &packing, const SpecimenParameters &p, const CpmParameters &law_parameters);
-    bool shear_damages() const { return parameters.physics.damage && law.shear_weight > 0; }
+    Implementation(const Packing &packing, const SpecimenParameters &p, const CpmMaterials &materials);
+    bool    shear_damages() const { return parameters.physics.damage && laws.shear_damages(); }
+    Mixture mixture() const
+    {
+      return laws.several() ? Mixture::materials : equal_radii ? Mixture::equal : Mixture::radii;
+    }
     void link();
     /** Take pairs with a loose particle out; they may be nearer than the ratio leaves others, and the search must know. */
     void   leave_loose(std::vector<NeighbourPair> &pairs);
-    double stable() const { return dem::stable_step(particles, bonds, &contacts, law, parameters.physics.rotations); }
+    double stable() const { return dem::stable_step(particles, bonds, &contacts, laws, parameters.physics.rotations); }
     /** Particles' kinetic energy with the velocities as they are [J]. */
     double       kinetic_of_velocities() const;
     Surroundings surroundings() const

@@ -34,8 +34,8 @@ namespace dem
     else
       for (const auto &block : s.accounts)
         e.kinetic += block.kinetic;
-    e.elastic  = elastic_energy(s.particles, s.bonds, s.law) + elastic_energy(s.particles, s.contacts, s.law);
-    e.damage   = damage_dissipation(s.bonds, s.law) + s.broken_damage;
+    e.elastic  = elastic_energy(s.particles, s.bonds, s.laws) + elastic_energy(s.particles, s.contacts, s.laws);
+    e.damage   = damage_dissipation(s.bonds, s.laws) + s.broken_damage;
     e.friction = plastic_dissipation(s.bonds) + plastic_dissipation(s.contacts);
     e.released = s.released;
     e.damping  = s.damped_before + s.damped_now;
@@ -72,11 +72,13 @@ namespace dem
     out.velocity.resize(n);
     out.angular_velocity.resize(n);
     out.radius.resize(n);
+    out.mass.resize(n);
     out.damage.resize(n);
     out.broken_links.resize(n);
     out.volume.resize(n);
     out.held.assign(n, 0);
     out.stress.resize(n);
+    out.material.resize(p.material.size());
     for (const HeldGrip &grip : self->grips)
       for (const std::size_t i : grip.grip.particles)
         out.held[i] = 1;
@@ -91,10 +93,13 @@ namespace dem
         out.velocity[to]         = Eigen::Vector3d(&p.velocity[record_size * i]) + p.cell.gradient() * p.position_of(i);
         out.angular_velocity[to] = Eigen::Vector3d(&p.velocity[record_size * i + 3]);
         out.radius[to]           = p.radius_of(i);
+        out.mass[to]             = p.mass[i];
         out.damage[to]           = p.made_links[i] > 0 ? (damage[i] + p.broken_links[i]) / p.made_links[i] : 0.0;
         out.broken_links[to]     = p.broken_links[i];
-        out.volume[to]           = volume;
-        out.stress[to]           = 0.5 * (moment + moment.transpose());
+        if (!p.material.empty())
+          out.material[to] = p.material[i];
+        out.volume[to] = volume;
+        out.stress[to] = 0.5 * (moment + moment.transpose());
       }
     return out;
   }
@@ -104,13 +109,16 @@ namespace dem
     void append(LinkOutput            &out,
                 const Particles       &particles,
                 const LinkSet         &links,
-                const CpmConstants    &law,
+                const CpmTable        &laws,
                 const LinkOutput::Kind kind)
     {
       for (std::size_t l = 0; l < links.count; ++l)
         {
           if (!links.is_alive(l))
             continue;
+          const CpmConstants &law = laws[links.law_of(l)];
+          if (links.several_laws)
+            out.law.push_back(links.law[l]);
           const LinkView view   = link_at(particles, links, l);
           const double   normal = view.force.dot(view.direction), shear = (view.force - normal * view.direction).norm();
           out.ends.push_back({static_cast<std::size_t>(particles.number[links.first[l]]),
@@ -124,7 +132,7 @@ namespace dem
           const bool cohesive = kind == LinkOutput::cohesive;
           out.damage.push_back(cohesive ? links.damage[l] : 1.0);
           out.strength_damage.push_back(cohesive ? law.strength_damage(links.kappa[l], links.damage[l]) : 1.0);
-          out.dissipated.push_back(cohesive ? damage_dissipation(links, l, law) : 0.0);
+          out.dissipated.push_back(cohesive ? damage_dissipation(links, l, laws) : 0.0);
           out.load.push_back(load_at(particles, links, l));
         }
     }
@@ -133,13 +141,16 @@ namespace dem
   LinkOutput Specimen::links() const
   {
     LinkOutput out;
-    append(out, self->particles, self->bonds, self->law, LinkOutput::cohesive);
-    append(out, self->particles, self->contacts, self->law, LinkOutput::contact);
+    append(out, self->particles, self->bonds, self->laws, LinkOutput::cohesive);
+    append(out, self->particles, self->contacts, self->laws, LinkOutput::contact);
     for (std::size_t i = 0; i < self->crack_log.size(); i += 2)
       {
         out.ends.push_back({static_cast<std::size_t>(self->particles.number[self->crack_log[i]]),
                             static_cast<std::size_t>(self->particles.number[self->crack_log[i + 1]])});
         out.kind.push_back(LinkOutput::broken);
+        if (self->laws.several())
+          out.law.push_back(CpmTable::pair(self->particles.material[self->crack_log[i]],
+                                           self->particles.material[self->crack_log[i + 1]]));
         out.damage.push_back(1.0);
         out.strength_damage.push_back(1.0);
         const double         *geometry = &self->crack_geometry[record_size * (i / 2)];

@@ -18,9 +18,9 @@ namespace dem
 
   void Specimen::Implementation::step()
   {
-    bond_pass(bonds, particles, law);
+    bond_pass(bonds, particles, laws);
     if (contacts.alive > 0)
-      contact_pass(contacts, particles, law);
+      contact_pass(contacts, particles, laws);
     if (parameters.physics.periodic)
       sum_stress();
     delete_exhausted(bonds, true);
@@ -102,7 +102,7 @@ namespace dem
           const std::size_t end       = std::min((b + 1) * links_per_block, links.count);
           for (std::size_t l = b * links_per_block; l < end; ++l)
             if (links.is_alive(l) && link_at(particles, links, l, Geometry::present).strain > 0 &&
-                (!cohesive || links.kappa[l] > law.kappa_broken))
+                (!cohesive || links.kappa[l] > laws[links.law_of(l)].kappa_broken))
               delete_link(links, l, cohesive);
         }
     if (cohesive &&
@@ -116,10 +116,10 @@ namespace dem
     const Eigen::Vector3d branch = branch_of(particles, links, l);
     if (links.periodic)
       stress_moment -= branch * Eigen::RowVector3d(&links.force[record_size * l]);
-    released += elastic_energy(particles, links, l, law, Geometry::present);
+    released += elastic_energy(particles, links, l, laws, Geometry::present);
     if (cohesive)
       {
-        const double          dissipated = damage_dissipation(links, l, law), length = branch.norm();
+        const double          dissipated = damage_dissipation(links, l, laws), length = branch.norm();
         const double          arm     = 0.5 * (length + particles.radius_of(J) - particles.radius_of(K));
         const Eigen::Vector3d contact = particles.position_of(J) + arm / length * branch;
         broken_damage += dissipated;
@@ -150,7 +150,7 @@ namespace dem
     // Links only soften, but contacts stiffen the particles they join: keep the factor on the present bound.
     for (const auto &pair : born)
       for (const std::int32_t i : {pair.first, pair.second})
-        time_step = std::min(time_step, parameters.step_factor * stable_step_of(particles, bonds, contacts, law,
+        time_step = std::min(time_step, parameters.step_factor * stable_step_of(particles, bonds, contacts, laws,
                                                                                 parameters.physics.rotations, i));
   }
 

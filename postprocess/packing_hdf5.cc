@@ -3,6 +3,9 @@
 #include "dem/core/errors.h"
 #include "postprocess/hdf5_file.h"
 
+#include <sstream>
+#include <vector>
+
 namespace postprocess
 {
   namespace
@@ -27,9 +30,20 @@ namespace postprocess
       if (radius.size() != 1 || radius[0] != centre[0])
         throw dem::InputError(origin + ": \"radius\" has the shape " + as_text(radius) + ", expected " +
                               std::to_string(centre[0]) + ", as many as centres.");
+      if (file.has("material") && file.shape("material") != hdf5::Shape{centre[0]})
+        throw dem::InputError(origin + ": \"material\" has the shape " + as_text(file.shape("material")) +
+                              ", expected " + std::to_string(centre[0]) + ", as many as centres.");
       if (file.has("periodic_cell") && file.shape("periodic_cell") != hdf5::Shape{3})
         throw dem::InputError(origin + ": \"periodic_cell\" has the shape " + as_text(file.shape("periodic_cell")) +
                               ", expected 3 edge lengths.");
+    }
+
+    std::int32_t narrowed(const std::int64_t number, const std::string &origin)
+    {
+      if (number != static_cast<std::int32_t>(number))
+        throw dem::InputError(origin + ": \"material\" holds " + std::to_string(number) +
+                              ", expected whole numbers from 0.");
+      return static_cast<std::int32_t>(number);
     }
 
     void check_version(const hdf5::InputFile &file, const std::string &origin)
@@ -59,6 +73,19 @@ namespace postprocess
       }
     if (file.has("periodic_cell"))
       file.read("periodic_cell", packing.periodic_cell.emplace().data());
+    if (file.has("material") && packing.size() > 0)
+      {
+        std::vector<std::int64_t> numbers(packing.size()); // other programs may have written either width
+        file.read("material", numbers.data());
+        for (const std::int64_t number : numbers)
+          packing.material.push_back(narrowed(number, path.string()));
+        if (file.has("material_names"))
+          {
+            std::istringstream words(file.read_text("material_names"));
+            for (std::string name; words >> name;)
+              packing.material_names.push_back(name);
+          }
+      }
 
     Metadata          metadata;
     const std::string folder = "metadata/";
@@ -77,6 +104,15 @@ namespace postprocess
     file.write("radius", packing.radius.data(), {packing.radius.size()});
     if (packing.periodic_cell)
       file.write("periodic_cell", packing.periodic_cell->data(), {3});
+    if (!packing.material.empty())
+      {
+        file.write("material", packing.material.data(), {packing.material.size()});
+        std::string names;
+        for (const std::string &name : packing.material_names)
+          names += (names.empty() ? "" : " ") + name;
+        if (!names.empty())
+          file.write_text("material_names", names);
+      }
     for (const auto &[key, value] : metadata)
       file.write_text("metadata/" + key, value);
     file.commit();

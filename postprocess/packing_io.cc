@@ -30,11 +30,11 @@ namespace postprocess
     {
       const auto allowed = [](const unsigned char c) { return std::isalnum(c) || c == '_' || c == '-' || c == ' '; };
       for (const auto &[key, value] : metadata)
-        if (key.empty() || key == "periodic_cell" || !std::all_of(key.begin(), key.end(), allowed) ||
-            value.find_first_of("\r\n") != std::string::npos)
+        if (key.empty() || key == "periodic_cell" || key == "materials" ||
+            !std::all_of(key.begin(), key.end(), allowed) || value.find_first_of("\r\n") != std::string::npos)
           throw std::invalid_argument("write_packing: metadata \"" + key +
                                       "\": a key is made of letters, digits, blanks, _ " +
-                                      "and -, it is not periodic_cell, and its value has no line break");
+                                      "and -, it is not periodic_cell or materials, and its value has no line break");
     }
   } // namespace
 

@@ -17,12 +17,15 @@ namespace postprocess
    * Text: one particle a line, `x y z radius` [m], separated by blanks, tabs or commas. Lines that start with `#` are
    * comments; `# periodic_cell LX LY LZ` gives the edges of a periodic cell. A line of column names (as such or as a
    * comment) may come before the first particle: then x, y, z and radius (or r) may stand in any order, among other
-   * columns, which are ignored. A name may carry the unit `[m]`.
+   * columns, which are ignored. A name may carry the unit `[m]`. A named column `material` holds a word per particle, what its
+   * material is called; `# materials NAME NAME ...` before the first particle says which there are, and in what order.
    *
-   * HDF5: datasets `centre` (N x 3) and `radius` (N) [m], and `periodic_cell` (3) when periodic.
+   * HDF5: datasets `centre` (N x 3) and `radius` (N) [m], and `periodic_cell` (3) when periodic. With several materials
+   * `material` (N, whole numbers from 0) and, unless they have no names, the text `material_names`, between blanks.
    *
    * @throws dem::InputError naming file and line (or dataset): missing file, wrong number of columns, not a number, NaN
-   * or infinity, radius <= 0, no particle, coincident particles, missing or misshapen dataset, truncated file.
+   * or infinity, radius <= 0, no particle, coincident particles, a material that has no name or may not be called so, missing or
+   * misshapen dataset, truncated file.
    */
   dem::Packing read_packing(const std::filesystem::path &path);
 
@@ -32,7 +35,7 @@ namespace postprocess
   /**
    * Write a packing atomically: HDF5 when the name ends in .h5 or .hdf5, otherwise text (commas for .csv).
    *
-   * Reading it back gives the same bits, in both formats.
+   * Reading it back gives the same bits, in both formats (in text, materials without names get their numbers as names).
    *
    * @throws OutputError; std::invalid_argument if a key of the metadata is not made of letters, digits, blanks, _ and
    * -, or a value holds a line break.

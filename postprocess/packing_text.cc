@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <map>
+#include <optional>
 
 namespace postprocess
 {
@@ -18,16 +20,22 @@ namespace postprocess
     /** Where x, y, z and radius stand in a row. */
     struct RowLayout
     {
-      std::array<std::size_t, quantities> place   = {0, 1, 2, 3};
+      std::array<std::size_t, quantities> place = {0, 1, 2, 3};
+      std::optional<std::size_t>          material;
       std::size_t                         columns = quantities;
       bool                                named   = false; ///< taken from a header
     };
 
+    std::string lower_case(std::string name)
+    {
+      std::transform(name.begin(), name.end(), name.begin(), [](const unsigned char c) { return std::tolower(c); });
+      return name;
+    }
+
     bool names_quantity(const ColumnName &column, const std::size_t quantity)
     {
       static constexpr std::array<std::string_view, quantities> letters = {"x", "y", "z", "r"};
-      std::string                                               name    = column.name;
-      std::transform(name.begin(), name.end(), name.begin(), [](const unsigned char c) { return std::tolower(c); });
+      const std::string                                         name    = lower_case(column.name);
       return name == letters[quantity] || (quantity == 3 && name == "radius");
     }
 
@@ -65,6 +73,11 @@ namespace postprocess
           }
         if (packing.size() == 0)
           throw dem::InputError(origin + ": holds no particle. Give lines of x y z radius [m].");
+        if (layout.material)
+          packing.material_names.resize(numbers.size());
+        for (const auto &[name, value] : numbers)
+          if (layout.material)
+            packing.material_names[static_cast<std::size_t>(value)] = name;
         return {std::move(packing), std::move(metadata)};
       }
 
@@ -81,6 +94,11 @@ namespace postprocess
         split(line, fields);
         if (!fields.empty() && (fields[0] == "periodic_cell" || fields[0] == "periodic_cell:"))
           read_periodic_cell();
+        else if (packing.size() == 0 && !fields.empty() && (fields[0] == "materials" || fields[0] == "materials:"))
+          {
+            announced.assign(fields.begin() + 1, fields.end());
+            announced_in = lines.number();
+          }
         else if (const auto names = column_names(line); packing.size() == 0 && names_all_quantities(names))
           commented_names = names;
         else if (const std::size_t colon = line.find(':'); colon != std::string_view::npos)
@@ -97,6 +115,33 @@ namespace postprocess
           (*packing.periodic_cell)[d] = positive("periodic_cell edge", fields[d + 1]);
       }
 
+      /** The line "# materials" is only looked at where there is a column to name: elsewhere it may be prose. */
+      void number_materials()
+      {
+        for (const std::string &name : announced)
+          {
+            if (!dem::is_material_name(name))
+              refuse(origin, announced_in, "material \"" + name + "\": " + dem::material_name_rule() + ".");
+            if (!numbers.emplace(name, numbers.size()).second)
+              refuse(origin, announced_in, "the material \"" + name + "\" is named twice.");
+          }
+      }
+
+      /** Number of a material, in the order of the line that names them, or else of first appearance. */
+      std::int32_t material_in(const std::string_view field)
+      {
+        if (numbers.empty())
+          number_materials();
+        const std::string name(field);
+        if (const auto known = numbers.find(name); known != numbers.end())
+          return known->second;
+        if (!announced.empty())
+          refuse_line("material \"" + name + "\" is not in the line \"# materials\".");
+        if (!dem::is_material_name(name))
+          refuse_line("material \"" + name + "\": " + dem::material_name_rule() + ".");
+        return numbers.emplace(name, numbers.size()).first->second;
+      }
+
       void use_header(const std::vector<ColumnName> &names)
       {
         for (std::size_t quantity = 0; quantity < quantities; ++quantity)
@@ -109,6 +154,13 @@ namespace postprocess
             if (!found->unit.empty() && found->unit != "m")
               refuse_line("the column " + found->name + " is in [" + found->unit + "]: lengths must be in [m].");
           }
+        for (std::size_t i = 0; i < names.size(); ++i)
+          if (lower_case(names[i].name) == "material")
+            {
+              if (layout.material)
+                refuse_line("the header names the column material twice.");
+              layout.material = i;
+            }
         layout.columns = names.size();
         layout.named   = true;
       }
@@ -128,6 +180,8 @@ namespace postprocess
           centre[d] = finite_number(fields[layout.place[d]], origin, lines.number());
         packing.centre.push_back(centre);
         packing.radius.push_back(positive("radius", fields[layout.place[3]]));
+        if (layout.material)
+          packing.material.push_back(material_in(fields[*layout.material]));
       }
 
       double positive(const std::string &what, const std::string_view field) const
@@ -140,13 +194,16 @@ namespace postprocess
 
       [[noreturn]] void refuse_line(const std::string &message) const { refuse(origin, lines.number(), message); }
 
-      std::string                   origin;
-      Lines                         lines;
-      RowLayout                     layout;
-      std::vector<std::string_view> fields;
-      std::vector<ColumnName>       commented_names;
-      dem::Packing                  packing;
-      Metadata                      metadata;
+      std::string                         origin;
+      Lines                               lines;
+      RowLayout                           layout;
+      std::vector<std::string_view>       fields;
+      std::vector<ColumnName>             commented_names;
+      std::map<std::string, std::int32_t> numbers;          ///< of materials
+      std::vector<std::string>            announced;        ///< materials of the line "# materials"
+      std::size_t                         announced_in = 0; ///< its number
+      dem::Packing                        packing;
+      Metadata                            metadata;
     };
   } // namespace
 
@@ -156,13 +213,30 @@ namespace postprocess
     return PackingParser(path.string(), text).parse();
   }
 
+  namespace
+  {
+    /** What its materials are called; those without a name by their number. Empty: there is one material. */
+    std::vector<std::string> names_of_materials(const dem::Packing &packing)
+    {
+      std::vector<std::string> names;
+      if (packing.material.empty())
+        return names;
+      names = packing.material_names;
+      for (const std::int32_t number : packing.material)
+        while (static_cast<std::int32_t>(names.size()) <= number)
+          names.push_back(std::to_string(names.size()));
+      return names;
+    }
+  } // namespace
+
   std::string packing_as_text(const dem::Packing &packing, const Metadata &metadata, const char separator)
   {
     std::string text = "# breccia packing: lengths in m\n";
     for (const auto &[key, value] : metadata)
       text += "# " + key + ": " + value + "\n";
 
-    const auto append_row = [&](const std::string &begin, const std::vector<double> &values, const char between) {
+    const auto append_row = [&](const std::string &begin, const std::vector<double> &values, const char between,
+                                const std::string &last = "") {
       text += begin;
       for (std::size_t i = 0; i < values.size(); ++i)
         {
@@ -170,16 +244,30 @@ namespace postprocess
             text += between;
           append(text, values[i]);
         }
+      if (!last.empty())
+        (text += between) += last;
       text += '\n';
     };
     if (packing.periodic_cell)
       append_row("# periodic_cell ",
                  {packing.periodic_cell->x(), packing.periodic_cell->y(), packing.periodic_cell->z()}, ' ');
-    for (const char *const name : {"x", "y", "z", "radius"})
-      (text += name) += *name == 'r' ? '\n' : separator;
+    const std::vector<std::string> materials = names_of_materials(packing);
+    if (!materials.empty())
+      {
+        text += "# materials";
+        for (const std::string &name : materials)
+          text += " " + name;
+        text += '\n';
+      }
+    for (const char *const name : {"x", "y", "z"})
+      (text += name) += separator;
+    text += "radius";
+    if (!materials.empty())
+      (text += separator) += "material";
+    text += '\n';
     for (std::size_t i = 0; i < packing.size(); ++i)
       append_row("", {packing.centre[i].x(), packing.centre[i].y(), packing.centre[i].z(), packing.radius[i]},
-                 separator);
+                 separator, materials.empty() ? "" : materials.at(static_cast<std::size_t>(packing.material[i])));
     return text;
   }
 } // namespace postprocess

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <exception>
 #include <stdexcept>
@@ -120,6 +121,19 @@ namespace postprocess
       return text;
     }
 
+    /** Dots on what is not of the first material: place, colour by material. */
+    std::string dot_rows(const dem::ParticleOutput &particles, const View &view, const std::vector<std::size_t> &shown)
+    {
+      constexpr std::array<double, 5> colours = {0xb36b00, 0x2e7d32, 0x6a3d9a, 0x00838f, 0x5d4037};
+
+      std::string text;
+      for (const std::size_t i : shown)
+        if (!particles.material.empty() && particles.material[i] > 0)
+          append_row(text, {view.on_paper(i).x(), view.on_paper(i).y(),
+                            colours[static_cast<std::size_t>(particles.material[i] - 1) % colours.size()]});
+      return text;
+    }
+
     /** A damaged or broken link that has opened: its facet seen as a segment across the link. */
     struct CrackSegment
     {
@@ -215,6 +229,12 @@ namespace postprocess
                       "set palette defined (0 '#f0f0f0', 1 '#5b7fb0')\nset style fill solid 1 noborder\n" +
                       "set key outside below center Left reverse\n" +
                       "plot 'particles' using 1:2:3:4 with circles lc palette notitle";
+        if (const std::string dots = dot_rows(particles, view, shown); !dots.empty())
+          {
+            job.data["materials"] = dots;
+            job.script += ", 'materials' using 1:2:3 with points pt 7 ps 0.7 lc rgb variable notitle, "
+                          "NaN with points pt 7 ps 0.7 lc rgb '#b36b00' title 'not of the first material'";
+          }
         if (!cracks.empty())
           {
             const double wide  = wide_opening(cracks);

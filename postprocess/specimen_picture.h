@@ -19,7 +19,8 @@ namespace postprocess
   };
 
   /**
-   * Draw the particles of a slab as circles coloured by damage, and its cracks, into a PNG file.
+   * Draw the particles of a slab as circles coloured by damage, and its cracks, into a PNG file. Where there are several materials,
+   * particles that are not of the first bear a dot.
    *
    * A crack is drawn as red segments across damaged or broken links that have opened, the redder the wider (the legend
    * names the opening of full red): relative displacement of the two particles along the link.

@@ -26,6 +26,8 @@ namespace postprocess
       check_length("write_vtk_links", "shear_stress", links.shear_stress.size(), n);
       check_length("write_vtk_links", "normal_strain", links.normal_strain.size(), n);
       check_length("write_vtk_links", "damage", links.damage.size(), n);
+      if (!links.law.empty())
+        check_length("write_vtk_links", "law", links.law.size(), n);
       check_length("write_vtk_links", "radius of particles", particles.radius.size(), particles.position.size());
       check_length("write_vtk_links", "displacement of particles", particles.displacement.size(),
                    particles.position.size());
@@ -82,6 +84,8 @@ namespace postprocess
     at_lines->AddArray(make_array("damage", links.damage));
     at_lines->AddArray(make_array("kind", links.kind));
     at_lines->AddArray(make_array("broken", broken_flags(links)));
+    if (!links.law.empty())
+      at_lines->AddArray(make_array("material_pair", links.law));
     write(path, data, time);
   }
 } // namespace postprocess

@@ -21,6 +21,8 @@ namespace postprocess
       check_length("write_vtk_particles", "damage", particles.damage.size(), n);
       check_length("write_vtk_particles", "broken_links", particles.broken_links.size(), n);
       check_length("write_vtk_particles", "stress", particles.stress.size(), n);
+      if (!particles.material.empty())
+        check_length("write_vtk_particles", "material", particles.material.size(), n);
     }
   } // namespace
 
@@ -41,7 +43,10 @@ namespace postprocess
     values->AddArray(make_array("angular_velocity", particles.angular_velocity));
     values->AddArray(make_array("damage", particles.damage));
     values->AddArray(make_array("broken_links", particles.broken_links));
-    values->AddArray(make_array("phase", std::vector<std::int32_t>(n, 0)));
+    const bool several = !particles.material.empty();
+    values->AddArray(make_array("phase", several ? particles.material : std::vector<std::int32_t>(n, 0)));
+    if (several)
+      values->AddArray(make_array("material", particles.material));
     values->SetTensors(make_array("stress", particles.stress));
     write(path, data, time);
   }

@@ -24,11 +24,15 @@ namespace apps
     class PackingStore
     {
     public:
-      const dem::Packing &of(const SpecimenSection &source)
+      const dem::Packing &of(const UniaxialModel &model)
       {
-        const auto key   = std::make_pair(source.generator.radius, source.generator.seed);
-        const auto found = packings.find(key);
-        return found != packings.end() ? found->second : packings.emplace(key, make_packing(source)).first->second;
+        const SpecimenSection &source = model.source;
+        const auto             key    = std::make_pair(source.generator.radius, source.generator.seed);
+        const auto             found  = packings.find(key);
+        return found != packings.end() ?
+                 found->second :
+                 packings.emplace(key, make_packing(source, model.material, model.specimen.physics.dimension))
+                   .first->second;
       }
 
     private:
@@ -100,7 +104,7 @@ namespace apps
               fmt::format("case {} of {}, {} {} {}, seed {}", i + 1, cases.size(), cases[i].study, cases[i].value,
                           cases[i].unit, model.source.generator.seed);
             Progress progress(title);
-            if (!measure(model, packings.of(model.source), progress, measured))
+            if (!measure(model, packings.of(model), progress, measured))
               return exit_interrupted; // the table has every complete case
           }
         fmt::print("{}\n", measured.text());

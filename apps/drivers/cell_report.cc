@@ -74,6 +74,7 @@ namespace apps
                                {"steps", specimen.steps()},
                                {"threads", omp_get_max_threads()},
                                {"wall_seconds", wall_seconds}};
+    materials.put_into(summary);
     return summary;
   }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/drivers/cell_scene.h"
+#include "apps/drivers/material_counts.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -12,11 +13,12 @@ namespace apps
   /** What a complete run of a periodic cell tells: for programs, for the eye, for the terminal. */
   struct CellReport
   {
-    const RunRequest    &request;
-    const CellModel     &model;
-    const dem::Specimen &specimen;
-    const dem::CellTest &test;
-    double               worst_balance_error, wall_seconds;
+    const RunRequest     &request;
+    const CellModel      &model;
+    const dem::Specimen  &specimen;
+    const dem::CellTest  &test;
+    const MaterialCounts &materials;
+    double                worst_balance_error, wall_seconds;
 
     /** summary.json: extremes of stress, localisation, cost, energy. */
     nlohmann::json summary() const;

@@ -58,7 +58,9 @@ namespace apps
 
   void CellRun::make_test()
   {
-    specimen.emplace(packing, model.specimen, model.law);
+    specimen.emplace(packing, model.specimen, model.material.materials());
+    if (packing.material_names.size() > 1)
+      materials = MaterialCounts(packing.material_names, specimen->particles().material, specimen->links().law);
     test.emplace(*specimen, model.loading);
     constexpr double limit = 1e12; // a year at thirty thousand steps a second
     double           all   = 0;
@@ -101,7 +103,7 @@ namespace apps
   void CellRun::begin()
   {
     // All refusals come before the folder is touched.
-    packing = make_packing(model.source);
+    packing = make_packing(model.source, model.material, model.specimen.physics.dimension);
     make_test();
     folder              = std::make_unique<ResultFolder>(request.output_folder, ResultFolder::Start::afresh);
     const auto location = folder->running();
@@ -214,7 +216,7 @@ namespace apps
   void CellRun::finish()
   {
     series->flush();
-    const CellReport report{request, model, *specimen, *test, worst_balance_error, wall_seconds()};
+    const CellReport report{request, model, *specimen, *test, materials, worst_balance_error, wall_seconds()};
     postprocess::write_json(folder->running() / "summary.json", report.summary());
     const auto warn = [](const char *what, const std::string &problem) {
       if (!problem.empty())

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/drivers/cell_scene.h"
+#include "apps/drivers/material_counts.h"
 #include "apps/results/result_folder.h"
 #include "postprocess/pvd.h"
 #include "postprocess/series.h"
@@ -45,6 +46,7 @@ namespace apps
     CellModel                    model;
     dem::Packing                 packing;
     std::optional<dem::Specimen> specimen;
+    MaterialCounts               materials; ///< before anything moves
     std::optional<dem::CellTest> test;
     std::int64_t steps = 0, steps_per_sample = 1, samples_per_snapshot = 0; ///< steps: of the whole path
     std::unique_ptr<ResultFolder>              folder;

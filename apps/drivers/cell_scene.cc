@@ -1,6 +1,7 @@
 #include "apps/drivers/cell_scene.h"
 
 #include "apps/drivers/cell_run.h"
+#include "apps/drivers/material_counts.h"
 #include "apps/drivers/specimen_packing.h"
 #include "apps/scene/physics_section.h"
 #include "apps/scene/value_text.h"
@@ -81,7 +82,7 @@ namespace apps
   void CellScene::validate(const Section &root) const
   {
     source.validate(root, physics.dimension);
-    material.validate();
+    material.validate(root, physics.dimension);
     for (int i = 0; i < legs; ++i)
       for (int c = 0; c < 6; ++c)
         if (!aim_in(path[i].target[c]))
@@ -101,7 +102,7 @@ namespace apps
     model.specimen.thickness         = source.thickness;
     model.specimen.step_factor       = time.step_factor;
     model.specimen.damping           = time.damping;
-    model.law                        = material.cpm;
+    model.material                   = material;
     model.output                     = output;
     model.loading.servo_time         = servo_time;
     model.loading.strain_limit       = strain_limit;
@@ -124,8 +125,9 @@ namespace apps
 
   std::string CellScene::forecast() const
   {
-    const CellModel     asked = model();
-    dem::Specimen       body(make_packing(asked.source), asked.specimen, asked.law);
+    const CellModel     asked   = model();
+    const dem::Packing  packing = make_packing(asked.source, asked.material, physics.dimension);
+    dem::Specimen       body(packing, asked.specimen, asked.material.materials());
     const dem::CellTest test(body, asked.loading); // refuses what a run would refuse
     double              duration = 0;
     for (const dem::CellLeg &leg : asked.loading.path)
@@ -133,6 +135,7 @@ namespace apps
     std::string text;
     text += fmt::format("  particles    {}\n", body.counts().particles);
     text += fmt::format("  links        {}\n", body.counts().links);
+    text += MaterialCounts(packing.material_names, body.particles().material, body.links().law).text();
     text += fmt::format("  time step    {:.4g} s\n", body.time_step());
     text += fmt::format("  steps        {:.0f}\n", duration / body.time_step());
     return text;

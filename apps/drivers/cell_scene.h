@@ -17,7 +17,7 @@ namespace apps
   {
     SpecimenSection         source;
     dem::SpecimenParameters specimen;
-    dem::CpmParameters      law;
+    MaterialSection         material;
     dem::CellTestParameters loading;
     OutputSection           output;
   };

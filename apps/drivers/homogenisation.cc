@@ -20,6 +20,10 @@ namespace apps
 
     void refuse_unsuitable(const dem::Packing &packing, const int dimension, const std::string &origin)
     {
+      const auto &m = packing.material;
+      if (std::any_of(m.begin(), m.end(), [&](const std::int32_t number) { return number != m.front(); }))
+        throw dem::InputError(origin + ": its particles are of several materials, and all links get one modulus here. "
+                                       "Strain such a cell in a scene of kind quasi_static (Specimen/Body = cell).");
       if (!packing.periodic_cell)
         throw dem::InputError(origin +
                               ": not a periodic packing, so that its stiffness would depend on how its surface is "

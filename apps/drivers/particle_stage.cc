@@ -121,7 +121,7 @@ namespace apps
                    const dem::Packing                  &packing,
                    const ParticleStageSection::Instant &when)
         : instant(when)
-        , specimen(packing, stage.specimen_parameters(), stage.material.cpm)
+        , specimen(packing, stage.specimen_parameters(), stage.material.materials())
         , test(specimen, uniaxial_parameters(stage, when.forward))
         , back_rate(-std::copysign(stage.back_rate > 0 ? stage.back_rate : 0.5 * stage.strain_rate, when.forward))
         , steps_forward(steps_for(when.forward, stage.strain_rate))
@@ -193,7 +193,7 @@ namespace apps
         : parameters(with_velocity(stage.impact, velocity))
         , specimen(dem::with_striker(packing, parameters, stage.physics.dimension),
                    stage.specimen_parameters(),
-                   stage.material.cpm)
+                   stage.material.materials())
         , test(specimen, parameters)
         , notes(stage.gravity)
       {
@@ -258,8 +258,11 @@ namespace apps
     declare_physics(s, physics);
     time.declare(s);
     gravity.declare(s);
-    for (const char *name : {"Specimen", "Material", "Physics", "Time", "Gravity"})
+    for (const char *name : {"Specimen", "Physics", "Time", "Gravity"})
       s.find_section(name)->only_if(computed, "Particles/Source is not file");
+    s.find_section("Material")
+      ->only_if([this] { return source != Source::file && material.named.empty(); },
+                "Particles/Source is not file, and there is no section Particles/Materials");
 
     Section &u = s.section("Uniaxial", "Between two gripped layers");
     u.only_if(strained, "Particles/Source = uniaxial");
@@ -278,8 +281,8 @@ namespace apps
     u.number("End strain", end_strain, "-", Range(), Need::optional)
       .means("To which an all-particle run goes on, to compare with; 0: none");
 
-    Section &i =
-      s.section("Impact", "A beam along x on two supports, hit at mid-span from above by a sphere of its own material");
+    Section &i = s.section(
+      "Impact", "A beam along x on two supports, hit at mid-span from above by a sphere of its own (first) material");
     i.only_if(hit, "Particles/Source = impact");
     i.number("Span", impact.span, "m", Range::positive(), Need::required).means("Distance of the supports");
     i.number("Support width", impact.support_width, "m", Range::positive(), Need::required)
@@ -305,7 +308,7 @@ namespace apps
         return;
       }
     specimen.validate(s, physics.dimension);
-    material.validate();
+    material.validate(s, physics.dimension);
     gravity.validate(s, physics.dimension);
     if (source == Source::impact)
       {
@@ -384,7 +387,9 @@ namespace apps
 
   dem::Packing stage_packing(const ParticleStageSection &stage)
   {
-    return stage.source == ParticleStageSection::Source::file ? dem::Packing() : make_packing(stage.specimen);
+    return stage.source == ParticleStageSection::Source::file ?
+             dem::Packing() :
+             make_packing(stage.specimen, stage.material, stage.physics.dimension);
   }
 
   std::unique_ptr<ParticleCase>

@@ -74,6 +74,7 @@ namespace apps
                           {"threads", omp_get_max_threads()},
                           {"wall_seconds", wall_seconds}};
     summary["energy"]  = {{"balance_error", worst}};
+    materials.put_into(summary);
     for (const QuasiStaticResult &r : results)
       summary["tests"].push_back(details_of(r));
     return summary;

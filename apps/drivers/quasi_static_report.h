@@ -17,6 +17,7 @@ namespace apps
     const QuasiStaticModel               &model;
     const std::vector<QuasiStaticResult> &results; ///< in the order of the tests, at least one
     std::size_t                           particles, links;
+    const MaterialCounts                 &materials;
     double                                wall_seconds;
 
     /** summary.json: figures, cost, energy, and the same for each test. */

@@ -65,7 +65,7 @@ namespace apps
   void QuasiStaticRun::begin()
   {
     // All refusals come before the folder is touched.
-    packing = make_packing(model.source);
+    packing = make_packing(model.source, model.material, model.dimension);
     stage   = std::make_unique<QuasiStaticStage>(model, packing, 0);
 
     folder              = std::make_unique<ResultFolder>(request.output_folder, ResultFolder::Start::afresh);
@@ -156,7 +156,8 @@ namespace apps
   void QuasiStaticRun::finish()
   {
     series->flush();
-    const QuasiStaticReport report{request, model, finished, stage->particles_in(), stage->links_in(), wall_seconds()};
+    const QuasiStaticReport report{request,          model,         finished, stage->particles_in(), stage->links_in(),
+                                   stage->materials, wall_seconds()};
     postprocess::write_json(folder->running() / "summary.json", report.summary());
     warn("curve.png", report.draw_curve(folder->running() / "curve.png"));
     folder->publish();

@@ -29,11 +29,9 @@ namespace apps
     links.dimension         = dimension;
     links.rotations         = rotations;
     links.interaction_ratio = source.interaction_ratio;
-    links.normal_modulus    = law.normal_modulus;
-    links.shear_ratio       = law.shear_ratio;
     links.thickness         = source.thickness;
     if (is_cell())
-      return dem::load_cell(dem::make_network(packing, links), axis, !lateral_blocked);
+      return dem::load_cell(dem::make_network(packing, links, material.materials()), axis, !lateral_blocked);
     dem::GripPair grips;
     grips.axis            = axis;
     grips.lateral_blocked = lateral_blocked;
@@ -43,7 +41,7 @@ namespace apps
       dem::find_grip_layers({packing.centre, packing.radius, dimension, source.thickness}, axis, grip_thickness);
     dem::Packing free = packing;
     free.periodic_cell.reset();
-    return dem::load_grips(dem::make_network(free, links), grips);
+    return dem::load_grips(dem::make_network(free, links, material.materials()), grips);
   }
 
   void QuasiStaticScene::declare(Section &root)
@@ -52,7 +50,7 @@ namespace apps
     use.inertia = false;
     use.cell    = true;
     asked.source.declare(root, asked.dimension, use);
-    material.declare(root);
+    asked.material.declare(root, use.inertia);
 
     Section &physics = root.section("Physics", "What is modelled");
     physics.choice("Dimension", asked.dimension, {{"2", 2}, {"3", 3}}, Need::optional)
@@ -113,7 +111,8 @@ namespace apps
       std::string("Loading/Tests has ") + name_of(load));
     section
       .number("Strain step", test.strain_step, "-", {std::numeric_limits<double>::min(), 1.0, true}, Need::optional)
-      .means("Largest step of the strain; halve it to see what it decides (and to lower the error of the energy balance)");
+      .means(
+        "Largest step of the strain; halve it to see what it decides (and to lower the error of the energy balance)");
     section.number("Stop fraction", test.stop_fraction, "-", Range::from_up_to(0, 1), Need::optional)
       .means("The test ends when the stress has fallen to this part of its peak");
     section
@@ -124,7 +123,7 @@ namespace apps
   void QuasiStaticScene::validate(const Section &root) const
   {
     asked.source.validate(root, asked.dimension);
-    material.validate();
+    asked.material.validate(root, asked.dimension);
     const Section &loading = *root.find_section("Loading");
     if (asked.dimension == 2 && asked.axis == 2)
       loading.refuse("Axis", "in two dimensions the specimen lies in the plane z = 0. Load it along x or y.");
@@ -136,22 +135,18 @@ namespace apps
 
   std::string QuasiStaticScene::forecast() const
   {
-    QuasiStaticModel model = asked;
-    model.law              = material.cpm;
-    const auto  loaded     = model.load(make_packing(model.source));
-    std::string text;
+    const QuasiStaticModel &model   = asked;
+    const dem::Packing      packing = make_packing(model.source, model.material, model.dimension);
+    const auto              loaded  = model.load(packing);
+    std::string             text;
     text += fmt::format("  particles    {}\n", loaded.network.particles());
     text += fmt::format("  links        {}\n", loaded.network.links.size());
+    text += materials_in(loaded.network, packing.material_names).text();
     for (const UniaxialLoad load : model.tests)
       text += fmt::format("  {:<12} at least {:.0f} points to its stop strain\n", name_of(load),
                           model.steps(load).end_strain / model.steps(load).strain_step);
     return text;
   }
 
-  int QuasiStaticScene::run(const RunRequest &request) const
-  {
-    QuasiStaticModel model = asked;
-    model.law              = material.cpm;
-    return QuasiStaticRun(request, model).execute();
-  }
+  int QuasiStaticScene::run(const RunRequest &request) const { return QuasiStaticRun(request, asked).execute(); }
 } // namespace apps

@@ -19,7 +19,7 @@ namespace apps
     SpecimenSection           source;
     int                       dimension = 3;
     bool                      rotations = true;
-    dem::CpmParameters        law;
+    MaterialSection           material;
     std::vector<UniaxialLoad> tests           = {UniaxialLoad::tension, UniaxialLoad::compression};
     int                       axis            = 2;
     double                    grip_thickness  = 0; ///< of a specimen with ends
@@ -52,6 +52,5 @@ namespace apps
     void declare_test(Section &loading, UniaxialLoad load);
 
     QuasiStaticModel asked;
-    MaterialSection  material;
   };
 } // namespace apps

@@ -12,6 +12,14 @@
 
 namespace apps
 {
+  MaterialCounts materials_in(const dem::ElasticNetwork &network, const std::vector<std::string> &names)
+  {
+    std::vector<std::int32_t> law;
+    for (const dem::ElasticLink &link : network.links)
+      law.push_back(link.law);
+    return MaterialCounts(names, network.material, law);
+  }
+
   void QuasiStaticResult::add(const dem::QuasiStaticPoint &point, const int led)
   {
     const double e = point.strain[led], s = point.stress[led], sign = load == UniaxialLoad::tension ? 1 : -1;
@@ -72,9 +80,10 @@ namespace apps
     , snapshot_interval(model.snapshot_interval)
     , radius(packing.radius)
     , loaded(model.load(packing))
-    , path(loaded, model.law, model.steps(model.tests[which]))
+    , path(loaded, model.material.materials(), model.steps(model.tests[which]))
   {
     result.load = model.tests[which];
+    materials   = materials_in(loaded.network, packing.material_names);
   }
 
   void QuasiStaticStage::open(const std::filesystem::path &folder)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/drivers/material_counts.h"
 #include "apps/drivers/quasi_static_scene.h"
 #include "postprocess/pvd.h"
 #include "postprocess/series.h"
@@ -11,6 +12,9 @@
 
 namespace apps
 {
+  /** @param names of the packing's materials */
+  MaterialCounts materials_in(const dem::ElasticNetwork &network, const std::vector<std::string> &names);
+
   /** What one quasi-static test found and what it took. */
   struct QuasiStaticResult
   {
@@ -69,6 +73,7 @@ namespace apps
     }
 
     QuasiStaticResult result;
+    MaterialCounts    materials;
 
     static std::vector<postprocess::SeriesColumn> series_columns();
 

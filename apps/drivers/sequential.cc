@@ -139,7 +139,7 @@ namespace apps
     const dem::Packing packing = stage_packing(model.particles);
     if (packing.size() > 0)
       {
-        const dem::Specimen body(packing, model.particles.specimen_parameters(), model.particles.material.cpm);
+        const dem::Specimen body(packing, model.particles.specimen_parameters(), model.particles.material.materials());
         text += fmt::format("  particles    {}\n  links        {}\n  time step    {:.4g} s\n", body.counts().particles,
                             body.counts().links, body.time_step());
         if (model.particles.gravity.asks_for_equilibrium())

@@ -40,22 +40,30 @@ namespace apps
         throw dem::InputError(specimen.file + ": the packing is not periodic, and there is no cell without it.");
       return packing;
     }
+
+    dem::Packing make_particles(const SpecimenSection &specimen)
+    {
+      if (specimen.body == SpecimenSection::Body::cell)
+        return make_cell(specimen);
+      if (specimen.source == SpecimenSection::Source::generator)
+        return cropped(compact_with_progress(specimen.generator.parameters()).packing, specimen.box_edges());
+      dem::Packing packing = postprocess::read_packing(specimen.file);
+      if (specimen.has_box())
+        return cropped(packing, specimen.box_edges());
+      if (packing.periodic_cell)
+        throw dem::InputError(
+          specimen.file +
+          ": the packing is periodic, and a specimen has ends. Set Specimen/Box size: the packing is then "
+          "repeated to fill the box and cropped to it.");
+      return packing;
+    }
   } // namespace
 
-  dem::Packing make_packing(const SpecimenSection &specimen)
+  dem::Packing make_packing(const SpecimenSection &specimen, const MaterialSection &material, const int dimension)
   {
-    if (specimen.body == SpecimenSection::Body::cell)
-      return make_cell(specimen);
-    if (specimen.source == SpecimenSection::Source::generator)
-      return cropped(compact_with_progress(specimen.generator.parameters()).packing, specimen.box_edges());
-    dem::Packing packing = postprocess::read_packing(specimen.file);
-    if (specimen.has_box())
-      return cropped(packing, specimen.box_edges());
-    if (packing.periodic_cell)
-      throw dem::InputError(
-        specimen.file +
-        ": the packing is periodic, and a specimen has ends. Set Specimen/Box size: the packing is then "
-        "repeated to fill the box and cropped to it.");
+    dem::Packing packing = make_particles(specimen);
+    material.assign(packing, dimension,
+                    specimen.source == SpecimenSection::Source::file ? specimen.file : "generated packing");
     return packing;
   }
 } // namespace apps

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/scene/material_section.h"
 #include "apps/scene/specimen_section.h"
 #include "dem/packing/compaction.h"
 #include "dem/packing/packing.h"
@@ -7,12 +8,12 @@
 namespace apps
 {
   /**
-   * The particles that a scene asks for: generated or read, repeated and cropped to its box. Long generation shows
-   * progress; what the user should know about the packing goes to the standard error.
+   * The particles that a scene asks for: generated or read, repeated and cropped to its box, each with its material where there
+   * are several. Long generation shows progress; what the user should know about the packing goes to the standard error.
    *
    * @throws dem::InputError; dem::CompactionCancelled when interrupted, dem::CompactionFailed.
    */
-  dem::Packing make_packing(const SpecimenSection &specimen);
+  dem::Packing make_packing(const SpecimenSection &specimen, const MaterialSection &material, int dimension);
 
   /** dem::compact() with progress on the standard error, ended by an interrupt. */
   dem::CompactionResult compact_with_progress(const dem::CompactionParameters &parameters);

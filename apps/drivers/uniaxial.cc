@@ -1,5 +1,6 @@
 #include "apps/drivers/uniaxial.h"
 
+#include "apps/drivers/material_counts.h"
 #include "apps/drivers/specimen_packing.h"
 #include "apps/drivers/static_start.h"
 #include "apps/drivers/uniaxial_run.h"
@@ -28,7 +29,7 @@ namespace apps
   void UniaxialScene::validate(const Section &root) const
   {
     specimen.validate(root, physics.dimension);
-    material.validate();
+    material.validate(root, physics.dimension);
     gravity.validate(root, physics.dimension);
     if (physics.dimension == 2 && loading.axis == 2)
       root.find_section("Loading")->refuse(
@@ -46,8 +47,8 @@ namespace apps
     model.specimen.step_factor       = time.step_factor;
     model.specimen.damping           = time.damping;
     model.specimen.gravity           = gravity.vector();
-    model.law                        = material.cpm;
     model.gravity                    = gravity;
+    model.material                   = material;
     model.loading                    = loading;
     model.output                     = output;
     return model;
@@ -79,12 +80,14 @@ namespace apps
 
   std::string UniaxialScene::forecast() const
   {
-    const UniaxialModel asked   = model();
-    const dem::Packing  packing = make_packing(asked.source);
-    dem::Specimen       body(packing, asked.specimen, asked.law);
+    const UniaxialModel asked     = model();
+    const dem::Packing  packing   = make_packing(asked.source, asked.material, physics.dimension);
+    const auto          materials = asked.material.materials();
+    dem::Specimen       body(packing, asked.specimen, materials);
     std::string         text;
     text += fmt::format("  particles    {}\n", body.counts().particles);
     text += fmt::format("  links        {}\n", body.counts().links);
+    text += MaterialCounts(packing.material_names, body.particles().material, body.links().law).text();
     text += fmt::format("  time step    {:.4g} s = {} of the bound of its particles\n", body.time_step(),
                         asked.specimen.step_factor);
     text += fmt::format("               {:.4g} s would be critical: sharp, by the largest eigenvalue\n",
@@ -94,7 +97,7 @@ namespace apps
     for (const UniaxialLoad load : asked.loading.tests)
       {
         // Refuses what a run would refuse.
-        dem::Specimen           fresh(packing, asked.specimen, asked.law);
+        dem::Specimen           fresh(packing, asked.specimen, materials);
         const dem::UniaxialTest test(fresh, asked.loading.parameters(load));
         const std::int64_t      most = most_steps(asked.loading, load, fresh.time_step());
         if (load == asked.loading.tests.front()) // the grips hold alike in all of them

@@ -2,6 +2,7 @@
 
 #include "apps/scene/gravity_section.h"
 #include "apps/scene/loading_section.h"
+#include "apps/scene/material_section.h"
 #include "apps/scene/output_section.h"
 #include "apps/scene/specimen_section.h"
 #include "dem/specimen.h"
@@ -13,7 +14,7 @@ namespace apps
   {
     SpecimenSection         source;
     dem::SpecimenParameters specimen;
-    dem::CpmParameters      law;
+    MaterialSection         material;
     GravitySection          gravity;
     UniaxialLoadingSection  loading;
     OutputSection           output;

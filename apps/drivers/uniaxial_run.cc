@@ -71,7 +71,7 @@ namespace apps
   void UniaxialRun::begin()
   {
     // All refusals come before the folder is touched.
-    packing = make_packing(model.source);
+    packing = make_packing(model.source, model.material, model.specimen.physics.dimension);
     stage   = std::make_unique<UniaxialStage>(model, packing, 0);
     stage->settle();
 
@@ -164,7 +164,7 @@ namespace apps
   void UniaxialRun::finish()
   {
     series->flush();
-    const UniaxialReport report{request, finished, wall_seconds()};
+    const UniaxialReport report{request, finished, stage->materials, wall_seconds()};
     postprocess::write_json(folder->running() / "summary.json", report.summary());
     warn("curve.png", report.draw_curve(folder->running() / "curve.png"));
     folder->publish();

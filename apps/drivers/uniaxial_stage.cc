@@ -41,7 +41,7 @@ namespace apps
     : name(name_of(model.loading.tests[which]))
     , number(which)
     , axis(model.loading.axis)
-    , specimen(packing, model.specimen, model.law)
+    , specimen(packing, model.specimen, model.material.materials())
     , test(specimen, model.loading.parameters(model.loading.tests[which]))
     , gravity(model.gravity)
     , steps_at_most(most_steps(model.loading, model.loading.tests[which], specimen.time_step()))
@@ -51,6 +51,8 @@ namespace apps
     result.load      = model.loading.tests[which];
     result.time_step = specimen.time_step();
     result.at_start  = specimen.counts();
+    if (packing.material_names.size() > 1)
+      materials = MaterialCounts(packing.material_names, specimen.particles().material, specimen.links().law);
   }
 
   void UniaxialStage::settle() { result.start = start_statically(specimen, gravity); }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/drivers/material_counts.h"
 #include "apps/drivers/uniaxial_model.h"
 #include "apps/drivers/uniaxial_result.h"
 #include "postprocess/pvd.h"
@@ -67,7 +68,8 @@ namespace apps
         links->visit_state(checkpoint);
     }
 
-    UniaxialResult result; ///< up to the last sample
+    UniaxialResult result;    ///< up to the last sample
+    MaterialCounts materials; ///< before anything moves
 
     /** Columns of the series. */
     static std::vector<postprocess::SeriesColumn> series_columns();

@@ -115,6 +115,7 @@ namespace apps
     const UniaxialResult &worst = worst_balanced(results);
     summary["energy"]           = energy(worst);
     summary["energy"]["test"]   = name_of(worst.load);
+    materials.put_into(summary);
     for (const UniaxialResult &result : results)
       summary["tests"].push_back(test_details(result));
     return summary;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/drivers/material_counts.h"
 #include "apps/drivers/uniaxial_result.h"
 #include "apps/scene/scene.h"
 
@@ -16,6 +17,7 @@ namespace apps
   {
     const RunRequest                  &request;
     const std::vector<UniaxialResult> &results; ///< in the order of the tests, at least one
+    const MaterialCounts              &materials;
     double                             wall_seconds;
 
     /** summary.json: figures, cost, energy, and the same for each test. */

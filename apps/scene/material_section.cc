@@ -1,19 +1,203 @@
 #include "apps/scene/material_section.h"
 
 #include "apps/scene/law_block.h"
+#include "apps/scene/nearest_name.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 
 namespace apps
 {
-  void MaterialSection::declare(Section &root)
+  void LinkLaw::declare(Section &section)
   {
-    Section &section = root.section("Material", "The material of the links");
     section.choice("Law", law, {{dem::CpmDescription::name, dem::CpmDescription::name}}, Need::required)
       .means("Law of the links; the section of its name holds its constants");
     Section &block = section.section(dem::CpmDescription::name,
                                      "Cohesive particle model: damage in tension, cohesion and friction in shear");
-    block.only_if([this] { return law == dem::CpmDescription::name; }, "Material/Law = CPM");
+    block.only_if([this] { return law == dem::CpmDescription::name; }, section.path() + "/Law = CPM");
     declare_law<dem::CpmDescription>(block, cpm);
   }
 
-  void MaterialSection::validate() const { dem::CpmConstants{cpm}; }
+  void MaterialSection::declare(Section &root, const bool inertia)
+  {
+    Section &section = root.section("Material", "The material of the links, if there is one for all");
+    section.only_if([this] { return named.empty(); }, "there is no section Materials");
+    only.declare(section);
+
+    Section &several = root.section(
+      "Materials", "One sub-section per material; a link between particles of two takes the means of their constants");
+    several.only_if([this] { return !named.empty(); }, "there are several materials");
+    several.named_sections("MATERIAL", [this, inertia](Section &opened) {
+      NamedMaterial &added = named.emplace_back();
+      added.name           = opened.name();
+      added.law.declare(opened);
+      if (inertia)
+        opened.number("Density", added.density, "kg/m^3", Range::at_least(0), Need::optional)
+          .means("Of its particles, not of the bulk; 0: Specimen/Density");
+    });
+
+    Section &places =
+      root.section("Regions", "One sub-section per region whose particles are of a material; later ones win");
+    places.only_if([this] { return !regions.empty(); }, "there are several materials");
+    places.named_sections("REGION", [this](Section &opened) {
+      MaterialRegion &added = regions.emplace_back();
+      added.name            = opened.name();
+      added.declare(opened);
+    });
+  }
+
+  namespace
+  {
+    bool sets_anything(const Section &section)
+    {
+      return std::any_of(section.entries().begin(), section.entries().end(), [](const auto &e) { return e->set; }) ||
+             std::any_of(section.sections().begin(), section.sections().end(),
+                         [](const auto &s) { return sets_anything(*s); });
+    }
+
+    void validate_material(const NamedMaterial &material, const Section &section)
+    {
+      const std::string where = section.place().text() + ": " + section.path();
+      if (!dem::is_material_name(material.name))
+        throw dem::InputError(where + ": " + dem::material_name_rule() + ".");
+      try
+        {
+          dem::CpmConstants{material.law.cpm};
+        }
+      catch (const dem::InputError &refusal)
+        {
+          throw dem::InputError(where + "/" + refusal.what());
+        }
+    }
+  } // namespace
+
+  void MaterialSection::validate(const Section &root, const int dimension) const
+  {
+    const Section &materials_section = *root.find_section("Materials"), &places = *root.find_section("Regions");
+    if (named.empty())
+      {
+        dem::CpmConstants{only.cpm};
+        if (!regions.empty())
+          throw dem::InputError(places.sections().front()->place().text() + ": " + places.path() +
+                                ": the scene has no section Materials to take their materials from.");
+        return;
+      }
+    const std::string where = materials_section.sections().front()->place().text() + ": " + materials_section.path();
+    if (sets_anything(*root.find_section("Material")))
+      throw dem::InputError(where + ": the scene has a section Material as well. Keep one of the two.");
+    for (const NamedMaterial &material : named)
+      validate_material(material, *materials_section.find_section(material.name));
+    try
+      {
+        materials().pairs();
+      }
+    catch (const dem::InputError &refusal)
+      {
+        throw dem::InputError(where + ": " + refusal.what());
+      }
+    const std::vector<std::string> known = names();
+    for (const MaterialRegion &region : regions)
+      {
+        const Section &section = *places.find_section(region.name);
+        if (std::find(known.begin(), known.end(), region.material) == known.end())
+          section.refuse("Material", "is not in section Materials. " + did_you_mean(region.material, known));
+        region.validate(section, dimension);
+      }
+  }
+
+  dem::CpmMaterials MaterialSection::materials() const
+  {
+    if (named.empty())
+      return only.cpm;
+    std::vector<dem::CpmMaterial> all;
+    for (const NamedMaterial &material : named)
+      all.push_back({material.name, material.law.cpm, material.density});
+    return dem::CpmMaterials(std::move(all));
+  }
+
+  std::vector<std::string> MaterialSection::names() const
+  {
+    std::vector<std::string> all;
+    for (const NamedMaterial &material : named)
+      all.push_back(material.name);
+    return all;
+  }
+
+  namespace
+  {
+    /** The packing's materials as the scene numbers them. */
+    std::vector<std::int32_t>
+    renumbered(const dem::Packing &packing, const std::vector<std::string> &known, const std::string &origin)
+    {
+      if (packing.material.empty())
+        return std::vector<std::int32_t>(packing.size(), 0);
+      std::vector<std::int32_t> numbers = packing.material;
+      for (std::size_t i = 0; i < numbers.size(); ++i)
+        {
+          const auto number = static_cast<std::size_t>(numbers[i]);
+          if (packing.material_names.empty())
+            {
+              if (number >= known.size())
+                throw dem::InputError(
+                  fmt::format("{}: particle {}: material {}: the scene has {}, numbered from 0: {}.", origin, i + 1,
+                              number, known.size(), fmt::join(known, ", ")));
+              continue;
+            }
+          const std::string &name  = packing.material_names.at(number);
+          const auto         found = std::find(known.begin(), known.end(), name);
+          if (found == known.end())
+            throw dem::InputError(
+              fmt::format("{}: particle {}: material \"{}\" is not in the scene's section Materials. {}", origin, i + 1,
+                          name, did_you_mean(name, known)));
+          numbers[i] = static_cast<std::int32_t>(found - known.begin());
+        }
+      return numbers;
+    }
+
+    /** Two particles of different materials; nothing if all are alike. */
+    void refuse_several(const dem::Packing &packing, const std::string &origin)
+    {
+      const auto &m     = packing.material;
+      const auto  other = std::find_if(m.begin(), m.end(), [&](const std::int32_t n) { return n != m.front(); });
+      if (other == m.end())
+        return;
+      const auto called = [&](const std::int32_t number) {
+        return packing.material_names.empty() ? std::to_string(number) :
+                                                packing.material_names.at(static_cast<std::size_t>(number));
+      };
+      throw dem::InputError(fmt::format("{}: its particles are of several materials ({}, {}), and the scene has one. "
+                                        "Give each a sub-section of its name in a section Materials, in place of "
+                                        "Material.",
+                                        origin, called(m.front()), called(*other)));
+    }
+  } // namespace
+
+  void MaterialSection::assign(dem::Packing &packing, const int dimension, const std::string &origin) const
+  {
+    if (named.empty())
+      {
+        refuse_several(packing, origin);
+        packing.material.clear();
+        packing.material_names.clear();
+        return;
+      }
+    const std::vector<std::string> known   = names();
+    std::vector<std::int32_t>      numbers = renumbered(packing, known, origin);
+    for (const MaterialRegion &region : regions)
+      {
+        const auto number =
+          static_cast<std::int32_t>(std::find(known.begin(), known.end(), region.material) - known.begin());
+        for (std::size_t i = 0; i < packing.size(); ++i)
+          if (region.holds(packing.centre[i], dimension))
+            numbers[i] = number;
+      }
+    for (std::size_t k = 0; k < known.size(); ++k)
+      if (std::find(numbers.begin(), numbers.end(), static_cast<std::int32_t>(k)) == numbers.end())
+        throw dem::InputError(origin + ": no particle is of the material \"" + known[k] +
+                              "\". Take it out of section Materials, or check regions and units (metres).");
+    packing.material       = std::move(numbers);
+    packing.material_names = known;
+  }
 } // namespace apps

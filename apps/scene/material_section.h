@@ -1,20 +1,58 @@
 #pragma once
 
+#include "apps/scene/material_region.h"
 #include "apps/scene/section.h"
-#include "dem/laws/cpm.h"
+#include "dem/laws/cpm_table.h"
+#include "dem/packing/packing.h"
 
+#include <list>
 #include <string>
+#include <vector>
 
 namespace apps
 {
-  /** Section "Material": the law of the links, and a block with the constants of every law there is. */
-  struct MaterialSection
+  /** What a link between two particles of one material obeys: law, and a block with the constants of every law there is. */
+  struct LinkLaw
   {
     std::string        law = dem::CpmDescription::name;
     dem::CpmParameters cpm;
 
-    void declare(Section &root);
-    /** Rules between the constants of the selected law. @throws dem::InputError. */
-    void validate() const;
+    void declare(Section &section);
+  };
+
+  /** Sub-section of "Materials": one of several. */
+  struct NamedMaterial
+  {
+    std::string name;
+    LinkLaw     law;
+    double      density = 0; ///< of its particles [kg/m^3]; 0: that of the specimen
+  };
+
+  /**
+   * Of what material particles and links are: section "Material" where there is one; or "Materials", one sub-section for each, and
+   * "Regions", which say where each is, unless the packing does.
+   */
+  struct MaterialSection
+  {
+    LinkLaw                   only;    ///< section Material
+    std::list<NamedMaterial>  named;   ///< as the scene names them; empty: there is one
+    std::list<MaterialRegion> regions; ///< in the scene's order
+
+    /** @param inertia whether densities matter */
+    void declare(Section &root, bool inertia = true);
+    /** Rules between the constants of the selected laws, and between names. @throws dem::InputError. */
+    void validate(const Section &root, int dimension) const;
+
+    dem::CpmMaterials        materials() const;
+    std::vector<std::string> names() const; ///< empty where there is one
+
+    /**
+     * Number the packing's particles as materials(): by the names that the packing gives them (or its numbers, or else all the
+     * first), and then by the regions, of which later ones win. With one material the packing is left with none.
+     *
+     * @param origin where the packing came from, for messages
+     * @throws dem::InputError for a material that the scene does not name, or that no particle is of
+     */
+    void assign(dem::Packing &packing, int dimension, const std::string &origin) const;
   };
 } // namespace apps

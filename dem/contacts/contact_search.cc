@@ -157,6 +157,7 @@ namespace dem
     LinkSet merged;
     merged.shear_components = contacts.shear_components;
     merged.periodic         = particles.cell.repeats();
+    merged.several_laws     = !particles.material.empty();
     merged.alive            = contacts.alive + born.size();
     merged.resize(merged.alive, particles.count, false);
     for (const auto &account : contacts.accounts)

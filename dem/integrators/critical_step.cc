@@ -1,6 +1,7 @@
 #include "dem/integrators/stable_step.h"
 
 #include <Eigen/Geometry>
+
 #include <Spectra/SymEigsSolver.h>
 
 #include <cmath>
@@ -16,20 +17,20 @@ namespace dem
     public:
       using Scalar = double;
 
-      ScaledStiffness(const Particles    &particles,
-                      const LinkSet      &bonds,
-                      const LinkSet      *contacts,
-                      const CpmConstants &law,
-                      const bool          rotations)
+      ScaledStiffness(const Particles &particles,
+                      const LinkSet   &bonds,
+                      const LinkSet   *contacts,
+                      const CpmTable  &laws,
+                      const bool       rotations)
         : p(particles)
         , root_inverse_mass(6 * particles.count)
       {
         for (std::size_t i = 0; i < p.count; ++i)
           for (int c = 0; c < 6; ++c)
             root_inverse_mass[6 * i + c] = c < 3 || rotations ? std::sqrt(p.inverse_mass[record_size * i + c]) : 0.0;
-        add(bonds, law);
+        add(bonds, laws);
         if (contacts)
-          add(*contacts, law);
+          add(*contacts, laws);
       }
 
       Eigen::Index rows() const { return root_inverse_mass.size(); }
@@ -63,13 +64,14 @@ namespace dem
         double          arm_J, arm_K, k_N, k_T;
       };
 
-      void add(const LinkSet &links, const CpmConstants &law)
+      void add(const LinkSet &links, const CpmTable &laws)
       {
         for (std::size_t l = 0; l < links.count; ++l)
           {
             if (!links.is_alive(l))
               continue;
-            Spring s;
+            const CpmConstants &law = laws[links.law_of(l)];
+            Spring              s;
             s.J                 = links.first[l];
             s.K                 = links.second[l];
             s.n                 = branch_of(p, links, l);
@@ -90,13 +92,13 @@ namespace dem
     };
   } // namespace
 
-  double critical_step(const Particles    &particles,
-                       const LinkSet      &bonds,
-                       const LinkSet      *contacts,
-                       const CpmConstants &law,
-                       const bool          rotations)
+  double critical_step(const Particles &particles,
+                       const LinkSet   &bonds,
+                       const LinkSet   *contacts,
+                       const CpmTable  &laws,
+                       const bool       rotations)
   {
-    ScaledStiffness operation(particles, bonds, contacts, law, rotations);
+    ScaledStiffness operation(particles, bonds, contacts, laws, rotations);
     // The spectrum of a random packing is dense at its upper end; 40 vectors between restarts converge in a few hundred products.
     const Eigen::Index                      vectors = std::min<Eigen::Index>(40, operation.rows());
     Spectra::SymEigsSolver<ScaledStiffness> solver(operation, 1, vectors);

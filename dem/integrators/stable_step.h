@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dem/laws/cpm.h"
+#include "dem/laws/cpm_table.h"
 #include "dem/links.h"
 #include "dem/particles.h"
 
@@ -18,15 +18,15 @@ namespace dem
  * @param contacts may be null
  */
   double stable_step(
-    const Particles &particles, const LinkSet &bonds, const LinkSet *contacts, const CpmConstants &law, bool rotations);
+    const Particles &particles, const LinkSet &bonds, const LinkSet *contacts, const CpmTable &laws, bool rotations);
 
   /** The same bound of one particle alone [s], in time proportional to its links. @pre it has one */
-  double stable_step_of(const Particles    &particles,
-                        const LinkSet      &bonds,
-                        const LinkSet      &contacts,
-                        const CpmConstants &law,
-                        bool                rotations,
-                        std::int32_t        particle);
+  double stable_step_of(const Particles &particles,
+                        const LinkSet   &bonds,
+                        const LinkSet   &contacts,
+                        const CpmTable  &laws,
+                        bool             rotations,
+                        std::int32_t     particle);
 
   /**
  * Sharp critical step 2/sqrt(largest eigenvalue of M^-1 K) of the undamaged links at the present positions [s], by Lanczos iteration
@@ -35,5 +35,5 @@ namespace dem
  * @throws std::runtime_error if the iteration does not converge
  */
   double critical_step(
-    const Particles &particles, const LinkSet &bonds, const LinkSet *contacts, const CpmConstants &law, bool rotations);
+    const Particles &particles, const LinkSet &bonds, const LinkSet *contacts, const CpmTable &laws, bool rotations);
 } // namespace dem

@@ -46,17 +46,17 @@ namespace dem
   } // namespace
 
   CpmConstants::CpmConstants(const CpmParameters &p)
-    : E(p.normal_modulus)
-    , G(p.shear_modulus())
-    , onset(p.limit_elastic_strain)
-    , softening(p.softening_strain())
-    , inverse_softening(1.0 / p.softening_strain())
-    , cohesion(p.cohesion)
-    , friction(p.friction_coefficient)
-    , shear_weight(p.shear_contribution)
-    , linear_factor(1.0 / (1.0 - 1.0 / p.relative_ductility))
-    , kappa_broken(0)
-    , law(p.damage_law)
+    : CpmNumbers{p.normal_modulus,
+                 p.shear_modulus(),
+                 p.limit_elastic_strain,
+                 p.softening_strain(),
+                 1.0 / p.softening_strain(),
+                 p.cohesion,
+                 p.friction_coefficient,
+                 p.shear_contribution,
+                 1.0 / (1.0 - 1.0 / p.relative_ductility),
+                 0.0, // after the check
+                 p.damage_law}
   {
     check(p);
     kappa_broken = kappa_of_residual_strength(p, p.residual_strength_limit);

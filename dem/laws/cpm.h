@@ -33,12 +33,14 @@ namespace dem
     double softening_strain() const { return relative_ductility * limit_elastic_strain; }
   };
 
-  /** Constants derived once from the parameters, so that no link pays for them. */
-  class CpmConstants
+  /** The numbers that an update takes from the material: of one link (double), or of eight side by side (Pack). */
+  template <typename Number>
+  struct CpmNumbers
   {
-  public:
-    /** @throws InputError for a value out of range, or a combination without meaning; the message names the entry. */
-    explicit CpmConstants(const CpmParameters &parameters);
+    Number    E, G, onset, softening, inverse_softening, cohesion, friction, shear_weight;
+    Number    linear_factor; ///< 1 / (1 - eps_0/eps_f)
+    Number    kappa_broken;  ///< kappa past which a link in tension is deleted
+    DamageLaw law;
 
     /** Damage omega = g(kappa), (2.17) of Stransky (2018) or its linear counterpart; 0 up to the onset. */
     template <typename T>
@@ -49,6 +51,14 @@ namespace dem
         return T(1.0) - (onset / reached) * exponential((onset - reached) * inverse_softening);
       return select(reached < T(softening), (T(1.0) - onset / reached) * linear_factor, T(1.0));
     }
+  };
+
+  /** Constants derived once from the parameters, so that no link pays for them. */
+  class CpmConstants : public CpmNumbers<double>
+  {
+  public:
+    /** @throws InputError for a value out of range, or a combination without meaning; the message names the entry. */
+    explicit CpmConstants(const CpmParameters &parameters);
 
     /** Inverse of damage_at(): the kappa with g(kappa) = omega, for omega in [0, 1). */
     double kappa_at(double omega) const;
@@ -58,11 +68,6 @@ namespace dem
 
     /** Energy dissipated per link volume on the way to kappa in tension [J/m^3]: area under the envelope less what is stored. */
     double dissipated_at(double kappa, double omega) const;
-
-    double    E, G, onset, softening, inverse_softening, cohesion, friction, shear_weight;
-    double    linear_factor; ///< 1 / (1 - eps_0/eps_f)
-    double    kappa_broken;  ///< kappa past which a link in tension is deleted
-    DamageLaw law;
   };
 
   /** History of one link: what it remembers from step to step. */
@@ -90,7 +95,7 @@ namespace dem
  *
  * One update takes the total normal strain, the state with the elastic shear strain already advanced by this step's shear
  * increment, and the magnitude squared of the total shear strain (used only where shear damages); it returns the stresses and
- * leaves the new history in the state. The normal part never depends on the shear stress, so the update is explicit and exact.
+ * leaves the new history in the state. Constants are CpmNumbers of one link, or of a pack. The normal part never depends on the shear stress, so the update is explicit and exact.
  *
  * @tparam damage   softens in tension; otherwise omega keeps the value it has (0 for a cohesive link, 1 for a contact)
  * @tparam sliding  shear stress limited by c_0 (1 - omega) - sigma_N tan(phi)
@@ -98,9 +103,9 @@ namespace dem
   template <bool damage, bool sliding>
   struct Cpm
   {
-    template <typename T, int m>
+    template <typename Constants, typename T, int m>
     BRECCIA_KERNEL static CpmResponse<T, m>
-    update(const CpmConstants &k, const T &normal_strain, const T &total_shear_squared, CpmState<T, m> &state)
+    update(const Constants &k, const T &normal_strain, const T &total_shear_squared, CpmState<T, m> &state)
     {
       CpmResponse<T, m> response;
       response.damage_work  = T(0.0);
@@ -117,15 +122,16 @@ namespace dem
     }
 
   private:
-    template <typename T, int m>
-    BRECCIA_KERNEL static void grow_damage(const CpmConstants &k,
-                                           const T            &opening,
-                                           const T            &total_shear_squared,
-                                           CpmState<T, m>     &state,
-                                           CpmResponse<T, m>  &response)
+    template <typename Constants, typename T, int m>
+    BRECCIA_KERNEL static void grow_damage(const Constants   &k,
+                                           const T           &opening,
+                                           const T           &total_shear_squared,
+                                           CpmState<T, m>    &state,
+                                           CpmResponse<T, m> &response)
     {
-      T equivalent = opening;
-      if (k.shear_weight > 0)
+      T          equivalent    = opening;
+      const auto shear_damages = k.shear_weight > 0.0; // of each link
+      if (any(shear_damages))
         equivalent = square_root(opening * opening + T(k.shear_weight * k.shear_weight) * total_shear_squared);
       const auto grows = equivalent > maximum(state.kappa, T(k.onset));
       state.kappa      = maximum(state.kappa, equivalent);
@@ -133,13 +139,14 @@ namespace dem
         {
           const T before = state.damage;
           state.damage   = select(grows, k.damage_at(state.kappa), before);
-          if (k.shear_weight > 0)
-            response.damage_work = T(0.5 * k.E) * opening * opening * (state.damage - before);
+          if (any(shear_damages))
+            response.damage_work =
+              select(Comparison<T>(shear_damages), T(0.5 * k.E) * opening * opening * (state.damage - before), T(0.0));
         }
     }
 
-    template <typename T, int m>
-    BRECCIA_KERNEL static void slide(const CpmConstants &k, CpmState<T, m> &state, CpmResponse<T, m> &response)
+    template <typename Constants, typename T, int m>
+    BRECCIA_KERNEL static void slide(const Constants &k, CpmState<T, m> &state, CpmResponse<T, m> &response)
     {
       const T    limit  = maximum(k.cohesion * (T(1.0) - state.damage) - k.friction * response.normal_stress, T(0.0));
       const T    trial2 = dot(response.shear_stress, response.shear_stress);

@@ -68,6 +68,8 @@ namespace dem
     centre[up]             = extent.high[up] + clear * (largest + parameters.striker_radius);
     packing.centre.push_back(centre);
     packing.radius.push_back(parameters.striker_radius);
+    if (!packing.material.empty())
+      packing.material.push_back(0);
     return packing;
   }
 
@@ -81,11 +83,9 @@ namespace dem
     if (body.parameters().loose != 1)
       throw InputError("Impact: the specimen must have one loose particle, the striker.");
     const ParticleOutput particles = body.particles();
-    const double         r         = particles.radius[striker];
-    striker_mass =
-      body.parameters().density * (up == 2 ? 4.0 / 3.0 * M_PI * r * r * r : M_PI * r * r * body.parameters().thickness);
-    Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
-    velocity[up]             = -p.striker_velocity;
+    striker_mass                   = particles.mass[striker];
+    Eigen::Vector3d velocity       = Eigen::Vector3d::Zero();
+    velocity[up]                   = -p.striker_velocity;
     body.set_velocity(striker, velocity, Eigen::Vector3d::Zero());
 
     const Extent extent = extent_of(particles.position, striker);

@@ -24,7 +24,8 @@ namespace dem
   };
 
   /**
-   * The beam with the striker as its last particle, just above mid-span; the specimen must leave it loose.
+   * The beam with the striker as its last particle, just above mid-span; the specimen must leave it loose. Of a beam of several
+   * materials the striker has the first.
    * @throws InputError for parameters out of range
    */
   Packing with_striker(const Packing &beam, const ImpactParameters &parameters, int dimension);

@@ -67,15 +67,14 @@ namespace dem
     /** Time of a pressure wave across the cell: largest height over the wave's speed in the undamaged cell [s]. */
     double crossing_time(const Specimen &specimen, const Matrix6d &stiffness)
     {
-      const SpecimenParameters &p = specimen.parameters();
-      const ParticleShape       shape{p.physics.dimension, p.density, p.thickness};
-      const CellState           cell = specimen.cell();
-      double                    mass = 0;
-      for (const double radius : specimen.particles().radius)
-        mass += shape.mass(radius);
+      const int       dimension = specimen.parameters().physics.dimension;
+      const CellState cell      = specimen.cell();
+      double          mass      = 0;
+      for (const double of_particle : specimen.particles().mass)
+        mass += of_particle;
       const Eigen::Vector3d height  = cell.base.inverse().rowwise().norm().cwiseInverse();
       const double          modulus = stiffness.diagonal().head(3).maxCoeff();
-      return height.head(p.physics.dimension).maxCoeff() / std::sqrt(modulus * cell.volume / mass);
+      return height.head(dimension).maxCoeff() / std::sqrt(modulus * cell.volume / mass);
     }
   } // namespace
 

@@ -36,44 +36,46 @@ namespace dem
     return load;
   }
 
-  double elastic_energy(const Particles    &particles,
-                        const LinkSet      &links,
-                        const std::size_t   link,
-                        const CpmConstants &law,
-                        const Geometry      geometry)
+  double elastic_energy(const Particles  &particles,
+                        const LinkSet    &links,
+                        const std::size_t link,
+                        const CpmTable   &laws,
+                        const Geometry    geometry)
   {
-    const double strain = link_at(particles, links, link, geometry).strain;
-    double       shear2 = 0;
+    const CpmConstants &law    = laws[links.law_of(link)];
+    const double        strain = link_at(particles, links, link, geometry).strain;
+    double              shear2 = 0;
     for (int c = 0; c < links.shear_components; ++c)
       shear2 += links.elastic_shear[c][link] * links.elastic_shear[c][link];
     const double normal = strain > 0 ? (1.0 - links.damage[link]) * law.E : law.E;
     return 0.5 * links.area[link] * links.reference_length[link] * (normal * strain * strain + law.G * shear2);
   }
 
-  double elastic_energy(const Particles &particles, const LinkSet &links, const CpmConstants &law)
+  double elastic_energy(const Particles &particles, const LinkSet &links, const CpmTable &laws)
   {
     double sum = 0;
     for (std::size_t l = 0; l < links.count; ++l)
       if (links.is_alive(l))
-        sum += elastic_energy(particles, links, l, law);
+        sum += elastic_energy(particles, links, l, laws);
     return sum;
   }
 
-  double damage_dissipation(const LinkSet &links, const std::size_t link, const CpmConstants &law)
+  double damage_dissipation(const LinkSet &links, const std::size_t link, const CpmTable &laws)
   {
+    const CpmConstants &law = laws[links.law_of(link)];
     if (law.shear_weight > 0)
       return 0.0;
     return links.area[link] * links.reference_length[link] * law.dissipated_at(links.kappa[link], links.damage[link]);
   }
 
-  double damage_dissipation(const LinkSet &links, const CpmConstants &law)
+  double damage_dissipation(const LinkSet &links, const CpmTable &laws)
   {
     double sum = 0;
     for (const auto &account : links.accounts)
       sum += account.damage_work;
     for (std::size_t l = 0; l < links.count; ++l)
       if (links.is_alive(l))
-        sum += damage_dissipation(links, l, law);
+        sum += damage_dissipation(links, l, laws);
     return sum;
   }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dem/laws/cpm.h"
+#include "dem/laws/cpm_table.h"
 #include "dem/links.h"
 #include "dem/measures/loads.h"
 #include "dem/particles.h"
@@ -32,20 +32,21 @@ namespace dem
   LinkLoad load_at(const Particles &particles, const LinkSet &links, std::size_t link);
 
   /** Energy stored in one link [J]; mesoscale specification 8. */
-  double elastic_energy(const Particles    &particles,
-                        const LinkSet      &links,
-                        std::size_t         link,
-                        const CpmConstants &law,
-                        Geometry            geometry = Geometry::before_motion);
+  double elastic_energy(const Particles &particles,
+                        const LinkSet   &links,
+                        std::size_t      link,
+                        const CpmTable  &laws,
+                        Geometry         geometry = Geometry::before_motion);
 
   /** Sum over all living links [J]. */
-  double elastic_energy(const Particles &particles, const LinkSet &links, const CpmConstants &law);
+  double elastic_energy(const Particles &particles, const LinkSet &links, const CpmTable &laws);
 
-  /** Dissipated by damage of the living links [J]; by the closed form where only normal strain damages, else as summed up by the pass. */
-  double damage_dissipation(const LinkSet &links, const CpmConstants &law);
+  /** Dissipated by damage of the living links [J]; by the closed form where only normal strain damages, plus what the pass
+   * has summed up where shear does too. */
+  double damage_dissipation(const LinkSet &links, const CpmTable &laws);
 
   /** Dissipated by damage of one living link [J]; zero where shear damages too (then the pass sums it up). */
-  double damage_dissipation(const LinkSet &links, std::size_t link, const CpmConstants &law);
+  double damage_dissipation(const LinkSet &links, std::size_t link, const CpmTable &laws);
 
   /** Dissipated by sliding since the start [J]. */
   double plastic_dissipation(const LinkSet &links);

@@ -3,6 +3,8 @@
 #include "dem/core/errors.h"
 #include "dem/neighbours/cell_list.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <sstream>
 
@@ -54,6 +56,45 @@ namespace dem
     }
   } // namespace
 
+  namespace
+  {
+    void check_materials(const Packing &packing, const std::string &origin)
+    {
+      const auto &names = packing.material_names;
+      for (std::size_t i = 0; i < names.size(); ++i)
+        if (!is_material_name(names[i]))
+          throw InputError(origin + ": material \"" + names[i] + "\": " + material_name_rule() + ".");
+        else if (std::count(names.begin(), names.end(), names[i]) > 1)
+          throw InputError(origin + ": the material name \"" + names[i] + "\" stands for two numbers.");
+      if (packing.material.empty())
+        return;
+      if (packing.material.size() != packing.size())
+        throw InputError(origin + ": " + std::to_string(packing.size()) + " particles but the materials of " +
+                         std::to_string(packing.material.size()) + ".");
+      for (std::size_t i = 0; i < packing.size(); ++i)
+        if (packing.material[i] < 0)
+          refuse(origin, i, "material = " + std::to_string(packing.material[i]) + ": must be a number from 0.");
+        else if (!names.empty() && static_cast<std::size_t>(packing.material[i]) >= names.size())
+          refuse(origin, i,
+                 "material = " + std::to_string(packing.material[i]) + ": there are names for 0 to " +
+                   std::to_string(names.size() - 1) + " only.");
+    }
+  } // namespace
+
+  bool is_material_name(const std::string &name)
+  {
+    const auto allowed = [](const unsigned char c) {
+      return std::isalnum(c) || c == '.' || c == '_' || c == '+' || c == '-';
+    };
+    return !name.empty() && std::isalnum(static_cast<unsigned char>(name[0])) &&
+           std::all_of(name.begin(), name.end(), allowed);
+  }
+
+  const char *material_name_rule()
+  {
+    return "a material's name begins with a letter or digit, and goes on with these and any of . _ + -";
+  }
+
   void check_packing(const Packing &packing, const std::string &origin)
   {
     if (packing.centre.size() != packing.radius.size())
@@ -68,6 +109,7 @@ namespace dem
                          ": its edges must be above zero, from 1e-100 to 1e100 m (or inf: no repetition).");
     for (std::size_t i = 0; i < packing.size(); ++i)
       check_particle(packing, i, origin);
+    check_materials(packing, origin);
     check_coincidence(packing, origin);
   }
 

@@ -90,9 +90,10 @@ namespace dem
     if (packing.size() == 0)
       throw InputError(text_of(box) + ": there is no sphere to fill it with.");
     Tiling        tiling;
-    const Packing cell = wrapped(packing);
-    tiling.repeats     = count_repeats(packing, box);
-    tiling.note        = note_on_period(packing, tiling.repeats);
+    const Packing cell            = wrapped(packing);
+    tiling.repeats                = count_repeats(packing, box);
+    tiling.note                   = note_on_period(packing, tiling.repeats);
+    tiling.packing.material_names = packing.material_names;
     for (std::int64_t k = 0; k < tiling.repeats[2]; ++k)
       for (std::int64_t j = 0; j < tiling.repeats[1]; ++j)
         for (std::int64_t i = 0; i < tiling.repeats[0]; ++i)
@@ -107,6 +108,8 @@ namespace dem
                 continue;
               tiling.packing.centre.push_back(x);
               tiling.packing.radius.push_back(cell.radius[p]);
+              if (!cell.material.empty())
+                tiling.packing.material.push_back(cell.material[p]);
             }
     if (tiling.packing.size() == 0)
       {

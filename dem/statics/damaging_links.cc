@@ -25,9 +25,9 @@ namespace dem
     }
   } // namespace
 
-  DamagingLinks::DamagingLinks(const LoadedNetwork &network, const CpmParameters &parameters)
+  DamagingLinks::DamagingLinks(const LoadedNetwork &network, const CpmMaterials &materials)
     : loaded(&network)
-    , law(parameters)
+    , laws(materials)
     , state(network.network.links.size(), CpmState<double, 3>{})
     , trial(state)
     , shear(state.size(), Eigen::Vector3d::Zero())
@@ -55,7 +55,7 @@ namespace dem
         unreturned[i]               = vector(state[i].elastic_shear) + trial_shear[i] - shear[i];
         trial[i]                    = state[i];
         trial[i].elastic_shear      = vector(unreturned[i]);
-        response[i] = Cpm<true, true>::update(law, trial_strain[i], trial_shear[i].squaredNorm(), trial[i]);
+        response[i] = Cpm<true, true>::update(law_of(i), trial_strain[i], trial_shear[i].squaredNorm(), trial[i]);
         force[i]    = l.area * (response[i].normal_stress * l.direction + vector(response[i].shear_stress));
       }
   }
@@ -83,9 +83,9 @@ namespace dem
           u.grows = true;
         if (kind == LinkStiffness::onward)
           u.slides = slid[i] != 0;
-        result[i] =
-          l.area / l.branch.norm() *
-          (kind == LinkStiffness::secant ? cpm_secant(law, l.direction, u) : cpm_tangent(law, l.direction, u));
+        result[i] = l.area / l.branch.norm() *
+                    (kind == LinkStiffness::secant ? cpm_secant(law_of(i), l.direction, u) :
+                                                     cpm_tangent(law_of(i), l.direction, u));
       }
     return result;
   }
@@ -94,8 +94,9 @@ namespace dem
   {
     for (std::size_t i = 0; i < state.size(); ++i)
       {
-        const ElasticLink &l      = loaded->network.links[i];
-        const double       volume = l.area * l.branch.norm();
+        const CpmConstants &law    = law_of(i);
+        const ElasticLink  &l      = loaded->network.links[i];
+        const double        volume = l.area * l.branch.norm();
         lost_by_sliding += volume * response[i].plastic_work;
         lost_by_damage += volume * response[i].damage_work;
         if (law.shear_weight == 0) // then the pass does not sum up what damage takes; the closed form does
@@ -122,12 +123,13 @@ namespace dem
 
   double DamagingLinks::strength_damage_of(const std::size_t i) const
   {
-    return law.strength_damage(state[i].kappa, state[i].damage);
+    return law_of(i).strength_damage(state[i].kappa, state[i].damage);
   }
 
   double DamagingLinks::damage_work_of(const std::size_t i) const
   {
-    const ElasticLink &l = loaded->network.links[i];
+    const CpmConstants &law = law_of(i);
+    const ElasticLink  &l   = loaded->network.links[i];
     return law.shear_weight == 0 ? l.area * l.branch.norm() * law.dissipated_at(state[i].kappa, state[i].damage) : 0.0;
   }
 
@@ -144,8 +146,9 @@ namespace dem
     double sum = 0;
     for (std::size_t i = 0; i < state.size(); ++i)
       {
-        const double open         = std::max(strain[i], 0.0);
-        const double shear_energy = law.G * vector(state[i].elastic_shear).squaredNorm();
+        const CpmConstants &law          = law_of(i);
+        const double        open         = std::max(strain[i], 0.0);
+        const double        shear_energy = law.G * vector(state[i].elastic_shear).squaredNorm();
         sum += 0.5 * loaded->network.links[i].area * loaded->network.links[i].branch.norm() *
                (law.E * (strain[i] * strain[i] - state[i].damage * open * open) + shear_energy);
       }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "dem/laws/cpm_table.h"
 #include "dem/laws/cpm_tangent.h"
 #include "dem/state.h"
 #include "dem/statics/loaded_network.h"
@@ -25,8 +26,8 @@ namespace dem
   class DamagingLinks
   {
   public:
-    /** @param loaded with stiffnesses of the same normal modulus and shear ratio as the law; must outlive this object */
-    DamagingLinks(const LoadedNetwork &loaded, const CpmParameters &law);
+    /** @param loaded made with the same materials (or moduli, if there is one); must outlive this object */
+    DamagingLinks(const LoadedNetwork &loaded, const CpmMaterials &materials);
 
     void evaluate(const LoadedMotion &motion);
     void commit();
@@ -40,7 +41,7 @@ namespace dem
     /** Normal strain of a link in the trial [-]. */
     double normal_strain(const std::size_t link) const { return trial_strain[link]; }
     /** Strain that a link must exceed to damage further: the largest of committed steps, not below the onset [-]. */
-    double reached(const std::size_t link) const { return std::max(state[link].kappa, law.onset); }
+    double reached(const std::size_t link) const { return std::max(state[link].kappa, law_of(link).onset); }
     /** How much that strain has grown in the trial, over itself [-]. */
     double growth(const std::size_t link) const
     {
@@ -55,7 +56,7 @@ namespace dem
     double strength_damage_of(std::size_t link) const;                            ///< committed
     double damage_work_of(std::size_t link) const; ///< energy lost to its damage, committed; 0 where shear damages [J]
     /** It has met the break test: a specimen in motion would have deleted it. */
-    bool   is_exhausted(const std::size_t link) const { return state[link].kappa > law.kappa_broken; }
+    bool   is_exhausted(const std::size_t link) const { return state[link].kappa > law_of(link).kappa_broken; }
     double mean_damage() const;                             ///< committed
     double damage_work() const { return lost_by_damage; }   ///< energy lost to damage in committed steps [J]
     double sliding_work() const { return lost_by_sliding; } ///< energy lost to sliding in committed steps [J]
@@ -65,10 +66,11 @@ namespace dem
     void visit_state(StateVisitor &visitor);
 
   private:
-    CpmUpdate update_of(std::size_t link) const;
+    CpmUpdate           update_of(std::size_t link) const;
+    const CpmConstants &law_of(const std::size_t link) const { return laws[loaded->network.links[link].law]; }
 
     const LoadedNetwork                *loaded;
-    CpmConstants                        law;
+    CpmTable                            laws;
     std::vector<CpmState<double, 3>>    state, trial;
     std::vector<Eigen::Vector3d>        shear, trial_shear; ///< total shear strain
     std::vector<Eigen::Vector3d>        unreturned;         ///< elastic shear strain of the trial before it slides

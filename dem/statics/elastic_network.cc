@@ -45,10 +45,18 @@ namespace dem
       return H;
     }
 
+    /** What makes a link stiff. */
+    struct LinkModuli
+    {
+      double       normal, shear_ratio; ///< [Pa], [-]
+      std::int32_t law;
+    };
+
     ElasticLink make_link(const CellPacking       &packing,
                           const NeighbourPair     &pair,
                           const Eigen::Matrix3d   &H,
-                          const NetworkParameters &p)
+                          const NetworkParameters &p,
+                          const LinkModuli        &moduli)
     {
       const std::size_t J = pair.first, K = pair.second;
       const double      r_J = packing.radius[J], r_K = packing.radius[K];
@@ -70,16 +78,20 @@ namespace dem
       shape.dimension           = p.dimension;
       shape.thickness           = p.thickness;
       link.area                 = shape.link_area(r_J, r_K);
-      const double          k_N = p.normal_modulus * link.area / length;
+      const double          k_N = moduli.normal * link.area / length;
       const Eigen::Matrix3d nn  = link.direction * link.direction.transpose();
-      link.stiffness            = k_N * (nn + p.shear_ratio * (Eigen::Matrix3d::Identity() - nn));
+      link.stiffness            = k_N * (nn + moduli.shear_ratio * (Eigen::Matrix3d::Identity() - nn));
+      link.law                  = moduli.law;
       return link;
     }
 
+    /** @tparam ModuliOf LinkModuli of two particles */
+    template <typename ModuliOf>
     ElasticNetwork link_up(const CellPacking                &packing,
                            const std::vector<NeighbourPair> &pairs,
                            const Eigen::Matrix3d            &H,
-                           const NetworkParameters          &p)
+                           const NetworkParameters          &p,
+                           const ModuliOf                   &moduli_of)
     {
       if (pairs.empty())
         throw InputError("Interaction ratio = " + std::to_string(p.interaction_ratio) +
@@ -90,7 +102,33 @@ namespace dem
       network.centre    = packing.centre;
       network.links.reserve(pairs.size());
       for (const NeighbourPair &pair : pairs)
-        network.links.push_back(make_link(packing, pair, H, p));
+        network.links.push_back(make_link(packing, pair, H, p, moduli_of(pair.first, pair.second)));
+      return network;
+    }
+
+    /** Links that are all alike. */
+    auto only_moduli(const NetworkParameters &p)
+    {
+      return [&p](const std::int32_t, const std::int32_t) { return LinkModuli{p.normal_modulus, p.shear_ratio, 0}; };
+    }
+
+    /** Links of a free packing, or one with an upright cell. */
+    template <typename ModuliOf>
+    ElasticNetwork network_of(const Packing &packing, const NetworkParameters &p, const ModuliOf &moduli_of)
+    {
+      check(p);
+      check_packing(packing, "packing");
+      CellPacking                    general{packing.centre, packing.radius, Eigen::Matrix3d::Zero()};
+      std::optional<Eigen::Vector3d> cell = packing.periodic_cell;
+      if (cell && p.dimension == 2)
+        (*cell)[2] = std::numeric_limits<double>::infinity();
+      if (cell)
+        general.cell = cell->asDiagonal();
+      ElasticNetwork network =
+        link_up(general, find_pairs(packing.centre, packing.radius, p.interaction_ratio, 0.0, cell), general.cell, p,
+                moduli_of);
+      if (cell)
+        network.volume = (*cell)[0] * (*cell)[1] * (p.dimension == 2 ? p.thickness : (*cell)[2]);
       return network;
     }
   } // namespace
@@ -104,18 +142,26 @@ namespace dem
 
   ElasticNetwork make_network(const Packing &packing, const NetworkParameters &p)
   {
-    check(p);
-    check_packing(packing, "packing");
-    CellPacking                    general{packing.centre, packing.radius, Eigen::Matrix3d::Zero()};
-    std::optional<Eigen::Vector3d> cell = packing.periodic_cell;
-    if (cell && p.dimension == 2)
-      (*cell)[2] = std::numeric_limits<double>::infinity();
-    if (cell)
-      general.cell = cell->asDiagonal();
-    ElasticNetwork network =
-      link_up(general, find_pairs(packing.centre, packing.radius, p.interaction_ratio, 0.0, cell), general.cell, p);
-    if (cell)
-      network.volume = (*cell)[0] * (*cell)[1] * (p.dimension == 2 ? p.thickness : (*cell)[2]);
+    return network_of(packing, p, only_moduli(p));
+  }
+
+  ElasticNetwork make_network(const Packing &packing, const NetworkParameters &asked, const CpmMaterials &materials)
+  {
+    check_materials(packing, materials);
+    const std::vector<CpmParameters> pairs = materials.pairs();
+    NetworkParameters                p     = asked;
+    p.normal_modulus                       = pairs.at(0).normal_modulus;
+    p.shear_ratio                          = pairs.at(0).shear_ratio;
+    if (!materials.several())
+      return make_network(packing, p);
+    const std::vector<std::int32_t> material =
+      packing.material.empty() ? std::vector<std::int32_t>(packing.size(), 0) : packing.material;
+    ElasticNetwork network = network_of(packing, p, [&](const std::int32_t J, const std::int32_t K) {
+      const std::int32_t   law  = CpmTable::pair(material[J], material[K]);
+      const CpmParameters &both = pairs[law];
+      return LinkModuli{both.normal_modulus, both.shear_ratio, law};
+    });
+    network.material       = material;
     return network;
   }
 
@@ -128,8 +174,8 @@ namespace dem
     const Eigen::Matrix3d H           = effective_cell(packing.cell, p.dimension, 8 * p.interaction_ratio * largest);
     const double          determinant = H.determinant();
     require(determinant > 0 && std::isfinite(determinant), "Periodic cell", determinant, "its volume must be above 0.");
-    ElasticNetwork network =
-      link_up(packing, find_pairs_sheared(packing.centre, packing.radius, p.interaction_ratio, 0.0, H), H, p);
+    ElasticNetwork network = link_up(
+      packing, find_pairs_sheared(packing.centre, packing.radius, p.interaction_ratio, 0.0, H), H, p, only_moduli(p));
     network.volume = p.dimension == 3 ? determinant : H.topLeftCorner<2, 2>().determinant() * p.thickness;
     return network;
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "dem/laws/cpm_table.h"
 #include "dem/packing/packing.h"
 
 #include <Eigen/Core>
@@ -26,6 +27,7 @@ namespace dem
     double          arm_first, arm_second; ///< a_J, a_K: from either centre to the contact point, a_J + a_K = |l| [m]
     double          area;                  ///< A [m^2]
     Eigen::Matrix3d stiffness;             ///< C, symmetric [N/m]
+    std::int32_t    law = 0;               ///< number in the table of laws
   };
 
   /** Particles joined by linear links, in the configuration whose small motions are asked for. */
@@ -34,6 +36,7 @@ namespace dem
     int                          dimension = 3;    ///< 3, or 2: only x, y and the rotation about z move
     bool                         rotations = true; ///< particles rotate; otherwise they only translate
     std::vector<Eigen::Vector3d> centre;           ///< [m]
+    std::vector<std::int32_t>    material;         ///< of each particle its number; empty: there is one
     std::vector<ElasticLink>     links;            ///< sorted by first, then second
     double volume = 0; ///< of the periodic cell (area times thickness in the plane) [m^3]; 0: free
 
@@ -72,4 +75,11 @@ namespace dem
    */
   ElasticNetwork make_network(const Packing &packing, const NetworkParameters &parameters);
   ElasticNetwork make_network(const CellPacking &packing, const NetworkParameters &parameters);
+
+  /**
+   * The same of a packing with several materials: moduli are those of the pair that a link joins, in place of the parameters'.
+   * @throws also for a material of the packing that is not among those given
+   */
+  ElasticNetwork
+  make_network(const Packing &packing, const NetworkParameters &parameters, const CpmMaterials &materials);
 } // namespace dem

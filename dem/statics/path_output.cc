@@ -32,6 +32,7 @@ namespace dem
     out.velocity.assign(n, Eigen::Vector3d::Zero());
     out.angular_velocity = out.velocity;
     out.radius           = radius;
+    out.material         = network.material;
     out.damage.assign(n, 0.0);
     out.broken_links.assign(n, 0);
     out.stress.assign(n, Eigen::Matrix3d::Zero());
@@ -66,6 +67,8 @@ namespace dem
         const Eigen::Vector3d f      = links.forces()[l];
         const double          normal = f.dot(link.direction), shear = (f - normal * link.direction).norm();
         out.ends.push_back({static_cast<std::size_t>(link.first), static_cast<std::size_t>(link.second)});
+        if (!loaded.network.material.empty())
+          out.law.push_back(link.law);
         out.kind.push_back(links.is_exhausted(l) ? LinkOutput::broken : LinkOutput::cohesive);
         out.normal_force.push_back(normal);
         out.shear_force.push_back(shear);

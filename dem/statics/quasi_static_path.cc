@@ -62,11 +62,11 @@ namespace dem
   }
 
   QuasiStaticPath::QuasiStaticPath(const LoadedNetwork         &network,
-                                   const CpmParameters         &law,
+                                   const CpmMaterials          &materials,
                                    const QuasiStaticParameters &asked)
     : loaded(&network)
     , parameters(asked)
-    , bonds(network, law)
+    , bonds(network, materials)
     , system(network)
     , now(network.network.particles())
     , path(1)

@@ -42,8 +42,9 @@ namespace dem
     Vector6 stress      = Vector6::Zero(); ///< [Pa]
     double  mean_damage = 0;
 
-    double external_work = 0;        ///< trapezoidal over the points: where damage jumps it errs in proportion to the steps [J]
-    double stored        = 0;        ///< in links [J]
+    double external_work =
+      0;               ///< trapezoidal over the points: where damage jumps it errs in proportion to the steps [J]
+    double stored = 0; ///< in links [J]
     double damage = 0, friction = 0; ///< dissipated by damage and by sliding [J]
     double damped = 0; ///< dissipated by the damping of relaxations: kinetic energy that cascades set free [J]
 
@@ -72,7 +73,9 @@ namespace dem
   {
   public:
     /** @throws InputError for parameters out of range. */
-    QuasiStaticPath(const LoadedNetwork &loaded, const CpmParameters &law, const QuasiStaticParameters &parameters);
+    QuasiStaticPath(const LoadedNetwork         &loaded,
+                    const CpmMaterials          &materials,
+                    const QuasiStaticParameters &parameters);
 
     /** One point further. @throws NumericalError if even the relaxation finds no equilibrium. */
     const QuasiStaticPoint &advance();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dem/laws/cpm.h"
+#include "dem/laws/cpm_table.h"
 #include "dem/links.h"
 #include "dem/particles.h"
 
@@ -37,16 +37,17 @@ namespace dense
   }
 
   /** Critical step 2/sqrt(largest eigenvalue) of the links of a set, from the dense generalised eigenvalue problem. */
-  inline double critical_step(const dem::Particles    &particles,
-                              const dem::LinkSet      &links,
-                              const dem::CpmConstants &law,
-                              const bool               rotations)
+  inline double critical_step(const dem::Particles &particles,
+                              const dem::LinkSet   &links,
+                              const dem::CpmTable  &laws,
+                              const bool            rotations)
   {
     const auto      n         = static_cast<Eigen::Index>(particles.count);
     Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(6 * n, 6 * n);
     for (std::size_t l = 0; l < links.count; ++l)
       {
-        Spring c;
+        const dem::CpmConstants &law = laws[links.law_of(l)];
+        Spring                   c;
         c.J            = static_cast<std::size_t>(links.first[l]);
         c.K            = static_cast<std::size_t>(links.second[l]);
         c.branch       = particles.position_of(c.K) - particles.position_of(c.J);

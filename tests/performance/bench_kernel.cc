@@ -25,9 +25,15 @@ namespace
   /** How hard the links work while they are timed. */
   enum class State
   {
-    elastic,  ///< below the onset of damage
-    softening ///< every link stretched past it and further at every step: the exponential is evaluated for all
+    elastic,   ///< below the onset of damage
+    softening, ///< every link stretched past it and further at every step: the exponential is evaluated for all
+    materials  ///< elastic, and every other particle of a second material: each link gathers its constants
   };
+
+  const char *name_of(const State state)
+  {
+    return state == State::elastic ? "elastic" : state == State::softening ? "softening" : "two materials";
+  }
 
   dem::CpmParameters concrete()
   {
@@ -54,10 +60,18 @@ namespace
     parameters.density           = 4800;
     parameters.interaction_ratio = 1.5;
     parameters.damping           = 0.3;
-    dem::Specimen specimen(packing, parameters, concrete());
+    dem::Packing      particles  = packing;
+    dem::CpmMaterials materials  = concrete();
+    if (state == State::materials)
+      {
+        materials.list.push_back(materials.list.front());
+        for (std::size_t i = 0; i < packing.size(); ++i)
+          particles.material.push_back(static_cast<std::int32_t>(i % 2));
+      }
+    dem::Specimen specimen(particles, parameters, materials);
     // A uniform expansion: the lower strain rate stays elastic for the steps timed; the higher one is past the onset of damage in
     // every link before they begin, and far from breaking one when they end.
-    const double rate = state == State::elastic ? 1e-2 : 100.0;
+    const double rate = state == State::softening ? 100.0 : 1e-2;
     for (std::size_t i = 0; i < packing.size(); ++i)
       specimen.set_velocity(i, rate * packing.centre[i], Eigen::Vector3d(1.0, -2.0, 0.5));
     return specimen;
@@ -116,7 +130,7 @@ namespace
 
   void print_case(const dem::Packing &packing, const int most_threads)
   {
-    for (const State state : {State::elastic, State::softening})
+    for (const State state : {State::elastic, State::softening, State::materials})
       {
         dem::Specimen     specimen = specimen_in(state, packing);
         const dem::Counts counts   = specimen.counts();
@@ -126,8 +140,8 @@ namespace
             const double rate = updates_per_second(specimen, threads);
             alone             = threads == 1 ? rate : alone;
             std::printf("| %zu | %zu | %s | %d | %.1f | %.1f | %.2f | %.0f |\n", counts.particles, counts.links,
-                        state == State::elastic ? "elastic" : "softening", threads, 1e-6 * rate, 1e9 / rate,
-                        rate / alone, static_cast<double>(specimen.bytes()) / static_cast<double>(counts.links));
+                        name_of(state), threads, 1e-6 * rate, 1e9 / rate, rate / alone,
+                        static_cast<double>(specimen.bytes()) / static_cast<double>(counts.links));
             std::fflush(stdout);
           }
       }

@@ -42,6 +42,13 @@ TEST_CASE("a faulty text packing is refused with file, line and reason", "[postp
     Refusal{"0 0 0 1\nx y z radius\n", ", line 2: \"x\" is not a number."},
     Refusal{"# periodic_cell 1 1\n0 0 0 1\n", ", line 1: periodic_cell has 2 edge lengths, expected 3: LX LY LZ [m]."},
     Refusal{"# periodic_cell 1 1 -1\n", ", line 1: periodic_cell edge = -1 m: must be above 0."},
+    Refusal{"x y z r material\n0 0 0 1\n", ", line 2: found 4 columns, expected 5 as in the header."},
+    Refusal{"x y z r material\n0 0 0 1 -1\n", ", line 2: material \"-1\": a material's name begins with a letter or "
+                                              "digit, and goes on with these and any of . _ + -."},
+    Refusal{"# materials a b\nx y z r material\n0 0 0 1 c\n",
+            ", line 3: material \"c\" is not in the line \"# materials\"."},
+    Refusal{"# materials a a\nx y z r material\n0 0 0 1 a\n", ", line 1: the material \"a\" is named twice."},
+    Refusal{"x y z r material material\n0 0 0 1 a a\n", ", line 1: the header names the column material twice."},
     Refusal{"", ": holds no particle. Give lines of x y z radius [m]."},
     Refusal{"# only a comment\nx y z radius\n", ": holds no particle. Give lines of x y z radius [m]."});
   const ScratchFolder folder;
@@ -112,6 +119,38 @@ TEST_CASE("a faulty HDF5 packing is refused naming the dataset", "[postprocess]"
       file.write("radius", radii, {3});
       file.write("periodic_cell", radii, {2});
       expected = "\"periodic_cell\" has the shape 2, expected 3 edge lengths.";
+    }
+    SECTION("fewer materials than particles")
+    {
+      const std::int32_t numbers[2] = {0, 1};
+      file.write("centre", zeros, {3, 3});
+      file.write("radius", radii, {3});
+      file.write("material", numbers, {2});
+      expected = "\"material\" has the shape 2, expected 3, as many as centres.";
+    }
+    SECTION("a material that is negative, or has no name, or is no whole number")
+    {
+      const double       places[9]   = {0, 0, 0, 5, 0, 0, 9, 0, 0};
+      const std::int32_t negative[3] = {0, -1, 1}, beyond[3] = {0, 1, 2};
+      file.write("centre", places, {3, 3});
+      file.write("radius", radii, {3});
+      const int which = GENERATE(0, 1, 2);
+      if (which == 0)
+        {
+          file.write("material", negative, {3});
+          expected = "particle 2: material = -1: must be a number from 0.";
+        }
+      else if (which == 1)
+        {
+          file.write("material", beyond, {3});
+          file.write_text("material_names", "mortar sand");
+          expected = "particle 3: material = 2: there are names for 0 to 1 only.";
+        }
+      else
+        {
+          file.write("material", radii, {3});
+          expected = "\"material\" is of another type: whole numbers expected.";
+        }
     }
     SECTION("no particle")
     {

@@ -34,6 +34,8 @@ namespace
     REQUIRE(a.periodic_cell.has_value() == b.periodic_cell.has_value());
     if (a.periodic_cell)
       REQUIRE(*a.periodic_cell == *b.periodic_cell);
+    REQUIRE(a.material == b.material);
+    REQUIRE(a.material_names == b.material_names);
   }
 } // namespace
 
@@ -47,6 +49,12 @@ TEST_CASE("a packing read back from any format has the same bits", "[postprocess
 
   SECTION("free") {}
   SECTION("periodic") { packing.periodic_cell = Eigen::Vector3d(1.0 / 3, 0.1, 1e3 + 1e-7); }
+  SECTION("of three materials, the first named not the first met, the last of no particle")
+  {
+    for (std::size_t i = 0; i < packing.size(); ++i)
+      packing.material.push_back(i % 3 == 1 ? 0 : 1);
+    packing.material_names = {"mortar", "aggregate-1", "2.5"};
+  }
   write_packing(packing, folder / name);
   const dem::Packing read = read_packing(folder / name);
   require_same_bits(packing, read);
@@ -97,6 +105,30 @@ TEST_CASE("packings written by other programs are understood", "[postprocess]")
   REQUIRE(packing.centre[1] == Eigen::Vector3d(4, 5, 6.25));
   REQUIRE(packing.radius == std::vector<double>{0.5, 0.25});
   REQUIRE_FALSE(packing.periodic_cell.has_value());
+}
+
+TEST_CASE("materials are words in a named column, numbered as they come; without names HDF5 has numbers alone",
+          "[postprocess]")
+{
+  const ScratchFolder folder;
+  const auto          commas = read_packing(folder.file("a.csv", "Material, x, y, z, r\nsand, 0, 0, 0, 1\n"
+                                                                          "paste, 3, 0, 0, 1\nsand, 6, 0, 0, 1\n"));
+  REQUIRE(commas.material == std::vector<std::int32_t>{0, 1, 0});
+  REQUIRE(commas.material_names == std::vector<std::string>{"sand", "paste"});
+  const auto numbered = read_packing(folder.file("b.txt", "x y z r material\n0 0 0 1 7\n3 0 0 1 0\n"));
+  REQUIRE(numbered.material_names == std::vector<std::string>{"7", "0"});
+  REQUIRE(read_packing(folder.file("c.txt", "x y z r matter\n0 0 0 1 7\n3 0 0 1 0\n")).material.empty());
+
+  // Without a column to name the line is prose, whatever it says.
+  REQUIRE(read_packing(folder.file("e.txt", "# materials: (see the report)\n0 0 0 1\n")).material.empty());
+
+  dem::Packing nameless = commas;
+  nameless.material_names.clear();
+  write_packing(nameless, folder / "d.h5");
+  REQUIRE(read_packing(folder / "d.h5").material == nameless.material);
+  REQUIRE(read_packing(folder / "d.h5").material_names.empty());
+  write_packing(nameless, folder / "d.txt");
+  REQUIRE(read_packing(folder / "d.txt").material_names == std::vector<std::string>{"0", "1"});
 }
 
 TEST_CASE("the periodic cell of a text packing is read from its comment", "[postprocess]")

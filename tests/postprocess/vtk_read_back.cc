@@ -81,6 +81,31 @@ TEST_CASE("VTK reads back every value of the particles", "[postprocess]")
     }
 }
 
+TEST_CASE("VTK files of several materials say of what particles and links are", "[postprocess]")
+{
+  const ScratchFolder folder;
+  auto                particles = numbered_particles(50);
+  auto                links     = numbered_links(50);
+  write_vtk_particles(folder / "p.vtp", particles, 0);
+  write_vtk_links(folder / "l.vtp", links, particles, 0);
+  REQUIRE(open(folder / "p.vtp")->GetPointData()->HasArray("material") == 0);
+  REQUIRE(open(folder / "l.vtp")->GetCellData()->HasArray("material_pair") == 0);
+
+  for (int i = 0; i < 50; ++i)
+    particles.material.push_back(i % 3);
+  for (int l = 0; l < 49; ++l)
+    links.law.push_back(l % 6);
+  write_vtk_particles(folder / "p.vtp", particles, 0);
+  write_vtk_links(folder / "l.vtp", links, particles, 0);
+  for (int i = 0; i < 50; ++i)
+    for (const char *name : {"material", "phase"})
+      REQUIRE(open(folder / "p.vtp")->GetPointData()->GetArray(name)->GetTuple1(i) == i % 3);
+  for (int l = 0; l < 49; ++l)
+    REQUIRE(open(folder / "l.vtp")->GetCellData()->GetArray("material_pair")->GetTuple1(l) == l % 6);
+  links.law.pop_back();
+  REQUIRE_THROWS_AS(write_vtk_links(folder / "l.vtp", links, particles, 0), std::invalid_argument);
+}
+
 TEST_CASE("VTK reads back every value of the links", "[postprocess]")
 {
   const ScratchFolder folder;

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "clusters.h"
+#include "dem/laws/cpm_table.h"
+
+/** Specimens of two materials for tests. */
+namespace cluster
+{
+  /** Mortar as the mesoscale specification's default, and aggregate with the factors of its section 10.3 and another friction. */
+  inline dem::CpmMaterials mortar_and_aggregate(const double aggregate_density = 0)
+  {
+    dem::CpmParameters aggregate = concrete();
+    aggregate.normal_modulus *= 2.5;
+    aggregate.limit_elastic_strain *= 2;
+    aggregate.cohesion *= 5;
+    aggregate.friction_coefficient = 1.2;
+    return dem::CpmMaterials({{"mortar", concrete(), 0}, {"aggregate", aggregate, aggregate_density}});
+  }
+
+  /** Every particle's material by lot. */
+  inline dem::Packing mixed(dem::Packing packing, const std::uint64_t seed)
+  {
+    dem::UniformRandom random(seed);
+    for (std::size_t i = 0; i < packing.size(); ++i)
+      packing.material.push_back(random() < 0.5 ? 0 : 1);
+    return packing;
+  }
+} // namespace cluster
