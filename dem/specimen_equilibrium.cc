@@ -40,7 +40,7 @@ namespace dem
         {
           const CpmConstants &law = laws[bonds.law_of(l)];
           const std::int32_t  J = bonds.first[l], K = bonds.second[l];
-          ElasticLink        link;
+          ElasticLink         link;
           link.first                   = p.number[J];
           link.second                  = p.number[K];
           link.branch                  = branch_of(p, bonds, l);
@@ -141,10 +141,10 @@ namespace dem
       double      strain = 0;
       for (std::size_t l = 0; l < bonds.count; ++l)
         {
-          const CpmConstants &law = laws[bonds.law_of(l)];
-          const LinkView view   = link_at(p, bonds, l);
-          const double   normal = view.force.dot(view.direction) / bonds.area[l],
-                       shear    = (view.force / bonds.area[l] - normal * view.direction).norm();
+          const CpmConstants &law    = laws[bonds.law_of(l)];
+          const LinkView      view   = link_at(p, bonds, l);
+          const double        normal = view.force.dot(view.direction) / bonds.area[l],
+                       shear         = (view.force / bonds.area[l] - normal * view.direction).norm();
           if (slid && shear > 0 && shear >= (1 - 1e-9) * (law.cohesion - law.friction * normal))
             ++sliding;
           if (physics.damage && bonds.kappa[l] > law.onset)
@@ -162,8 +162,7 @@ namespace dem
           << " slide, so that it is not elastic.";
       if (damaged > 0)
         why << " The worst joins particles " << p.number[bonds.first[worst]] + 1 << " and "
-            << p.number[bonds.second[worst]] + 1 << ", strained to " << strain
-            << " of the limit elastic strain.";
+            << p.number[bonds.second[worst]] + 1 << ", strained to " << strain << " of the limit elastic strain.";
       why << " Let gravity act in motion instead (Initial equilibrium = none), or lower it.";
       refuse(why.str());
     }
