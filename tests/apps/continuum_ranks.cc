@@ -85,13 +85,15 @@ TEST_CASE("A run on two ranks that is interrupted past the peak goes on to the s
   const ScratchFolder folder;
   folder.file("x.prm", replaced(concrete_beam_scene(), "subsection Output",
                                 "subsection Output\n  set Checkpoint interval = 0.001"));
-  REQUIRE(shell(folder, "RUN -o whole") == 0);
-  shell(folder, "RUN -o results & while kill -0 $! && { [ ! -e results/running/checkpoint.h5 ] || "
-                "[ ! -e results/running/solid/solid_000002.pvtu ]; }; do sleep 0.01; done; kill -INT $!; wait $!");
+  const std::string slowly = " -s 'Control/First step=5e-7'"; // long enough to be caught
+  REQUIRE(shell(folder, "RUN -o whole" + slowly) == 0);
+  shell(folder, "RUN -o results" + slowly +
+                  " & while kill -0 $! && { [ ! -e results/running/checkpoint.h5 ] || "
+                  "[ ! -e results/running/solid/solid_000002.pvtu ]; }; do sleep 0.01; done; kill -INT $!; wait $!");
   INFO(content_of(folder / "said"));
   REQUIRE_FALSE(std::filesystem::exists(folder / "results/summary.json"));
   CHECK_THAT(content_of(folder / "said"), Contains("interrupted, state saved"));
-  const int resumed = shell(folder, "RUN -o results --resume");
+  const int resumed = shell(folder, "RUN -o results --resume" + slowly);
   INFO(content_of(folder / "said"));
   REQUIRE(resumed == 0);
   CHECK(content_of(folder / "results/series.csv") == content_of(folder / "whole/series.csv"));

@@ -16,8 +16,9 @@ set(dem_rooms "")
 # the compiler.
 set(dem_libraries Eigen/ Spectra/ cholmod.h omp.h experimental/simd immintrin.h)
 set(fem_rooms "")
-# Eigen carries the 6-vectors of the material points: the library that dem has too, hence no new dependency
-set(fem_libraries deal.II/ umfpack.h cholmod.h mpi.h Eigen/)
+# Eigen carries the 6-vectors of the material points: the library that dem has too, hence no new dependency. Epetra is what
+# deal.II's own matrices are made of: to gather one on a rank.
+set(fem_libraries deal.II/ umfpack.h cholmod.h mpi.h Eigen/ Epetra_)
 # Adapters and writers speak the types in the interfaces of both sides.
 set(coupling_rooms dem fem)
 set(coupling_libraries deal.II/ mpi.h Eigen/ unsupported/Eigen/)
