@@ -166,6 +166,7 @@ namespace dem
       why << " Let gravity act in motion instead (Initial equilibrium = none), or lower it.";
       refuse(why.str());
     }
+
     [[noreturn]] void refuse_unbalanced(const InitialEquilibrium &found)
     {
       std::ostringstream why;
