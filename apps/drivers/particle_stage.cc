@@ -47,12 +47,13 @@ namespace apps
         result.severity = static_cast<double>(number + 1);
         result.state    = postprocess::read_discrete_state(file);
       }
-      StaticStart     settle() override { return {}; }
-      bool            finished() const override { return true; }
-      void            advance() override {}
-      double          done() const override { return 1; }
-      ParticleOutcome outcome() const override { return result; }
-      void            visit_state(dem::StateVisitor &) override {}
+      const dem::Specimen *body() const override { return nullptr; }
+      StaticStart          settle() override { return {}; }
+      bool                 finished() const override { return true; }
+      void                 advance() override {}
+      double               done() const override { return 1; }
+      ParticleOutcome      outcome() const override { return result; }
+      void                 visit_state(dem::StateVisitor &) override {}
 
     private:
       ParticleOutcome result;
@@ -131,9 +132,10 @@ namespace apps
         // One step more on each leg: the last sample then shows the forces of the strain asked for.
       }
 
-      StaticStart settle() override { return notes.settle(specimen); }
-      bool        finished() const override { return specimen.steps() >= steps_forward + steps_back + 1; }
-      double      done() const override
+      const dem::Specimen *body() const override { return &specimen; }
+      StaticStart          settle() override { return notes.settle(specimen); }
+      bool                 finished() const override { return specimen.steps() >= steps_forward + steps_back + 1; }
+      double               done() const override
       {
         return std::min(1.0,
                         static_cast<double>(specimen.steps()) / static_cast<double>(steps_forward + steps_back + 1));
@@ -199,9 +201,10 @@ namespace apps
       {
       }
 
-      StaticStart settle() override { return notes.settle(specimen); }
-      bool        finished() const override { return test.finished(); }
-      double      done() const override { return std::min(1.0, specimen.time() / parameters.longest); }
+      const dem::Specimen *body() const override { return &specimen; }
+      StaticStart          settle() override { return notes.settle(specimen); }
+      bool                 finished() const override { return test.finished(); }
+      double               done() const override { return std::min(1.0, specimen.time() / parameters.longest); }
 
       void advance() override
       {

@@ -82,6 +82,9 @@ namespace apps
   public:
     virtual ~ParticleCase() = default;
 
+    /** What moves; nullptr where a saved state is taken. */
+    virtual const dem::Specimen *body() const = 0;
+
     /** Before the first step: what advance() would do by itself. @throws dem::InputError if there is no equilibrium. */
     virtual StaticStart     settle()                                = 0;
     virtual bool            finished() const                        = 0;

@@ -135,17 +135,13 @@ namespace apps
 
   std::string SequentialScene::forecast() const
   {
-    std::string        text    = fmt::format("  transfers    {}\n", model.particles.cases());
-    const dem::Packing packing = stage_packing(model.particles);
-    if (packing.size() > 0)
-      {
-        const dem::Specimen body(packing, model.particles.specimen_parameters(), model.particles.material.materials());
-        text += fmt::format("  particles    {}\n  links        {}\n  time step    {:.4g} s\n", body.counts().particles,
-                            body.counts().links, body.time_step());
-        if (model.particles.gravity.asks_for_equilibrium())
-          if (const StaticStart start = make_particle_case(model.particles, packing, 0)->settle())
-            text += fmt::format("  start        {}\n", text_of(*start));
-      }
+    std::string text  = fmt::format("  transfers    {}\n", model.particles.cases());
+    const auto  first = make_particle_case(model.particles, stage_packing(model.particles), 0);
+    if (const dem::Specimen *body = first->body())
+      text += fmt::format("  particles    {}\n  links        {}\n  time step    {:.4g} s\n", body->counts().particles,
+                          body->counts().links, body->time_step());
+    if (const StaticStart start = first->settle())
+      text += fmt::format("  start        {}\n", text_of(*start));
     return text;
   }
 
