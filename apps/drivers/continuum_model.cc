@@ -84,6 +84,8 @@ namespace apps
       return;
     if (smallest() > first() || first() > largest() * (1 + 1e-12))
       s.refuse("First step", "it must lie between the smallest and the largest step.");
+    if (relax && follow != Follow::time)
+      s.refuse("Relax", "goes with Control/Follow = time: path control follows the load down by itself.");
     if (follow != Follow::indirect)
       return;
     for (const char *entry : {"Opening from", "Opening to"})

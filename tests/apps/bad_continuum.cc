@@ -92,6 +92,8 @@ TEST_CASE("Keys, values and formulas of a continuum scene are refused with their
           "a plane model has no displacement along z (Model/Dimension = 2)");
   refused("set First step = 0.5", "set First step = 0.5\n  set Largest step = 0.1",
           "Control/First step = 0.5: it must lie between the smallest and the largest step");
+  refused("set First step = 0.5", "set First step = 0.5\n  set Follow = arc length\n  set Relax = true",
+          "Control/Relax = true: goes with Control/Follow = time");
   refused("set First step = 0.5", "set Follow = indirect\n  set Opening from = ende\n  set Opening to = end",
           "Control/Opening from = ende: there is no such point. Did you mean \"end\"?");
   refused("set Position = 2, 0.5, 0", "set Position = 2, 1.5, 0", "Points/end");
