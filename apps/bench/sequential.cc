@@ -102,6 +102,8 @@ namespace apps
         ContinuationCurve curve = read_continuation(model.study, where);
         curve.offset            = outcome.curve_strain.back();
         row.error               = error_against(curve, all);
+        if (!std::isfinite(row.error))
+          fmt::print(stderr, "{}, {}: ends too soon to be compared.\n", variant.name, outcome.name);
       };
       try
         {
