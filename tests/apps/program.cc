@@ -1,6 +1,7 @@
 #include "tests/apps/program.h"
 
 #include "tests/apps/scratch_folder.h"
+#include "tests/places.h"
 
 #include <fcntl.h>
 #include <sys/prctl.h>
@@ -44,7 +45,7 @@ namespace apps_tests
     : out(transcript(folder, "out"))
     , err(transcript(folder, "err"))
   {
-    std::vector<std::string> words = {BRECCIA_PROGRAM};
+    std::vector<std::string> words = {places::program};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char *> argv;
     for (std::string &word : words)
@@ -66,7 +67,7 @@ namespace apps_tests
         setrlimit(RLIMIT_FSIZE, &limit);
       }
     if (chdir(folder.c_str()) == 0)
-      execv(BRECCIA_PROGRAM, argv.data());
+      execv(places::program.c_str(), argv.data());
     _exit(121);
   }
 

@@ -2,6 +2,7 @@
 #include "postprocess/csv_table.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scratch_folder.h"
+#include "tests/places.h"
 
 #include <catch2/catch.hpp>
 
@@ -12,7 +13,7 @@ TEST_CASE("S5: indirect control follows the snap-back of a bar with one damaging
 {
   const apps_tests::ScratchFolder folder;
   const apps_tests::Outcome       outcome =
-    apps_tests::run(folder.path(), {"run", BRECCIA_SOURCE_DIR "/apps/scenes/snap_back.prm", "-o", "results"});
+    apps_tests::run(folder.path(), {"run", places::sources + "/apps/scenes/snap_back.prm", "-o", "results"});
   INFO(outcome.err);
   REQUIRE(outcome.status == 0);
   const postprocess::CsvTable series = postprocess::read_csv_table(folder / "results/series.csv");

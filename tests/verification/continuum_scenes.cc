@@ -2,6 +2,7 @@
 #include "postprocess/csv_table.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scratch_folder.h"
+#include "tests/places.h"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -27,7 +28,7 @@ namespace
   {
     const ScratchFolder      folder;
     std::vector<std::string> words = {
-      "run", BRECCIA_SOURCE_DIR "/apps/scenes/" + scene + ".prm", "-o", "results", "-s", "Output/Snapshots=0"};
+      "run", places::sources + "/apps/scenes/" + scene + ".prm", "-o", "results", "-s", "Output/Snapshots=0"};
     for (const std::string &change : changes)
       words.insert(words.end(), {"-s", change});
     const Outcome outcome = run(folder.path(), words);

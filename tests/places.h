@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+
+/** Where tests find what they start and read. Known to one source only, so that all others compile alike in any folder. */
+namespace places
+{
+  extern const std::string sources; ///< folder of the sources, for scenes, meshes and reference files
+  extern const std::string program; ///< the program `breccia`; "" where it is not built
+  extern const std::string mpirun;  ///< "" where there is none
+} // namespace places
