@@ -1,0 +1,92 @@
+#!/usr/bin/env bash
+# Runs the commands of README.md and doc/tutorials: every fenced block ```sh in which ./breccia is called, page by page, each page in a
+# folder of its own.
+#
+#   commands_test.sh ROOT PROGRAM SCRATCH [PAGE]...
+#
+# A block after the line <!-- takes long --> is looked at instead of run: `check` in place of `run` and `transfer`, `--help` in place of
+# what a benchmark does. `./breccia test` would run this test again, and is passed over.
+set -euo pipefail
+
+root=$1 program=$2 scratch=$3
+shift 3
+pages=("$@")
+((${#pages[@]})) || pages=("$root/README.md" "$root"/doc/tutorials/*.md)
+
+rm -rf "$scratch"
+mkdir -p "$scratch"
+faults=0
+
+fault()
+{
+  printf 'FAULT %s\n' "$*"
+  faults=$((faults + 1))
+}
+
+# What a page calls ./breccia: the program, or what looks at the same without the time.
+write_stand_in()
+{
+  cat >"$1" <<EOS
+#!/usr/bin/env bash
+set -euo pipefail
+program='$program'
+EOS
+  cat >>"$1" <<'EOS'
+if [[ $1 == test ]]; then
+  exit 0
+elif [[ ${TAKES_LONG:-} == yes && $1 == bench ]]; then
+  exec "$program" "$@" --help
+elif [[ ${TAKES_LONG:-} == yes && ($1 == run || $1 == transfer) ]]; then
+  kept=()
+  shift
+  while (($#)); do
+    case $1 in
+      --resume | --restart | --identify) ;;
+      -o | --output) shift ;;
+      *) kept+=("$1") ;;
+    esac
+    shift
+  done
+  exec "$program" check "${kept[@]}"
+fi
+exec "$program" "$@"
+EOS
+  chmod +x "$1"
+}
+
+# blocks PAGE FOLDER: writes block_NN.sh, first line "# short" or "# long", and stray lines to FOLDER/stray
+blocks()
+{
+  awk -v folder="$2" '
+    /^<!-- takes long -->$/ { long = 1; next }
+    /^```sh$/ && !inside { inside = 1; file = sprintf("%s/block_%02d.sh", folder, ++n); print "# " (long ? "long" : "short") > file; next }
+    /^```/ { inside = 0; long = 0; next }
+    inside { print > file; next }
+    /^ *\.\/breccia / { print FNR ": " $0 > (folder "/stray") }
+    NF { long = 0 }' "$1"
+}
+
+for page in "${pages[@]}"; do
+  folder=$scratch/$(tr / _ <<<"${page#"$root"/}")
+  mkdir -p "$folder"
+  ln -s "$root/apps" "$root/meshes" "$folder/"
+  write_stand_in "$folder/breccia"
+  blocks "$page" "$folder"
+  [[ ! -f $folder/stray ]] || fault "$page: not in a block \`\`\`sh: $(<"$folder/stray")"
+  for block in "$folder"/block_*.sh; do
+    if [[ ! -f $block ]] || ! grep -q '\./breccia' "$block"; then
+      continue
+    fi
+    long=no
+    [[ $(head -n 1 "$block") == '# short' ]] || long=yes
+    started=$SECONDS
+    if (cd "$folder" && TAKES_LONG=$long bash -euo pipefail "$block") >"$block.log" 2>&1; then
+      printf 'ok    %4d s  %s %s\n' $((SECONDS - started)) "$(basename "$page")" "$(grep -m 1 '\./breccia' "$block")"
+    else
+      fault "$page: this block fails:"
+      cat "$block"
+      tail -n 12 "$block.log"
+    fi
+  done
+done
+((faults == 0))
