@@ -52,6 +52,12 @@ foreach(page IN LISTS pages)
   endforeach()
 endforeach()
 
+file(STRINGS "${ROOT}/README.md" lines)
+list(LENGTH lines count)
+if(count GREATER 80)
+  list(APPEND faults "README.md: ${count} lines, more than the 80 that invite")
+endif()
+
 # Comments: pages that they name exist, and nothing refers to papers that are not in the repository.
 file(GLOB_RECURSE sources RELATIVE "${ROOT}" "${ROOT}/apps/*.h" "${ROOT}/apps/*.cc" "${ROOT}/apps/*.prm" "${ROOT}/dem/*.h"
      "${ROOT}/dem/*.cc" "${ROOT}/fem/*.h" "${ROOT}/fem/*.cc" "${ROOT}/coupling/*.h" "${ROOT}/coupling/*.cc"
