@@ -1,10 +1,12 @@
 #include "fem/mesh/gmsh.h"
 
-#include <deal.II/grid/grid_in.h>
-#include <deal.II/grid/tria.h>
+#include "fem/mesh/gmsh_body.h"
 
-#include <fstream>
-#include <sstream>
+#include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/tria.h>
+#include <deal.II/grid/tria_accessor.h>
+#include <deal.II/grid/tria_iterator.h>
+
 #include <stdexcept>
 
 namespace fem
@@ -13,97 +15,105 @@ namespace fem
 
   namespace
   {
-    using GroupNames = std::map<unsigned int, std::string>; // tag -> name
+    using GroupNames = std::map<int, std::string>; // number -> name
 
-    /// Names in the section $PhysicalNames, by dimension.
-    std::map<int, GroupNames> physical_names(const std::string &file)
+    /// Consecutive numbers for the names, from 1 on: those of Gmsh may be anything, and two groups may have one name.
+    std::map<std::string, unsigned int> numbered(const GroupNames &names)
     {
-      std::ifstream in(file);
-      if (!in)
-        throw std::invalid_argument(file + ": cannot be read. Give the path of a Gmsh file (.msh).");
-      std::map<int, GroupNames> names;
-      std::string               line;
-      if (!std::getline(in, line) || line.compare(0, 11, "$MeshFormat") != 0)
-        throw std::invalid_argument(file + ": is not a Gmsh file (it does not start with $MeshFormat).");
-      while (std::getline(in, line))
-        if (line.compare(0, 14, "$PhysicalNames") == 0)
-          {
-            std::getline(in, line);
-            const int count = std::stoi(line);
-            for (int i = 0; i < count && std::getline(in, line); ++i)
-              {
-                std::istringstream words(line);
-                int                dimension;
-                unsigned int       tag;
-                words >> dimension >> tag;
-                const auto open = line.find('"'), close = line.rfind('"');
-                if (!words || open == std::string::npos || close == open)
-                  throw std::invalid_argument(file + ": cannot read the physical name in the line \"" + line + "\".");
-                names[dimension][tag] = line.substr(open + 1, close - open - 1);
-              }
-            break;
-          }
-      return names;
+      std::map<std::string, unsigned int> ids;
+      for (const auto &entry : names)
+        ids.emplace(entry.second, static_cast<unsigned int>(ids.size() + 1));
+      return ids;
     }
 
+    /// Nodes of an element in the order of deal.II: bit d of the place says on which side along axis d.
+    std::vector<unsigned int> vertices_of(const GmshElement &cell)
+    {
+      std::vector<unsigned int> v(cell.nodes.begin(), cell.nodes.begin() + n_nodes_of(cell.shape));
+      if (cell.shape == GmshShape::quadrilateral || cell.shape == GmshShape::hexahedron)
+        std::swap(v[2], v[3]);
+      if (cell.shape == GmshShape::hexahedron)
+        std::swap(v[6], v[7]);
+      return v;
+    }
+
+    template <int dim>
+    void build(Triangulation<dim>                        &serial,
+               const GmshBody                            &body,
+               const GroupNames                          &names,
+               const std::map<std::string, unsigned int> &ids)
+    {
+      std::vector<Point<dim>> points(body.points.size());
+      for (std::size_t i = 0; i < points.size(); ++i)
+        for (unsigned int d = 0; d < dim; ++d)
+          points[i][d] = body.points[i][d];
+      std::vector<CellData<dim>> cells;
+      for (const GmshElement &cell : body.cells)
+        {
+          CellData<dim> data;
+          data.vertices    = vertices_of(cell);
+          data.material_id = ids.at(names.at(cell.group));
+          cells.push_back(data);
+        }
+      const GmshShape shape = body.cells.front().shape;
+      if (shape == GmshShape::quadrilateral || shape == GmshShape::hexahedron)
+        GridTools::consistently_order_cells(cells);
+      serial.create_triangulation(points, cells, SubCellData());
+    }
+
+    template <int dim>
+    void name_surface(Triangulation<dim>                        &serial,
+                      const GmshBody                            &body,
+                      const GroupNames                          &names,
+                      const std::map<std::string, unsigned int> &ids)
+    {
+      for (const auto &cell : serial.active_cell_iterators())
+        for (const unsigned int f : cell->face_indices())
+          {
+            const auto face = cell->face(f);
+            if (!face->at_boundary())
+              continue;
+            std::array<unsigned int, 4> nodes{};
+            for (unsigned int v = 0; v < face->n_vertices(); ++v)
+              nodes[v] = face->vertex_index(v);
+            const auto group = body.groups.find(side_key(nodes, face->n_vertices()));
+            face->set_boundary_id(group == body.groups.end() ? 0 : ids.at(names.at(group->second)));
+          }
+    }
+
+    /// Names in place of the numbers by which a mesh knows its parts; 0 is what has no name.
     template <typename Id>
-    void give_names(std::map<std::string, Id> &groups,
-                    const GroupNames          &names,
-                    const Id                   without,
-                    const std::string         &what,
-                    const std::string         &file)
+    void give_names(std::map<std::string, Id> &parts, const std::map<std::string, unsigned int> &ids)
     {
       std::map<std::string, Id> named;
-      for (const auto &[number, id] : groups)
-        {
-          const auto name = names.find(id);
-          if (name != names.end())
-            named[name->second] = id;
-          else if (id == without)
-            continue;
-          else
-            throw std::invalid_argument(file + ": physical group " + number + " of its " + what +
-                                        " has no name. Name it in Gmsh: Physical ...(\"name\", " + number + ").");
-        }
-      groups = named;
+      for (const auto &[name, id] : ids)
+        if (parts.count(std::to_string(id)) > 0)
+          named[name] = id;
+      parts = named;
     }
   }
 
   template <int dim>
   Mesh<dim> read_gmsh(const std::string &file, const MPI_Comm communicator)
   {
-    auto               names = physical_names(file);
-    Triangulation<dim> serial;
+    GmshFile   content = read_gmsh_file(file, dim);
+    const auto inside = content.groups[dim], surface = content.groups[dim - 1];
+    const auto materials = numbered(inside), boundaries = numbered(surface);
     try
       {
-        GridIn<dim> reader(serial);
-        reader.read_msh(file);
-      }
-    catch (const ExceptionBase &problem)
-      {
-        std::ostringstream text;
-        problem.print_info(text);
-        throw std::invalid_argument(file + ": is not a mesh of dimension " + std::to_string(dim) +
-                                    " that can be read (Gmsh 2.2 or 4.1, text, first order): " + text.str());
-      }
-    Mesh<dim> mesh;
-    try
-      {
-        mesh = distribute_mesh(serial, communicator);
+        const GmshBody     body = body_of(std::move(content), dim);
+        Triangulation<dim> serial;
+        build(serial, body, inside, materials);
+        name_surface(serial, body, surface, boundaries);
+        Mesh<dim> mesh = distribute_mesh(serial, communicator);
+        give_names(mesh.boundaries, boundaries);
+        give_names(mesh.materials, materials);
+        return mesh;
       }
     catch (const std::invalid_argument &problem)
       {
         throw std::invalid_argument(file + ": " + problem.what());
       }
-    for (const auto &entry : mesh.materials)
-      if (names[dim].count(entry.second) == 0)
-        throw std::invalid_argument(
-          file +
-          ": some elements have no named group. Give every element a named physical group: it selects the material.");
-    // Faces without a group have number 0, which Gmsh gives to no group: they are free boundaries without a name.
-    give_names<types::boundary_id>(mesh.boundaries, names[dim - 1], 0, "boundary", file);
-    give_names<types::material_id>(mesh.materials, names[dim], numbers::invalid_material_id, "elements", file);
-    return mesh;
   }
 
   template Mesh<2> read_gmsh(const std::string &, MPI_Comm);

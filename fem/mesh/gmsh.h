@@ -5,11 +5,11 @@
 namespace fem
 {
   /**
-   * Reads a Gmsh file (format 2.2 or 4.1, text); physical groups of dimension dim - 1 become boundary names, those of
-   * dimension dim material names.
+   * Reads a Gmsh file (format 2.2 or 4.1, text, elements of first order); physical groups of dimension dim - 1 become
+   * boundary names, those of dimension dim material names.
    *
-   * Every rank reads the file. @throws std::invalid_argument naming the file and what is wrong with it: missing, no element of
-   * this dimension, elements without a physical group, an unnamed group, mixed shapes, an inverted element, unconnected parts.
+   * Nothing reaches deal.II before it is proved to fit together. Every rank reads the file.
+   * @throws std::invalid_argument naming the file, the line or the element, and what is wrong with it.
    */
   template <int dim>
   Mesh<dim> read_gmsh(const std::string &file, MPI_Comm communicator = MPI_COMM_WORLD);
