@@ -3,6 +3,7 @@
 #include "dem/core/errors.h"
 #include "dem/measures/bulk_volume.h"
 #include "dem/neighbours/particle_pairs.h"
+#include "dem/neighbours/tie.h"
 #include "dem/specimen_implementation.h"
 
 #include <algorithm>
@@ -27,8 +28,9 @@ namespace dem
         refuse("Dimension", p.physics.dimension, "must be 2 or 3.");
       if (!(p.density > 0))
         refuse("Density", p.density, "must be above 0 kg/m^3.");
-      if (!(p.interaction_ratio >= 1))
-        refuse("Interaction ratio", p.interaction_ratio, "must be at least 1. 1.5 is usual for concrete.");
+      if (!(p.interaction_ratio >= 1 && p.interaction_ratio <= 10))
+        refuse("Interaction ratio", p.interaction_ratio,
+               "must be at least 1, and at most 10. 1.5 is usual for concrete.");
       if (!(p.step_factor > 0 && p.step_factor < 1.5))
         refuse("Step factor", p.step_factor, "must be above 0, and below 1 for a stable run.");
       if (!(p.damping >= 0 && p.damping < 1))
@@ -116,7 +118,8 @@ namespace dem
     , particles(make_particles_in_cell(packing, shape, p, materials.several()))
     , equal_radii(std::all_of(
         packing.radius.begin(), packing.radius.end(), [&](const double r) { return r == packing.radius[0]; }))
-    , start_margin(2.0 * *std::min_element(packing.radius.begin(), packing.radius.end()) * (p.interaction_ratio - 1.0))
+    , start_margin(2.0 * *std::min_element(packing.radius.begin(), packing.radius.end()) *
+                   std::max((1 - tie) * p.interaction_ratio - 1.0, 0.0))
     , search(particles, start_margin)
     , bond_pass(select_bond_pass(p.physics, mixture(), shear_damages()))
     , contact_pass(select_contact_pass(p.physics, mixture()))

@@ -1,6 +1,7 @@
 #include "dem/contacts/contact_search.h"
 
 #include "dem/neighbours/particle_pairs.h"
+#include "dem/neighbours/tie.h"
 
 #include <Eigen/LU>
 #include <Eigen/SVD>
@@ -98,7 +99,7 @@ namespace dem
         if (!joined(bonds, pair) && !joined(contacts, pair))
           watched.insert(watched.end(), pair.begin(), pair.end());
       }
-    margin       = list_margin;
+    margin       = list_margin - tie * (largest_diameter + list_margin); // nearer than that, none is left out
     path_of_list = 0;
     ++neighbour_searches;
   }

@@ -1,6 +1,7 @@
 #include "dem/neighbours/cell_list.h"
 
 #include "dem/core/errors.h"
+#include "dem/neighbours/tie.h"
 
 #include <Eigen/Dense>
 
@@ -37,8 +38,10 @@ namespace dem
       bool near(const NeighbourPair &pair, const Eigen::Matrix3d &base) const
       {
         const Eigen::Vector3d shift(pair.shift[0], pair.shift[1], pair.shift[2]);
-        const double          limit  = factor * (radius[pair.first] + radius[pair.second]) + skin;
-        const Eigen::Vector3d branch = centre[pair.second] + base * shift - centre[pair.first];
+        const double          limit  = (1 - tie) * (factor * (radius[pair.first] + radius[pair.second]) + skin);
+        Eigen::Vector3d       branch = base * shift;
+        if (pair.first != pair.second) // a particle is as far from its image wherever it is: no rounding of its place
+          branch += centre[pair.second] - centre[pair.first];
         return branch.squaredNorm() < limit * limit;
       }
     };

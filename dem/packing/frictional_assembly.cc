@@ -5,6 +5,7 @@
 #include "dem/core/vector.h"
 #include "dem/kernels/kinematics.h"
 #include "dem/neighbours/cell_list.h"
+#include "dem/neighbours/tie.h"
 
 #include <algorithm>
 #include <cmath>
@@ -136,7 +137,7 @@ namespace dem
   bool FrictionalAssembly::candidates_are_complete() const
   {
     const double scale = cell_edge / searched_edge;
-    return scale * (diameter + skin - 2 * std::sqrt(largest_drift_2)) > diameter;
+    return scale * ((1 - tie) * (diameter + skin) - 2 * std::sqrt(largest_drift_2)) > diameter;
   }
 
   void FrictionalAssembly::find_candidates()
