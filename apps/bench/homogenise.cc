@@ -210,7 +210,7 @@ namespace apps
               row.links      = network.links.size();
               young.push_back(dem::isotropy_measures(stiffness, 3).mean.young);
             }
-          const SampleFigure sample = sample_figure(young);
+          const SampleFigure sample = *sample_figure(young); // never empty
           row.error                 = sample.deviation / sample.mean;
           announce(row);
           rows.push_back(row);

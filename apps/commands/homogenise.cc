@@ -86,7 +86,7 @@ namespace apps
     CLI::App  &command = *program.add_subcommand(
        "homogenise", "Macroscopic stiffness of a periodic packing: from link statistics, affine bound, and relaxed");
     command.add_option("packing", options->packing, "Periodic packing, text or HDF5")->required()->type_name("PACKING");
-    command.add_option("--interaction-ratio", links.interaction_ratio, "Links up to this times the sum of radii, >= 1")
+    command.add_option("--interaction-ratio", links.interaction_ratio, "Links up to this times the sum of radii, from 1 to 10")
       ->required()
       ->type_name("IOTA");
     command.add_option("--normal-modulus", links.normal_modulus, "Of the link material along the link [Pa]")

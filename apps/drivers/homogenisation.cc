@@ -2,6 +2,7 @@
 
 #include "apps/drivers/specimen_packing.h"
 #include "dem/core/errors.h"
+#include "dem/homogenisation/resisted_strains.h"
 
 #include <fmt/format.h>
 
@@ -37,9 +38,37 @@ namespace apps
                               "Leave the thickness out for spheres.");
     }
 
-    FoundStiffness found(const dem::MacroscopicStiffness &stiffness, const int dimension)
+    /** Constants of a stiffness that resists so many strains. */
+    FoundStiffness found(const dem::MacroscopicStiffness &stiffness, const int resisted, const int dimension)
     {
-      return {stiffness, dem::isotropy_measures(stiffness, dimension).mean};
+      if (resisted < dem::strains_of(dimension))
+        return {stiffness, std::nullopt, resisted};
+      return {stiffness, dem::isotropy_measures(stiffness, dimension).mean, resisted};
+    }
+
+    FoundStiffness found_affine(const dem::ElasticNetwork &network)
+    {
+      const dem::MacroscopicStiffness bound     = dem::affine_stiffness(network);
+      dem::MacroscopicStiffness       stiffness = bound;
+      const int                       resisted  = dem::remove_unresisted(stiffness, bound, network.dimension);
+      return found(stiffness, resisted, network.dimension);
+    }
+
+    /**
+     * A residual squared is the error of a stiffness, and a loose tolerance would pass that error off as the stiffness of a cell that
+     * hardly resists. Whether it resists at all is therefore decided at the usual tolerance.
+     */
+    dem::RelaxedStiffness
+    relax(const dem::ElasticNetwork &network, dem::SolverParameters parameters, const FoundStiffness &affine)
+    {
+      constexpr double      doubtful = 1e-2;
+      const double          usual    = dem::SolverParameters().tolerance;
+      dem::RelaxedStiffness relaxed  = dem::relaxed_stiffness(network, parameters);
+      const bool soft = relaxed.stiffness.diagonal().maxCoeff() < doubtful * affine.stiffness.diagonal().maxCoeff();
+      if (!relaxed.solver.converged || parameters.tolerance <= usual || !soft)
+        return relaxed;
+      parameters.tolerance = usual;
+      return dem::relaxed_stiffness(network, parameters);
     }
   } // namespace
 
@@ -58,10 +87,11 @@ namespace apps
     answer.links      = network.links.size();
     answer.density    = dem::link_statistics(network);
     answer.statistics = {dem::closed_form_stiffness(answer.density, links.normal_modulus, links.shear_ratio),
-                         dem::closed_form(answer.density, links.normal_modulus, links.shear_ratio)};
-    answer.affine     = found(dem::affine_stiffness(network), links.dimension);
+                         dem::closed_form(answer.density, links.normal_modulus, links.shear_ratio),
+                         dem::strains_of(links.dimension)};
+    answer.affine     = found_affine(network);
 
-    const dem::RelaxedStiffness relaxed = dem::relaxed_stiffness(network, question.solver);
+    const dem::RelaxedStiffness relaxed = relax(network, question.solver, answer.affine);
     answer.solver                       = relaxed.solver;
     if (!relaxed.solver.converged)
       throw dem::NumericalError(fmt::format(
@@ -69,9 +99,10 @@ namespace apps
         "interaction ratio, or choose the direct solver.",
         relaxed.solver.residual, relaxed.solver.iterations, question.solver.tolerance,
         dem::describe(relaxed.solver.mechanisms)));
-    answer.relaxed  = found(relaxed.stiffness, links.dimension);
-    answer.isotropy = dem::isotropy_measures(relaxed.stiffness, links.dimension);
-    answer.seconds  = std::chrono::duration<double>(Clock::now() - start).count();
+    answer.relaxed = found(relaxed.stiffness, relaxed.resisted, links.dimension);
+    if (answer.relaxed.constants)
+      answer.isotropy = dem::isotropy_measures(relaxed.stiffness, links.dimension);
+    answer.seconds = std::chrono::duration<double>(Clock::now() - start).count();
     return answer;
   }
 

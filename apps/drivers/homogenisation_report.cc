@@ -1,5 +1,7 @@
 #include "apps/drivers/homogenisation_report.h"
 
+#include "dem/homogenisation/resisted_strains.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -35,18 +37,46 @@ namespace apps
       return rows;
     }
 
-    std::vector<double>
-    collect(const std::vector<HomogenisationAnswer> &answers, const Way &way, double dem::ElasticConstants::*figure)
+    /** What a cell without moduli does resist, in one sentence; "" if it has them. */
+    std::string shortcoming(const HomogenisationAnswer &answer)
     {
-      std::vector<double> values;
-      for (const HomogenisationAnswer &a : answers)
-        values.push_back((a.*way.found).constants.*figure);
-      return values;
+      const int all = dem::strains_of(answer.dimension), resisted = answer.relaxed.resisted;
+      if (resisted == all)
+        return "";
+      return fmt::format("The cell has no {}: in equilibrium it resists {} of the {} independent strains, and has no "
+                         "moduli. Raise the interaction ratio, or take a denser packing.",
+                         resisted == 0 ? "stiffness" : "stiffness in some directions",
+                         resisted == 0 ? "none" : std::to_string(resisted), all);
+    }
+
+    /** A row of the table: numbers, or that there are none. */
+    std::string row_of(const HomogenisationAnswer &answer, const Way &way)
+    {
+      const std::optional<dem::ElasticConstants> &c       = (answer.*way.found).constants,
+                                                 &relaxed = answer.relaxed.constants;
+      if (!c)
+        return fmt::format("  {:<12} {:>12} {:>10} {:>12}  {}\n", way.name, "none", "none", "", way.meaning);
+      const std::string over = relaxed ? fmt::format("{:+.2f}%", 100 * (c->young / relaxed->young - 1)) : "";
+      return fmt::format("  {:<12} {:>12.5f} {:>10.5f} {:>12}  {}\n", way.name, 1e-9 * c->young, c->poisson, over,
+                         way.meaning);
     }
   } // namespace
 
-  SampleFigure sample_figure(const std::vector<double> &values)
+  std::vector<double> constants_of(const std::vector<HomogenisationAnswer> &answers,
+                                   FoundStiffness HomogenisationAnswer::*way,
+                                   double dem::ElasticConstants::*figure)
   {
+    std::vector<double> values;
+    for (const HomogenisationAnswer &a : answers)
+      if ((a.*way).constants)
+        values.push_back(*(a.*way).constants.*figure);
+    return values;
+  }
+
+  std::optional<SampleFigure> sample_figure(const std::vector<double> &values)
+  {
+    if (values.empty())
+      return std::nullopt;
     SampleFigure figure;
     const auto   n = static_cast<double>(values.size());
     figure.mean    = std::accumulate(values.begin(), values.end(), 0.0) / n;
@@ -65,16 +95,14 @@ namespace apps
     text += fmt::format("\n  {:<12} {:>12} {:>10} {:>12}\n", "", answer.dimension == 3 ? "E [GPa]" : "E2 [GPa]",
                         answer.dimension == 3 ? "nu" : "nu2", "over relaxed");
     for (const Way &way : ways)
-      {
-        const dem::ElasticConstants &c = (answer.*way.found).constants;
-        text += fmt::format("  {:<12} {:>12.5f} {:>10.5f} {:>+11.2f}%  {}\n", way.name, 1e-9 * c.young, c.poisson,
-                            100 * (c.young / answer.relaxed.constants.young - 1), way.meaning);
-      }
-    const dem::IsotropyMeasures &m = answer.isotropy;
-    text +=
-      fmt::format("\n  isotropy of the relaxed stiffness: E within {:.3g} %, nu within {:.3g}, G within {:.3g} %, "
-                  "entries that should vanish {:.3g} % of E\n",
-                  100 * m.young_spread, m.poisson_spread, 100 * m.shear_spread, 100 * m.off);
+      text += row_of(answer, way);
+    if (const auto &m = answer.isotropy)
+      text +=
+        fmt::format("\n  isotropy of the relaxed stiffness: E within {:.3g} %, nu within {:.3g}, G within {:.3g} %, "
+                    "entries that should vanish {:.3g} % of E\n",
+                    100 * m->young_spread, m->poisson_spread, 100 * m->shear_spread, 100 * m->off);
+    else
+      text += "\n  " + shortcoming(answer) + "\n";
     text += "  solved " + answer.solver.text() + fmt::format(", {:.3g} s in all\n", answer.seconds);
     if (!answer.solver.mechanisms.empty())
       text += "  " + dem::describe(answer.solver.mechanisms) + " They carry no force.\n";
@@ -88,10 +116,15 @@ namespace apps
     std::string text = fmt::format("\n  over {} packings, mean and standard deviation\n", answers.size());
     for (const Way &way : ways)
       {
-        const SampleFigure E  = sample_figure(collect(answers, way, &dem::ElasticConstants::young));
-        const SampleFigure nu = sample_figure(collect(answers, way, &dem::ElasticConstants::poisson));
-        text += fmt::format("  {:<12} E = {:.5f} +- {:.5f} GPa   nu = {:.5f} +- {:.5f}\n", way.name, 1e-9 * E.mean,
-                            1e-9 * E.deviation, nu.mean, nu.deviation);
+        const std::vector<double> found = constants_of(answers, way.found, &dem::ElasticConstants::young);
+        const auto                E     = sample_figure(found);
+        const auto                nu = sample_figure(constants_of(answers, way.found, &dem::ElasticConstants::poisson));
+        text += E ? fmt::format("  {:<12} E = {:.5f} +- {:.5f} GPa   nu = {:.5f} +- {:.5f}", way.name, 1e-9 * E->mean,
+                                1e-9 * E->deviation, nu->mean, nu->deviation) :
+                    fmt::format("  {:<12} none", way.name);
+        if (found.size() < answers.size())
+          text += fmt::format("   {} of them without moduli", answers.size() - found.size());
+        text += '\n';
       }
     return text;
   }
@@ -102,10 +135,15 @@ namespace apps
     for (const Way &way : ways)
       {
         const FoundStiffness &f = answer.*way.found;
-        json[way.name] = {{"E", f.constants.young}, {"nu", f.constants.poisson}, {"stiffness", matrix(f.stiffness)}};
+        json[way.name]          = {{"E", nullptr}, {"nu", nullptr}, {"stiffness", matrix(f.stiffness)}};
+        if (f.constants)
+          json[way.name].update({{"E", f.constants->young}, {"nu", f.constants->poisson}});
+        json[way.name]["resisted_strains"] = f.resisted;
       }
-    const dem::IsotropyMeasures &m = answer.isotropy;
-    json["isotropy"]        = {{"E", m.young_spread}, {"nu", m.poisson_spread}, {"G", m.shear_spread}, {"off", m.off}};
+    json["isotropy"] = nullptr;
+    if (const auto &m = answer.isotropy)
+      json["isotropy"] = {{"E", m->young_spread}, {"nu", m->poisson_spread}, {"G", m->shear_spread}, {"off", m->off}};
+    json["without_moduli"]  = shortcoming(answer);
     json["dimension"]       = answer.dimension;
     json["sum_LA_over_3V"]  = answer.density.density();
     json["particles"]       = answer.particles;
@@ -131,9 +169,11 @@ namespace apps
       for (const auto &[name, figure] :
            {std::pair{"E", &dem::ElasticConstants::young}, std::pair{"nu", &dem::ElasticConstants::poisson}})
         {
-          const std::vector<double> values = collect(answers, way, figure);
-          const SampleFigure        sample = sample_figure(values);
-          json[way.name][name] = {{"mean", sample.mean}, {"deviation", sample.deviation}, {"values", values}};
+          const std::vector<double> values = constants_of(answers, way.found, figure);
+          const auto                sample = sample_figure(values);
+          json[way.name][name]             = {{"mean", sample ? nlohmann::json(sample->mean) : nlohmann::json()},
+                                              {"deviation", sample ? nlohmann::json(sample->deviation) : nlohmann::json()},
+                                              {"values", values}};
         }
     return json;
   }

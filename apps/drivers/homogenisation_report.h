@@ -4,6 +4,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,13 @@ namespace apps
   {
     double mean = 0, deviation = 0; ///< deviation: 0 for a sample of one
   };
-  SampleFigure sample_figure(const std::vector<double> &values);
+  /** @return nothing for an empty sample */
+  std::optional<SampleFigure> sample_figure(const std::vector<double> &values);
+
+  /** One constant as found in one way, of those answers that have it. */
+  std::vector<double> constants_of(const std::vector<HomogenisationAnswer> &answers,
+                                   FoundStiffness HomogenisationAnswer::*way,
+                                   double dem::ElasticConstants::*figure);
 
   /** The table for the terminal: three ways side by side, isotropy, solver. */
   std::string table_of(const HomogenisationAnswer &answer, const HomogenisationQuestion &question);

@@ -15,22 +15,23 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <limits>
-
 namespace apps
 {
   namespace
   {
     constexpr const char *section_name = "Homogenisation";
 
-    /** Numbers between commas; empty if a part is none, or not within the bound. */
-    std::vector<double> numbers_in(const std::string &text, const double at_least)
+    constexpr Range interaction_range = {1, 10, false};
+    constexpr Range shear_range       = {1e-12, 1e12, false};
+
+    /** Numbers between commas; empty if a part is none, or not within the range. */
+    std::vector<double> numbers_in(const std::string &text, const Range &range)
     {
       std::vector<double> numbers;
       for (const std::string &part : comma_separated(text))
         {
           const auto number = number_in(part);
-          if (!number || !(*number >= at_least))
+          if (!number || !range.contains(*number))
             return {};
           numbers.push_back(*number);
         }
@@ -43,12 +44,11 @@ namespace apps
       double                            interaction_ratio, shear_ratio;
       std::vector<HomogenisationAnswer> answers;
 
-      SampleFigure figure(FoundStiffness HomogenisationAnswer::*way, double dem::ElasticConstants::*constant) const
+      /** Nothing where no packing has the constant. */
+      std::optional<SampleFigure> figure(FoundStiffness HomogenisationAnswer::*way,
+                                         double dem::ElasticConstants::*constant) const
       {
-        std::vector<double> values;
-        for (const HomogenisationAnswer &a : answers)
-          values.push_back((a.*way).constants.*constant);
-        return sample_figure(values);
+        return sample_figure(constants_of(answers, way, constant));
       }
     };
 
@@ -72,9 +72,10 @@ namespace apps
           text += fmt::format("{},{}", p.interaction_ratio, p.shear_ratio);
           for (const Way &way : ways)
             {
-              const SampleFigure E  = p.figure(way.found, &dem::ElasticConstants::young);
-              const SampleFigure nu = p.figure(way.found, &dem::ElasticConstants::poisson);
-              text += fmt::format(",{},{},{},{}", E.mean, E.deviation, nu.mean, nu.deviation);
+              const auto E  = p.figure(way.found, &dem::ElasticConstants::young);
+              const auto nu = p.figure(way.found, &dem::ElasticConstants::poisson);
+              text += E ? fmt::format(",{},{},{},{}", E->mean, E->deviation, nu->mean, nu->deviation) :
+                          ",none,none,none,none"; // cells without moduli
             }
           text += '\n';
         }
@@ -109,18 +110,22 @@ namespace apps
               nu      = E;
               for (std::size_t i = first; i < next; ++i)
                 {
-                  const SampleFigure e = points[i].figure(way.found, &dem::ElasticConstants::young);
-                  const SampleFigure n = points[i].figure(way.found, &dem::ElasticConstants::poisson);
+                  const auto e = points[i].figure(way.found, &dem::ElasticConstants::young);
+                  const auto n = points[i].figure(way.found, &dem::ElasticConstants::poisson);
+                  if (!e || !n)
+                    continue; // a cell without moduli
                   E.x.push_back(points[i].shear_ratio);
-                  E.y.push_back(e.mean / normal_modulus);
+                  E.y.push_back(e->mean / normal_modulus);
                   nu.x.push_back(points[i].shear_ratio);
-                  nu.y.push_back(n.mean);
+                  nu.y.push_back(n->mean);
                   if (E.style == postprocess::PlotSeries::Style::points)
                     {
-                      E.y_error.push_back(e.deviation / normal_modulus);
-                      nu.y_error.push_back(n.deviation);
+                      E.y_error.push_back(e->deviation / normal_modulus);
+                      nu.y_error.push_back(n->deviation);
                     }
                 }
+              if (E.x.empty())
+                continue;
               young.series.push_back(E);
               poisson.series.push_back(nu);
             }
@@ -148,7 +153,7 @@ namespace apps
     s.number("Friction coefficient", friction, "-", Range::at_least(0), Need::optional)
       .means("During compaction; 1 leaves a packing fraction of 0.55, 0.1 of 0.61");
     s.number("Normal modulus", normal_modulus, "Pa", Range::positive(), Need::required).means("E of the link material");
-    s.text("Interaction ratios", interaction_ratios, Need::required).means("Numbers not below 1, separated by commas");
+    s.text("Interaction ratios", interaction_ratios, Need::required).means("Numbers from 1 to 10, separated by commas");
     s.text("Shear ratios", shear_ratios, Need::required)
       .means("G/E of the link material, numbers above 0, separated by commas");
     s.number("Thickness", thickness, "m", Range::at_least(0), Need::optional)
@@ -160,10 +165,10 @@ namespace apps
   void HomogenisationScene::validate(const Section &root) const
   {
     const Section &s = *root.find_section(section_name);
-    if (numbers_in(interaction_ratios, 1.0).empty())
-      s.refuse("Interaction ratios", "expected numbers not below 1, separated by commas, e.g. 1.05, 1.25, 1.5.");
-    if (numbers_in(shear_ratios, std::numeric_limits<double>::min()).empty())
-      s.refuse("Shear ratios", "expected numbers above 0, separated by commas, e.g. 0.1, 0.2, 1.");
+    if (numbers_in(interaction_ratios, interaction_range).empty())
+      s.refuse("Interaction ratios", "expected numbers from 1 to 10, separated by commas, e.g. 1.05, 1.25, 1.5.");
+    if (numbers_in(shear_ratios, shear_range).empty())
+      s.refuse("Shear ratios", "expected numbers above 0, from 1e-12 to 1e12, separated by commas, e.g. 0.1, 0.2, 1.");
     if (thickness > 0 && source == SpecimenSection::Source::generator)
       s.refuse("Thickness", "packings of discs are not made here. Take one from a file.");
   }
@@ -188,7 +193,7 @@ namespace apps
   std::string HomogenisationScene::forecast() const
   {
     const std::size_t cases =
-      numbers_in(interaction_ratios, 1.0).size() * numbers_in(shear_ratios, std::numeric_limits<double>::min()).size();
+      numbers_in(interaction_ratios, interaction_range).size() * numbers_in(shear_ratios, shear_range).size();
     const std::size_t count = source == SpecimenSection::Source::generator ? static_cast<std::size_t>(seeds) : 1;
     return fmt::format("  packings     {}\n  solutions    {}, of six load cases each\n", count, count * cases);
   }
@@ -203,8 +208,8 @@ namespace apps
     nlohmann::json                  json;
     json["made_by"] = "breccia " + version();
     json["cases"]   = nlohmann::json::array();
-    for (const double iota : numbers_in(interaction_ratios, 1.0))
-      for (const double ratio : numbers_in(shear_ratios, std::numeric_limits<double>::min()))
+    for (const double iota : numbers_in(interaction_ratios, interaction_range))
+      for (const double ratio : numbers_in(shear_ratios, shear_range))
         {
           if (interrupted())
             return exit_interrupted;

@@ -1,5 +1,7 @@
 #include "dem/homogenisation/relaxed_stiffness.h"
 
+#include "dem/homogenisation/resisted_strains.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -47,6 +49,7 @@ namespace dem
     RelaxedStiffness        relaxed;
     relaxed.solver    = solve_linear(stiffness, {}, x, strain, true, parameters);
     relaxed.stiffness = stiffness.energy_product(x, strain) / network.volume;
+    relaxed.resisted  = remove_unresisted(relaxed.stiffness, affine_stiffness(network), network.dimension);
     relaxed.motion    = motions_of(stiffness, x);
     return relaxed;
   }

@@ -10,7 +10,8 @@ namespace dem
   /** Stiffness of the cell as it is: particles at rest in equilibrium under each macroscopic strain. */
   struct RelaxedStiffness
   {
-    MacroscopicStiffness stiffness; ///< [Pa]
+    MacroscopicStiffness stiffness;    ///< [Pa]; exactly zero in strains that the cell does not resist
+    int                  resisted = 0; ///< how many independent strains it does resist, see strains_of()
     SolverReport         solver;
 
     /**

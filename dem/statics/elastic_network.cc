@@ -24,8 +24,8 @@ namespace dem
     void check(const NetworkParameters &p)
     {
       require(p.dimension == 2 || p.dimension == 3, "Dimension", p.dimension, "must be 2 or 3.");
-      require(p.interaction_ratio >= 1 && std::isfinite(p.interaction_ratio), "Interaction ratio", p.interaction_ratio,
-              "must be a number not below 1, the ratio at which touching particles link.");
+      require(p.interaction_ratio >= 1 && p.interaction_ratio <= 10, "Interaction ratio", p.interaction_ratio,
+              "must be from 1, the ratio at which touching particles link, to 10.");
       require(p.normal_modulus > 0 && std::isfinite(p.normal_modulus), "Normal modulus", p.normal_modulus,
               "must be above 0 Pa.");
       require(p.shear_ratio > 0 && std::isfinite(p.shear_ratio), "Shear ratio", p.shear_ratio,
