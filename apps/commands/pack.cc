@@ -33,11 +33,12 @@ namespace apps
       for (std::size_t i = 0; valid && i < 3; ++i)
         {
           const auto edge                     = number_in(parts[i]);
-          valid                               = edge && *edge > 0;
+          valid                               = edge && *edge >= 1e-12 && *edge <= 1e9;
           edges[static_cast<Eigen::Index>(i)] = edge.value_or(0);
         }
       if (!valid)
-        throw dem::InputError("command line: --box " + text + ": expected three edges \"lx,ly,lz\", each > 0 [m].");
+        throw dem::InputError("command line: --box " + text +
+                              ": expected three edges \"lx,ly,lz\", each from 1e-12 to 1e9 m.");
       return edges;
     }
 
@@ -107,8 +108,12 @@ namespace apps
       return fmt::format("{}; default: {}", meaning, value);
     };
     command.add_option("--radius", make.radius, "Of every sphere [m]")->type_name("R");
-    command.add_option("--count", make.count, with_default("Spheres in the periodic cell", make.count))->type_name("N");
-    command.add_option("--seed", make.seed, with_default("Another seed, another packing", make.seed))->type_name("N");
+    command.add_option("--count", make.count, with_default("Spheres in the periodic cell", make.count))
+      ->type_name("N")
+      ->check(CLI::Range(1.0, 1e8));
+    command.add_option("--seed", make.seed, with_default("Another seed, another packing", make.seed))
+      ->type_name("N")
+      ->check(CLI::Range(0.0, 9007199254740992.0)); // as in a scene
     command
       .add_option("--friction", make.friction,
                   with_default("During compaction; 0 gives a packing fraction of 0.65, 1 0.55", make.friction))

@@ -35,22 +35,33 @@ namespace dem
       throw InputError(message.str());
     }
 
+    /** Beyond these there is nothing, and squares of what lies within can be computed. */
+    constexpr double largest_length = 1e9, smallest_length = 1e-12; ///< [m]
+    constexpr double largest_stress = 1e15;                         ///< [Pa]
+
+    bool within(const double value, const double limit) { return std::isfinite(value) && std::abs(value) <= limit; }
+
     void check_particle(const DiscreteState &state, const std::size_t i, const std::string &origin)
     {
       for (int c = 0; c < 3; ++c)
         {
-          if (!std::isfinite(state.reference[i][c]))
-            refuse(origin, "particle", i, "its reference place must be finite numbers", state.reference[i][c]);
-          if (!std::isfinite(state.position[i][c]))
-            refuse(origin, "particle", i, "its place must be finite numbers", state.position[i][c]);
+          if (!within(state.reference[i][c], largest_length))
+            refuse(origin, "particle", i, "its reference place must be finite numbers up to 1e9 m",
+                   state.reference[i][c]);
+          if (!within(state.position[i][c], largest_length))
+            refuse(origin, "particle", i, "its place must be finite numbers up to 1e9 m", state.position[i][c]);
           for (int d = 0; d < 3; ++d)
-            if (!std::isfinite(state.stress[i](c, d)))
-              refuse(origin, "particle", i, "its stress must be finite numbers", state.stress[i](c, d));
+            if (!within(state.stress[i](c, d), largest_stress))
+              refuse(origin, "particle", i, "its stress must be finite numbers up to 1e15 Pa", state.stress[i](c, d));
         }
-      if (!std::isfinite(state.radius[i]) || state.radius[i] <= 0)
-        refuse(origin, "particle", i, "its radius must be a finite number above zero [m]", state.radius[i]);
-      if (!std::isfinite(state.volume[i]) || state.volume[i] <= 0)
-        refuse(origin, "particle", i, "its volume must be a finite number above zero [m^3]", state.volume[i]);
+      if (!within(state.radius[i], largest_length) || state.radius[i] < smallest_length)
+        refuse(origin, "particle", i, "its radius must be a finite number above zero, from 1e-12 to 1e9 m",
+               state.radius[i]);
+      if (!within(state.volume[i], std::pow(largest_length, 3)) || state.volume[i] < std::pow(smallest_length, 3))
+        refuse(origin, "particle", i, "its volume must be a finite number above zero, from 1e-36 to 1e27 m^3",
+               state.volume[i]);
+      if (state.held[i] != 0 && state.held[i] != 1)
+        refuse(origin, "particle", i, "its mark of being held must be 0 or 1", state.held[i]);
     }
 
     void check_link(const DiscreteState &state, const std::size_t l, const std::string &origin)
@@ -61,6 +72,9 @@ namespace dem
         refuse(origin, "link", l, "its direction must have length 1", link.direction.norm());
       if (!(link.damage >= 0 && link.damage <= 1))
         refuse(origin, "link", l, "its strength damage must lie between 0 and 1", link.damage);
+      for (int c = 0; c < 3; ++c)
+        if (!within(state.damage.contact[l][c], largest_length))
+          refuse(origin, "link", l, "its contact point must be finite numbers up to 1e9 m", state.damage.contact[l][c]);
       for (const std::size_t end : state.damage.ends[l])
         if (end >= state.size())
           refuse(origin, "link", l, "its ends must be particle numbers from 0", static_cast<double>(end));
@@ -85,6 +99,9 @@ namespace dem
     require("stress", state.stress.size(), n);
     require("held", state.held.size(), n);
     require("link direction", state.damage.links.size(), state.damage.ends.size());
+    require("link contact", state.damage.contact.size(), state.damage.ends.size());
+    if (!within(state.time, 1e15))
+      throw InputError(origin + ": time = " + std::to_string(state.time) + ": must be a finite number [s].");
     for (std::size_t i = 0; i < n; ++i)
       check_particle(state, i, origin);
     for (std::size_t l = 0; l < state.damage.ends.size(); ++l)

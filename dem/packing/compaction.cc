@@ -41,7 +41,7 @@ namespace dem
     {
       constexpr double largest = std::numeric_limits<double>::max(), above_zero = std::numeric_limits<double>::min();
       const double     below_one = std::nextafter(1.0, 0.0);
-      require("radius", p.radius, above_zero, largest, "a finite length above zero [m]");
+      require("radius", p.radius, 1e-12, 1e9, "a length from 1e-12 to 1e9 m");
       require("count", static_cast<double>(p.count), 1, 1e8, "from 1 to 1e8 spheres");
       require("friction", p.friction, 0, largest, "finite and not negative");
       require("damping", p.damping, 0, below_one, "at least 0 and below 1");

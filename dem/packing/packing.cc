@@ -27,6 +27,26 @@ namespace dem
     /** Volumes, and squares of distances, of what lies within these can be computed [m]. */
     constexpr double smallest_length = 1e-100, largest_length = 1e100;
 
+    /** Further out, in radii, the rounding of a place is no longer small against the strains of a link. */
+    constexpr double farthest = 1e9;
+    /** Of a centre, in periodic cells; neighbours are then no more than 127 cells apart, which is what a shift can hold. */
+    constexpr double farthest_cell = 60;
+
+    void check_place(const Packing &packing, const std::size_t i, const std::string &origin)
+    {
+      const Eigen::Vector3d &x = packing.centre[i];
+      if (x.cwiseAbs().maxCoeff() > farthest * packing.radius[i])
+        refuse(origin, i,
+               "centre = " + place(x) +
+                 ": more than 1e9 radii from the origin, too far to tell places there apart. Move the packing "
+                 "to the origin, or check the units: metres.");
+      for (int d = 0; d < 3 && packing.periodic_cell; ++d)
+        if (std::abs(x[d]) > farthest_cell * (*packing.periodic_cell)[d])
+          refuse(origin, i,
+                 "centre = " + place(x) +
+                   ": more than 60 periodic cells from the origin. Bring it back into the cell.");
+    }
+
     void check_particle(const Packing &packing, const std::size_t i, const std::string &origin)
     {
       for (int d = 0; d < 3; ++d)
@@ -36,7 +56,7 @@ namespace dem
           refuse(origin, i, "centre = " + place(packing.centre[i]) + ": must lie within 1e100 m of the origin.");
       const double radius = packing.radius[i];
       if (radius >= smallest_length && radius <= largest_length)
-        return;
+        return check_place(packing, i, origin);
       std::ostringstream found;
       found << "radius = " << radius << ": must be a finite number above zero, from 1e-100 to 1e100 m.";
       refuse(origin, i, found.str());

@@ -63,7 +63,22 @@ TEST_CASE("what no specimen can be made of is refused by file and particle", "[d
     REQUIRE_THROWS_WITH(refusal(), Contains("a.txt: particle 1: centre = (-1e+308, 0, 0)") && Contains("1e100 m"));
     packing.centre[0][0] = -1e100;
     packing.centre[1][0] = 1e100;
+    REQUIRE_THROWS_WITH(refusal(), Contains("a.txt: particle 1: ") && Contains("more than 1e9 radii from the origin"));
+  }
+  SECTION("a centre so far out that the digits of its place do not tell it from its neighbours")
+  {
+    packing.centre[1][0] = 1.9e6;
     REQUIRE_NOTHROW(refusal());
+    packing.centre[1][0] = 2.1e6;
+    REQUIRE_THROWS_WITH(refusal(), Contains("a.txt: particle 2: ") && Contains("more than 1e9 radii from the origin"));
+  }
+  SECTION("a centre many periodic cells away")
+  {
+    packing.periodic_cell = Eigen::Vector3d(0.01, 0.01, 0.01);
+    packing.centre[1][2]  = -0.59;
+    REQUIRE_NOTHROW(refusal());
+    packing.centre[1][2] = -0.61;
+    REQUIRE_THROWS_WITH(refusal(), Contains("a.txt: particle 2: ") && Contains("more than 60 periodic cells"));
   }
   SECTION("radii whose volume is not a number or vanishes")
   {

@@ -85,6 +85,18 @@ TEST_CASE("a discrete state that cannot be is refused with file, item and reason
   state                 = sample();
   state.stress[0](0, 0) = std::numeric_limits<double>::quiet_NaN();
   CHECK_THAT(refusal(state), Contains("particle 1: its stress must be finite"));
+  state                 = sample();
+  state.stress[2](1, 1) = 1e300;
+  CHECK_THAT(refusal(state), Contains("particle 3: its stress must be finite numbers up to 1e15 Pa, found 1e+300"));
+  state                      = sample();
+  state.damage.contact[1][2] = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THAT(refusal(state), Contains("link 2: its contact point must be finite"));
+  state      = sample();
+  state.time = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THAT(refusal(state), Contains("time = nan: must be a finite number"));
+  state         = sample();
+  state.held[1] = 5;
+  CHECK_THAT(refusal(state), Contains("particle 2: its mark of being held must be 0 or 1, found 5"));
   {
     postprocess::hdf5::OutputFile file(folder / "other.h5");
     file.write_text("format", "breccia packing");
