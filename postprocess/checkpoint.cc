@@ -1,6 +1,8 @@
 #include "postprocess/checkpoint.h"
 
 #include "dem/core/errors.h"
+#include "postprocess/companions.h"
+#include "postprocess/fingerprint.h"
 #include "postprocess/hdf5_file.h"
 #include "postprocess/numeric_text.h"
 
@@ -29,19 +31,54 @@ namespace postprocess
           return "then " + quoted(more_a, a) + ", now " + quoted(more_b, b);
         }
     }
+    /** Of one item; those of all items are added up, so that their order does not matter. */
+    std::uint64_t fingerprint_of(const std::string &name, const std::string_view bytes)
+    {
+      return Fingerprint().add(name).add("=").add(bytes).value();
+    }
+
+    /** As stored: numbers of eight or four bytes, the least significant first. */
+    template <typename Value>
+    std::string_view bytes_of(const Value *values, const std::size_t count)
+    {
+      return {reinterpret_cast<const char *>(values), count * sizeof(Value)};
+    }
+
+    /** The list of the checkpoint that is about to be replaced; "" if it has none that can be read. */
+    std::string companions_in(const std::filesystem::path &path)
+    {
+      try
+        {
+          return std::filesystem::exists(path) ? hdf5::InputFile(path).read_text("companions") : "";
+        }
+      catch (const dem::InputError &)
+        {
+          return "";
+        }
+    }
   } // namespace
 
   // --- Writing ---
 
   struct CheckpointWriter::Implementation
   {
-    explicit Implementation(const std::filesystem::path &path)
-      : file(path)
+    explicit Implementation(const std::filesystem::path &path_)
+      : path(path_)
+      , file(path_)
     {
     }
 
-    hdf5::OutputFile file;
-    std::string      prefix = "state/";
+    template <typename Value>
+    void write(const std::string &name, const Value *values, const std::size_t count, const hdf5::Shape &shape)
+    {
+      file.write(prefix + name, values, shape);
+      fingerprint += fingerprint_of(prefix + name, bytes_of(values, count));
+    }
+
+    std::filesystem::path path;
+    hdf5::OutputFile      file;
+    std::string           prefix      = "state/";
+    std::uint64_t         fingerprint = 0;
   };
 
   CheckpointWriter::CheckpointWriter(const std::filesystem::path &path, const std::string &scene)
@@ -58,25 +95,25 @@ namespace postprocess
 
   void CheckpointWriter::column(const std::string &name, dem::Column &values)
   {
-    self->file.write(self->prefix + name, values.data(), {values.size()});
+    self->write(name, values.data(), values.size(), {values.size()});
   }
 
   void CheckpointWriter::column(const std::string &name, std::vector<std::int32_t> &values)
   {
-    self->file.write(self->prefix + name, values.data(), {values.size()});
+    self->write(name, values.data(), values.size(), {values.size()});
   }
 
-  void CheckpointWriter::scalar(const std::string &name, double &value)
+  void CheckpointWriter::scalar(const std::string &name, double &value) { self->write(name, &value, 1, {}); }
+
+  void CheckpointWriter::scalar(const std::string &name, std::int64_t &value) { self->write(name, &value, 1, {}); }
+
+  void CheckpointWriter::commit()
   {
-    self->file.write(self->prefix + name, &value, {});
+    const auto fingerprint = static_cast<std::int64_t>(self->fingerprint);
+    self->file.write("fingerprint", &fingerprint, {});
+    self->file.write_text("companions", list_companions(self->path, companions_in(self->path)));
+    self->file.commit();
   }
-
-  void CheckpointWriter::scalar(const std::string &name, std::int64_t &value)
-  {
-    self->file.write(self->prefix + name, &value, {});
-  }
-
-  void CheckpointWriter::commit() { self->file.commit(); }
 
   // --- Reading ---
 
@@ -105,6 +142,20 @@ namespace postprocess
     {
       if (const std::string stored = file.read_text("scene"); stored != scene)
         refuse("was made by another scene: " + first_difference(stored, scene) + ".");
+    }
+
+    /** Before anything is used: numbers that nobody wrote could send the program anywhere. */
+    void check_content() const
+    {
+      if (!file.has("fingerprint"))
+        refuse("has no fingerprint of its content: it was made by another version.");
+      std::uint64_t found = 0;
+      for (const std::string &name : file.names("state"))
+        found += fingerprint_of(name, file.bytes(name));
+      std::int64_t expected = 0;
+      file.read("fingerprint", &expected);
+      if (found != static_cast<std::uint64_t>(expected))
+        refuse("is damaged: its content is not what was written.");
     }
 
     template <typename Value>
@@ -138,6 +189,8 @@ namespace postprocess
   {
     self->check_format();
     self->check_scene(scene);
+    self->check_content();
+    check_companions(path, self->file.read_text("companions"));
   }
 
   CheckpointReader::~CheckpointReader() = default;

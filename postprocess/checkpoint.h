@@ -16,7 +16,7 @@ namespace postprocess
    *     writer.group("driver");    driver.visit_state(writer);
    *     writer.commit();
    *
-   * Columns carry a checksum (Fletcher 32). A name may be used once per group.
+   * The state has a fingerprint; the file knows the series and snapshots beside it (companions.h). A name once per group.
    */
   class CheckpointWriter : public dem::StateVisitor
   {
@@ -49,8 +49,8 @@ namespace postprocess
   {
   public:
     /**
-     * @throws dem::InputError if the file is missing, truncated, not a checkpoint, of another format version, or made
-     * by another scene (the message shows the first line that differs).
+     * @throws dem::InputError if the file is missing, damaged, not a checkpoint, of another format version, made by another
+     * scene (with the first line that differs), or a series, snapshot or state beside it has changed or gone since.
      */
     CheckpointReader(const std::filesystem::path &path, const std::string &scene);
     ~CheckpointReader() override;

@@ -223,6 +223,21 @@ namespace postprocess::hdf5
     read_array(name, H5T_NATIVE_INT64, "whole numbers", values);
   }
 
+  std::string InputFile::bytes(const std::string &name) const
+  {
+    const Handle array = open(name);
+    const Handle type(H5Dget_type(array), H5Tclose);
+    if (H5Tget_class(type) != H5T_INTEGER && H5Tget_class(type) != H5T_FLOAT)
+      throw dem::InputError(path.string() + ": \"" + name + "\" is of another type: numbers expected.");
+    std::size_t size = H5Tget_size(type);
+    for (const hsize_t n : shape(name))
+      size *= n;
+    std::string content(size, '\0');
+    if (size > 0 && H5Dread(array, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, content.data()) < 0)
+      fail("\"" + name + "\" is damaged");
+    return content;
+  }
+
   std::string InputFile::read_text(const std::string &name) const
   {
     const Handle array = open(name);

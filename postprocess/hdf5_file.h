@@ -110,6 +110,9 @@ namespace postprocess::hdf5
     void read(const std::string &name, std::int32_t *values) const;
     void read(const std::string &name, std::int64_t *values) const;
 
+    /** The bytes of an array as they lie in the file. */
+    std::string bytes(const std::string &name) const;
+
     /** Full names of all arrays and texts below a group, sorted; none if there is no such group. */
     std::vector<std::string> names(const std::string &group = "/") const;
 

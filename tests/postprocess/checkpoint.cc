@@ -300,3 +300,64 @@ TEST_CASE("a collection of snapshots goes on from its checkpoint", "[postprocess
   resumed.add(1);
   REQUIRE(content_of(folder / "particles.pvd") == whole);
 }
+
+TEST_CASE("a state that was not written so is refused before anything of it is used", "[postprocess]")
+{
+  const ScratchFolder folder;
+  const auto          path = folder / "c.h5";
+  {
+    hdf5::OutputFile forged(path);
+    const auto number = [&](const std::string &name, const std::int64_t value) { forged.write(name, &value, {}); };
+    forged.write_text("format", "breccia checkpoint");
+    number("format_version", 1);
+    forged.write_text("scene", scene);
+    number("state/specimen/steps", 5);
+    number("fingerprint", 12345);
+    forged.write_text("companions", "");
+    forged.commit();
+  }
+  REQUIRE_THAT(refusal([&] { CheckpointReader(path, scene); }), Contains("its content is not what was written"));
+}
+
+TEST_CASE("a series or snapshot beside a checkpoint may grow, and not change or go", "[postprocess]")
+{
+  const ScratchFolder folder;
+  std::filesystem::create_directory(folder / "solid");
+  folder.file("series.csv", "time [s]\n1\n2\n");
+  folder.file("solid/solid_000000.vtu", "snapshot");
+  folder.file("solid.pvd", "one");
+  folder.file("notes.txt", "mine");
+  write(folder / "c.h5", sample_state());
+  const auto refused = [&] { return refusal([&] { read(folder / "c.h5"); }); };
+  REQUIRE(refused() == "accepted");
+
+  SECTION("what is written after the checkpoint, or is no result, does not matter")
+  {
+    folder.file("series.csv", "time [s]\n1\n2\n3\n");
+    folder.file("solid/solid_000001.vtu", "another");
+    folder.file("solid.pvd", "one, two");
+    std::filesystem::remove(folder / "notes.txt");
+    CHECK(refused() == "accepted");
+  }
+  SECTION("a row that changed")
+  {
+    folder.file("series.csv", "time [s]\n1\n7\n");
+    CHECK_THAT(refused(), Contains("series.csv: has changed since the checkpoint beside it was written"));
+  }
+  SECTION("a row that is missing")
+  {
+    folder.file("series.csv", "time [s]\n1\n");
+    CHECK_THAT(refused(), Contains("series.csv: has lost its end since the checkpoint"));
+  }
+  SECTION("a snapshot that has gone")
+  {
+    std::filesystem::remove(folder / "solid/solid_000000.vtu");
+    CHECK_THAT(refused(), Contains("solid_000000.vtu: has gone since the checkpoint"));
+  }
+  SECTION("a change between two checkpoints is no damage")
+  {
+    folder.file("series.csv", "time [s]\n1\n7\n");
+    write(folder / "c.h5", sample_state());
+    CHECK(refused() == "accepted");
+  }
+}
