@@ -5,6 +5,7 @@
 #include "apps/scene/nearest_name.h"
 #include "apps/scene/overrides.h"
 #include "apps/scene/reader.h"
+#include "apps/scene/same_name.h"
 #include "postprocess/atomic_file.h"
 #include "postprocess/csv_table.h"
 
@@ -53,7 +54,7 @@ namespace apps
       std::vector<std::string> names;
       for (const DrivenLaw &law : driven_laws())
         {
-          if (law.name == name)
+          if (same_name(law.name, name))
             return law;
           names.push_back(law.name);
         }

@@ -5,6 +5,7 @@
 #include "apps/scene/nearest_name.h"
 #include "apps/scene/overrides.h"
 #include "apps/scene/reader.h"
+#include "apps/scene/same_name.h"
 #include "fem/materials/voigt.h"
 #include "postprocess/atomic_file.h"
 #include "postprocess/csv_table.h"
@@ -59,7 +60,7 @@ namespace apps
       std::vector<std::string> names;
       for (const DrivenMaterial &material : driven_materials())
         {
-          if (material.name == name)
+          if (same_name(material.name, name))
             return material;
           names.push_back(material.name);
         }

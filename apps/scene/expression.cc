@@ -33,11 +33,35 @@ namespace apps
     parser->name = name + " = " + text;
   }
 
+  namespace
+  {
+    /** An equals sign that compares nothing: the formula's language would take it for an assignment, and change x, y, z or t. */
+    bool assigns(const std::string &text)
+    {
+      for (std::size_t i = 0; i < text.size(); ++i)
+        {
+          if (text[i] != '=')
+            continue;
+          const bool first_of_two = i + 1 < text.size() && text[i + 1] == '=';
+          const bool compares     = i > 0 && std::string("=<>!").find(text[i - 1]) != std::string::npos;
+          if (!first_of_two && !compares)
+            return true;
+        }
+      return false;
+    }
+  } // namespace
+
   std::string Expression::fault(const std::string &text)
   {
+    if (assigns(text))
+      return "\"=\" assigns; give the right-hand side only, or compare with \"==\"";
     try
       {
-        Parser(text).formula.Eval(); // read when first asked; a value that is no number is the caller's matter
+        Parser parser(text);
+        int    values = 0;
+        parser.formula.Eval(values); // read when first asked; a value that is no number is the caller's matter
+        if (values > 1)
+          return fmt::format("it has {} values, separated by commas; a decimal point is \".\"", values);
         return "";
       }
     catch (const mu::ParserError &error)

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include <iterator>
+#include <map>
 
 namespace apps
 {
@@ -62,6 +63,9 @@ namespace apps
       {
         if (depth++ > 0)
           {
+            if (sections.size() == deepest_section)
+              throw dem::InputError(Place{file, line}.text() + ": \"" + current + "\" lies within " +
+                                    std::to_string(deepest_section) + " sections; no scene is as deep as that.");
             sections.push_back(current);
             found.push_back({sections, "", "", {file, line}});
           }
@@ -100,20 +104,20 @@ namespace apps
         if (depth == 0)
           refuse("outside any braces");
         Assignment added{sections, current, "", {file, key_line}};
-        for (const Assignment &other : found)
-          if (other.path() == added.path())
-            throw dem::InputError(added.place.text() + ": \"" + added.path() +
-                                  "\" is set a second time; first in line " + std::to_string(other.place.line) +
-                                  ". Keep one of them.");
+        const auto [first, fresh] = lines.emplace(added.path(), key_line);
+        if (!fresh)
+          throw dem::InputError(added.place.text() + ": \"" + added.path() + "\" is set a second time; first in line " +
+                                std::to_string(first->second) + ". Keep one of them.");
         found.push_back(std::move(added));
         return true;
       }
 
-      std::string              file;
-      const int               &line;
-      int                      key_line = 0, depth = 0;
-      std::string              current;
-      std::vector<std::string> sections;
+      std::string                file;
+      const int                 &line;
+      int                        key_line = 0, depth = 0;
+      std::string                current;
+      std::vector<std::string>   sections;
+      std::map<std::string, int> lines; ///< of each entry
     };
   } // namespace
 

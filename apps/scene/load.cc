@@ -6,6 +6,7 @@
 #include "apps/scene/overrides.h"
 #include "apps/scene/parameter_file.h"
 #include "apps/scene/reader.h"
+#include "apps/scene/same_name.h"
 
 #include <filesystem>
 
@@ -16,7 +17,7 @@ namespace apps
     const SceneKind *find_kind(const std::string &name)
     {
       for (const SceneKind &kind : scene_kinds())
-        if (kind.name == name)
+        if (same_name(kind.name, name))
           return &kind;
       return nullptr;
     }
@@ -38,11 +39,11 @@ namespace apps
     }
 
     /** The last word on "Kind", which decides what else may stand in a scene. */
-    const Assignment *kind_in(const std::vector<Assignment> &assignments)
+    Assignment *kind_in(std::vector<Assignment> &assignments)
     {
-      const Assignment *found = nullptr;
-      for (const Assignment &assignment : assignments)
-        if (assignment.sections.empty() && assignment.entry == "Kind")
+      Assignment *found = nullptr;
+      for (Assignment &assignment : assignments)
+        if (assignment.sections.empty() && same_name(assignment.entry, "Kind"))
           found = &assignment;
       return found;
     }
@@ -73,7 +74,7 @@ namespace apps
     for (Assignment &assignment : read_overrides(overrides))
       assignments.push_back(std::move(assignment));
 
-    const Assignment *named = kind_in(assignments);
+    Assignment *named = kind_in(assignments);
     if (!named)
       throw dem::InputError(file + ": \"Kind\" is not set and has no default. Known kinds: " + kinds_in_words() + ".");
     const SceneKind *kind = find_kind(named->value);
@@ -81,6 +82,7 @@ namespace apps
       throw dem::InputError(named->place.text() + ": Kind = " + named->value + " is not known. " +
                             did_you_mean(named->value, kind_names()) + " Known kinds: " + kinds_in_words() + ".");
 
+    named->value         = kind->name; // whatever its case
     LoadedScene loaded   = declared(*kind);
     loaded.file          = file;
     loaded.overrides     = overrides;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 
 namespace apps
 {
@@ -83,6 +84,9 @@ namespace apps
 
       void enter(const std::string &section, const int number)
       {
+        if (sections.size() == deepest_section)
+          refuse(number, "subsection \"" + section + "\" lies within " + std::to_string(deepest_section) +
+                           " others; no scene is as deep as that. Is an \"end\" missing?");
         sections.push_back({section, number});
         found.push_back({path(), "", "", {file, number}});
       }
@@ -96,17 +100,18 @@ namespace apps
 
       void add(const std::string &entry, const int number)
       {
-        const Assignment added{path(), entry, "", {file, number}};
-        for (const Assignment &other : found)
-          if (other.path() == added.path())
-            refuse(number, "\"" + added.path() + "\" is set a second time; first in line " +
-                             std::to_string(other.place.line) + ". Keep one of them.");
-        found.push_back(added);
+        Assignment added{path(), entry, "", {file, number}};
+        const auto [first, fresh] = lines.emplace(added.path(), number);
+        if (!fresh)
+          refuse(number, "\"" + added.path() + "\" is set a second time; first in line " +
+                           std::to_string(first->second) + ". Keep one of them.");
+        found.push_back(std::move(added));
       }
 
-      std::string             file;
-      std::vector<Open>       sections;
-      std::vector<Assignment> found;
+      std::string                file;
+      std::vector<Open>          sections;
+      std::vector<Assignment>    found;
+      std::map<std::string, int> lines; ///< of each entry
     };
   } // namespace
 

@@ -8,13 +8,16 @@
 
 namespace apps
 {
+  /** Sections within sections: far more than any kind of scene has, and few enough to be read at once. */
+  constexpr std::size_t deepest_section = 32;
+
   /**
    * Which entries a `.prm` file sets and which sections it opens, and on which lines; the values are left to deal.II.
    *
    * deal.II's ParameterHandler knows what a file says but not where it says it. This scan finds the places, and refuses
    * what is not a line of a parameter file.
    *
-   * @throws dem::InputError naming the line, for a line of no known form, unbalanced sections, an entry set twice.
+   * @throws dem::InputError naming the line, for a line of no known form, unbalanced or too deep sections, an entry set twice.
    */
   std::vector<Assignment> entries_of_prm(std::istream &text, const std::string &file);
 

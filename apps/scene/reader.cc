@@ -86,6 +86,7 @@ namespace apps
   {
     // All names first: a misspelt key explains a "missing" one.
     std::vector<std::pair<const Section *, Entry *>> targets;
+    std::map<const Entry *, Place>                   first_of_file;
     for (const Assignment &assignment : assignments)
       {
         const Section &section = section_of(root, assignment);
@@ -93,6 +94,11 @@ namespace apps
         if (!entry && !assignment.opens_section())
           refuse_unknown(root, section, assignment);
         targets.emplace_back(&section, entry);
+        if (entry && !assignment.place.file.empty()) // two spellings of one name; the command line may say it again
+          if (const auto [first, fresh] = first_of_file.emplace(entry, assignment.place); !fresh)
+            throw dem::InputError(assignment.place.text() + ": \"" + assignment.path() +
+                                  "\" is set a second time; first in line " + std::to_string(first->second.line) +
+                                  ". Keep one of them.");
       }
     for (std::size_t i = 0; i < assignments.size(); ++i)
       if (targets[i].second)

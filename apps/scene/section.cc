@@ -1,5 +1,6 @@
 #include "apps/scene/section.h"
 
+#include "apps/scene/same_name.h"
 #include "apps/scene/value_text.h"
 
 #include <fmt/format.h>
@@ -28,6 +29,34 @@ namespace apps
     std::string vector_text(const std::array<double, 3> &value)
     {
       return fmt::format("{}, {}, {}", value[0], value[1], value[2]);
+    }
+    /**
+     * What a number of a unit can be at all, zero apart: generous, and such that products and squares of all of them can be
+     * computed. Whoever writes 1e308 has made a mistake, and would be answered with infinity.
+     */
+    struct Magnitudes
+    {
+      const char *unit;
+      double      least, most;
+
+      bool contain(const double value) const
+      {
+        return value == 0 || (std::abs(value) >= least && std::abs(value) <= most);
+      }
+      std::string text() const { return fmt::format(", of a size from {} to {} (or 0)", least, most); }
+    };
+
+    const Magnitudes *magnitudes_of(const std::string &unit)
+    {
+      static const std::array<Magnitudes, 8> known = {{{"m", 1e-12, 1e9},
+                                                       {"Pa", 1e-9, 1e18},
+                                                       {"kg/m^3", 1e-9, 1e15},
+                                                       {"1/s", 1e-20, 1e9},
+                                                       {"m/s", 1e-20, 3e8},
+                                                       {"m/s^2", 1e-20, 1e12},
+                                                       {"s", 1e-15, 1e15},
+                                                       {"", 1e-30, 1e30}}};
+      return std::find_if(known.begin(), known.end() - 1, [&](const Magnitudes &m) { return unit == m.unit; });
     }
   } // namespace
 
@@ -74,10 +103,12 @@ namespace apps
     Entry &added  = add(entry, "number", need, fmt::format("{}", member));
     added.unit    = unit;
     added.allowed = range.text();
-    added.store   = [&member, range](const std::string &text, const Place &) -> std::string {
+    added.store   = [&member, range, unit](const std::string &text, const Place &) -> std::string {
       const auto value = number_in(text);
       if (!value || !range.contains(*value))
         return expected("a number", range.text());
+      if (const Magnitudes *limits = magnitudes_of(unit); !limits->contain(*value))
+        return expected("a number", range.text()) + limits->text();
       member = *value;
       return "";
     };
@@ -105,9 +136,9 @@ namespace apps
     Entry &added  = add(entry, "switch", Need::optional, member ? "true" : "false");
     added.allowed = "one of: true, false";
     added.store   = [&member](const std::string &text, const Place &) -> std::string {
-      if (text != "true" && text != "false")
+      if (!same_name(text, "true") && !same_name(text, "false"))
         return "expected true or false";
-      member = text == "true";
+      member = same_name(text, "true");
       return "";
     };
     return added;
@@ -122,7 +153,7 @@ namespace apps
     Entry &added  = add(entry, "three numbers", need, vector_text(member));
     added.unit    = unit;
     added.allowed = range.text().empty() ? "" : "each " + range.text();
-    added.store   = [&member, range](const std::string &text, const Place &) -> std::string {
+    added.store   = [&member, range, unit](const std::string &text, const Place &) -> std::string {
       const std::vector<std::string> parts = comma_separated(text);
       std::array<double, 3>          values{};
       bool                           valid = parts.size() == 3;
@@ -134,6 +165,9 @@ namespace apps
         }
       if (!valid)
         return expected("three numbers \"x, y, z\"", range.text().empty() ? "" : "each " + range.text());
+      const Magnitudes *limits = magnitudes_of(unit);
+      if (!std::all_of(values.begin(), values.end(), [&](const double value) { return limits->contain(value); }))
+        return expected("three numbers \"x, y, z\"", limits->text());
       member = values;
       return "";
     };
@@ -193,7 +227,7 @@ namespace apps
     Entry &added  = add(entry, "word", need, initial < words.size() ? words[initial] : "");
     added.allowed = "one of: " + joined(words);
     added.store   = [words, assign = std::move(assign)](const std::string &text, const Place &) -> std::string {
-      const auto found = std::find(words.begin(), words.end(), text);
+      const auto found = std::find_if(words.begin(), words.end(), [&](const auto &w) { return same_name(w, text); });
       if (found == words.end())
         return "expected one of: " + joined(words);
       assign(static_cast<std::size_t>(found - words.begin()));
@@ -214,7 +248,8 @@ namespace apps
       std::vector<std::size_t> positions;
       for (const std::string &word : comma_separated(text))
         {
-          const auto found    = std::find(words.begin(), words.end(), word);
+          const auto found =
+            std::find_if(words.begin(), words.end(), [&](const auto &w) { return same_name(w, word); });
           const auto position = static_cast<std::size_t>(found - words.begin());
           if (found == words.end() || std::count(positions.begin(), positions.end(), position) > 0)
             return "expected words separated by commas, of: " + joined(words) + "; each at most once";
@@ -280,7 +315,7 @@ namespace apps
   Entry *Section::find_entry(const std::string &entry) const
   {
     for (const auto &candidate : own_entries)
-      if (candidate->name == entry)
+      if (same_name(candidate->name, entry))
         return candidate.get();
     return nullptr;
   }
@@ -288,7 +323,7 @@ namespace apps
   Section *Section::find_section(const std::string &subsection) const
   {
     for (const auto &candidate : subsections)
-      if (candidate->own_name == subsection)
+      if (candidate->own_name == subsection || (!declare_named && same_name(candidate->own_name, subsection)))
         return candidate.get();
     return nullptr;
   }
