@@ -3,6 +3,7 @@
 #include "fem/materials/anisotropic_elastic.h"
 #include "fem/materials/isotropic_elastic.h"
 #include "fem/materials/mixed_control.h"
+#include "fem/solid/nonlocal_points.h"
 
 #include <type_traits>
 
@@ -141,6 +142,10 @@ namespace fem
 
   std::unique_ptr<MaterialPoints> make_points(const DamagePlasticConcrete &law, const Plane plane)
   {
+    if (law.parameters().nonlocal_length > 0 && plane == Plane::stress)
+      throw std::invalid_argument("Nonlocal length: is not built for plane stress.");
+    if (law.parameters().nonlocal_length > 0)
+      return std::make_unique<NonlocalPoints>(law);
     return std::make_unique<PointsOf<DamagePlasticConcrete>>(law, plane);
   }
 }

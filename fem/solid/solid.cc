@@ -2,6 +2,7 @@
 
 #include "fem/solid/block_builder.h"
 #include "fem/solid/element_kernel.h"
+#include "fem/solid/nonlocal_coupling.h"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -57,6 +58,9 @@ namespace fem
   }
 
   template <int dim>
+  Solid<dim>::~Solid() = default;
+
+  template <int dim>
   void Solid<dim>::assign(const std::string &material_name, std::unique_ptr<MaterialPoints> law)
   {
     if (grid.materials.find(material_name) == grid.materials.end())
@@ -109,6 +113,8 @@ namespace fem
         }
     for (auto &law : materials)
       law.second->allocate(count[law.second.get()]);
+    if (NonlocalCoupling<dim>::wanted(*this))
+      nonlocal = std::make_unique<NonlocalCoupling<dim>>(*this);
   }
 
   template <int dim>
@@ -134,6 +140,8 @@ namespace fem
     TrilinosWrappers::SparsityPattern pattern(owned, owned, relevant, communicator());
     DoFTools::make_sparsity_pattern(dof_handler, pattern, supports, false,
                                     Utilities::MPI::this_mpi_process(communicator()));
+    if (nonlocal)
+      nonlocal->add_to(pattern);
     pattern.compress();
     matrix.reinit(pattern);
   }
@@ -157,6 +165,8 @@ namespace fem
     for (const auto &product : wanted.products)
       *product.second = 0;
 
+    if (nonlocal)
+      nonlocal->flow(displacement, stiffness);
     std::string failure;
     std::size_t next = 0;
     for (const auto &cell : dof_handler.active_cell_iterators())
@@ -213,6 +223,8 @@ namespace fem
         }
     if (Utilities::MPI::max(failure.empty() ? 0 : 1, communicator()) == 1)
       throw MaterialFailure(failure.empty() ? "a point on another rank found no stress." : failure);
+    if (nonlocal && stiffness)
+      nonlocal->add_tangent(displacement, wanted);
     if (wanted.internal_force)
       wanted.internal_force->compress(VectorOperation::add);
     for (const auto &product : wanted.products)
@@ -274,6 +286,8 @@ namespace fem
     Eigen::VectorXd                      u(n);
     std::size_t                          next = 0;
     PointAnswer                          answer;
+    if (nonlocal)
+      nonlocal->flow(displacement, false);
     for (const auto &cell : dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
         {

@@ -49,6 +49,9 @@ namespace fem
     std::size_t                                            index; ///< of the point in its material
   };
 
+  template <int dim>
+  class NonlocalCoupling;
+
   /// Mesh, degrees of freedom, supports, loads and the histories of the integration points of one continuum.
   template <int dim>
   class Solid
@@ -56,6 +59,7 @@ namespace fem
   public:
     /// @throws std::invalid_argument on options that do not fit together.
     Solid(Mesh<dim> mesh, const SolidOptions &options);
+    ~Solid();
 
     /// Gives a material to the elements of that name (every name of the mesh needs one).
     void assign(const std::string &material_name, std::unique_ptr<MaterialPoints> points);
@@ -199,6 +203,7 @@ namespace fem
     std::map<dealii::types::material_id, MaterialPoints *>     material_of;
     mutable std::vector<ElementBlocks>                         element_blocks;
     std::vector<ElementPoints>                                 elements;
+    std::unique_ptr<NonlocalCoupling<dim>>                     nonlocal; // where damage is averaged over a length
     Loads<dim>                                                 loads;
     std::map<dealii::types::global_dof_index, PrescribedDof>   prescribed_dofs; // relevant ones
     std::vector<NodalForce>                                    nodal_forces;

@@ -23,24 +23,12 @@ namespace fem
     }
   }
 
-  struct DamagePlasticConcrete::March
-  {
-    Voigt  elastic, plastic; // strains
-    Voigt  effective;        // stress [Pa]
-    double kappa_p, kappa_d;
-
-    // Derivatives with the strain at the end of the whole step.
-    Stiffness d_elastic = Stiffness::Zero(), d_effective = Stiffness::Zero();
-    RowVoigt  d_kappa_p = RowVoigt::Zero(), d_kappa_d = RowVoigt::Zero();
-    double    fraction = 0; // of the step done
-  };
-
   DamagePlasticConcrete::DamagePlasticConcrete(const Parameters &parameters)
     : p(parameters)
     , stiffness(isotropic_stiffness(p.bulk(), p.shear()))
     , compliance(stiffness.inverse())
     , return_mapping(p)
-    , law(p.tensile_strength / p.young_modulus, p.softening_opening())
+    , law(p.tensile_strength / p.young_modulus, p.softening_opening(), p.softening_curve())
   {
     if (p.element_size > 0)
       require_size(p.element_size);
@@ -52,6 +40,16 @@ namespace fem
                                                                const State         &committed,
                                                                const ElementExtent &element,
                                                                const bool           with_tangent) const
+  {
+    const March flown = flow(strain, committed, with_tangent);
+    Damaged     done  = damage(flown, flown.kappa_d, strain, committed, element, with_tangent);
+    if (with_tangent && flown.kappa_d > committed.kappa_d)
+      done.response.tangent += done.stress_by_driving * flown.d_kappa_d;
+    return done.response;
+  }
+
+  DamagePlasticConcrete::March
+  DamagePlasticConcrete::flow(const Voigt &strain, const State &committed, const bool with_tangent) const
   {
     if (!strain.allFinite())
       throw MaterialFailure("damage-plastic concrete: the strain is not a finite number.");
@@ -66,14 +64,7 @@ namespace fem
       }
     for (int parts = first; parts <= finest * first; parts *= 2)
       if (const auto done = march(strain, committed, parts, with_tangent))
-        {
-          Response<State> response;
-          response.substeps     = parts;
-          response.trial        = committed;
-          response.trial.strain = strain;
-          finish(response, *done, committed, element, with_tangent);
-          return response;
-        }
+        return *done;
     std::ostringstream text;
     text << "damage-plastic concrete: no admissible stress for strain " << strain.transpose() << " from strain "
          << committed.strain.transpose() << " with kappa_P = " << committed.kappa_p << ", not even in "
@@ -91,6 +82,7 @@ namespace fem
     m.elastic         = committed.strain - committed.plastic_strain;
     m.kappa_p         = committed.kappa_p;
     m.kappa_d         = committed.kappa_d;
+    m.substeps        = substeps;
     const Voigt whole = strain - committed.strain;
     for (int k = 1; k <= substeps; ++k)
       {
@@ -229,45 +221,51 @@ namespace fem
       }
   }
 
-  void DamagePlasticConcrete::finish(Response<State>     &response,
-                                     const March         &m,
-                                     const State         &committed,
-                                     const ElementExtent &element,
-                                     const bool           with_tangent) const
+  DamagePlasticConcrete::Damaged DamagePlasticConcrete::damage(const March         &m,
+                                                               const double         driving,
+                                                               const Voigt         &strain,
+                                                               const State         &committed,
+                                                               const ElementExtent &element,
+                                                               const bool           with_tangent) const
   {
-    State &s         = response.trial;
-    s.plastic_strain = m.plastic;
-    s.kappa_p        = m.kappa_p;
-    s.kappa_d        = m.kappa_d;
+    Damaged          done;
+    Response<State> &response = done.response;
+    response.substeps         = m.substeps;
+    response.trial            = committed;
+    State &s                  = response.trial;
+    s.strain                  = strain;
+    s.plastic_strain          = m.plastic;
+    s.kappa_p                 = m.kappa_p;
+    s.kappa_d                 = m.kappa_d;
 
     DamageLaw::Integrity integrity{1.0, 0.0};
-    if (s.kappa_d > 0)
+    if (driving > 0)
       {
         s.size = effective_size(s, element);
         // h_ref acts until the second-order work has been negative; then only what comes on top uses h.
         const bool   reference = p.reference_size > 0 && s.localised_at < 0;
         const double offset    = s.localised_at < 0 ? 0.0 : (p.reference_size - s.size) * s.localised_at;
-        integrity              = law.integrity(s.kappa_d, reference ? p.reference_size : s.size, offset);
+        integrity              = law.integrity(driving, reference ? p.reference_size : s.size, offset);
         s.damage               = std::fmax(1 - integrity.value, committed.damage);
       }
     const double whole = 1 - s.damage;
     response.stress    = whole * m.effective;
     s.stress           = response.stress;
-    if (p.reference_size > 0 && s.localised_at < 0 && s.kappa_d > 0 &&
+    if (p.reference_size > 0 && s.localised_at < 0 && driving > 0 &&
         (s.strain - committed.strain).dot(s.stress - committed.stress) < 0)
-      s.localised_at = s.kappa_d + s.damage * p.tensile_strength / p.young_modulus;
+      s.localised_at = driving + s.damage * p.tensile_strength / p.young_modulus;
 
     if (s.damage > 0)
       {
         const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> elastic(strain_tensor(m.elastic), Eigen::EigenvaluesOnly);
-        s.crack_opening = s.size * (s.kappa_d + s.damage * std::fmax(elastic.eigenvalues()[2], 0.0));
+        s.crack_opening = s.size * (std::fmax(driving, 0.0) + s.damage * std::fmax(elastic.eigenvalues()[2], 0.0));
       }
     if (with_tangent)
       {
-        response.tangent = whole * m.d_effective;
-        if (s.kappa_d > committed.kappa_d)
-          response.tangent += integrity.slope * m.effective * m.d_kappa_d;
+        response.tangent       = whole * m.d_effective;
+        done.stress_by_driving = integrity.slope * m.effective;
       }
+    return done;
   }
 
   double DamagePlasticConcrete::effective_size(const State &state, const ElementExtent &element) const

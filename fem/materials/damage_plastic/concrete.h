@@ -86,9 +86,41 @@ namespace fem
 
     const DamageLaw &damage_law() const noexcept { return law; }
 
-  private:
-    struct March; // state and derivatives carried through the sub-steps
+    const Parameters &parameters() const noexcept { return p; }
 
+    /// Where a strain leads by plasticity alone, which does not know of damage; derivatives are with that strain.
+    struct March
+    {
+      Voigt  elastic, plastic; // strains
+      Voigt  effective;        // stress [Pa]
+      double kappa_p, kappa_d;
+
+      Stiffness                   d_elastic = Stiffness::Zero(), d_effective = Stiffness::Zero();
+      Eigen::Matrix<double, 1, 6> d_kappa_p = Eigen::Matrix<double, 1, 6>::Zero(),
+                                  d_kappa_d = Eigen::Matrix<double, 1, 6>::Zero();
+      double fraction                       = 0; // of the step done
+      int    substeps                       = 1;
+    };
+
+    /// First half of evaluate(). @throws MaterialFailure
+    March flow(const Voigt &strain, const State &committed, bool with_tangent = true) const;
+
+    /// Second half: damage by a driving variable, kappa_D of the point itself or an average over its neighbours.
+    struct Damaged
+    {
+      Response<State> response; ///< its tangent is (1 - omega) d effective stress / d strain alone
+      Voigt           stress_by_driving = Voigt::Zero(); ///< [Pa], where the damage grows
+    };
+
+    /// @throws std::invalid_argument as evaluate().
+    Damaged damage(const March         &flown,
+                   double               driving,
+                   const Voigt         &strain,
+                   const State         &committed,
+                   const ElementExtent &element,
+                   bool                 with_tangent = true) const;
+
+  private:
     std::optional<March> march(const Voigt &strain, const State &committed, int substeps, bool with_tangent) const;
     bool                 substep(March &m, const Voigt &increment, double fraction, bool with_tangent) const;
     void                 accumulate_damage(March                             &m,
@@ -97,11 +129,6 @@ namespace fem
                                            const StressInvariants            &invariants,
                                            bool                               with_tangent,
                                            const Eigen::Matrix<double, 4, 6> &trial_by_strain) const;
-    void                 finish(Response<State>     &response,
-                                const March         &m,
-                                const State         &committed,
-                                const ElementExtent &element,
-                                bool                 with_tangent) const;
     double               effective_size(const State &state, const ElementExtent &element) const;
     void                 require_size(double size) const;
 

@@ -1,15 +1,17 @@
 #pragma once
 
+#include "fem/materials/damage_plastic/softening_curve.h"
+
 namespace fem
 {
-  /// Exponential damage with element-size regularisation: 1 - omega = exp(-(h/w_f)(kappa_D + omega f_t/E)).
+  /// Damage with element-size regularisation: 1 - omega = g((h/w_f)(kappa_D + omega f_t/E)), g(y) = exp(-y) unless another is given.
   class DamageLaw
   {
   public:
     /// @param onset_strain f_t/E [-]; @param opening w_f [m].
-    DamageLaw(double onset_strain, double opening);
+    DamageLaw(double onset_strain, double opening, const SofteningCurve &curve = {});
 
-    /// Largest element size that the law can regularise, E w_f / f_t [m].
+    /// Largest element size that the law can regularise, E w_f / f_t over the curve's steepest slope [m].
     double largest_size() const noexcept;
 
     /// Integrity 1 - omega that solves the law with an offset in its exponent; d integrity / d kappa_D beside it.
@@ -25,6 +27,9 @@ namespace fem
     double inverse(double damage, double size) const noexcept;
 
   private:
-    double onset_strain, opening;
+    Integrity on_curve(double driven, double b, double size) const noexcept;
+
+    double         onset_strain, opening;
+    SofteningCurve curve;
   };
 }

@@ -18,6 +18,8 @@ namespace fem
            "must be below the compressive strength.");
     demand((crack_opening > 0) != (fracture_energy > 0), "Crack opening", crack_opening,
            "give either the crack opening or the fracture energy, and not both.");
+    demand(nonlocal_length == 0 || element_size > 0, "Nonlocal length", nonlocal_length,
+           "needs an Element size of its own: the averaging spreads the failure, not the mesh.");
     demand(hardening_b > hardening_d, "Hardening B", hardening_b, "must exceed Hardening D.");
     demand(hardening_a > hardening_b, "Hardening A", hardening_a, "must exceed Hardening B.");
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fem/materials/damage_plastic/softening_curve.h"
 #include "fem/materials/response.h"
 
 namespace fem
@@ -24,10 +25,20 @@ namespace fem
     double element_size         = 0.0;       ///< h_el [m]; 0: from the mesh
     double reference_size       = 0.0;       ///< h_ref [m]; 0: off
     double vertex_norm          = 1.0 / 3.0; ///< factor of (3.2); 1/9 reproduces older results
+    double softening_exponent   = 1.0;       ///< n [-]: 1 exponential, above it flat at first and steep then
+    double residual_share       = 0.0;       ///< r [-]: of the strength, lost more slowly than the rest
+    double residual_stretch     = 20.0;      ///< b [-]: how much more slowly
+    double nonlocal_length      = 0.0;       ///< radius over which kappa_D is averaged [m]; 0: each point for itself
+    double nonlocal_factor      = 2.0;       ///< m [-]: the average counts m times, the point itself 1 - m times
     double largest_increment    = 2e-4;      ///< strain increment above which a step is divided [-]; 0: never divided
 
     /// w_f [m] from whichever of crack opening and fracture energy was given.
-    double softening_opening() const { return crack_opening > 0 ? crack_opening : fracture_energy / tensile_strength; }
+    double softening_opening() const
+    {
+      return crack_opening > 0 ? crack_opening : fracture_energy / tensile_strength / softening_curve().area();
+    }
+
+    SofteningCurve softening_curve() const { return {softening_exponent, residual_share, residual_stretch}; }
 
     double bulk() const { return young_modulus / (3 * (1 - 2 * poisson_ratio)); }
 
@@ -43,8 +54,9 @@ namespace fem
       entry("Poisson ratio", p.poisson_ratio, "nu [-]", 0.0, 0.4999999);
       entry("Compressive strength", p.compressive_strength, "f_c [Pa], uniaxial", 1e-300, 1e300);
       entry("Tensile strength", p.tensile_strength, "f_t [Pa], uniaxial, below f_c", 1e-300, 1e300);
-      entry("Crack opening", p.crack_opening, "w_f [m], slope of the exponential softening; 0: from G_f", 0.0, 1e300);
-      entry("Fracture energy", p.fracture_energy, "G_f = w_f f_t [J/m^2]; 0: from w_f", 0.0, 1e300);
+      entry("Crack opening", p.crack_opening, "w_f [m], unit of the softening curve; 0: from G_f", 0.0, 1e300);
+      entry("Fracture energy", p.fracture_energy, "G_f [J/m^2], w_f f_t where softening is exponential; 0: from w_f",
+            0.0, 1e300);
       entry("Eccentricity", p.eccentricity, "e [-], roundness of the deviatoric section", 0.5 + 1e-9, 1.0);
       entry("Initial hardening", p.initial_hardening, "q_0 [-], first yield over strength", 1e-6, 1.0 - 1e-9);
       entry("Hardening A", p.hardening_a, "A_h [-], hardening ductility", 1e-300, 1e300);
@@ -58,6 +70,15 @@ namespace fem
       entry("Reference size", p.reference_size, "h_ref [m], element size before localisation; 0: off", 0.0, 1e300);
       entry("Vertex norm", p.vertex_norm, "factor of the volumetric part in the vertex return [-]", 1.0 / 9.0,
             1.0 / 3.0);
+      entry("Softening exponent", p.softening_exponent,
+            "n [-]: strength left (1 - r) exp(-y^n) + r exp(-y/b) at the opening y w_f; 1: exponential", 1.0, 4.0);
+      entry("Residual share", p.residual_share, "r [-], part of the strength that is lost slowly", 0.0, 0.9);
+      entry("Residual stretch", p.residual_stretch, "b [-], how much more slowly", 1.0, 1e6);
+      entry("Nonlocal length", p.nonlocal_length,
+            "radius over which kappa_D of neighbouring points is averaged [m]; 0: each point for itself", 0.0, 1e300);
+      entry("Nonlocal factor", p.nonlocal_factor,
+            "m [-]: the average counts m times, the point itself 1 - m times; 1 leaves localised plastic flow free",
+            1.0, 10.0);
       entry("Largest increment", p.largest_increment, "strain per sub-step [-]; 0: a step is one sub-step", 0.0, 1e300);
     }
   };
