@@ -35,7 +35,7 @@ namespace apps
              "widths; moving "
              "least squares: linear fit with that weight; specimen: mean of all particles");
     s.number("Width", options.averaging.width, "m", Range::at_least(0), Need::optional)
-      .means("Of the kernel; 0: the larger of half the element and three particle radii");
+      .means("Of the kernel; 0: the largest of half the element, half the material's nonlocal length and three particle radii");
     s.integer("Fewest particles", fewest, "", Range::between(1, 1e6), Need::optional)
       .means("An average of fewer is counted as sparse");
     s.choice("Damage tensor", field.fit, {{"even", dem::DamageFit::even}, {"fitted", dem::DamageFit::fitted}},

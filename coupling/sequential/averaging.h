@@ -19,7 +19,7 @@ namespace coupling
   struct AveragingOptions
   {
     Kernel      kernel = Kernel::gaussian;
-    double      width  = 0; ///< [m]; 0: the larger of half the element size and three mean radii
+    double      width  = 0; ///< [m]; 0: the larger of half the size given and three mean radii
     std::size_t fewest = 8; ///< an average of fewer particles is called sparse
   };
 
@@ -46,7 +46,7 @@ namespace coupling
     Averaging(const ParticleField &field, const AveragingOptions &options);
     ~Averaging();
 
-    /** @param element_size of the element around the point [m] */
+    /** @param element_size of the element around the point, or the longer length of its material [m] */
     Average at(const Eigen::Vector3d &place, double element_size) const;
 
   private:

@@ -1,9 +1,11 @@
 #include "coupling/sequential/transfer.h"
 
 #include "dem/core/errors.h"
+#include "fem/solid/nonlocal_points.h"
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -27,6 +29,13 @@ namespace coupling
       return place;
     }
 
+    /** What particles are smoothed over by themselves: the element, or the length over which the material averages its damage. */
+    double own_size(const fem::MaterialPoints &material, const fem::ElementExtent &extent)
+    {
+      const auto *averaging = dynamic_cast<const fem::NonlocalPoints *>(&material);
+      return std::max(extent.mean_size, averaging ? averaging->length() : 0.0);
+    }
+
     template <int dim>
     fem::Vector at_rest(const fem::Solid<dim> &solid)
     {
@@ -35,13 +44,16 @@ namespace coupling
       return zero;
     }
 
-    MappedPoint
-    map_point(const Averaging &averaging, const MappingLaw &law, const Eigen::Vector3d &place, const double size)
+    MappedPoint map_point(const Averaging           &averaging,
+                          const MappingLaw          &law,
+                          const Eigen::Vector3d     &place,
+                          const fem::MaterialPoints &material,
+                          const fem::ElementExtent  &extent)
     {
       MappedPoint point{};
       point.place   = place;
-      point.size    = size;
-      point.average = averaging.at(place, size);
+      point.size    = extent.mean_size;
+      point.average = averaging.at(place, own_size(material, extent));
       point.mapped  = map_damage(point.average.damage, law);
       return point;
     }
@@ -157,7 +169,7 @@ namespace coupling
           ++report.count.elastic;
           return;
         }
-      MappedPoint point = map_point(averaging, options.law, place_of(view.place), owner.extent.mean_size);
+      MappedPoint point = map_point(averaging, options.law, place_of(view.place), *view.material, owner.extent);
       point.volume      = view.volume;
       view.material->set_initial(view.index, initial_state(point), owner.extent);
       read_history(*view.material, view.index, point);
