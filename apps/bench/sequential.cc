@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <map>
@@ -32,7 +33,7 @@ namespace apps
     {
       Variant     variant;
       std::string instant;
-      double      strain = 0, error = 0, seconds = 0, seconds_saved = 0;
+      double      strain = 0, error = 0, near = 0, seconds = 0, seconds_saved = 0;
     };
 
     std::string number_text(const double value) { return fmt::format("{}", value); }
@@ -60,6 +61,35 @@ namespace apps
           all.push_back({"mesh", fmt::format("{0} x {0} x {1} elements", n, 2 * n), mesh});
         }
       return all;
+    }
+
+    /** Where softening is averaged over a length: with parts of it, down to none. */
+    std::vector<Variant> lengths_of(const SequentialModel &model, const bool quick)
+    {
+      std::vector<Variant> all;
+      for (const auto &group : model.continuum.materials.groups)
+        if (group->law == MaterialOfGroup::Law::concrete && group->concrete.nonlocal_length > 0)
+          for (const double share : quick ? std::vector<double>{0, 1} : std::vector<double>{0, 0.25, 0.5, 1})
+            {
+              const double length = share * group->concrete.nonlocal_length;
+              all.push_back({"length",
+                             fmt::format("{:g} m", length),
+                             {fmt::format("Continuum/Materials/{}/{}/Nonlocal length={}", group->group,
+                                          fem::DamagePlasticConcrete::name, length)}});
+            }
+      return all;
+    }
+
+    /** The continuation as far as half the strain of the transfer again. */
+    ContinuationCurve near_the_transfer(ContinuationCurve curve)
+    {
+      const double      reach = 0.5 * std::abs(curve.offset);
+      const std::size_t end   = static_cast<std::size_t>(
+        std::find_if(curve.horizontal.begin(), curve.horizontal.end(), [&](double x) { return std::abs(x) > reach; }) -
+        curve.horizontal.begin());
+      curve.horizontal.resize(end);
+      curve.vertical.resize(end);
+      return curve;
     }
 
     const SequentialModel &sequential(const LoadedScene &scene)
@@ -91,7 +121,7 @@ namespace apps
       const LoadedScene      scene   = load_scene(bench.scene, overrides);
       const SequentialModel &model   = sequential(scene);
       const ParticleOutcome &outcome = particles.outcomes()[instant], &all = *particles.reference();
-      Row                    row{variant, outcome.name, outcome.severity, std::nan(""), 0, 0};
+      Row                    row{variant, outcome.name, outcome.severity, std::nan(""), std::nan(""), 0, 0};
       const double           done = std::abs(outcome.severity / all.curve_strain.back());
       row.seconds_saved           = (1 - done) * all.seconds;
       RunRequest request          = request_of(scene);
@@ -102,6 +132,7 @@ namespace apps
         ContinuationCurve curve = read_continuation(model.study, where);
         curve.offset            = outcome.curve_strain.back();
         row.error               = error_against(curve, all);
+        row.near                = error_against(near_the_transfer(curve), all);
         if (!std::isfinite(row.error))
           fmt::print(stderr, "{}, {}: ends too soon to be compared.\n", variant.name, outcome.name);
       };
@@ -128,10 +159,11 @@ namespace apps
 
     std::string csv_of(const std::vector<Row> &rows)
     {
-      std::string text = "study,variant,instant,strain,error,continuum_seconds [s],particle_seconds_saved [s]\n";
+      std::string text =
+        "study,variant,instant,strain,error,error_near,continuum_seconds [s],particle_seconds_saved [s]\n";
       for (const Row &r : rows)
-        text += fmt::format("{},{},{},{},{},{},{}\n", r.variant.study, r.variant.name, r.instant, r.strain, r.error,
-                            r.seconds, r.seconds_saved);
+        text += fmt::format("{},{},{},{},{},{},{},{}\n", r.variant.study, r.variant.name, r.instant, r.strain, r.error,
+                            r.near, r.seconds, r.seconds_saved);
       return text;
     }
 
@@ -139,12 +171,12 @@ namespace apps
     {
       std::string text =
         "# When a transfer pays\n\nError: mean |stress of the continuation - stress of the all-particle run| over the "
-        "mean of the latter, past the transfer.\n\n"
-        "| study | variant | handed over at | error | continuum s | particle s saved |\n"
-        "|---|---|---|---|---|---|\n";
+        "mean of the latter, past the transfer; near: to 1.5 times the strain of the transfer.\n\n"
+        "| study | variant | handed over at | error | near | continuum s | particle s saved |\n"
+        "|---|---|---|---|---|---|---|\n";
       for (const Row &r : rows)
-        text += fmt::format("| {} | {} | {} | {:.3f} | {:.2f} | {:.2f} |\n", r.variant.study, r.variant.name, r.instant,
-                            r.error, r.seconds, r.seconds_saved);
+        text += fmt::format("| {} | {} | {} | {:.3f} | {:.3f} | {:.2f} | {:.2f} |\n", r.variant.study, r.variant.name,
+                            r.instant, r.error, r.near, r.seconds, r.seconds_saved);
       return text;
     }
 
@@ -188,10 +220,13 @@ namespace apps
                                      completed_scene(*base.root, Completed::what_decides_results));
     if (!particles.complete())
       return exit_interrupted;
-    std::vector<Row> rows;
-    const auto       instants = model.particles.instants_asked();
-    std::size_t      number   = 0;
-    for (const Variant &variant : variants_of(model.particles.specimen.generator.radius, bench.quick))
+    std::vector<Row>     rows;
+    const auto           instants = model.particles.instants_asked();
+    std::size_t          number   = 0;
+    std::vector<Variant> variants = variants_of(model.particles.specimen.generator.radius, bench.quick);
+    for (Variant &variant : lengths_of(model, bench.quick))
+      variants.push_back(std::move(variant));
+    for (const Variant &variant : variants)
       for (std::size_t k = 0; k < instants.size(); ++k)
         {
           if (instants[k].back) // the all-particle run does not unload
