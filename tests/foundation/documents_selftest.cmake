@@ -29,6 +29,9 @@ expect(good doc/other.md "| file | test |\n| `tests/dem/law.cc` | the law holds;
 expect(bad doc/other.md "| `tests/dem/law.cc` | the law holds |")
 expect(bad doc/other.md "| `tests/dem/gone.cc` | the law holds |")
 
+expect(good doc/tutorials/other.md "./breccia run apps/scenes/other.prm")
+expect(bad apps/scenes/other.prm "set Kind = uniaxial")
+
 expect(good dem/law.h "/// doc/theory/law.md, 2; and doc/theory/law.md")
 expect(bad dem/law.h "/// doc/theory/gone.md, 2")
 expect(bad tests/dem/law.cc "// doc/theory/law.md, 3")
