@@ -43,7 +43,7 @@ namespace apps
       {
         return value == 0 || (std::abs(value) >= least && std::abs(value) <= most);
       }
-      std::string text() const { return fmt::format(", of a size from {} to {} (or 0)", least, most); }
+      std::string text() const { return fmt::format(", of a size from {:g} to {:g}", least, most); }
     };
 
     const Magnitudes *magnitudes_of(const std::string &unit)

@@ -4,6 +4,8 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+
 using namespace apps_tests;
 using Catch::Contains;
 
@@ -100,4 +102,64 @@ TEST_CASE("a homogenisation scene sweeps over both ratios", "[apps]")
   REQUIRE(cases.size() == 4);
   CHECK(cases[2]["relaxed"]["E"].get<double>() == Approx(0.552921).margin(0.6e-6));
   CHECK(std::filesystem::exists(folder / "out/homogenised.csv"));
+}
+
+TEST_CASE("a cell without stiffness is said to have none, by every solver", "[apps]")
+{
+  const ScratchFolder folder;
+  // A dimer alone in its cell; and a string of spheres, each touching its own image, that resists nothing but being stretched.
+  folder.file("dimer.txt", "# periodic_cell 5 5 5\n1 1 1 0.5\n1.7 1.6 1.3 0.5\n");
+  folder.file("string.txt", "# periodic_cell 2.1 5 5\n1 1 1 1\n");
+  const auto answer = [&](const std::string &packing, const std::string &solver) {
+    const Outcome outcome =
+      run(folder.path(), command({packing, "--interaction-ratio", "1.1", "--solver", solver, "-o", "out"}));
+    INFO(outcome.err);
+    REQUIRE(outcome.status == 0);
+    CHECK_THAT(outcome.out, Contains("relaxed              none       none"));
+    CHECK_THAT(outcome.out, Contains("has no moduli"));
+    const auto json = nlohmann::json::parse(content_of(folder / "out/homogenised.json"));
+    CHECK(json["relaxed"]["E"].is_null());
+    CHECK(json["relaxed"]["nu"].is_null());
+    CHECK(json["isotropy"].is_null());
+    CHECK(json["statistics"]["E"].get<double>() > 0);
+    return json["relaxed"];
+  };
+  for (const char *solver : {"automatic", "iterative", "direct"})
+    {
+      const auto dimer = answer("dimer.txt", solver);
+      CHECK(dimer["resisted_strains"] == 0);
+      for (const auto &row : dimer["stiffness"])
+        for (const auto &entry : row)
+          CHECK(entry.get<double>() == 0);
+      const auto string = answer("string.txt", solver);
+      CHECK(string["resisted_strains"] == 1);
+      CHECK(string["stiffness"][0][0].get<double>() == Approx(M_PI * 2.1 / (5 * 5 * 2.1)).epsilon(1e-9)); // E A L/V
+      CHECK(string["stiffness"][5][5].get<double>() == Approx(0).margin(1e-15));
+    }
+}
+
+TEST_CASE("a loose tolerance does not give stiffness to a cell that has none", "[apps]")
+{
+  const ScratchFolder folder;
+  folder.file("dimer.txt", "# periodic_cell 5 5 5\n1 1 1 0.5\n1.7 1.6 1.3 0.5\n");
+  const Outcome outcome =
+    run(folder.path(), command({"dimer.txt", "--interaction-ratio", "1.1", "--tolerance", "1e-2", "-o", "out"}));
+  REQUIRE(outcome.status == 0);
+  CHECK(nlohmann::json::parse(content_of(folder / "out/homogenised.json"))["relaxed"]["resisted_strains"] == 0);
+}
+
+TEST_CASE("a sweep over cells with and without moduli leaves out what is not", "[apps]")
+{
+  const ScratchFolder folder;
+  folder.file("eight.txt", eight_spheres);
+  folder.file("sweep.prm",
+              "set Kind = homogenisation\nsubsection Homogenisation\n  set Source = file\n  set File = eight.txt\n"
+              "  set Normal modulus = 1\n  set Interaction ratios = 1, 1.5\n  set Shear ratios = 0.2\nend\n");
+  const Outcome outcome = run(folder.path(), {"run", "sweep.prm", "-o", "out"});
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  const auto cases = nlohmann::json::parse(content_of(folder / "out/summary.json"))["cases"];
+  CHECK(cases[0]["relaxed"]["E"].is_null());
+  CHECK(cases[1]["relaxed"]["E"].get<double>() > 0.5);
+  CHECK_THAT(content_of(folder / "out/homogenised.csv"), Contains("1,0.2,") && Contains(",none,none,none,none\n"));
 }
