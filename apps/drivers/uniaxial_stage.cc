@@ -34,6 +34,12 @@ namespace apps
         "Loading, {}: strain {} at {} 1/s would take {:.1e} steps of {:.1e} s. Check density, moduli, sizes and "
         "rates: all in SI units.",
         name_of(load), test.stop_strain, std::abs(test.strain_rate), steps, time_step));
+    constexpr double fewest = 20; // below, the body has not begun to answer when the test is over
+    if (steps < fewest)
+      throw dem::InputError(
+        fmt::format("Loading, {}: strain {} at {} 1/s would take {:.0f} steps of {:.1e} s, too few to "
+                    "follow. Lower the rate, or check density, moduli and sizes: all in SI units.",
+                    name_of(load), test.stop_strain, std::abs(test.strain_rate), steps, time_step));
     return static_cast<std::int64_t>(steps);
   }
 

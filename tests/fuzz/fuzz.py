@@ -132,6 +132,8 @@ class Mutator:
         """One change of a parameter file: mostly of a value, sometimes of its form."""
         lines = text.split("\n")
         values = [i for i, line in enumerate(lines) if "=" in line]
+        if not values:
+            return self.lines(text)
         pick = self.rng.random()
         if pick < 0.6:
             at = self.rng.choice(values)
@@ -193,10 +195,10 @@ def json_scene(mutator, text):
                 continue
             node[key] = rng.choice([mutator.value(str(node[key])), None, True, [1, 2], {}, 1e308, -1, 10**30, {"a": {}}])
             break
-    elif pick < 0.6:
-        for _ in range(rng.choice([40, 3000])):
-            root = {"a": root}
     content = json.dumps(root, indent=1) if rng.random() < 0.9 else "[" * rng.choice([10, 100000])
+    if 0.5 <= pick < 0.6:
+        depth = rng.choice([40, 3000, 100000])
+        return '{"a":' * depth + content + "}" * depth
     return mutator.lines(content) if pick >= 0.6 else content
 
 
