@@ -1,4 +1,5 @@
 #include "fem/solid/nonlocal_weights.h"
+#include "fem/solvers/step_control.h"
 #include "tests/fem/concrete_fixture.h"
 #include "tests/fem/solid_fixture.h"
 
@@ -17,6 +18,53 @@ namespace
     p.nonlocal_length   = radius;
     p.largest_increment = 2e-4;
     return p;
+  }
+
+  const auto zero = [](const Point<2> &, double) { return 0.0; };
+
+  constexpr double length = 0.1, height = 0.005;
+
+  /// A bar with a waist in its middle, whose depth does not depend on the mesh.
+  fem::BuildMesh<2> waisted(const unsigned int n)
+  {
+    return [=](Triangulation<2> &mesh) {
+      GridGenerator::subdivided_hyper_rectangle(mesh, {n, 1u}, Point<2>(), Point<2>(length, height), true);
+      GridTools::transform(
+        [](const Point<2> &x) {
+          const double off = (x[0] - 0.5 * length) / (0.1 * length);
+          return Point<2>(x[0], x[1] * (1 - 0.1 * std::exp(-off * off)));
+        },
+        mesh);
+    };
+  }
+
+  /// Straining of the bar: the load that it carries at most [N/m], and the work of softening until a twentieth is left [J/m].
+  struct Pulled
+  {
+    double peak = 0, work = 0;
+  };
+
+  Pulled pull(const double radius, const unsigned int n)
+  {
+    fem::Loads<2> loads;
+    loads.displacements.push_back({"0", 0, zero});
+    loads.displacements.push_back({"2", 1, zero});
+    loads.displacements.push_back({"1", 0, [](const Point<2> &, double t) { return t; }});
+    Model<2> bar(waisted(n), fem::ElementFamily::hypercube, {}, fem::DamagePlasticConcrete(averaging_concrete(radius)),
+                 loads);
+    fem::StepControl steps;
+    steps.first    = 1e-6;
+    steps.smallest = 1e-10;
+    steps.largest  = 2e-6;
+    Pulled pulled;
+    fem::run_to(*bar.solver, 3e-4, steps, [&](const fem::StepReport &, double) {
+      const double load = bar.solver->reaction("1")[0];
+      pulled.peak       = std::max(pulled.peak, load);
+      return load > 0.05 * pulled.peak;
+    });
+    pulled.work = bar.solver->energy().internal;
+    CHECK(bar.solver->energy().external == Approx(pulled.work).epsilon(1e-6));
+    return pulled;
   }
 }
 
@@ -108,6 +156,16 @@ TEST_CASE("the tangent of nonlocal damage is the derivative of the forces, over 
   cube.solid.constraints().set_zero(by_matrix);
   by_matrix -= by_product;
   CHECK(by_matrix.l2_norm() < 1e-10 * by_product.l2_norm());
+}
+
+TEST_CASE("a softening bar dissipates the same on any mesh finer than its nonlocal length", "[slow]")
+{
+  const Pulled coarse = pull(0.02, 20), middle = pull(0.02, 40), fine = pull(0.02, 80);
+  INFO("peaks " << coarse.peak << ' ' << middle.peak << ' ' << fine.peak << ", work " << coarse.work << ' '
+                << middle.work << ' ' << fine.work);
+  CHECK(fine.peak == Approx(middle.peak).epsilon(0.005));
+  CHECK(fine.work == Approx(middle.work).epsilon(0.02));
+  CHECK(coarse.work == Approx(fine.work).epsilon(0.08));
 }
 
 TEST_CASE("a nonlocal length without a size of its own is refused")
