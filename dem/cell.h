@@ -15,7 +15,7 @@ namespace dem
   using CellShift = std::array<std::int8_t, 3>;
 
   /**
-   * A periodic cell that deforms with a given velocity gradient (mesoscale specification 6), and the images that links reach to.
+   * A periodic cell that deforms with a given velocity gradient (doc/theory/periodic-cell.md), and the images that links reach to.
    *
    * Particles keep absolute positions, wherever they drift; a link to an image at shift k has the branch x_K + H k - x_J for all its
    * life. The default-made object is no cell at all: a free specimen.

@@ -7,8 +7,8 @@ namespace dem
   /**
  * Where the energy of a specimen is and where it went, at one instant t_n [J].
  *
- * Balance: initial + external_work + gravity = kinetic + elastic + damage + friction + released + damping (mesoscale specification,
- * section 8). Kinetic energy is the leap-frog invariant 1/2 m v(n-1/2).v(n+1/2) (+ the same of rotation): together with the
+ * Balance: initial + external_work + gravity = kinetic + elastic + damage + friction + released + damping
+ * (doc/theory/energy.md). Kinetic energy is the leap-frog invariant 1/2 m v(n-1/2).v(n+1/2) (+ the same of rotation): together with the
  * elastic energy at t_n it is conserved exactly by a linear system at any stable step, so that the balance error shows the
  * physics' integration and not the sampling.
  */

@@ -17,7 +17,7 @@ namespace apps
   };
 
   /**
-   * Tensile strength of one CPM specimen (spheres of 1 mm, the concrete of the mesoscale specification 3.1) along its quasi-static
+   * Tensile strength of one CPM specimen (spheres of 1 mm, the concrete of concrete_uniaxial.prm) along its quasi-static
    * path, and pulled in time at falling rates: the rate effect of the dynamic strengths, and what it costs to be rid of it.
    *
    * Written to quasi_static.csv, quasi_static.md and quasi_static.png. @return exit status. @throws dem::InputError,

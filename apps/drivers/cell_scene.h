@@ -22,7 +22,7 @@ namespace apps
     OutputSection           output;
   };
 
-  /** Scene kind "cell": a periodic cell led in time along a path of strains and stresses (mesoscale specification 6). */
+  /** Scene kind "cell": a periodic cell led in time along a path of strains and stresses (doc/theory/periodic-cell.md). */
   class CellScene : public Scene
   {
   public:

@@ -8,7 +8,7 @@
 namespace apps
 {
   /**
-   * Scene kind "uniaxial": a bonded-particle specimen pulled and crushed between grips (mesoscale specification 9.3).
+   * Scene kind "uniaxial": a bonded-particle specimen pulled and crushed between grips (doc/theory/laboratory-test.md).
    */
   class UniaxialScene : public Scene
   {

@@ -9,7 +9,8 @@
 namespace coupling
 {
   /**
-   * From a damage tensor of links to the scalar damage and hardening of damage-plastic concrete (coupling specification 6.3):
+   * From a damage tensor of links to the scalar damage and hardening of damage-plastic concrete
+   * (doc/theory/sequential-transfer.md, 3):
    *
    *   raw = (factor max(0, c1 Omega1 + c2 Omega2 + c3 Omega3))^exponent,  Omega1 >= Omega2 >= Omega3,
    *   raw < switch:  omega = 0,             kappa_P = hardening_start + hardening_slope raw,

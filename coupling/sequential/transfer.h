@@ -6,7 +6,7 @@
 namespace coupling
 {
   /**
-   * Give every integration point with a history the state that the particles around it had (coupling specification 6): stress and
+   * Give every integration point with a history the state that the particles around it had (doc/theory/sequential-transfer.md): stress and
    * damage tensor by averaging, omega and kappa_P by the mapping law, kappa_D by inverting the damage law with the point's element
    * size, and the plastic strain that keeps the stress at zero strain.
    *

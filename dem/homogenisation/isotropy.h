@@ -4,7 +4,7 @@
 
 namespace dem
 {
-  /** Elastic constants averaged over the axes, and how far a stiffness is from isotropic; homogenisation specification 4. */
+  /** Elastic constants averaged over the axes, and how far a stiffness is from isotropic; doc/theory/homogenisation.md, 4. */
   struct IsotropyMeasures
   {
     ElasticConstants mean; ///< averages over the axes of the orthotropic reading E_i = 1/C_ii, nu_ij = -C_ji E_i

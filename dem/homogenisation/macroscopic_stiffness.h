@@ -44,7 +44,7 @@ namespace dem
 
   /**
    * Stiffness if every particle followed the macroscopic strain without turning, from the actual links: (1/V) sum H^T C H,
-   * homogenisation specification (2.1). No displacement field costs less than the true one, so this is an upper bound.
+   * doc/theory/homogenisation.md, 2. No displacement field costs less than the true one, so this is an upper bound.
    */
   MacroscopicStiffness affine_stiffness(const ElasticNetwork &network);
 

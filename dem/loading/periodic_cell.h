@@ -57,7 +57,7 @@ namespace dem
   };
 
   /**
-   * Leads a periodic cell along a path of strains, stresses or any mix of them (mesoscale specification 6), and watches for
+   * Leads a periodic cell along a path of strains, stresses or any mix of them (doc/theory/periodic-cell.md), and watches for
    * localisation. The specimen must outlive the test.
    *
    * The deformation is F = 1 + E with E symmetric. Strains are imposed exactly: G = ((1 + E) F^-1 - 1)/dt each step. Stresses are

@@ -33,10 +33,11 @@ namespace dem
   };
 
   /**
-   * The same in a periodic cell, V mu = x_0 (x) (1 x V sigma) + sum l (x) c - sum_P x_P (x) M_P (mesoscale specification 7.2).
+   * The same in a periodic cell, V mu = x_0 (x) (1 x V sigma) + sum l (x) c - sum_P x_P (x) M_P
+   * (doc/theory/stress-and-fabric.md, 2).
    *
    * Does not depend on the image that a link is written with, nor on the origin; in a free assembly it is the internal form.
-   * Departure: the specification writes + before the last sum; only with - is the form independent of the origin, and equal to
+   * Departure: elsewhere stands + before the last sum; only with - is the form independent of the origin, and equal to
    * (4.53) where no link crosses the cell.
    */
   Eigen::Matrix3d periodic_couple_stress_moment(const std::vector<LinkLoad>       &links,

@@ -63,7 +63,7 @@ namespace dem
 
   /**
    * The tensor with the factor 12/(2N) instead of 15/(2N) that published continuations of Stransky (2018) were computed with:
-   * Omega' = 0.8 Omega - 0.1 trace(Omega) 1 (coupling specification (6.2)). Its mean is half the mean damage.
+   * Omega' = 0.8 Omega - 0.1 trace(Omega) 1 (doc/theory/damage-tensor.md, 3). Its mean is half the mean damage.
    */
   Eigen::Matrix3d with_published_factor(const Eigen::Matrix3d &damage_tensor);
 

@@ -31,7 +31,7 @@ namespace dem
 
   /**
    * Directions with |n.axis| <= steepest, projected along the coordinate axis and counted in equal bins over [0, pi), the angle running
-   * from the next axis (x about z) towards the one after (mesoscale specification 9.1).
+   * from the next axis (x about z) towards the one after (doc/theory/stress-and-fabric.md, 4).
    * @param axis 0, 1, 2 @param bins >= 2
    */
   AzimuthHistogram

@@ -15,6 +15,6 @@ namespace dem
       contact; ///< where each link's force acts, or last acted [m]: to choose those of a region
   };
 
-  /** Contacts, which never had strength to lose, are left out (coupling specification 6.1). */
+  /** Contacts, which never had strength to lose, are left out (doc/theory/sequential-transfer.md, 1). */
   CohesiveDamage cohesive_damage(const LinkOutput &links);
 } // namespace dem

@@ -11,7 +11,7 @@ namespace dem
 {
   namespace
   {
-    /// Below nine diameters a period shows in the fracture pattern (mesoscale specification 9.2).
+    /// Below nine diameters a period shows in the fracture pattern (doc/theory/packing.md, 2).
     constexpr double shortest_period = 9;
 
     std::string text_of(const Eigen::Vector3d &box)

@@ -16,7 +16,7 @@ namespace dem
   };
 
   /**
-   * Fill a box with a packing (mesoscale specification 9.2): repeat the periodic cell until it covers the box, then keep the
+   * Fill a box with a packing (doc/theory/packing.md, 2): repeat the periodic cell until it covers the box, then keep the
    * spheres that lie fully inside, x >= r and x <= box - r along each direction (touching counts as inside, up to a billionth
    * of r for round-off). A free packing is only cropped.
    *

@@ -11,7 +11,7 @@ namespace dem
   {
     /** Pivots of a well supported particle stay far above this; below, eigenvalues decide. */
     constexpr double safe_pivot = 1e-6;
-    /** Relative stiffness taken for none (homogenisation specification 3.2). */
+    /** Relative stiffness taken for none (doc/theory/statics.md, 3). */
     constexpr double no_stiffness = 1e-10;
 
     Block without_held(Block block, const HeldMotions held)

@@ -20,7 +20,7 @@ namespace dem
     double relative_stiffness = 0;
   };
 
-  /** Relative stiffness below which a motion counts as a mechanism (homogenisation specification 3.2). */
+  /** Relative stiffness below which a motion counts as a mechanism (doc/theory/statics.md, 3). */
   constexpr double negligible_stiffness = 1e-10;
 
   /** Lanes in which random fields stand beside the load cases. */

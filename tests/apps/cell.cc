@@ -48,7 +48,7 @@ TEST_CASE("a cell scene of a cubic lattice gives its exact stiffness, strain and
   CHECK_THAT(outcome.out, Contains("energy") && !Contains("localised"));
   const auto summary = nlohmann::json::parse(content_of(folder / "out/summary.json"));
   const auto end     = summary["figures"]["end"];
-  // Homogenisation specification 2.3: D11 = (pi/4) E, D12 = 0, D66 = (pi/8) G, E = 25 GPa, G = 5 GPa. Finite strain changes it by
+  // doc/theory/homogenisation.md, 5: D11 = (pi/4) E, D12 = 0, D66 = (pi/8) G, E = 25 GPa, G = 5 GPa. Finite strain changes it by
   // parts in 1e-4, what is left of waves by less than a hundredth.
   CHECK(end["strain"][0].get<double>() ==
         Approx(5e-5).epsilon(2e-3)); // forces are those of the last step's start, of 600

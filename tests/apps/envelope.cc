@@ -12,7 +12,7 @@ using Catch::Contains;
 
 namespace
 {
-  /** Material M1 of the damage-plastic specification, section 6.1: f_c/f_t = 10. */
+  /** Material M1 of doc/theory/damage-plastic-concrete.md, 6: f_c/f_t = 10. */
   std::vector<std::string> command(const std::vector<std::string> &more)
   {
     std::vector<std::string> words = {"envelope"};
@@ -24,7 +24,7 @@ namespace
   }
 } // namespace
 
-TEST_CASE("envelope: concrete has the biaxial strengths of the specification", "[apps]")
+TEST_CASE("envelope: concrete has the biaxial strengths of its yield surface", "[apps]")
 {
   const ScratchFolder folder;
   const Outcome       outcome = run(folder.path(), command({"-o", "results", "--directions", "48"}));
@@ -32,7 +32,7 @@ TEST_CASE("envelope: concrete has the biaxial strengths of the specification", "
   REQUIRE(outcome.status == 0);
   const nlohmann::json summary = nlohmann::json::parse(content_of(folder / "results/summary.json"));
   const auto           figure  = [&](const char *name) { return summary["figures"][name]["value"].get<double>(); };
-  // Specification, section 2: at q = 1 the surface gives f_c, f_t, f_b/f_c = 1.17538 and tau/f_c = 0.0993494; digits as printed.
+  // At q = 1 the surface gives f_c, f_t, f_b/f_c = 1.17538 and tau/f_c = 0.0993494; digits as printed.
   // Steps end within 1e-8 of strain of the peak, where hardening is flat.
   CHECK(figure("compressive_strength") == Approx(30e6).epsilon(1e-5));
   CHECK(figure("tensile_strength") == Approx(3e6).epsilon(1e-4));
@@ -44,7 +44,7 @@ TEST_CASE("envelope: concrete has the biaxial strengths of the specification", "
   const auto &x = table.column("stress_xx"), &y = table.column("stress_yy"), &kappa = table.column("kappa_P");
   for (std::size_t i = 0; i < 48; ++i)
     {
-      // Every peak lies on the surface with q = 1 (Grassl and Jirasek 2006, as written in the specification), reckoned here.
+      // Every peak lies on the surface with q = 1 (Grassl and Jirasek 2006), reckoned here.
       const double f_c = 30e6, f_t = 3e6, e = 0.525, m0 = 3 * (f_c * f_c - f_t * f_t) / (f_c * f_t) * e / (e + 1);
       const double mean = (x[i] + y[i]) / 3;
       const double s[3] = {x[i] - mean, y[i] - mean, -mean};

@@ -39,7 +39,7 @@ namespace
 
 TEST_CASE("link-test gives the published answer of the CPM law in tension", "[apps]")
 {
-  // Mesoscale specification 3.3, which agrees with the published law tester to 1e-9; digits as printed there.
+  // doc/theory/cpm.md, 3, which agrees with the published law tester to 1e-9; digits as they were given.
   const double                published[][4] = {{1.0e-4, 0, 100000, 0},
                                                 {1.1e-4, 0.149539104515, 93550.6985, 0.0644930150},
                                                 {1.5e-4, 0.522312459617, 71653.1311, 0.2834686894},
@@ -58,7 +58,7 @@ TEST_CASE("link-test gives the published answer of the CPM law in tension", "[ap
 
 TEST_CASE("link-test dissipates 20 J/m^3 of damage in tension to failure and then breaks the link", "[apps]")
 {
-  // E eps_0 (eps_0/2 + eps_f) = 1e9 * 1e-4 * (0.5e-4 + 1.5e-4): mesoscale specification 8.
+  // E eps_0 (eps_0/2 + eps_f) = 1e9 * 1e-4 * (0.5e-4 + 1.5e-4): doc/theory/cpm.md, 3.
   const postprocess::CsvTable out = answer("normal_strain\n0\n1e-3\n1.4e-3\n2e-3\n");
   CHECK(out.column("broken") == std::vector<double>{0, 0, 0, 1});
   // At 1.4e-3 the strength left is e^-8.67 = 1.7e-4, and so is the part of the softening area that is missing.
@@ -68,7 +68,7 @@ TEST_CASE("link-test dissipates 20 J/m^3 of damage in tension to failure and the
 
 TEST_CASE("link-test returns a shear overload to the strength exactly and keeps the plastic strain", "[apps]")
 {
-  // Mesoscale specification 3.2, note: one step with twice the shear strength R, then no further strain: the trial
+  // doc/theory/cpm.md, 2: one step with twice the shear strength R, then no further strain: the trial
   // stress of the second step must equal R. Here R = c_0 = 1e4 Pa, G = 5e8 Pa: twice R at a shear strain of 4e-5.
   const postprocess::CsvTable out =
     answer("shear_strain_2, normal_strain\n4e-5, 0\n4e-5, 0\n# back to the plastic strain\n2e-5, 0\n", "1e4");

@@ -13,7 +13,7 @@ namespace apps_tests
   /** Two spheres of 1 mm on the z axis, 2 mm apart. */
   std::string pair_packing();
 
-  /** A scene that reads the packing "packing.txt" beside it, with the concrete of the mesoscale specification 9.3. */
+  /** A scene that reads the packing "packing.txt" beside it, with the concrete of concrete_uniaxial.prm. */
   std::string scene_with_file();
 
   /** The text with its first occurrence of `from` replaced. @throws std::logic_error if there is none */

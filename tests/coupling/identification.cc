@@ -45,7 +45,7 @@ TEST_CASE("the continuum's reference knows its peak, its hardening and its damag
 {
   const ContinuumReference reference(concrete(), 2.0, true, 3.5e-5, 0.2);
   CHECK(reference.peak() == Approx(40e6).epsilon(1e-4)); // M2: f_c
-  // State published at strain -2.45e-3: 27.839 MPa, omega = 0.30404 (damage-plastic specification 6.2).
+  // State published at strain -2.45e-3: 27.839 MPa, omega = 0.30404 (doc/theory/damage-plastic-concrete.md, 6, M2).
   CHECK(reference.damage_at(27.839 / 40) == Approx(0.30404).epsilon(2e-3));
   CHECK(reference.hardening_at(0.3) > 0);
   CHECK(reference.hardening_at(0.3) < reference.hardening_at(0.9));

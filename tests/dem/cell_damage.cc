@@ -55,7 +55,7 @@ TEST_CASE("damage tensors count every link that was made, deleted ones with thei
 
 TEST_CASE("in a damaged cell at rest no particle feels a moment and the couple stress vanishes", "[dem][measures]")
 {
-  // Without contact couples mu = 0 in equilibrium (mesoscale specification 7.2); underway it is not.
+  // Without contact couples mu = 0 in equilibrium (doc/theory/stress-and-fabric.md, 2); underway it is not.
   dem::Specimen specimen = pulled();
   const auto    measure  = [&] {
     const auto                       links = specimen.links();

@@ -36,7 +36,7 @@ TEST_CASE("closed system keeps momentum and angular momentum to 1e-12 while it b
 
 TEST_CASE("energy of a closed system that breaks, slides and collides stays accounted for", "[dem]")
 {
-  // Specification 8: within 1e-3 of the largest term with D = 0 and half the critical step, per 1e4 steps.
+  // doc/theory/energy.md: within 1e-3 of the largest term with D = 0 and half the critical step, per 1e4 steps.
   omp_set_num_threads(1);
   for (const double damping : {0.0, 0.3})
     {

@@ -1,4 +1,4 @@
-// Stiffness of lattices and small cells against closed forms and the homogenisation specification, 2.2, 2.3 and 7.
+// Stiffness of lattices and small cells against closed forms and reference cells, doc/theory/homogenisation.md.
 #include "dem/homogenisation/isotropy.h"
 #include "dem/homogenisation/relaxed_stiffness.h"
 #include "dem/packing/lattice.h"
@@ -125,7 +125,7 @@ TEST_CASE("closed form: moduli and stiffness are those of evenly spread directio
   CHECK(constants.poisson == Approx(measured.mean.poisson).epsilon(1e-13));
 }
 
-TEST_CASE("cell of eight spheres: every number of the specification", "[dem][homogenisation]")
+TEST_CASE("cell of eight spheres: every number of an independent solution", "[dem][homogenisation]")
 {
   const auto network = dem::make_network(eight_particles(), links(1.5, 0.2));
   CHECK(network.links.size() == 37);
@@ -167,7 +167,7 @@ TEST_CASE("cell of eight spheres: every number of the specification", "[dem][hom
   CHECK(held.mean.poisson == Approx(0.186597).margin(0.6e-6));
 }
 
-TEST_CASE("cell of six discs: every number of the specification", "[dem][homogenisation]")
+TEST_CASE("cell of six discs: every number of an independent solution", "[dem][homogenisation]")
 {
   const auto network = dem::make_network(six_discs(), plane_links(1.25, 0.2, 1.0));
   CHECK(network.links.size() == 14);

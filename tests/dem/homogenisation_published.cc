@@ -1,4 +1,4 @@
-// Random packings against the published static solutions, homogenisation specification 5 and 6.
+// Random packings against the published static solutions, doc/theory/homogenisation.md, 5.
 #include "dem/homogenisation/isotropy.h"
 #include "dem/homogenisation/relaxed_stiffness.h"
 #include "dem/packing/compaction.h"
@@ -104,7 +104,7 @@ namespace
       {
         const Means m = means(packings, row.interaction_ratio, row.shear_ratio);
         CAPTURE(packings.front().size(), row.interaction_ratio, row.shear_ratio, m.young, m.poisson);
-        // The specification's rule for packings made otherwise than the published ones.
+        // The rule for packings made otherwise than the published ones.
         CHECK(std::fabs(m.young - row.young) <= std::max(3 * row.young_deviation, 0.08 * row.young));
         CHECK(std::fabs(m.poisson - row.poisson) <= (row.interaction_ratio < 1.1 ? 0.03 : 0.015));
       }

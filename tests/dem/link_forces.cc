@@ -129,7 +129,7 @@ namespace
   }
 } // namespace
 
-TEST_CASE("link forces are those of the specification for every choice of physics", "[dem]")
+TEST_CASE("link forces are those of an independent computation for every choice of physics", "[dem]")
 {
   for (const int dimension : {3, 2})
     for (const bool rotations : {true, false})

@@ -93,7 +93,7 @@ TEST_CASE("ten thousand random directions return the tensor by the even form wit
   tensor << 0.6, 0.1, 0.0, 0.1, 0.3, -0.1, 0.0, -0.1, 0.2;
   const auto            links = imposed(tensor, 10000, 17);
   const Eigen::Matrix3d found = dem::damage_tensor_even(links);
-  REQUIRE((found - tensor).cwiseAbs().maxCoeff() < 0.03); // coupling specification 6.1
+  REQUIRE((found - tensor).cwiseAbs().maxCoeff() < 0.03); // doc/theory/sequential-transfer.md, 1
   REQUIRE(found.trace() / 3 == Approx(mean(links)).epsilon(1e-12));
 }
 
@@ -180,7 +180,7 @@ TEST_CASE("each particle's damage tensor is over its own links", "[dem][measures
 
 TEST_CASE("conversion from the published factor gives the printed tensors", "[dem][measures]")
 {
-  // Coupling specification 6.6, columns Omega' (factor 12) and Omega (factor 15), cases 002, 005, 010; six decimals.
+  // Published states (doc/theory/sequential-transfer.md, 3), columns Omega' (factor 12) and Omega (factor 15), cases 002, 005, 010; six decimals.
   const Eigen::Vector3d published[] = {
     {0.108375, 0.101605, -0.087772}, {0.508975, 0.466284, -0.224915}, {0.538756, 0.507998, -0.138130}};
   const Eigen::Vector3d consistent[] = {

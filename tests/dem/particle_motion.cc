@@ -89,7 +89,7 @@ namespace
     double damping;
   };
 
-  /** The leap-frog step of mesoscale specification 4 and 5.1, particle by particle, on the reference links. */
+  /** The leap-frog step of doc/theory/integration.md, 1, particle by particle, on the reference links. */
   class ReferenceMotion
   {
   public:
@@ -148,7 +148,7 @@ namespace
   };
 } // namespace
 
-TEST_CASE("free motion is the leap-frog of the specification, with moments and local damping", "[dem]")
+TEST_CASE("free motion is the leap-frog step, with moments and local damping", "[dem]")
 {
   omp_set_num_threads(1);
   for (const int dimension : {3, 2})

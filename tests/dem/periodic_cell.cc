@@ -12,7 +12,7 @@ using Catch::Contains;
 
 namespace
 {
-  /** Mean Young's modulus and Poisson's ratio by the orthotropic reading (homogenisation specification 4). */
+  /** Mean Young's modulus and Poisson's ratio by the orthotropic reading (doc/theory/homogenisation.md, 4). */
   Eigen::Vector2d constants(const dem::Matrix6d &stiffness)
   {
     const dem::Matrix6d c = stiffness.inverse();
@@ -30,7 +30,7 @@ namespace
 
 TEST_CASE("a strained lattice answers with its exact stiffness, whatever images its links reach", "[dem][periodic]")
 {
-  // Homogenisation specification 2.3. One sphere alone in its cell has links to its own images only.
+  // doc/theory/homogenisation.md, 5. One sphere alone in its cell has links to its own images only.
   const double       En = 1, Gn = 0.3, a = M_PI / (2 * std::sqrt(2.0));
   const dem::Packing cubic  = lattice({{0.2, 0.7, 0.1}}, 2.0),
                      face   = lattice({{0, 0, 0}, {0.5, 0.5, 0}, {0, 0.5, 0.5}, {0.5, 0, 0.5}}, 2 * std::sqrt(2.0));

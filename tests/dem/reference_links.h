@@ -10,8 +10,8 @@
 #include <vector>
 
 /**
- * Links, kinematics and cohesive particle model once more, link by link with matrices as they are printed in the mesoscale
- * specification (2.3, 3.2, 3.3, 4): slow, and without a line in common with dem.
+ * Links, kinematics and cohesive particle model once more, link by link with matrices as they are printed in the literature
+ * (doc/theory/links.md, shear-kinematics.md, cpm.md): slow, and without a line in common with dem.
  */
 namespace reference
 {

@@ -71,7 +71,7 @@ namespace
 
 TEST_CASE("shear strain of a link turned rigidly stays zero", "[dem]")
 {
-  // Mesoscale specification 2.3; the first-order update in common use leaves 7.8e-2 and 7.6e-3.
+  // doc/theory/shear-kinematics.md, 1; the first-order update in common use leaves 7.8e-2 and 7.6e-3.
   for (const double first_arm : {0.5, 0.2}) // equal and unequal spheres
     {
       CHECK(full_turn(Vector3d::Zero(), first_arm, 100).shear.norm() < 1e-13);
@@ -117,7 +117,7 @@ TEST_CASE("transverse translation strains the link by its length of arc in the t
   pair.branch = Vector3d::UnitX();
   for (int n = 1; n <= 100; ++n)
     pair.step(Vector3d(1, 1e-4 * n, 0), Vector3d::Zero(), Vector3d::Zero());
-  CHECK(pair.shear.norm() == Approx(0.0099998).margin(5e-8).epsilon(0)); // specification, to the digits printed
+  CHECK(pair.shear.norm() == Approx(0.0099998).margin(5e-8).epsilon(0)); // asinh(0.01), to the digits given
   // Exactly: integral of cos(a) dy with y = tan(a), that is asinh(0.01); second order in the steps of 1e-4.
   CHECK(pair.shear.norm() == Approx(std::asinh(0.01)).epsilon(1e-8));
 }
@@ -163,7 +163,7 @@ TEST_CASE("shear increment seen by a turning observer differs by second order in
 {
   // One small motion, seen at rest and by an observer who turns by an angle during the same step, about an axis across the link.
   // Rigid motion is exact; what a motion adds is measured in the middle of the step, which leaves a part of order angle^2 of it.
-  // (A turn along the link leaves half the angle: specification 2.3 does not twist the increment of the step itself.)
+  // (A turn along the link leaves half the angle: doc/theory/shear-kinematics.md, 1, does not twist the increment of the step itself.)
   dem::UniformRandom random(5);
   for (int trial = 0; trial < 20; ++trial)
     {

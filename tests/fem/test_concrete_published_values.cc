@@ -1,4 +1,4 @@
-// Values of the specification damage-plastic-concrete.md, section 6: published, or from an independent implementation.
+// doc/theory/damage-plastic-concrete.md, 6: values published, or from an independent implementation.
 #include "fem/materials/damage_plastic/stress_invariants.h"
 #include "tests/fem/concrete_fixture.h"
 
@@ -15,7 +15,7 @@ namespace
     return (Voigt() << a, b, c, d, e, f).finished();
   }
 
-  // The specification prints 7 to 10 digits; its own tolerance for whole runs is 1e-4.
+  // Reference values have 7 to 10 digits; their tolerance for whole runs is 1e-4.
   constexpr double run_tolerance = 1e-4;
 }
 
@@ -84,7 +84,7 @@ TEST_CASE("damage law of concrete: values over size, and its inverse", "[fem]")
           Approx(damage).epsilon(1e-9)); // 1 - omega loses digits near 1
 }
 
-TEST_CASE("concrete in uniaxial tension: stress, hardening and damage of the specification", "[fem]")
+TEST_CASE("concrete in uniaxial tension: reference values of stress, hardening and damage", "[fem]")
 {
   UniaxialPoint point(material_m1());
   CHECK(point.go_to(1e-4, 1) == Approx(2948603).epsilon(run_tolerance));
@@ -107,7 +107,7 @@ TEST_CASE("concrete in uniaxial tension: stress, hardening and damage of the spe
   CHECK(fine.go_to(5e-4, 14) == Approx(621550).epsilon(run_tolerance));
 }
 
-TEST_CASE("concrete in uniaxial compression: stress, hardening and damage of the specification", "[fem]")
+TEST_CASE("concrete in uniaxial compression: reference values of stress, hardening and damage", "[fem]")
 {
   UniaxialPoint point(material_m1());
   CHECK(point.go_to(-5e-4, 1) == Approx(-14029124).epsilon(run_tolerance));
@@ -138,7 +138,7 @@ TEST_CASE("concrete in uniaxial compression: stress, hardening and damage of the
   CHECK(fine.go_to(-5e-3, 25) == Approx(-25752107).epsilon(run_tolerance));
 }
 
-TEST_CASE("concrete in oedometric and hydrostatic strain: values of the specification", "[fem]")
+TEST_CASE("concrete in oedometric and hydrostatic strain: reference values", "[fem]")
 {
   const fem::DamagePlasticConcrete law(material_m1());
   const auto                       first = follow(law, {voigt(-5e-4, 0, 0, 0, 0, 0)}, 1);
@@ -170,7 +170,7 @@ TEST_CASE("concrete in oedometric and hydrostatic strain: values of the specific
     }
 }
 
-TEST_CASE("concrete on a non-proportional path: values of the specification", "[fem]")
+TEST_CASE("concrete on a non-proportional path: reference values", "[fem]")
 {
   const std::vector<Voigt> path = {voigt(-1e-3, 2e-4, 1e-4, 0, 0, 3e-4), voigt(-2e-3, 5e-4, 2e-4, 1e-4, 0, 6e-4)};
   const fem::DamagePlasticConcrete law(material_m1());

@@ -220,7 +220,7 @@ TEST_CASE("arc length: every step has the length asked for, and the load that be
 
 TEST_CASE("concrete specimen: one element of each kind answers like the material point", "[fem]")
 {
-  // Uniaxial tension of the specification, section 6.1, through mesh, assembly and solver.
+  // Uniaxial tension of doc/theory/damage-plastic-concrete.md, 6, through mesh, assembly and solver.
   auto          p = material_m1();
   fem::Loads<3> loads;
   for (unsigned int c = 0; c < 3; ++c)

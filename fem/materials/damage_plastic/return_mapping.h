@@ -28,9 +28,9 @@ namespace fem
   };
 
   /**
-   * Backward Euler return of Grassl and Jirasek (2006), section 3 of the specification.
+   * Backward Euler return of Grassl and Jirasek (2006); doc/theory/damage-plastic-concrete.md, 4.
    *
-   * Departure: the specification hardens a vertex return with (2 cos 0)^2 and a regular one with (2 cos theta)^2. Off
+   * Departure: the model hardens a vertex return with (2 cos 0)^2 and a regular one with (2 cos theta)^2. Off
    * the axis this leaves trial stresses that neither return takes, and a jump of stress between the two. Here the factor
    * of the vertex goes from (2 cos 0)^2 on the axis to (2 cos theta)^2 within a narrow cone around it, so that the
    * two returns meet where rho vanishes.
