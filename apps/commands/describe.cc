@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cctype>
 #include <memory>
 
 namespace apps
@@ -17,81 +19,149 @@ namespace apps
   {
     struct DescribeOptions
     {
-      std::string section, kind, format = "prm";
+      std::string wanted, kind, format = "prm";
     };
 
-    void collect_sections(const Section &section, std::vector<const Section *> &all)
+    std::string in_lower_case(std::string text)
     {
-      all.push_back(&section);
-      for (const auto &subsection : section.sections())
-        collect_sections(*subsection, all);
+      for (char &c : text)
+        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+      return text;
     }
 
-    /** The section of that path ("Material/CPM") or, if only one has it, of that name ("CPM"); case does not matter. */
-    const Section *find(const std::vector<const Section *> &sections, const std::string &wanted)
+    /** Whether the path ("Material/CPM/Cohesion") is the wanted one or ends with it; case does not matter. */
+    bool is_called(const std::string &path, const std::string &wanted)
     {
-      const Section *by_name = nullptr;
-      int            times   = 0;
-      for (const Section *section : sections)
-        {
-          if (edit_distance(section->path(), wanted) == 0)
-            return section;
-          if (edit_distance(section->name(), wanted) == 0)
-            {
-              by_name = section;
-              ++times;
-            }
-        }
-      return times == 1 ? by_name : nullptr;
+      const std::string longer = "/" + in_lower_case(path), end = "/" + in_lower_case(wanted);
+      return longer.size() >= end.size() && longer.compare(longer.size() - end.size(), end.size(), end) == 0;
     }
 
-    void print(const Section &section, const std::string &kind, const std::string &format)
+    /** A section, or one entry of it. */
+    struct Match
     {
-      if (format == "md")
-        fmt::print("# Scenes of kind {}\n{}", kind, description_as_markdown(section));
+      const Section *section;
+      const Entry   *entry;
+    };
+
+    /** Every section of that name or path with all that it holds, and every such entry; all sections for an empty name. */
+    void collect(const Section &section, const std::string &wanted, std::vector<Match> &found)
+    {
+      const bool is_wanted = wanted.empty() || (!section.path().empty() && is_called(section.path(), wanted));
+      if (is_wanted)
+        found.push_back({&section, nullptr});
       else
-        fmt::print("# Scenes of kind {}\n{}", kind, description_as_prm(section));
+        for (const auto &entry : section.entries())
+          if (is_called(section.path_of(entry->name), wanted))
+            found.push_back({&section, entry.get()});
+      for (const auto &subsection : section.sections())
+        collect(*subsection, is_wanted ? "" : wanted, found);
     }
 
-    /** One kind asked for: its description; otherwise a list of those of all kinds that have the section. */
-    void print_json(const std::vector<nlohmann::json> &described, const bool one_kind)
+    void collect_names(const Section &section, std::vector<std::string> &names)
     {
-      fmt::print("{}\n", one_kind ? described.front().dump(2) : nlohmann::json(described).dump(2));
+      if (!section.path().empty())
+        names.push_back(section.path());
+      for (const auto &entry : section.entries())
+        names.push_back(entry->name);
+      for (const auto &subsection : section.sections())
+        collect_names(*subsection, names);
     }
 
-    /** Every kind that has the section, or the one asked for. */
+    /** A text, and the kinds of scenes that it holds for. */
+    struct Passage
+    {
+      std::string heading, text, kinds;
+    };
+
+    /** What several kinds have in common is said once; another wording stands after the first of its heading. */
+    void add(std::vector<Passage> &passages, const Passage &next)
+    {
+      auto after = passages.end();
+      for (auto passage = passages.begin(); passage != passages.end(); ++passage)
+        {
+          if (passage->heading != next.heading)
+            continue;
+          if (passage->text == next.text)
+            {
+              passage->kinds += ", " + next.kinds;
+              return;
+            }
+          after = passage + 1;
+        }
+      passages.insert(after, next);
+    }
+
+    Passage in_markdown(const Match &match, const std::string &kind)
+    {
+      const std::string path = match.section->path();
+      return {path.empty() ? "Outside all sections" : path, description_as_markdown(*match.section, match.entry), kind};
+    }
+
+    void print_markdown(const std::vector<Passage> &passages)
+    {
+      for (std::size_t i = 0; i < passages.size(); ++i)
+        fmt::print("{}## {}\n\n*Scenes of kind {}.* {}", i > 0 ? "\n" : "", passages[i].heading, passages[i].kinds,
+                   passages[i].text);
+    }
+
+    void print_prm(const std::vector<Passage> &passages)
+    {
+      for (const Passage &passage : passages)
+        fmt::print("# Scenes of kind {}\n{}", passage.kinds, passage.text);
+    }
+
+    /** Whole files show each section once, inside its parent: matches within matches are left out. */
+    std::vector<Match> outermost(const std::vector<Match> &found)
+    {
+      std::vector<Match> kept;
+      for (const Match &match : found)
+        {
+          const auto holds = [&](const Match &outer) {
+            const std::string path = match.section->path();
+            return !outer.entry && (outer.section->path().empty() || path == outer.section->path() ||
+                                    path.rfind(outer.section->path() + "/", 0) == 0);
+          };
+          if (std::none_of(kept.begin(), kept.end(), holds))
+            kept.push_back(match);
+        }
+      return kept;
+    }
+
+    /** Sections and entries of all kinds, or of the one asked for. */
     int describe(const DescribeOptions &options)
     {
-      std::vector<std::string>    paths;
-      std::vector<nlohmann::json> described;
-      bool                        shown = false;
+      std::vector<std::string>    names;
+      std::vector<Passage>        passages;
+      std::vector<nlohmann::json> objects;
       for (const SceneKind &kind : scene_kinds())
         {
           if (!options.kind.empty() && kind.name != options.kind)
             continue;
-          const LoadedScene            scene = declare_scene(kind.name);
-          std::vector<const Section *> sections;
-          collect_sections(*scene.root, sections);
-          for (const Section *section : sections)
-            if (!section->path().empty())
-              paths.push_back(section->path());
-          if (const Section *wanted = find(sections, options.section))
-            {
-              shown = true;
-              if (options.format != "json")
-                {
-                  print(*wanted, kind.name, options.format);
-                  continue;
-                }
-              described.push_back(description_as_json(*wanted));
-              described.back()["kind"] = kind.name;
-            }
+          const LoadedScene  scene = declare_scene(kind.name);
+          std::vector<Match> found;
+          collect(*scene.root, options.wanted, found);
+          collect_names(*scene.root, names);
+          if (options.format == "md")
+            for (const Match &match : found)
+              add(passages, in_markdown(match, kind.name));
+          else
+            for (const Match &match : outermost(found))
+              {
+                add(passages, {match.section->path(), description_as_prm(*match.section, match.entry), kind.name});
+                objects.push_back(description_as_json(*match.section, match.entry));
+                objects.back()["kind"] = kind.name;
+              }
         }
-      if (!shown)
-        throw dem::InputError("command line: section \"" + options.section + "\" is not known. " +
-                              did_you_mean(options.section, paths));
+      if (passages.empty())
+        throw dem::InputError("command line: there is no section or entry \"" + options.wanted + "\". " +
+                              did_you_mean(options.wanted, names));
       if (options.format == "json")
-        print_json(described, !options.kind.empty());
+        fmt::print("{}\n",
+                   (objects.size() == 1 && !options.kind.empty() ? objects.front() : nlohmann::json(objects)).dump(2));
+      else if (options.format == "md")
+        print_markdown(passages);
+      else
+        print_prm(passages);
       return exit_success;
     }
   } // namespace
@@ -100,8 +170,12 @@ namespace apps
   {
     const auto options = std::make_shared<DescribeOptions>();
     CLI::App  &command = *program.add_subcommand(
-       "describe", "Every parameter of a scene, or of one section: meaning, unit, default, range");
-    command.add_option("section", options->section, "Section, e.g. Material/CPM; default: all")->type_name("SECTION");
+       "describe", "Every parameter of a scene, or those of a section, or one: meaning, unit, default, range");
+    command
+      .add_option(
+        "name", options->wanted,
+        "Section or entry by its name or the end of its path, e.g. CPM, Cohesion, Loading/Tension; default: all")
+      ->type_name("NAME");
     std::vector<std::string> kinds;
     for (const SceneKind &kind : scene_kinds())
       kinds.push_back(kind.name);

@@ -10,7 +10,7 @@ namespace apps
   /**
    * Declare the entries of a continuum material, which describes itself, in a section of the scene (or of the command line).
    *
-   * The unit is the first word in brackets of the meaning; a constant whose member is not a number has no default.
+   * The unit is the first word in brackets of the meaning, which then does without it; a constant whose member is not a number has no default.
    * @tparam Law as fem::IsotropicElastic.
    */
   template <typename Law>
@@ -23,7 +23,9 @@ namespace apps
         open < close && close != std::string::npos ? meaning.substr(open + 1, close - open - 1) : "-";
       const bool required = std::isnan(member);
       block.number(key, member, unit, Range::between(lower, upper), required ? Need::required : Need::optional)
-        .means(meaning);
+        .means(open < close && close != std::string::npos ?
+                 meaning.substr(0, meaning.find_last_not_of(' ', open - 1) + 1) + meaning.substr(close + 1) :
+                 meaning);
     });
   }
 } // namespace apps

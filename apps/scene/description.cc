@@ -26,20 +26,24 @@ namespace apps
       text += "\n" + margin(depth) + "subsection " + section.name() + "\n";
     }
 
-    void describe_in_prm(const Section &section, const int depth, std::string &text)
+    void describe_in_prm(const Section &section, const Entry *const only, const int depth, std::string &text)
     {
       for (const auto &entry : section.entries())
         {
+          if (only && entry.get() != only)
+            continue;
           text += margin(depth) + "# " + remark(*entry) + "\n";
           text += margin(depth) + (entry->required ? "# set " + entry->name + " =    (no default)\n" :
                                                      "set " + entry->name + " = " + entry->value + "\n");
         }
+      if (only)
+        return;
       for (const auto &subsection : section.sections())
         {
           open(*subsection, depth, text);
           text += margin(depth + 1) + "# " + subsection->meaning() +
                   (subsection->condition().empty() ? "" : "; only if " + subsection->condition()) + "\n";
-          describe_in_prm(*subsection, depth + 1, text);
+          describe_in_prm(*subsection, nullptr, depth + 1, text);
           text += margin(depth) + "end\n";
         }
     }
@@ -49,22 +53,6 @@ namespace apps
       for (std::size_t i = 0; (i = text.find('|', i)) != std::string::npos; i += 2)
         text.insert(i, "\\");
       return text;
-    }
-
-    void describe_in_markdown(const Section &section, std::string &text)
-    {
-      if (!section.path().empty())
-        text += "\n## " + section.path() + "\n\n" + section.meaning() + "." +
-                (section.condition().empty() ? "" : " Only if " + section.condition() + ".") + "\n";
-      if (!section.entries().empty())
-        text += "\n| Entry | Unit | Default | Allowed | Meaning |\n|---|---|---|---|---|\n";
-      for (const auto &entry : section.entries())
-        text += escaped(entry->name).insert(0, "| ") + " | " + entry->unit + " | " +
-                (entry->required ? "required" : escaped(entry->value)) + " | " +
-                escaped(entry->type + (entry->allowed.empty() ? "" : ", " + entry->allowed)) + " | " +
-                escaped(entry->meaning) + (entry->condition.empty() ? "" : "; only if " + entry->condition) + " |\n";
-      for (const auto &subsection : section.sections())
-        describe_in_markdown(*subsection, text);
     }
 
     /** A file name stays valid when the completed scene stands in another folder. */
@@ -102,7 +90,7 @@ namespace apps
     }
   } // namespace
 
-  std::string description_as_prm(const Section &section)
+  std::string description_as_prm(const Section &section, const Entry *const only)
   {
     std::string text;
     std::string path = section.path();
@@ -118,18 +106,28 @@ namespace apps
     if (depth > 0)
       text = opening + margin(depth) + "# " + section.meaning() +
              (section.condition().empty() ? "" : "; only if " + section.condition()) + "\n";
-    describe_in_prm(section, depth, text);
+    describe_in_prm(section, only, depth, text);
     return text + closing;
   }
 
-  std::string description_as_markdown(const Section &section)
+  std::string description_as_markdown(const Section &section, const Entry *const only)
   {
     std::string text;
-    describe_in_markdown(section, text);
+    if (!section.path().empty())
+      text =
+        section.meaning() + "." + (section.condition().empty() ? "" : " Only if " + section.condition() + ".") + "\n";
+    if (!section.entries().empty())
+      text += "\n| Entry | Unit | Default | Allowed | Meaning |\n|---|---|---|---|---|\n";
+    for (const auto &entry : section.entries())
+      if (!only || entry.get() == only)
+        text += escaped(entry->name).insert(0, "| ") + " | " + entry->unit + " | " +
+                (entry->required ? "required" : escaped(entry->value)) + " | " +
+                escaped(entry->type + (entry->allowed.empty() ? "" : ", " + entry->allowed)) + " | " +
+                escaped(entry->meaning) + (entry->condition.empty() ? "" : "; only if " + entry->condition) + " |\n";
     return text;
   }
 
-  nlohmann::json description_as_json(const Section &section)
+  nlohmann::json description_as_json(const Section &section, const Entry *const only)
   {
     nlohmann::json described = {{"path", section.path()}, {"meaning", section.meaning()}};
     if (!section.condition().empty())
@@ -137,6 +135,8 @@ namespace apps
     described["entries"] = nlohmann::json::array();
     for (const auto &entry : section.entries())
       {
+        if (only && entry.get() != only)
+          continue;
         nlohmann::json one = {{"name", entry->name}, {"unit", entry->unit},       {"meaning", entry->meaning},
                               {"type", entry->type}, {"allowed", entry->allowed}, {"required", entry->required}};
         if (!entry->required)
@@ -146,8 +146,9 @@ namespace apps
         described["entries"].push_back(std::move(one));
       }
     described["sections"] = nlohmann::json::array();
-    for (const auto &subsection : section.sections())
-      described["sections"].push_back(description_as_json(*subsection));
+    if (!only)
+      for (const auto &subsection : section.sections())
+        described["sections"].push_back(description_as_json(*subsection));
     return described;
   }
 

@@ -11,12 +11,13 @@ namespace apps
   /**
    * A scene file with every entry, its default, meaning, unit and range; needed constants stand as comments to fill
    * in.
+   * @param only this entry of the section, if given
    */
-  std::string description_as_prm(const Section &section);
-  /** The same as a Markdown table per section. */
-  std::string description_as_markdown(const Section &section);
-  /** The same for programs: nested objects with "entries" and "sections". */
-  nlohmann::json description_as_json(const Section &section);
+  std::string description_as_prm(const Section &section, const Entry *only = nullptr);
+  /** The entries of one section, not those of its sub-sections, as a Markdown table after a line of what the section is. */
+  std::string description_as_markdown(const Section &section, const Entry *only = nullptr);
+  /** The same as description_as_prm() for programs: nested objects with "entries" and "sections". */
+  nlohmann::json description_as_json(const Section &section, const Entry *only = nullptr);
 
   enum class Completed
   {

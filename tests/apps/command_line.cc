@@ -36,5 +36,5 @@ TEST_CASE("A wrong command line is refused with one message and status 2", "[app
   refused({"run", "x.prm", "--threads", "0"}, "--threads: Value 0 not in range");
   refused({"run", "x.prm", "--wrong"}, "not expected: --wrong");
   refused({"link-test", "--law", "CPN", "--path", "x.csv"}, "law \"CPN\" is not known. Did you mean \"CPM\"?");
-  refused({"describe", "Materail"}, "section \"Materail\" is not known. Did you mean \"Material\"?");
+  refused({"describe", "Materail"}, "there is no section or entry \"Materail\". Did you mean \"Material\"?");
 }

@@ -76,6 +76,55 @@ TEST_CASE("describe writes parameter files, tables and JSON of all sections", "[
   CHECK_THAT(run(folder.path(), {"describe", "time", "--format", "md"}).out, Contains("| Step factor | - | 0.8 |"));
 }
 
+TEST_CASE("describe finds entries and sections by name wherever they are, and says once what kinds share", "[apps]")
+{
+  const ScratchFolder folder;
+  const Outcome       cohesion = run(folder.path(), {"describe", "cohesion"});
+  REQUIRE(cohesion.status == 0);
+  CHECK_THAT(cohesion.out, Contains("subsection CPM") && Contains("set Cohesion =") && !Contains("Shear ratio"));
+  CHECK_THAT(cohesion.out, Contains("# Scenes of kind cell, quasi_static, uniaxial\n"));
+
+  const Outcome cpm = run(folder.path(), {"describe", "CPM"}); // of one material, and of each of several
+  REQUIRE(cpm.status == 0);
+  CHECK_THAT(cpm.out,
+             Contains("subsection Material\n") && Contains("subsection Materials\n") && Contains("Shear ratio"));
+
+  const Outcome one =
+    run(folder.path(), {"describe", "Material/CPM/Cohesion", "--kind", "uniaxial", "--format", "json"});
+  REQUIRE(one.status == 0);
+  const nlohmann::json section = nlohmann::json::parse(one.out);
+  CHECK(section["path"] == "Material/CPM");
+  REQUIRE(section["entries"].size() == 1);
+  CHECK(section["entries"][0]["name"] == "Cohesion");
+
+  CHECK_THAT(run(folder.path(), {"describe", "Cohesion", "--format", "md"}).out,
+             Contains("## Material/CPM\n") && Contains("| Cohesion | Pa |"));
+  const Outcome unknown = run(folder.path(), {"describe", "Cohesin"});
+  CHECK(unknown.status == 2);
+  CHECK_THAT(unknown.err,
+             Contains("there is no section or entry \"Cohesin\"") && Contains("Did you mean \"Cohesion\"?"));
+}
+
+TEST_CASE("describe names the unit of an entry once", "[apps]")
+{
+  const ScratchFolder folder;
+  const auto          visit = [](const nlohmann::json &section, const auto &self) -> void {
+    for (const nlohmann::json &entry : section["entries"])
+      {
+        const std::string unit = entry["unit"].get<std::string>();
+        INFO(section["path"] << "/" << entry["name"]);
+        if (!unit.empty())
+          CHECK_THAT(entry["meaning"].get<std::string>(), !Contains("[" + unit + "]"));
+      }
+    for (const nlohmann::json &inner : section["sections"])
+      self(inner, self);
+  };
+  for (const nlohmann::json &kind : nlohmann::json::parse(run(folder.path(), {"describe", "--format", "json"}).out))
+    visit(kind, visit);
+  CHECK_THAT(run(folder.path(), {"describe", "Compressive strength", "--kind", "continuum"}).out,
+             Contains("# f_c, uniaxial [Pa]; "));
+}
+
 TEST_CASE("Every law of dem can be described, named in a scene and driven alone", "[apps]")
 {
   const ScratchFolder folder;
