@@ -2,6 +2,7 @@
 
 #include "postprocess/gnuplot.h"
 #include "postprocess/numeric_text.h"
+#include "postprocess/picture_axes.h"
 
 #include <algorithm>
 #include <array>
@@ -119,11 +120,29 @@ namespace postprocess
       return text;
     }
 
+    /** Ticks so far apart that their labels have room; nothing where gnuplot may choose. */
+    std::string ticks_of(const PlotPanel &panel)
+    {
+      double low = 1e300, high = -1e300;
+      for (const PlotSeries &series : panel.series)
+        for (std::size_t i = 0; i < series.x.size(); ++i)
+          if (is_drawn(panel, series, i))
+            {
+              low  = std::min(low, series.x[i]);
+              high = std::max(high, series.x[i]);
+            }
+      std::string text = "set xtics autofreq\n";
+      if (!panel.log_x && !panel.equal_axes && high > low)
+        numeric_text::append(text = "set xtics ", horizontal_tick_step(low, high, panel_width - 120));
+      return text + "\n";
+    }
+
     std::string axes_of(const PlotPanel &panel)
     {
       std::string text = "set title " + gnuplot_quoted(panel.title) + " noenhanced font ',12'\n";
       text += "set xlabel " + gnuplot_quoted(panel.x_label) + " noenhanced offset 0,0.3\n";
       text += "set ylabel " + gnuplot_quoted(panel.y_label) + " noenhanced\n";
+      text += ticks_of(panel);
       text += panel.equal_axes ? "set size ratio -1\n" : "set size noratio\n";
       text += panel.log_x ? "set logscale x\nset format x '%h'\n" : "unset logscale x\nset format x '%h'\n";
       text += panel.log_y ? "set logscale y\nset format y '%h'\n" : "unset logscale y\nset format y '%h'\n";

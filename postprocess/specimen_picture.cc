@@ -2,6 +2,7 @@
 
 #include "postprocess/gnuplot.h"
 #include "postprocess/numeric_text.h"
+#include "postprocess/picture_axes.h"
 
 #include <Eigen/Geometry>
 
@@ -15,8 +16,6 @@ namespace postprocess
 {
   namespace
   {
-    constexpr double millimetres = 1e3; // of a metre
-
     /** A slab with its numbers filled in, and the two axes of the picture. */
     class View
     {
@@ -42,7 +41,8 @@ namespace postprocess
         half_width = slab.thickness.value_or(4 * radii / particles.radius.size()) / 2;
       }
 
-      bool shows(const std::size_t i) const { return std::fabs(origin(i)[slab.axis] - middle) <= half_width; }
+      bool shows(const Eigen::Vector3d &place) const { return std::fabs(place[slab.axis] - middle) <= half_width; }
+      bool shows(const std::size_t i) const { return shows(origin(i)); }
 
       /** Farther from the eye, which looks along y, and against x and z, so that the other two axes go right and up. */
       bool is_behind(const std::size_t i, const std::size_t j) const
@@ -51,16 +51,23 @@ namespace postprocess
         return slab.axis == 1 ? depth_i > depth_j : depth_i < depth_j;
       }
 
-      Eigen::Vector2d on_paper(const std::size_t i) const
+      /** Where what was made at the first place and was displaced is drawn [m]. */
+      Eigen::Vector2d on_paper(const Eigen::Vector3d &place, const Eigen::Vector3d &displacement) const
       {
-        const Eigen::Vector3d drawn = origin(i) + slab.magnify * particles.displacement[i];
-        return {drawn[right] * millimetres, drawn[up] * millimetres};
+        return projected(place + slab.magnify * displacement);
       }
+      Eigen::Vector2d on_paper(const std::size_t i) const { return on_paper(origin(i), particles.displacement[i]); }
 
       Eigen::Vector2d projected(const Eigen::Vector3d &vector) const { return {vector[right], vector[up]}; }
 
       /** Where the particle was when the specimen was made. */
       Eigen::Vector3d origin(const std::size_t i) const { return particles.position[i] - particles.displacement[i]; }
+
+      bool leads_to_image(const std::size_t link) const
+      {
+        return !slab.images.empty() && slab.images.at(link).is_other();
+      }
+      const dem::LinkImage &image(const std::size_t link) const { return slab.images.at(link); }
 
       char name_of_right() const { return "xyz"[right]; }
       char name_of_up() const { return "xyz"[up]; }
@@ -95,15 +102,15 @@ namespace postprocess
       return shown;
     }
 
-    /** What the picture shows [mm]: all circles, but debris only near the specimen. */
+    /** What the picture shows [m]: all circles, but debris only near the specimen. */
     Eigen::AlignedBox2d
     frame_of(const dem::ParticleOutput &particles, const View &view, const std::vector<std::size_t> &shown)
     {
       Eigen::AlignedBox2d now, at_first;
       for (const std::size_t i : shown)
         {
-          const Eigen::Vector2d radius = Eigen::Vector2d::Constant(particles.radius[i] * millimetres);
-          const Eigen::Vector2d before = view.projected(view.origin(i)) * millimetres;
+          const Eigen::Vector2d radius = Eigen::Vector2d::Constant(particles.radius[i]);
+          const Eigen::Vector2d before = view.projected(view.origin(i));
           now.extend(view.on_paper(i) - radius).extend(view.on_paper(i) + radius);
           at_first.extend(before - radius).extend(before + radius);
         }
@@ -111,35 +118,97 @@ namespace postprocess
       return now.intersection(Eigen::AlignedBox2d(at_first.min() - margin, at_first.max() + margin));
     }
 
-    std::string
-    circle_rows(const dem::ParticleOutput &particles, const View &view, const std::vector<std::size_t> &shown)
+    std::string circle_rows(const dem::ParticleOutput      &particles,
+                            const View                     &view,
+                            const std::vector<std::size_t> &shown,
+                            const double                    scale)
     {
       std::string text;
       for (const std::size_t i : shown)
-        append_row(
-          text, {view.on_paper(i).x(), view.on_paper(i).y(), particles.radius[i] * millimetres, particles.damage[i]});
+        append_row(text, {scale * view.on_paper(i).x(), scale * view.on_paper(i).y(), scale * particles.radius[i],
+                          particles.damage[i]});
       return text;
     }
 
-    /** Dots on what is not of the first material: place, colour by material. */
-    std::string dot_rows(const dem::ParticleOutput &particles, const View &view, const std::vector<std::size_t> &shown)
-    {
-      constexpr std::array<double, 5> colours = {0xb36b00, 0x2e7d32, 0x6a3d9a, 0x00838f, 0x5d4037};
+    // Of the materials from the second on; the colours of damage and cracks are left out.
+    constexpr std::array<const char *, 5> material_colours = {"#b36b00", "#2e7d32", "#6a3d9a", "#00838f", "#5d4037"};
 
+    const char *colour_of(const std::int32_t material)
+    {
+      return material_colours[static_cast<std::size_t>(material - 1) % material_colours.size()];
+    }
+
+    /** Dots on what is of that material. */
+    std::string dot_rows(const dem::ParticleOutput      &particles,
+                         const View                     &view,
+                         const std::vector<std::size_t> &shown,
+                         const std::int32_t              material,
+                         const double                    scale)
+    {
       std::string text;
       for (const std::size_t i : shown)
-        if (!particles.material.empty() && particles.material[i] > 0)
-          append_row(text, {view.on_paper(i).x(), view.on_paper(i).y(),
-                            colours[static_cast<std::size_t>(particles.material[i] - 1) % colours.size()]});
+        if (particles.material[i] == material)
+          append_row(text,
+                     {scale * view.on_paper(i).x(), scale * view.on_paper(i).y(), 0.4 * scale * particles.radius[i]});
       return text;
     }
 
-    /** A damaged or broken link that has opened: its facet seen as a segment across the link. */
+    /** Add dots on all materials but the first, each with its name in the legend. */
+    void draw_materials(GnuplotJob                     &job,
+                        const dem::ParticleOutput      &particles,
+                        const View                     &view,
+                        const std::vector<std::size_t> &shown,
+                        const std::vector<std::string> &names,
+                        const double                    scale)
+    {
+      const std::int32_t last =
+        particles.material.empty() ? 0 : *std::max_element(particles.material.begin(), particles.material.end());
+      for (std::int32_t material = 1; material <= last; ++material)
+        {
+          const std::string rows = dot_rows(particles, view, shown, material, scale);
+          if (rows.empty())
+            continue;
+          const auto        number = static_cast<std::size_t>(material);
+          const std::string data = "material" + std::to_string(material), colour = colour_of(material);
+          const std::string name = number < names.size() ? names[number] : "material " + std::to_string(material);
+          job.data[data]         = rows;
+          job.script += ", '" + data + "' using 1:2:3 with circles lc rgb '" + colour +
+                        "' notitle, NaN with points pt 7 ps 1 lc rgb '" + colour + "' title " + gnuplot_quoted(name) +
+                        " noenhanced";
+        }
+    }
+
+    /** A damaged or broken link that has opened: the face between its particles, seen as a segment across the link. */
     struct CrackSegment
     {
-      Eigen::Vector2d start, along; ///< [mm]
+      Eigen::Vector2d start, along; ///< [m]
       double          opening;      ///< relative displacement of the two particles along the link [m]
     };
+
+    /** Two particles that a link joins, or a particle and the image of another. */
+    struct LinkedPair
+    {
+      Eigen::Vector3d place[2], displacement[2]; ///< when the specimen was made; since then [m]
+      double          radius;                    ///< the smaller one [m]
+    };
+
+    /** What a link joins; one to a periodic image is seen twice, from either side. */
+    std::vector<LinkedPair>
+    pairs_of(const dem::ParticleOutput &particles, const dem::LinkOutput &links, const std::size_t l, const View &view)
+    {
+      const auto [i, j]   = links.ends[l];
+      const double radius = std::min(particles.radius[i], particles.radius[j]);
+      LinkedPair pair{{view.origin(i), view.origin(j)}, {particles.displacement[i], particles.displacement[j]}, radius};
+      if (!view.leads_to_image(l))
+        return {pair};
+      const dem::LinkImage &image = view.image(l);
+      LinkedPair            other = pair;
+      pair.place[1] += image.at_start;
+      pair.displacement[1] += image.now - image.at_start;
+      other.place[0] -= image.at_start;
+      other.displacement[0] -= image.now - image.at_start;
+      return {pair, other};
+    }
 
     std::vector<CrackSegment>
     find_cracks(const dem::ParticleOutput &particles, const dem::LinkOutput &links, const View &view)
@@ -147,19 +216,24 @@ namespace postprocess
       std::vector<CrackSegment> cracks;
       for (std::size_t l = 0; l < links.ends.size(); ++l)
         {
-          const auto [i, j]    = links.ends[l];
           const bool has_crack = links.kind[l] == dem::LinkOutput::broken ||
                                  (links.kind[l] == dem::LinkOutput::cohesive && links.damage[l] > 0);
-          if (!has_crack || !view.shows(i) || !view.shows(j))
+          if (!has_crack)
             continue;
-          const Eigen::Vector3d normal  = (view.origin(j) - view.origin(i)).normalized();
-          const double          opening = normal.dot(particles.displacement[j] - particles.displacement[i]);
-          const Eigen::Vector2d across  = view.projected(normal);
-          if (opening <= 0 || across.norm() < 0.1) // closed, or seen from the front
-            continue;
-          const double          size  = 2 * std::min(particles.radius[i], particles.radius[j]) * millimetres;
-          const Eigen::Vector2d along = Eigen::Vector2d(-across.y(), across.x()).normalized() * size;
-          cracks.push_back({(view.on_paper(i) + view.on_paper(j) - along) / 2, along, opening});
+          for (const LinkedPair &pair : pairs_of(particles, links, l, view))
+            {
+              if (!view.shows(pair.place[0]) || !view.shows(pair.place[1]))
+                continue;
+              const Eigen::Vector3d normal  = (pair.place[1] - pair.place[0]).normalized();
+              const double          opening = normal.dot(pair.displacement[1] - pair.displacement[0]);
+              const Eigen::Vector2d across  = view.projected(normal);
+              if (opening <= 0 || across.norm() < 0.1) // closed, or seen from the front
+                continue;
+              const Eigen::Vector2d along = Eigen::Vector2d(-across.y(), across.x()).normalized() * 2 * pair.radius;
+              const Eigen::Vector2d ends =
+                view.on_paper(pair.place[0], pair.displacement[0]) + view.on_paper(pair.place[1], pair.displacement[1]);
+              cracks.push_back({(ends - along) / 2, along, opening});
+            }
         }
       return cracks;
     }
@@ -174,7 +248,7 @@ namespace postprocess
     }
 
     /** Rows of start, direction, and red, the more opaque the wider (gnuplot's 0xAARRGGBB; AA = 0 is opaque). */
-    std::string crack_rows(const std::vector<CrackSegment> &cracks, const double wide)
+    std::string crack_rows(const std::vector<CrackSegment> &cracks, const double wide, const double scale)
     {
       constexpr double red = 0xc1272d, one_alpha = 1 << 24;
 
@@ -183,27 +257,10 @@ namespace postprocess
         {
           const double transparency = std::round(255 * (1 - std::min(1.0, crack.opening / wide)));
           if (transparency < 240) // the rest could not be seen
-            append_row(text, {crack.start.x(), crack.start.y(), crack.along.x(), crack.along.y(),
-                              transparency * one_alpha + red});
+            append_row(text, {scale * crack.start.x(), scale * crack.start.y(), scale * crack.along.x(),
+                              scale * crack.along.y(), transparency * one_alpha + red});
         }
       return text;
-    }
-
-    /** Script lines of the frame, and a picture in its proportion. */
-    void set_frame(GnuplotJob &job, const Eigen::AlignedBox2d &box)
-    {
-      constexpr int longer_side = 760, shortest_width = 520, left_and_right = 190, above_and_below = 130; // [pixel]
-      const double  scale = longer_side / box.sizes().maxCoeff();
-      job.width           = std::max(shortest_width, static_cast<int>(box.sizes().x() * scale) + left_and_right);
-      job.height          = static_cast<int>(box.sizes().y() * scale) + above_and_below;
-      const auto range    = [&](const char axis, const int d) {
-        job.script += std::string("set ") + axis + "range [";
-        numeric_text::append(job.script, box.min()[d]);
-        numeric_text::append(job.script += ':', box.max()[d]);
-        job.script += "]\n";
-      };
-      range('x', 0);
-      range('y', 1);
     }
   } // namespace
 
@@ -219,29 +276,23 @@ namespace postprocess
         const auto shown  = shown_particles(particles, view);
         const auto cracks = find_cracks(particles, links, view);
 
-        GnuplotJob job;
-        set_frame(job, frame_of(particles, view, shown));
-        job.data["particles"] = circle_rows(particles, view, shown);
-        job.script += "set title " + gnuplot_quoted(title) +
-                      " noenhanced\nset size ratio -1\nset border lc rgb '#404040'\n" +
-                      "set tics out nomirror\nset xlabel '" + view.name_of_right() + " [mm]'\nset ylabel '" +
-                      view.name_of_up() + " [mm]'\nset cblabel 'Damage'\nset cbrange [0:1]\n" +
+        GnuplotJob   job;
+        const double scale =
+          set_axes(job, {frame_of(particles, view, shown), view.name_of_right(), view.name_of_up(), 760, 230, 150, 480})
+            .per_metre;
+        job.data["particles"] = circle_rows(particles, view, shown, scale);
+        job.script += "set title " + gnuplot_quoted(title) + " noenhanced\nset cblabel 'Damage'\nset cbrange [0:1]\n" +
                       "set palette defined (0 '#f0f0f0', 1 '#5b7fb0')\nset style fill solid 1 noborder\n" +
-                      "set key outside below center Left reverse\n" +
+                      "set key outside below center Left reverse samplen 2\n" +
                       "plot 'particles' using 1:2:3:4 with circles lc palette notitle";
-        if (const std::string dots = dot_rows(particles, view, shown); !dots.empty())
-          {
-            job.data["materials"] = dots;
-            job.script += ", 'materials' using 1:2:3 with points pt 7 ps 0.7 lc rgb variable notitle, "
-                          "NaN with points pt 7 ps 0.7 lc rgb '#b36b00' title 'not of the first material'";
-          }
+        draw_materials(job, particles, view, shown, slab.materials, scale);
         if (!cracks.empty())
           {
             const double wide  = wide_opening(cracks);
-            job.data["cracks"] = crack_rows(cracks, wide);
+            job.data["cracks"] = crack_rows(cracks, wide, scale);
             job.script += ", 'cracks' using 1:2:3:4:5 with vectors nohead lw 2.5 lc rgb variable notitle, " +
-                          std::string("NaN with lines lw 2.5 lc rgb '#c1272d' title 'open links, full red from ") +
-                          numeric_text::rounded(wide * 1e6) + " µm'";
+                          std::string("NaN with lines lw 2.5 lc rgb '#c1272d' title 'crack faces, full red from ") +
+                          length_text(wide) + "'";
           }
         draw_with_gnuplot(path, job);
         return {};

@@ -1,10 +1,11 @@
 #pragma once
 
-#include "dem/specimen.h"
+#include "dem/measures/link_images.h"
 
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace postprocess
 {
@@ -16,14 +17,17 @@ namespace postprocess
       position; ///< of its middle plane [m], as the specimen was made; absent: the specimen's middle
     std::optional<double> thickness;   ///< [m]; absent: two mean particle diameters
     double                magnify = 1; ///< displacements are drawn this many times as large, which opens cracks to view
+    std::vector<std::string>    materials; ///< their names, for the legend; where there are several
+    std::vector<dem::LinkImage> images;    ///< that the links lead to; empty: nothing is periodic
   };
 
   /**
    * Draw the particles of a slab as circles coloured by damage, and its cracks, into a PNG file. Where there are several materials,
-   * particles that are not of the first bear a dot.
+   * particles that are not of the first bear a dot in the colour of theirs.
    *
-   * A crack is drawn as red segments across damaged or broken links that have opened, the redder the wider (the legend
-   * names the opening of full red): relative displacement of the two particles along the link.
+   * A crack is drawn as the faces between the particles of damaged or broken links that have opened: red segments across the links,
+   * the redder the wider (the legend names the opening of full red), by the relative displacement of the two particles along the
+   * link. A link to a periodic image is seen at either side of the cell.
    *
    * @return empty when drawn, otherwise why not; nothing is thrown (see plot()).
    */

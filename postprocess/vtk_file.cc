@@ -4,14 +4,20 @@
 #include "postprocess/errors.h"
 
 #include <vtkCallbackCommand.h>
+#include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkErrorCode.h>
 #include <vtkExecutive.h>
 #include <vtkFieldData.h>
+#include <vtkFloatArray.h>
 #include <vtkIdTypeArray.h>
+#include <vtkInformation.h>
+#include <vtkInformationStringKey.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkXMLPolyDataWriter.h>
+#include <vtkXMLUnstructuredGridWriter.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -62,10 +68,41 @@ namespace postprocess::vtk_file
         const double           tuple[6] = {t(0, 0), t(1, 1), t(2, 2), t(0, 1), t(1, 2), t(0, 2)};
         array->SetTypedTuple(static_cast<vtkIdType>(i), tuple);
       }
-    const char *const names[6] = {"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
-    for (int component = 0; component < 6; ++component)
-      array->SetComponentName(component, names[component]);
+    name_components(*array);
     return array;
+  }
+
+  Array make_array(const std::string &name, const std::vector<float> &values, const int components)
+  {
+    auto array = make_empty<vtkFloatArray>(name, components, values.size() / static_cast<std::size_t>(components));
+    std::copy(values.begin(), values.end(), array->GetPointer(0));
+    name_components(*array);
+    return array;
+  }
+
+  void name_components(vtkDataArray &array)
+  {
+    static constexpr const char *names[6] = {"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
+    if (array.GetNumberOfComponents() == 6)
+      for (int component = 0; component < 6; ++component)
+        array.SetComponentName(component, names[component]);
+  }
+
+  void FieldWriter::add(const Array &array) const
+  {
+    const Field &field = file.field(array->GetName());
+    if (array->GetNumberOfComponents() != field.components)
+      throw std::logic_error("field \"" + field.name + "\" of " + file.name + " has " +
+                             std::to_string(array->GetNumberOfComponents()) + " components, not as declared");
+    if (!field.unit.empty() && field.unit != "-")
+      array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), field.unit.c_str());
+    vtkDataSetAttributes *const values = field.of == Field::Of::points ?
+                                           static_cast<vtkDataSetAttributes *>(data->GetPointData()) :
+                                           static_cast<vtkDataSetAttributes *>(data->GetCellData());
+    if (field.components == 6 && values->GetTensors() == nullptr)
+      values->SetTensors(array); // the first tensor is the one that filters take by themselves
+    else
+      values->AddArray(array);
   }
 
   Array make_numbering(const std::string &name, const std::size_t count)
@@ -100,25 +137,37 @@ namespace postprocess::vtk_file
                                   " entries, not " + std::to_string(expected));
   }
 
+  namespace
+  {
+    void write_by(vtkXMLWriter &writer, const std::filesystem::path &path, vtkDataSet *const data, const double time)
+    {
+      data->GetFieldData()->AddArray(make_array("TimeValue", std::vector<double>{time}));
+
+      AtomicFile                 target(path);
+      vtkNew<vtkCallbackCommand> quiet; // errors come back as a code, and are then ours to report
+      quiet->SetCallback([](vtkObject *, unsigned long, void *, void *) {});
+      writer.AddObserver("ErrorEvent", quiet);
+      writer.GetExecutive()->AddObserver("ErrorEvent", quiet);
+      writer.SetFileName(target.partial().c_str());
+      writer.SetInputDataObject(data);
+      writer.SetDataModeToAppended();
+      writer.EncodeAppendedDataOff();
+      writer.SetCompressorTypeToLZ4();
+      writer.SetHeaderTypeToUInt64();
+      if (writer.Write() == 0 || writer.GetErrorCode() != vtkErrorCode::NoError)
+        throw OutputError(path.string() +
+                          ": cannot be written: " + vtkErrorCode::GetStringFromErrorCode(writer.GetErrorCode()) + ".");
+      target.commit();
+    }
+  } // namespace
+
   void write(const std::filesystem::path &path, vtkPolyData *const data, const double time)
   {
-    data->GetFieldData()->AddArray(make_array("TimeValue", std::vector<double>{time}));
+    write_by(*vtkNew<vtkXMLPolyDataWriter>(), path, data, time);
+  }
 
-    AtomicFile                   target(path);
-    vtkNew<vtkXMLPolyDataWriter> writer;
-    vtkNew<vtkCallbackCommand>   quiet; // errors come back as a code, and are then ours to report
-    quiet->SetCallback([](vtkObject *, unsigned long, void *, void *) {});
-    writer->AddObserver("ErrorEvent", quiet);
-    writer->GetExecutive()->AddObserver("ErrorEvent", quiet);
-    writer->SetFileName(target.partial().c_str());
-    writer->SetInputData(data);
-    writer->SetDataModeToAppended();
-    writer->EncodeAppendedDataOff();
-    writer->SetCompressorTypeToLZ4();
-    writer->SetHeaderTypeToUInt64();
-    if (writer->Write() == 0 || writer->GetErrorCode() != vtkErrorCode::NoError)
-      throw OutputError(path.string() +
-                        ": cannot be written: " + vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode()) + ".");
-    target.commit();
+  void write(const std::filesystem::path &path, vtkUnstructuredGrid *const data, const double time)
+  {
+    write_by(*vtkNew<vtkXMLUnstructuredGridWriter>(), path, data, time);
   }
 } // namespace postprocess::vtk_file

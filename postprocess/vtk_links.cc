@@ -3,9 +3,7 @@
 #include "postprocess/vtk_file.h"
 
 #include <vtkCellArray.h>
-#include <vtkCellData.h>
 #include <vtkNew.h>
-#include <vtkPointData.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -16,7 +14,9 @@ namespace postprocess
 
   namespace
   {
-    void check_columns(const dem::LinkOutput &links, const dem::ParticleOutput &particles)
+    using Images = std::vector<dem::LinkImage>;
+
+    void check_columns(const dem::LinkOutput &links, const dem::ParticleOutput &particles, const Images &images)
     {
       const std::size_t n = links.ends.size();
       check_length("write_vtk_links", "kind", links.kind.size(), n);
@@ -28,25 +28,60 @@ namespace postprocess
       check_length("write_vtk_links", "damage", links.damage.size(), n);
       if (!links.law.empty())
         check_length("write_vtk_links", "law", links.law.size(), n);
+      if (!images.empty())
+        check_length("write_vtk_links", "images", images.size(), n);
       check_length("write_vtk_links", "radius of particles", particles.radius.size(), particles.position.size());
       check_length("write_vtk_links", "displacement of particles", particles.displacement.size(),
                    particles.position.size());
     }
 
-    vtkSmartPointer<vtkCellArray> lines_between(const dem::LinkOutput &links, const std::size_t particles)
+    /** The points of the file, and which two of them each link joins. */
+    struct Points
     {
-      auto lines = vtkSmartPointer<vtkCellArray>::New();
-      lines->AllocateExact(static_cast<vtkIdType>(links.ends.size()), static_cast<vtkIdType>(2 * links.ends.size()));
-      for (const auto &ends : links.ends)
-        {
-          if (ends[0] >= particles || ends[1] >= particles)
-            throw std::invalid_argument("write_vtk_links: a link ends at particle " +
-                                        std::to_string(std::max(ends[0], ends[1])) + " of " +
-                                        std::to_string(particles));
-          const vtkIdType points[2] = {static_cast<vtkIdType>(ends[0]), static_cast<vtkIdType>(ends[1])};
-          lines->InsertNextCell(2, points);
-        }
-      return lines;
+      Points(const dem::LinkOutput &links, const dem::ParticleOutput &particles, const Images &images)
+        : position(particles.position)
+        , displacement(particles.displacement)
+        , radius(particles.radius)
+      {
+        for (std::size_t i = 0; i < position.size(); ++i)
+          id.push_back(static_cast<std::int32_t>(i));
+        lines->AllocateExact(static_cast<vtkIdType>(links.ends.size()), static_cast<vtkIdType>(2 * links.ends.size()));
+        for (std::size_t l = 0; l < links.ends.size(); ++l)
+          {
+            const auto &ends = links.ends[l];
+            if (ends[0] >= particles.position.size() || ends[1] >= particles.position.size())
+              throw std::invalid_argument("write_vtk_links: a link ends at particle " +
+                                          std::to_string(std::max(ends[0], ends[1])) + " of " +
+                                          std::to_string(particles.position.size()));
+            const bool        is_other = !images.empty() && images[l].is_other();
+            const std::size_t second   = is_other ? add_image(images[l], ends[1]) : ends[1];
+            const vtkIdType   joins[2] = {static_cast<vtkIdType>(ends[0]), static_cast<vtkIdType>(second)};
+            lines->InsertNextCell(2, joins);
+          }
+      }
+
+      std::vector<Eigen::Vector3d>  position, displacement;
+      std::vector<double>           radius;
+      std::vector<std::int32_t>     id; ///< of the particle
+      vtkSmartPointer<vtkCellArray> lines = vtkSmartPointer<vtkCellArray>::New();
+
+    private:
+      std::size_t add_image(const dem::LinkImage &image, const std::size_t particle)
+      {
+        position.push_back(position[particle] + image.now);
+        displacement.push_back(displacement[particle] + image.now - image.at_start);
+        radius.push_back(radius[particle]);
+        id.push_back(static_cast<std::int32_t>(particle));
+        return position.size() - 1;
+      }
+    };
+
+    std::vector<std::int32_t> image_flags(const Images &images)
+    {
+      std::vector<std::int32_t> flags;
+      for (const dem::LinkImage &image : images)
+        flags.push_back(image.is_other() ? 1 : 0);
+      return flags;
     }
 
     std::vector<std::int32_t> broken_flags(const dem::LinkOutput &links)
@@ -62,30 +97,32 @@ namespace postprocess
   void write_vtk_links(const std::filesystem::path &path,
                        const dem::LinkOutput       &links,
                        const dem::ParticleOutput   &particles,
-                       const double                 time)
+                       const double                 time,
+                       const Images                &images)
   {
-    check_columns(links, particles);
+    check_columns(links, particles, images);
 
+    const Points        points(links, particles, images);
     vtkNew<vtkPolyData> data;
-    data->SetPoints(make_points(particles.position));
-    data->SetLines(lines_between(links, particles.position.size()));
+    data->SetPoints(make_points(points.position));
+    data->SetLines(points.lines);
 
-    vtkPointData *const at_points = data->GetPointData();
-    at_points->AddArray(make_numbering("id", particles.position.size()));
-    at_points->AddArray(make_array("radius", particles.radius));
-    at_points->AddArray(make_array("displacement", particles.displacement));
-
-    vtkCellData *const at_lines = data->GetCellData();
-    at_lines->AddArray(make_array("normal_force", links.normal_force));
-    at_lines->AddArray(make_array("shear_force", links.shear_force));
-    at_lines->AddArray(make_array("normal_stress", links.normal_stress));
-    at_lines->AddArray(make_array("shear_stress", links.shear_stress));
-    at_lines->AddArray(make_array("normal_strain", links.normal_strain));
-    at_lines->AddArray(make_array("damage", links.damage));
-    at_lines->AddArray(make_array("kind", links.kind));
-    at_lines->AddArray(make_array("broken", broken_flags(links)));
+    const FieldWriter values(field_file("links"), data);
+    values.add("id", points.id);
+    values.add("radius", points.radius);
+    values.add("displacement", points.displacement);
+    values.add("normal_force", links.normal_force);
+    values.add("shear_force", links.shear_force);
+    values.add("normal_stress", links.normal_stress);
+    values.add("shear_stress", links.shear_stress);
+    values.add("normal_strain", links.normal_strain);
+    values.add("damage", links.damage);
+    values.add("kind", links.kind);
+    values.add("broken", broken_flags(links));
     if (!links.law.empty())
-      at_lines->AddArray(make_array("material_pair", links.law));
+      values.add("material_pair", links.law);
+    if (!images.empty())
+      values.add("to_image", image_flags(images));
     write(path, data, time);
   }
 } // namespace postprocess

@@ -3,7 +3,6 @@
 #include "postprocess/vtk_file.h"
 
 #include <vtkNew.h>
-#include <vtkPointData.h>
 
 namespace postprocess
 {
@@ -35,19 +34,19 @@ namespace postprocess
     data->SetPoints(make_points(particles.position));
     data->SetVerts(one_vertex_each(n));
 
-    vtkPointData *const values = data->GetPointData();
-    values->AddArray(make_numbering("id", n));
-    values->AddArray(make_array("radius", particles.radius));
-    values->AddArray(make_array("displacement", particles.displacement));
-    values->AddArray(make_array("velocity", particles.velocity));
-    values->AddArray(make_array("angular_velocity", particles.angular_velocity));
-    values->AddArray(make_array("damage", particles.damage));
-    values->AddArray(make_array("broken_links", particles.broken_links));
+    const FieldWriter values(field_file("particles"), data);
+    values.add(make_numbering("id", n));
+    values.add("radius", particles.radius);
+    values.add("displacement", particles.displacement);
+    values.add("velocity", particles.velocity);
+    values.add("angular_velocity", particles.angular_velocity);
+    values.add("damage", particles.damage);
+    values.add("broken_links", particles.broken_links);
     const bool several = !particles.material.empty();
-    values->AddArray(make_array("phase", several ? particles.material : std::vector<std::int32_t>(n, 0)));
+    values.add("phase", several ? particles.material : std::vector<std::int32_t>(n, 0));
     if (several)
-      values->AddArray(make_array("material", particles.material));
-    values->SetTensors(make_array("stress", particles.stress));
+      values.add("material", particles.material);
+    values.add("stress", particles.stress);
     write(path, data, time);
   }
 } // namespace postprocess

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "postprocess/fields.h"
+
 #include <Eigen/Core>
 
 #include <filesystem>
@@ -22,7 +24,9 @@ namespace postprocess
 
   /**
    * Write as points of a VTK file (.vtp) for ParaView.
+   * @param what kind of file, which declares the columns
    * @throws OutputError; std::invalid_argument for columns that differ in length
    */
-  void write_vtk_points(const std::filesystem::path &path, const PointCloud &points, double time);
+  void
+  write_vtk_points(const std::filesystem::path &path, const FieldFile &what, const PointCloud &points, double time);
 } // namespace postprocess

@@ -183,7 +183,9 @@ namespace apps
     const dem::ParticleOutput state = specimen->particles();
     postprocess::write_vtk_particles(particles->next(), state, specimen->time());
     particles->add(specimen->time());
-    postprocess::write_vtk_links(links->next(), specimen->links(), state, specimen->time());
+    const dem::LinkOutput joined = specimen->links();
+    postprocess::write_vtk_links(links->next(), joined, state, specimen->time(),
+                                 dem::link_images(*specimen, joined, state));
     links->add(specimen->time());
   }
 
@@ -213,6 +215,17 @@ namespace apps
     return true;
   }
 
+  std::string CellRun::draw_crack(const std::filesystem::path &file) const
+  {
+    const dem::ParticleOutput state  = specimen->particles();
+    const dem::LinkOutput     joined = specimen->links();
+    postprocess::PictureSlab  slab;
+    slab.axis      = model.specimen.physics.dimension == 2 ? 2 : 1;
+    slab.materials = packing.material_names;
+    slab.images    = dem::link_images(*specimen, joined, state);
+    return postprocess::picture_of_specimen(file, state, joined, "Periodic cell at the end of its path", slab);
+  }
+
   void CellRun::finish()
   {
     series->flush();
@@ -223,8 +236,7 @@ namespace apps
         fmt::print(stderr, "breccia: warning: no {}: {}\n", what, problem);
     };
     warn("curve.png", report.draw_curve(folder->running() / "curve.png"));
-    warn("crack picture", postprocess::picture_of_specimen(folder->running() / "cell_crack.png", specimen->particles(),
-                                                           specimen->links(), "at the end of the path"));
+    warn("cell_crack.png", draw_crack(folder->running() / "cell_crack.png"));
     folder->publish();
     fmt::print("{}", report.text());
   }

@@ -29,16 +29,18 @@ namespace apps
   private:
     using Clock = std::chrono::steady_clock;
 
-    void   make_test();
-    void   begin();
-    void   resume();
-    void   open(const std::filesystem::path &location);
-    bool   complete(); ///< @return false when interrupted
-    void   append_row();
-    void   snapshot();
-    void   save();
-    void   finish();
-    double wall_seconds() const;
+    void make_test();
+    void begin();
+    void resume();
+    void open(const std::filesystem::path &location);
+    bool complete(); ///< @return false when interrupted
+    void append_row();
+    void snapshot();
+    void save();
+    void finish();
+    /** @return what went wrong, "" if nothing */
+    std::string draw_crack(const std::filesystem::path &file) const;
+    double      wall_seconds() const;
     template <typename Checkpoint>
     void visit_state(Checkpoint &checkpoint);
 

@@ -8,8 +8,8 @@
 namespace apps
 {
   /**
-   * Draw the damage of a solid, deformed and magnified: all elements in two dimensions, the side that looks along z in
-   * three.
+   * Draw the damage of a solid, deformed and magnified: all elements in two dimensions; in three a section, in the plane of the
+   * direction that moves most and the longest of the others, where most is damaged.
    *
    * Every rank calls it; the first one draws. Nothing is drawn where no material can be damaged.
    * @return what went wrong, "" if nothing.

@@ -3,15 +3,14 @@
 #include "apps/drivers/continuum_picture.h"
 #include "apps/drivers/continuum_solid.h"
 #include "apps/drivers/continuum_summary.h"
+#include "apps/drivers/solid_snapshot.h"
 #include "apps/exit_status.h"
 #include "apps/interrupt.h"
 #include "apps/mpi_session.h"
 #include "apps/progress.h"
 #include "apps/results/shared_state.h"
 #include "apps/scene/nearest_name.h"
-#include "fem/output/snapshot.h"
 #include "postprocess/atomic_file.h"
-#include "postprocess/errors.h"
 
 #include <fmt/format.h>
 
@@ -209,17 +208,10 @@ namespace apps
     fem::Vector      reaction = *state.internal_force;
     reaction -= *state.external_force;
     reaction.update_ghost_values();
-    try
-      {
-        fem::write_snapshot(*solid, *state.displacement, reaction, (location / snapshot_name).string(), snapshot_name,
-                            static_cast<unsigned int>(snapshot_count));
-      }
-    catch (const std::runtime_error &error)
-      {
-        throw postprocess::OutputError(error.what());
-      }
-    ++snapshot_count;
     const double coordinate = analysis->coordinate();
+    write_solid(*solid, *state.displacement, reaction,
+                {location / snapshot_name, snapshot_name, static_cast<std::size_t>(snapshot_count), coordinate});
+    ++snapshot_count;
     on_first_rank([&] { snapshots->add(coordinate); });
   }
 

@@ -2,7 +2,9 @@
 
 #include "apps/mpi_session.h"
 #include "apps/progress.h"
+#include "apps/results/result_listing.h"
 #include "apps/version.h"
+#include "postprocess/drawn_unit.h"
 #include "postprocess/plot.h"
 #include "postprocess/summary.h"
 
@@ -40,21 +42,15 @@ namespace apps
 
     DrawnColumn drawn(const postprocess::CsvTable &series, const std::string &name)
     {
-      static constexpr const char *prefixes[] = {"n", "µ", "m", "", "k", "M", "G"};
-      const auto                   column     = std::find(series.names.begin(), series.names.end(), name);
-      const std::string            unit       = series.units[static_cast<std::size_t>(column - series.names.begin())];
-      const std::vector<double>   &values     = series.column(name);
-      const double                 peak       = values[peak_row(values)];
-      int                          thousands  = 0;
-      if (!unit.empty() && unit != "-" && peak != 0)
-        thousands = std::clamp(static_cast<int>(std::floor(std::log10(std::fabs(peak)) / 3 + 1e-9)), -3, 3);
-      const double scale = (peak < 0 ? -1 : 1) * std::pow(1000.0, -thousands);
-      DrawnColumn  result;
+      const auto                 column = std::find(series.names.begin(), series.names.end(), name);
+      const std::vector<double> &values = series.column(name);
+      const double               peak = values[peak_row(values)], sign = peak < 0 ? -1 : 1;
+      const auto                 unit =
+        postprocess::drawn_unit(peak, series.units[static_cast<std::size_t>(column - series.names.begin())]);
+      DrawnColumn result;
       for (const double value : values)
-        result.values.push_back(scale * value);
-      result.label = (peak < 0 ? "-" : "") + name;
-      if (!unit.empty() && unit != "-")
-        result.label += std::string(" [") + prefixes[thousands + 3] + unit + "]";
+        result.values.push_back(sign * unit.scale * value);
+      result.label = (sign < 0 ? "- " : "") + postprocess::readable(name) + unit.label;
       return result;
     }
   } // namespace
@@ -127,7 +123,7 @@ namespace apps
     panel.title     = std::filesystem::path(request.scene_file).stem().string();
     panel.x_label   = x.label;
     panel.y_label   = y.label;
-    curve.name      = vertical;
+    curve.name      = postprocess::readable(vertical);
     curve.style     = postprocess::PlotSeries::Style::line;
     curve.mark_peak = true;
     curve.x         = std::move(x.values);
@@ -152,8 +148,7 @@ namespace apps
     text += fmt::format("energy       balance error {:.1e} at worst\n", worst_balance());
     text += fmt::format("cost         {}, {:.0f} steps{}\n", duration_text(wall_seconds), cost.at("steps"),
                         linear_solver.empty() ? "" : ", " + linear_solver);
-    text += fmt::format("results      {}: summary.json, series.csv, curve.png, and for ParaView solid.pvd\n",
-                        request.output_folder.string());
+    text += result_listing(request.output_folder);
     return text;
   }
 } // namespace apps

@@ -5,6 +5,7 @@
 #include "apps/exit_status.h"
 #include "apps/interrupt.h"
 #include "apps/results/result_folder.h"
+#include "apps/results/result_listing.h"
 #include "apps/scene/value_text.h"
 #include "apps/version.h"
 #include "postprocess/atomic_file.h"
@@ -243,6 +244,7 @@ namespace apps
     if (!problem.empty())
       fmt::print(stderr, "no picture: {}\n", problem);
     folder.publish();
+    fmt::print("{}", result_listing(request.output_folder));
     return exit_success;
   }
 } // namespace apps

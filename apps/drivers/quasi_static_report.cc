@@ -1,6 +1,7 @@
 #include "apps/drivers/quasi_static_report.h"
 
 #include "apps/progress.h"
+#include "apps/results/result_listing.h"
 #include "apps/version.h"
 #include "postprocess/plot.h"
 
@@ -112,7 +113,7 @@ namespace apps
       }
     text += fmt::format("energy       balance error {:.1e} at worst\n", worst);
     text += fmt::format("cost         {} with {} threads\n", duration_text(wall_seconds), omp_get_max_threads());
-    text += fmt::format("results      {}: summary.json, series.csv, curve.png\n", request.output_folder.string());
+    text += result_listing(request.output_folder);
     return text;
   }
 } // namespace apps

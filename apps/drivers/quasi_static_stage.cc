@@ -12,6 +12,16 @@
 
 namespace apps
 {
+  namespace
+  {
+    /** An edge that is infinite, of a plane packing, or not there counts as 1 m: nothing repeats along it. */
+    Eigen::Vector3d edges_of(const dem::Packing &packing)
+    {
+      const Eigen::Vector3d edges = packing.periodic_cell.value_or(Eigen::Vector3d::Ones());
+      return edges.array().isFinite().select(edges, 1.0);
+    }
+  } // namespace
+
   MaterialCounts materials_in(const dem::ElasticNetwork &network, const std::vector<std::string> &names)
   {
     std::vector<std::int32_t> law;
@@ -79,6 +89,7 @@ namespace apps
     , end_strain(model.steps(model.tests[which]).end_strain)
     , snapshot_interval(model.snapshot_interval)
     , radius(packing.radius)
+    , cell(edges_of(packing))
     , loaded(model.load(packing))
     , path(loaded, model.material.materials(), model.steps(model.tests[which]))
   {
@@ -141,6 +152,18 @@ namespace apps
                   dem::name_of(p.control));
   }
 
+  std::vector<dem::LinkImage> QuasiStaticStage::images_of(const dem::LinkOutput     &joined,
+                                                          const dem::ParticleOutput &state) const
+  {
+    if (!loaded.network.periodic())
+      return {};
+    const auto     &e = path.points().back().strain; // engineering shears, 11 22 33 23 31 12
+    Eigen::Matrix3d strain;
+    strain << e[0], e[5] / 2, e[4] / 2, e[5] / 2, e[1], e[3] / 2, e[4] / 2, e[3] / 2, e[2];
+    const Eigen::Matrix3d base = cell.asDiagonal();
+    return dem::link_images(joined, state, base + strain * base, base);
+  }
+
   void QuasiStaticStage::snapshot()
   {
     // ParaView's time is the number of the point: strain may fall.
@@ -148,7 +171,8 @@ namespace apps
     const dem::ParticleOutput state = dem::particles_of(loaded, path, radius);
     postprocess::write_vtk_particles(particles->next(), state, at);
     particles->add(at);
-    postprocess::write_vtk_links(links->next(), dem::links_of(loaded, path), state, at);
+    const dem::LinkOutput joined = dem::links_of(loaded, path);
+    postprocess::write_vtk_links(links->next(), joined, state, at, images_of(joined, state));
     links->add(at);
   }
 
@@ -160,10 +184,13 @@ namespace apps
 
   std::string QuasiStaticStage::draw_crack(const std::filesystem::path &folder) const
   {
-    postprocess::PictureSlab slab;
-    slab.axis = axis == 2 ? 1 : 2; // seen across the load
-    return postprocess::picture_of_specimen(folder / (name + "_crack.png"), dem::particles_of(loaded, path, radius),
-                                            dem::links_of(loaded, path), "after " + name, slab);
+    const dem::ParticleOutput state  = dem::particles_of(loaded, path, radius);
+    const dem::LinkOutput     joined = dem::links_of(loaded, path);
+    postprocess::PictureSlab  slab;
+    slab.axis      = axis == 2 ? 1 : 2; // seen across the load
+    slab.materials = materials.names;
+    slab.images    = images_of(joined, state);
+    return postprocess::picture_of_specimen(folder / (name + "_crack.png"), state, joined, "After " + name, slab);
   }
 
   double QuasiStaticStage::done() const

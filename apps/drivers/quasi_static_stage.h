@@ -2,6 +2,7 @@
 
 #include "apps/drivers/material_counts.h"
 #include "apps/drivers/quasi_static_scene.h"
+#include "dem/measures/link_images.h"
 #include "postprocess/pvd.h"
 #include "postprocess/series.h"
 
@@ -79,6 +80,8 @@ namespace apps
 
   private:
     void snapshot();
+    /** Of a periodic cell; empty for a specimen between grips. */
+    std::vector<dem::LinkImage> images_of(const dem::LinkOutput &joined, const dem::ParticleOutput &state) const;
 
     std::string                               name;
     std::size_t                               number;
@@ -86,6 +89,7 @@ namespace apps
     double                                    end_strain;
     std::int64_t                              snapshot_interval;
     std::vector<double>                       radius;
+    Eigen::Vector3d                           cell; ///< edges of the packing's periodic cell, if it has one [m]
     dem::LoadedNetwork                        loaded;
     dem::QuasiStaticPath                      path;
     std::optional<postprocess::PvdCollection> particles, links;

@@ -8,6 +8,7 @@
 #include "apps/interrupt.h"
 #include "apps/progress.h"
 #include "apps/results/result_folder.h"
+#include "apps/results/result_listing.h"
 #include "apps/version.h"
 #include "coupling/sequential/identify.h"
 #include "postprocess/atomic_file.h"
@@ -197,8 +198,7 @@ namespace apps
     std::filesystem::remove(running / checkpoint_name);
     folder.publish();
     fmt::print("{}", report.text());
-    fmt::print("results      {}: study.csv, study.png, summary.json, and for ParaView transfer.pvd\n",
-               request.output_folder.string());
+    fmt::print("{}", result_listing(request.output_folder));
     return exit_success;
   }
 
@@ -217,7 +217,7 @@ namespace apps
     summary["transfers"]   = record.json;
     postprocess::write_json(running / "summary.json", summary);
     folder.publish();
-    fmt::print("results      {}: summary.json, and for ParaView transfer.pvd\n", request.output_folder.string());
+    fmt::print("{}", result_listing(request.output_folder));
     return exit_success;
   }
 
@@ -351,7 +351,7 @@ namespace apps
     fmt::print("fit          damage within {:.4f} (root mean square, {} states after the peak), kappa_P within {:.3f} "
                "({} before)\n",
                found.damage_error, found.damaged, found.hardening_error, found.undamaged);
-    fmt::print("results      {}: mapping_law.prm, identified.png, summary.json\n", request.output_folder.string());
+    fmt::print("{}", result_listing(request.output_folder));
     return exit_success;
   }
 } // namespace apps

@@ -2,9 +2,9 @@
 
 #include "apps/drivers/continuum_run.h"
 #include "apps/drivers/continuum_solid.h"
+#include "apps/drivers/solid_snapshot.h"
 #include "apps/mpi_session.h"
 #include "coupling/sequential/transfer.h"
-#include "fem/output/snapshot.h"
 #include "postprocess/errors.h"
 
 namespace apps
@@ -40,17 +40,11 @@ namespace apps
       fem::Vector reaction = solver.internal_force();
       reaction -= solver.external_force();
       reaction.update_ghost_values();
-      try
-        {
-          std::filesystem::create_directories(folder);
-          done.mesh_file =
-            (folder / fem::write_snapshot(*solid, solver.displacement(), reaction, folder.string(), "solid", 0))
-              .string();
-        }
-      catch (const std::runtime_error &error)
-        {
-          throw postprocess::OutputError(error.what());
-        }
+      std::error_code error;
+      std::filesystem::create_directories(folder, error);
+      if (error)
+        throw postprocess::OutputError(folder.string() + ": the folder cannot be made: " + error.message() + ".");
+      done.mesh_file = (folder / write_solid(*solid, solver.displacement(), reaction, {folder, "solid", 0, 0})).string();
       return done;
     }
 

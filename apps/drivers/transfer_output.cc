@@ -29,7 +29,7 @@ namespace apps
     {
       const coupling::Averaging    averaging(field, options.averaging);
       std::vector<Eigen::Matrix3d> stress, damage, stress_difference, damage_difference;
-      std::vector<double>          raw;
+      std::vector<double>          raw, scalar_damage;
       for (std::size_t i = 0; i < field.size(); ++i)
         {
           const coupling::Average there = averaging.at(field.place[i], element_size);
@@ -38,10 +38,12 @@ namespace apps
           stress_difference.push_back(there.stress - field.stress[i]);
           damage_difference.push_back(there.damage - field.damage[i]);
           raw.push_back(coupling::map_damage(there.damage, options.law).raw);
+          scalar_damage.push_back(field.damage[i].trace() / field.dimension);
         }
       postprocess::PointCloud cloud;
       cloud.place   = field.place;
-      cloud.scalars = {{"volume", field.volume}, {"mapped_raw_damage", raw}};
+      cloud.scalars = {
+        {"radius", field.radius}, {"volume", field.volume}, {"damage", scalar_damage}, {"mapped_raw_damage", raw}};
       cloud.tensors = {{"stress", field.stress},
                        {"damage_tensor", field.damage},
                        {"mapped_stress", stress},
@@ -140,8 +142,10 @@ namespace apps
     const auto        time      = static_cast<double>(number);
     const std::string particles = fmt::format("transfer/particles_{:03}.vtp", number),
                       points    = fmt::format("transfer/points_{:03}.vtp", number);
-    postprocess::write_vtk_points(output / particles, cloud_of(field, options, mean_size(report)), time);
-    postprocess::write_vtk_points(output / points, cloud_of(report), time);
+    postprocess::write_vtk_points(output / particles, postprocess::field_file("transferred particles"),
+                                  cloud_of(field, options, mean_size(report)), time);
+    postprocess::write_vtk_points(output / points, postprocess::field_file("integration points"), cloud_of(report),
+                                  time);
     parts.push_back({time, 0, "particles", particles});
     parts.push_back({time, 1, "integration points", points});
     if (!mesh_file.empty())

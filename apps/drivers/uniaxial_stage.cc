@@ -144,9 +144,10 @@ namespace apps
   std::string UniaxialStage::draw_crack(const std::filesystem::path &folder) const
   {
     postprocess::PictureSlab slab;
-    slab.axis = axis == 2 ? 1 : 2; // seen across the load
+    slab.axis      = axis == 2 ? 1 : 2; // seen across the load
+    slab.materials = materials.names;
     return postprocess::picture_of_specimen(folder / (name + "_crack.png"), specimen.particles(), specimen.links(),
-                                            "after " + name, slab);
+                                            "After " + name, slab);
   }
 
   double UniaxialStage::done() const

@@ -15,6 +15,7 @@ namespace coupling
         if (damage[i].links == 0 || (options.leave_out_held && state.held[i] != 0))
           continue;
         field.place.push_back(options.place == FieldOptions::Place::reference ? state.reference[i] : state.position[i]);
+        field.radius.push_back(state.radius[i]);
         field.volume.push_back(state.volume[i]);
         field.stress.push_back(state.stress[i]);
         field.damage.push_back(damage[i].tensor);

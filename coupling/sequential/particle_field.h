@@ -11,6 +11,7 @@ namespace coupling
   {
     int                          dimension = 3;
     std::vector<Eigen::Vector3d> place;           ///< [m]
+    std::vector<double>          radius;          ///< [m]
     std::vector<double>          volume;          ///< [m^3]
     std::vector<Eigen::Matrix3d> stress;          ///< symmetric, tension positive [Pa]
     std::vector<Eigen::Matrix3d> damage;          ///< Omega, trace/dimension = mean strength-type damage [-]

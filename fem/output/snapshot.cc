@@ -4,11 +4,12 @@
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_simplex_p.h>
-#include <deal.II/numerics/data_out.h>
 
-#include <fstream>
-#include <iomanip>
-#include <sstream>
+#include <algorithm>
+#include <array>
+#include <map>
+#include <stdexcept>
+#include <unordered_map>
 
 namespace fem
 {
@@ -16,7 +17,82 @@ namespace fem
 
   namespace
   {
-    /// Averages of point values at the vertices of a mesh.
+    constexpr int viewer_order[6] = {0, 1, 2, 5, 3, 4}; // of a tensor xx yy zz xy yz xz in Voigt's order
+
+    /// Number in VTK's file format, and the nodes in its order.
+    template <int dim>
+    struct ViewedElement
+    {
+      int                     type;
+      std::vector<Point<dim>> nodes;
+    };
+
+    /// Corners, then mid-edges, mid-faces and centre of an element of the second order.
+    template <int dim>
+    ViewedElement<dim> viewed_element(const ElementFamily family, const unsigned int degree)
+    {
+      using List      = std::vector<std::array<double, 3>>;
+      const bool cube = family == ElementFamily::hypercube, second = degree == 2;
+      List       nodes, between;
+      int        type = 0;
+      if (dim == 2 && cube)
+        {
+          type    = second ? 28 : 9;
+          nodes   = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+          between = {{.5, 0, 0}, {1, .5, 0}, {.5, 1, 0}, {0, .5, 0}, {.5, .5, 0}};
+        }
+      else if (dim == 2)
+        {
+          type    = second ? 22 : 5;
+          nodes   = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+          between = {{.5, 0, 0}, {.5, .5, 0}, {0, .5, 0}};
+        }
+      else if (cube)
+        {
+          type    = second ? 29 : 12;
+          nodes   = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+          between = {{.5, 0, 0},  {1, .5, 0},  {.5, 1, 0},  {0, .5, 0},  {.5, 0, 1},  {1, .5, 1},  {.5, 1, 1},
+                     {0, .5, 1},  {0, 0, .5},  {1, 0, .5},  {1, 1, .5},  {0, 1, .5},  {0, .5, .5}, {1, .5, .5},
+                     {.5, 0, .5}, {.5, 1, .5}, {.5, .5, 0}, {.5, .5, 1}, {.5, .5, .5}};
+        }
+      else
+        {
+          type    = second ? 24 : 10;
+          nodes   = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+          between = {{.5, 0, 0}, {.5, .5, 0}, {0, .5, 0}, {0, 0, .5}, {.5, 0, .5}, {0, .5, .5}};
+        }
+      if (second)
+        nodes.insert(nodes.end(), between.begin(), between.end());
+      ViewedElement<dim> element;
+      element.type = type;
+      for (const auto &x : nodes)
+        {
+          Point<dim> p;
+          for (unsigned int c = 0; c < dim; ++c)
+            p[c] = x[c];
+          element.nodes.push_back(p);
+        }
+      return element;
+    }
+
+    /// Names that any rank knows, the same and in the same order on all.
+    template <typename Value>
+    std::vector<std::string> names_on_all_ranks(const std::map<std::string, Value> &own, const MPI_Comm comm)
+    {
+      std::vector<std::string> names;
+      for (const auto &entry : own)
+        names.push_back(entry.first);
+      std::map<std::string, int> all;
+      for (const auto &of_rank : Utilities::MPI::all_gather(comm, names))
+        for (const auto &name : of_rank)
+          all[name] = 1;
+      names.clear();
+      for (const auto &entry : all)
+        names.push_back(entry.first);
+      return names;
+    }
+
+    /// Averages of tensors of points at the vertices of a mesh.
     template <int dim>
     class VertexAverages
     {
@@ -30,212 +106,254 @@ namespace fem
           element = std::make_unique<FE_SimplexP<dim>>(1);
         dofs.distribute_dofs(*element);
         DoFTools::extract_locally_relevant_dofs(dofs, relevant);
+        indices.resize(element->n_dofs_per_cell());
       }
 
-      void add(const PointView<dim> &point, const Point<dim> &unit, const std::string &name, const double value)
+      /// @param tensor in Voigt's order
+      void add(const PointView<dim> &point, const Point<dim> &unit, const std::string &name, const double *tensor)
       {
-        auto &field = fields[name];
-        if (field.first.size() == 0)
-          {
-            field.first.reinit(dofs.locally_owned_dofs(), relevant, dofs.get_communicator());
-            field.second = field.first;
-          }
-        const typename DoFHandler<dim>::active_cell_iterator cell(&dofs.get_triangulation(), point.cell->level(),
-                                                                  point.cell->index(), &dofs);
-        indices.resize(element->n_dofs_per_cell());
-        cell->get_dof_indices(indices);
+        Sums &sums = made(name);
+        go_to(point.cell->level(), point.cell->index());
         for (unsigned int i = 0; i < indices.size(); ++i)
           {
             const double share = point.volume * element->shape_value(i, unit);
-            field.first[indices[i]] += share * value;
-            field.second[indices[i]] += share;
+            sums.weight[indices[i]] += share;
+            for (int c = 0; c < 6; ++c)
+              sums.value[c][indices[i]] += share * tensor[c];
           }
       }
 
-      /// Completes the averages, the same names on all ranks, and shows them.
-      template <typename Show>
-      void finish(const Show &show)
+      /// Completes the averages.
+      void finish()
       {
-        std::vector<std::string> names;
-        for (const auto &field : fields)
-          names.push_back(field.first);
-        std::map<std::string, int> all;
-        for (const auto &of_rank : Utilities::MPI::all_gather(dofs.get_communicator(), names))
-          for (const auto &name : of_rank)
-            all[name] = 1;
-        for (const auto &entry : all)
+        for (const std::string &name : names())
           {
-            auto &[sum, weight] = fields[entry.first];
-            if (sum.size() == 0)
+            Sums &sums = made(name);
+            sums.weight.compress(VectorOperation::add);
+            for (Vector &value : sums.value)
               {
-                sum.reinit(dofs.locally_owned_dofs(), relevant, dofs.get_communicator());
-                weight = sum;
+                value.compress(VectorOperation::add);
+                for (unsigned int i = 0; i < value.locally_owned_size(); ++i)
+                  if (sums.weight.local_element(i) > 0)
+                    value.local_element(i) /= sums.weight.local_element(i);
+                value.update_ghost_values();
               }
-            sum.compress(VectorOperation::add);
-            weight.compress(VectorOperation::add);
-            for (unsigned int i = 0; i < sum.locally_owned_size(); ++i)
-              if (weight.local_element(i) > 0)
-                sum.local_element(i) /= weight.local_element(i);
-            sum.update_ghost_values();
-            show(dofs, entry.first, sum);
           }
+      }
+
+      std::vector<std::string> names() const { return names_on_all_ranks(fields, dofs.get_communicator()); }
+
+      /// Tensor of a finished average, in Voigt's order.
+      template <typename Cell>
+      std::array<double, 6> at(const Cell &cell, const Point<dim> &unit, const std::string &name)
+      {
+        const Sums           &sums   = fields.at(name);
+        std::array<double, 6> tensor = {};
+        go_to(cell->level(), cell->index());
+        for (unsigned int i = 0; i < indices.size(); ++i)
+          {
+            const double share = element->shape_value(i, unit);
+            for (int c = 0; c < 6; ++c)
+              tensor[c] += share * sums.value[c][indices[i]];
+          }
+        return tensor;
       }
 
     private:
-      std::unique_ptr<FiniteElement<dim>>              element;
-      DoFHandler<dim>                                  dofs;
-      IndexSet                                         relevant;
-      std::map<std::string, std::pair<Vector, Vector>> fields; // sum, weight
-      std::vector<types::global_dof_index>             indices;
+      struct Sums
+      {
+        std::array<Vector, 6> value;
+        Vector                weight;
+      };
+
+      Sums &made(const std::string &name)
+      {
+        Sums &sums = fields[name];
+        if (sums.weight.size() == 0)
+          {
+            sums.weight.reinit(dofs.locally_owned_dofs(), relevant, dofs.get_communicator());
+            sums.value.fill(sums.weight);
+          }
+        return sums;
+      }
+
+      void go_to(const int level, const int index)
+      {
+        const typename DoFHandler<dim>::active_cell_iterator cell(&dofs.get_triangulation(), level, index, &dofs);
+        cell->get_dof_indices(indices);
+      }
+
+      std::unique_ptr<FiniteElement<dim>>  element;
+      DoFHandler<dim>                      dofs;
+      IndexSet                             relevant;
+      std::map<std::string, Sums>          fields;
+      std::vector<types::global_dof_index> indices; // of the element last gone to
     };
 
     /// Largest value of the points of every element, for histories of one number.
-    template <int dim>
     class ElementMaxima
     {
     public:
-      explicit ElementMaxima(const Triangulation<dim> &mesh)
-        : n_cells(mesh.n_active_cells())
-        , communicator(mesh.get_communicator())
+      explicit ElementMaxima(const unsigned int cells)
+        : n_cells(cells)
       {
       }
 
       void add(const unsigned int cell, const std::string &name, const double value)
       {
         auto &field = fields[name];
-        if (field.size() == 0)
-          field.reinit(n_cells);
+        if (field.empty())
+          field.resize(n_cells);
         field[cell] = std::max(field[cell], value);
       }
 
-      /// Hands the fields over, the same names on all ranks; they must live until the file is written.
-      void show(DataOut<dim> &out)
+      std::vector<std::string> names(const MPI_Comm comm) const { return names_on_all_ranks(fields, comm); }
+
+      double at(const unsigned int cell, const std::string &name) const
       {
-        std::vector<std::string> names;
-        for (const auto &field : fields)
-          names.push_back(field.first);
-        for (const auto &of_rank : Utilities::MPI::all_gather(communicator, names))
-          for (const auto &name : of_rank)
-            if (fields[name].size() == 0)
-              fields[name].reinit(n_cells);
-        for (const auto &[name, values] : fields)
-          out.add_data_vector(values, name + "_of_element", DataOut<dim>::type_cell_data);
+        const auto field = fields.find(name);
+        return field == fields.end() ? 0.0 : field->second[cell];
       }
 
     private:
-      unsigned int                                  n_cells;
-      MPI_Comm                                      communicator;
-      std::map<std::string, dealii::Vector<double>> fields;
+      unsigned int                               n_cells;
+      std::map<std::string, std::vector<double>> fields;
     };
 
-    std::string component_name(const std::string &name, const int component, const int count)
+    /// "crack opening [m]" as a field is called, without blanks, as ParaView's expressions need it, and its unit.
+    struct FieldName
     {
-      if (count == 1)
-        return name;
-      return name + "_" + (count == 6 ? voigt_names[component] : std::to_string(component));
+      explicit FieldName(const std::string &column)
+        : plain(column.substr(0, column.find(" [")))
+      {
+        std::replace_if(
+          plain.begin(), plain.end(), [](const char c) { return c == ' ' || c == '-'; }, '_');
+        if (const auto open = column.find(" ["); open != std::string::npos)
+          unit = column.substr(open + 2, column.size() - open - 3);
+      }
+      std::string plain, unit;
+    };
+
+    bool ends_with_strain(const std::string &name)
+    {
+      const std::string end = "strain";
+      return name.size() >= end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
     }
 
-    /// Field names without blanks and units, as ParaView's expressions need them.
-    std::string plain(std::string name)
+    /// Nodes and elements of what this rank owns; nodes are shared between elements.
+    template <int dim>
+    class Nodes
     {
-      name = name.substr(0, name.find(" ["));
-      for (char &c : name)
-        if (c == ' ' || c == '-')
-          c = '_';
-      return name;
-    }
+    public:
+      Nodes(const Solid<dim> &solid_, const ViewedElement<dim> &shape)
+        : solid(solid_)
+        , indices(solid.dofs().get_fe().n_dofs_per_cell())
+      {
+        const FiniteElement<dim> &base    = solid.dofs().get_fe().base_element(0);
+        const auto               &support = base.get_unit_support_points();
+        for (const Point<dim> &node : shape.nodes)
+          {
+            const auto found = std::find_if(support.begin(), support.end(),
+                                            [&](const Point<dim> &p) { return p.distance(node) < 1e-6; });
+            if (found == support.end())
+              throw std::logic_error("a node that the viewer needs is none of the element");
+            of_base.push_back(static_cast<unsigned int>(found - support.begin()));
+          }
+      }
 
-    /// @return whether all of it is in the file
-    bool write_whole(const std::string &file, const std::string &text)
-    {
-      std::ofstream stream(file);
-      stream << text;
-      stream.close();
-      return !stream.fail();
-    }
+      /// @param visit(node of the element, whether it is new)
+      template <typename Cell, typename Visit>
+      void each(const Cell &cell, const Visit &visit)
+      {
+        cell->get_dof_indices(indices);
+        for (unsigned int n = 0; n < of_base.size(); ++n)
+          {
+            const auto [entry, is_new] = numbers.try_emplace(dof(n, 0), static_cast<std::int64_t>(numbers.size()));
+            visit(n, entry->second, is_new);
+          }
+      }
 
-    /// The file that names the pieces of all ranks, without the date that the library puts into it: equal states, equal files.
-    template <int dim, typename Piece>
-    std::string record_of(const DataOut<dim> &out, const unsigned int ranks, const Piece &piece)
+      /// Of a component at a node of the element last visited.
+      types::global_dof_index dof(const unsigned int node, const unsigned int component) const
+      {
+        return indices[solid.dofs().get_fe().component_to_system_index(component, of_base[node])];
+      }
+
+    private:
+      const Solid<dim>                                         &solid;
+      std::vector<unsigned int>                                 of_base; // number within one component
+      std::vector<types::global_dof_index>                      indices;
+      std::unordered_map<types::global_dof_index, std::int64_t> numbers;
+    };
+
+    void append(SolidSnapshot::Field &field, const std::array<double, 6> &tensor)
     {
-      std::vector<std::string> pieces;
-      for (unsigned int rank = 0; rank < ranks; ++rank)
-        pieces.push_back(piece(rank));
-      std::ostringstream stream;
-      out.write_pvtu_record(stream, pieces);
-      std::string text = stream.str();
-      if (const auto date = text.find(" on 2"); date != std::string::npos)
-        text.erase(date, text.find('\n', date) - date);
-      return text;
+      const double shear = ends_with_strain(field.name) ? 0.5 : 1; // engineering shears
+      for (const int c : viewer_order)
+        field.values.push_back(static_cast<float>((c < 3 ? 1 : shear) * tensor[static_cast<std::size_t>(c)]));
     }
   }
 
   template <int dim>
-  std::string write_snapshot(Solid<dim>        &solid,
-                             const Vector      &displacement,
-                             const Vector      &reaction,
-                             const std::string &folder,
-                             const std::string &name,
-                             const unsigned int number)
+  SolidSnapshot take_snapshot(Solid<dim> &solid, const Vector &displacement, const Vector &reaction)
   {
-    DataOut<dim>                                                                out;
-    const std::vector<DataComponentInterpretation::DataComponentInterpretation> vector(
-      dim, DataComponentInterpretation::component_is_part_of_vector);
-    out.add_data_vector(solid.dofs(), displacement, std::vector<std::string>(dim, "displacement"), vector);
-    out.add_data_vector(solid.dofs(), reaction, std::vector<std::string>(dim, "reaction"), vector);
-
-    VertexAverages<dim> averages(solid);
-    ElementMaxima<dim>  maxima(*solid.mesh().triangulation);
-    unsigned int        q = 0;
+    VertexAverages<dim>                averages(solid);
+    ElementMaxima                      maxima(solid.mesh().triangulation->n_active_cells());
+    std::map<std::string, std::string> units;
+    unsigned int                       q = 0;
     solid.visit_points(displacement, [&](const PointView<dim> &point) {
       const Point<dim> unit = solid.quadrature().point(q);
       q                     = (q + 1) % solid.quadrature().size();
-      for (int i = 0; i < 6; ++i)
-        {
-          averages.add(point, unit, std::string("stress_") + voigt_names[i], point.stress[i]);
-          averages.add(point, unit, std::string("strain_") + voigt_names[i], point.strain[i]);
-        }
+      averages.add(point, unit, "stress", point.stress.data());
+      averages.add(point, unit, "strain", point.strain.data());
       point.material->visit(point.index, [&](const char *column, const double *values, const int count) {
-        if (std::string(column).compare(0, 4, "old ") != 0) // the strain and stress above
-          {
-            for (int i = 0; i < count; ++i)
-              averages.add(point, unit, component_name(plain(column), i, count), values[i]);
-            if (count == 1)
-              maxima.add(point.cell->active_cell_index(), plain(column), *values);
-          }
+        const FieldName name(column);
+        if (name.plain.compare(0, 4, "old_") == 0) // the strain and stress above
+          return;
+        units[name.plain] = name.unit;
+        if (count == 6)
+          averages.add(point, unit, name.plain, values);
+        else if (count == 1)
+          maxima.add(point.cell->active_cell_index(), name.plain, *values);
       });
     });
-    averages.finish([&](const DoFHandler<dim> &dofs, const std::string &field, const Vector &values) {
-      out.add_data_vector(dofs, values, field);
-    });
+    averages.finish();
 
-    maxima.show(out);
+    const auto    shape = viewed_element<dim>(solid.mesh().family, solid.options().degree);
+    SolidSnapshot snapshot;
+    snapshot.element_type  = shape.type;
+    snapshot.element_nodes = static_cast<int>(shape.nodes.size());
+    snapshot.at_nodes      = {{"displacement", "m", 3, {}}, {"reaction", "N", 3, {}}};
+    for (const std::string &name : averages.names())
+      snapshot.at_nodes.push_back({name, units[name], 6, {}});
+    for (const std::string &name : maxima.names(solid.communicator()))
+      snapshot.of_elements.push_back({name, units[name], 1, {}});
 
-    const unsigned int degree = solid.options().degree;
-    out.build_patches(solid.mapping(), degree);
-    DataOutBase::VtkFlags flags;
-    flags.print_date_and_time = false;                             // equal states, equal files
-    flags.compression_level   = DataOutBase::VtkFlags::best_speed; // the best one took half the time of explicit runs
-    out.set_flags(flags);
-    const MPI_Comm     comm  = solid.communicator();
-    const unsigned int ranks = Utilities::MPI::n_mpi_processes(comm), rank = Utilities::MPI::this_mpi_process(comm);
-    std::ostringstream stem;
-    stem << name << "_" << std::setw(6) << std::setfill('0') << number;
-    const auto piece = [&](const unsigned int of) {
-      return stem.str() + (ranks > 1 ? "." + std::to_string(of) : "") + ".vtu";
-    };
-    std::ostringstream text;
-    out.write_vtu(text);
-    bool good = write_whole(folder + "/" + piece(rank), text.str());
-    if (ranks > 1 && rank == 0)
-      good = write_whole(folder + "/" + stem.str() + ".pvtu", record_of(out, ranks, piece)) && good;
-    if (Utilities::MPI::min(good ? 1 : 0, comm) == 0)
-      throw std::runtime_error(folder + "/" + piece(rank) + ": cannot be written. Check space and permissions.");
-    return ranks > 1 ? stem.str() + ".pvtu" : piece(0);
+    Nodes<dim> nodes(solid, shape);
+    for (const auto &cell : solid.dofs().active_cell_iterators())
+      {
+        if (!cell->is_locally_owned())
+          continue;
+        for (SolidSnapshot::Field &field : snapshot.of_elements)
+          field.values.push_back(static_cast<float>(maxima.at(cell->active_cell_index(), field.name)));
+        nodes.each(cell, [&](const unsigned int n, const std::int64_t number, const bool is_new) {
+          snapshot.elements.push_back(number);
+          if (!is_new)
+            return;
+          const Point<dim> place = solid.mapping().transform_unit_to_real_cell(cell, shape.nodes[n]);
+          for (unsigned int c = 0; c < 3; ++c)
+            {
+              snapshot.place.push_back(c < dim ? static_cast<float>(place[c]) : 0.0f);
+              snapshot.at_nodes[0].values.push_back(c < dim ? static_cast<float>(displacement[nodes.dof(n, c)]) : 0.0f);
+              snapshot.at_nodes[1].values.push_back(c < dim ? static_cast<float>(reaction[nodes.dof(n, c)]) : 0.0f);
+            }
+          for (std::size_t f = 2; f < snapshot.at_nodes.size(); ++f)
+            append(snapshot.at_nodes[f], averages.at(cell, shape.nodes[n], snapshot.at_nodes[f].name));
+        });
+      }
+    return snapshot;
   }
 
-  template std::string
-  write_snapshot(Solid<2> &, const Vector &, const Vector &, const std::string &, const std::string &, unsigned int);
-  template std::string
-  write_snapshot(Solid<3> &, const Vector &, const Vector &, const std::string &, const std::string &, unsigned int);
+  template SolidSnapshot take_snapshot(Solid<2> &, const Vector &, const Vector &);
+  template SolidSnapshot take_snapshot(Solid<3> &, const Vector &, const Vector &);
 }

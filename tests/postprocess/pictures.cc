@@ -1,4 +1,6 @@
+#include "postprocess/drawn_unit.h"
 #include "postprocess/field_picture.h"
+#include "postprocess/picture_axes.h"
 #include "postprocess/plot.h"
 #include "postprocess/specimen_picture.h"
 #include "scratch_folder.h"
@@ -169,6 +171,85 @@ TEST_CASE("only a link that has opened is drawn as a crack", "[postprocess]")
   particles.position[1].x() -= 2 * particles.displacement[1].x(); // now it has moved towards the first
   particles.displacement[1].x() *= -1;
   REQUIRE(picture("closed.png", link) == picture("none.png", {}));
+}
+
+TEST_CASE("a link to a periodic image shows no crack where only the cell lies between", "[postprocess]")
+{
+  const ScratchFolder folder;
+  auto                particles = postprocess_tests::numbered_particles(3);
+  dem::LinkOutput     link      = postprocess_tests::numbered_links(2);
+  link.ends                     = {{0, 2}};
+  link.damage                   = {0.5};
+  link.kind                     = {dem::LinkOutput::cohesive};
+  for (auto &u : particles.displacement)
+    u.setZero();
+  particles.displacement[2].x() = 1e-3; // away from the first, as with a cell that is stretched by as much
+  particles.position[2].x() += 1e-3;
+  const auto picture = [&](const std::string &name, const dem::LinkOutput &links, const PictureSlab &slab) {
+    REQUIRE(picture_of_specimen(folder / name, particles, links, "title", slab) == "");
+    return content_of(folder / name);
+  };
+  PictureSlab stretched, closed, opened;
+  stretched.images        = {{{-3 - 1e-3, 0, 0}, {-3, 0, 0}}}; // the image has moved with the cell: as near as before
+  opened.images           = {{{-3 - 3e-3, 0, 0}, {-3, 0, 0}}};
+  const std::string whole = picture("none.png", {}, closed);
+  CHECK(picture("across.png", link, closed) != whole); // what a reader who ignores images would see
+  CHECK(picture("stretched.png", link, stretched) == whole);
+  CHECK(picture("opened.png", link, opened) != whole);
+}
+
+TEST_CASE("materials are named in the legend", "[postprocess]")
+{
+  const ScratchFolder folder;
+  auto                particles = postprocess_tests::numbered_particles(6);
+  const auto          picture   = [&](const PictureSlab &slab) {
+    REQUIRE(picture_of_specimen(folder / "p.png", particles, {}, "title", slab) == "");
+    return content_of(folder / "p.png");
+  };
+  PictureSlab named, other;
+  named.materials         = {"mortar", "aggregate"};
+  other.materials         = {"mortar", "steel"};
+  const std::string plain = picture({});
+  CHECK(picture(named) == plain); // one material: nothing to tell apart
+  particles.material = {0, 0, 1, 1, 0, 0};
+  CHECK(picture(named) != picture(other));
+  CHECK(picture(named) != plain);
+}
+
+TEST_CASE("lengths are drawn in the unit of their size, with ticks that have room for their labels", "[postprocess]")
+{
+  CHECK(std::string(length_unit(12).name) == "m");
+  CHECK(std::string(length_unit(0.45).name) == "mm");
+  CHECK(std::string(length_unit(1e-3).name) == "µm");
+  CHECK(length_text(23.4e-6) == "23.4 µm");
+  CHECK(length_text(1.5e-3) == "1.5 mm");
+  CHECK(tick_step(10, 5) == Approx(2));
+  CHECK(tick_step(4.1, 3) == Approx(2));
+  CHECK(tick_step(0.9, 8) == Approx(0.2));
+
+  // A pillar of 4 m by 12 m: ticks every 2 m, in metres.
+  GnuplotJob   job;
+  PictureFrame pillar{
+    Eigen::AlignedBox2d(Eigen::Vector2d(-0.2, 0), Eigen::Vector2d(4.2, 12)), 'x', 'z', 760, 230, 150, 480};
+  CHECK(std::string(set_axes(job, pillar).name) == "m");
+  CHECK_THAT(job.script, Contains("set xtics 1\n") && Contains("x [m]") && Contains("z [m]"));
+  // The same in steps that need more room: 0.4 m wide and 12 m high leave 25 pixels.
+  pillar.box.max().x() = 0.2;
+  job                  = {};
+  set_axes(job, pillar);
+  CHECK_THAT(job.script, Contains("set xtics 0.5\n"));
+  pillar.box.setEmpty();
+  CHECK_THROWS_AS(set_axes(job, pillar), std::invalid_argument);
+}
+
+TEST_CASE("values are drawn in a unit that keeps numbers short, under a readable name", "[postprocess]")
+{
+  CHECK(drawn_unit(1.2e-4, "m").label == " [µm]");
+  CHECK(drawn_unit(1.2e-4, "m").scale == Approx(1e6));
+  CHECK(drawn_unit(-5200, "N").label == " [kN]");
+  CHECK(drawn_unit(0, "N").label == " [N]");
+  CHECK(drawn_unit(3, "-").label.empty());
+  CHECK(readable("reaction_load_z") == "Reaction load z");
 }
 
 TEST_CASE("a picture of nothing is refused in words", "[postprocess]")

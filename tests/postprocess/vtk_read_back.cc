@@ -1,8 +1,10 @@
 #include "full_disk.h"
 #include "postprocess/errors.h"
+#include "postprocess/fields.h"
 #include "postprocess/pvd.h"
 #include "postprocess/vtk_links.h"
 #include "postprocess/vtk_particles.h"
+#include "postprocess/vtk_solid.h"
 #include "scratch_folder.h"
 #include "specimen_samples.h"
 
@@ -11,10 +13,14 @@
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkInformationStringKey.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+#include <vtkUnstructuredGrid.h>
 #include <vtkXMLPolyDataReader.h>
+#include <vtkXMLUnstructuredGridReader.h>
 
 using namespace postprocess;
 using Catch::Matchers::Contains;
@@ -134,6 +140,104 @@ TEST_CASE("VTK reads back every value of the links", "[postprocess]")
       REQUIRE(values->GetArray("broken")->GetTuple1(l) == (l % 3 == 2 ? 1 : 0));
     }
   REQUIRE(data->GetPointData()->GetArray("radius")->GetTuple1(3) == particles.radius[3]);
+}
+
+TEST_CASE("a link to a periodic image is a line to that image, not across the cell", "[postprocess]")
+{
+  const ScratchFolder  folder;
+  const auto           particles = numbered_particles(3);
+  const auto           links     = numbered_links(3); // 0-1 and 1-2
+  const dem::LinkImage image{{-3.03, 0, 0}, {-3, 0, 0}};
+  write_vtk_links(folder / "l.vtp", links, particles, 0, {{}, image});
+
+  const auto data = open(folder / "l.vtp");
+  REQUIRE(data->GetNumberOfCells() == 2);
+  REQUIRE(data->GetNumberOfPoints() == 4);
+  const auto end = [&](const int link) {
+    double x[3];
+    data->GetCell(link)->GetPoints()->GetPoint(1, x);
+    return Eigen::Vector3d(x);
+  };
+  CHECK(end(0) == particles.position[1]);
+  CHECK(end(1) == particles.position[2] + image.now);
+  const vtkIdType     at     = data->GetCell(1)->GetPointId(1);
+  vtkPointData *const points = data->GetPointData();
+  CHECK(points->GetArray("id")->GetTuple1(at) == 2);
+  CHECK(points->GetArray("radius")->GetTuple1(at) == particles.radius[2]);
+  CHECK(points->GetArray("displacement")->GetComponent(at, 0) == Approx(particles.displacement[2].x() - 0.03));
+  CHECK(data->GetCellData()->GetArray("to_image")->GetTuple1(0) == 0);
+  CHECK(data->GetCellData()->GetArray("to_image")->GetTuple1(1) == 1);
+  REQUIRE_THROWS_AS(write_vtk_links(folder / "l.vtp", links, particles, 0, {image}), std::invalid_argument);
+}
+
+TEST_CASE("arrays carry the units that are declared for them", "[postprocess]")
+{
+  const ScratchFolder folder;
+  auto                particles = numbered_particles(5);
+  auto                links     = numbered_links(5);
+  particles.material            = {0, 1, 0, 1, 0};
+  links.law                     = {0, 1, 2, 1};
+  write_vtk_particles(folder / "p.vtp", particles, 0);
+  write_vtk_links(folder / "l.vtp", links, particles, 0, std::vector<dem::LinkImage>(4));
+  for (const char *kind : {"particles", "links"})
+    {
+      const auto       data = open(folder / (std::string(1, kind[0]) + ".vtp"));
+      const FieldFile &file = field_file(kind);
+      int              seen = 0;
+      for (const Field &f : file.fields)
+        {
+          INFO(kind << ": " << f.name);
+          vtkDataSetAttributes *values = data->GetPointData();
+          if (f.of == Field::Of::cells)
+            values = data->GetCellData();
+          vtkDataArray *const array = values->GetArray(f.name.c_str());
+          REQUIRE(array != nullptr);
+          CHECK(array->GetNumberOfComponents() == f.components);
+          const char *const unit = array->GetInformation()->Get(vtkDataArray::UNITS_LABEL());
+          CHECK(std::string(unit ? unit : "") == (f.unit == "-" ? "" : f.unit));
+          ++seen;
+        }
+      CHECK(seen == data->GetPointData()->GetNumberOfArrays() + data->GetCellData()->GetNumberOfArrays());
+    }
+}
+
+TEST_CASE("a solid is read back with its elements, tensors and element values", "[postprocess]")
+{
+  const ScratchFolder folder;
+  fem::SolidSnapshot  solid; // two squares side by side
+  solid.place         = {0, 0, 0, 1, 0, 0, 2, 0, 0, 0, 1, 0, 1, 1, 0, 2, 1, 0};
+  solid.element_type  = 9;
+  solid.element_nodes = 4;
+  solid.elements      = {0, 1, 4, 3, 1, 2, 5, 4};
+  solid.at_nodes      = {{"displacement", "m", 3, std::vector<float>(18, 0.5f)}, {"stress", "", 6, {}}};
+  for (int i = 0; i < 36; ++i)
+    solid.at_nodes[1].values.push_back(static_cast<float>(i));
+  solid.of_elements = {{"damage", "", 1, {0.25f, 0.997f}}, {"own_history", "N/m", 1, {1, 2}}};
+  write_vtk_solid(folder / "s.vtu", solid, 0.5);
+
+  const auto reader = vtkSmartPointer<vtkXMLUnstructuredGridReader>::New();
+  reader->SetFileName((folder / "s.vtu").c_str());
+  reader->Update();
+  vtkUnstructuredGrid *const grid = reader->GetOutput();
+  REQUIRE(grid->GetNumberOfCells() == 2);
+  REQUIRE(grid->GetNumberOfPoints() == 6);
+  CHECK(grid->GetCell(1)->GetPointId(2) == 5);
+  CHECK(grid->GetPointData()->GetTensors() == grid->GetPointData()->GetArray("stress"));
+  CHECK(grid->GetPointData()->GetArray("stress")->GetComponent(2, 3) == 15);
+  CHECK(std::string(grid->GetPointData()->GetArray("stress")->GetComponentName(3)) == "XY");
+  vtkDataArray *const damage = grid->GetCellData()->GetArray("damage");
+  REQUIRE(damage != nullptr);
+  CHECK(damage->GetTuple1(1) == 0.997f);
+  CHECK(grid->GetPointData()->GetArray("damage") == nullptr);
+  CHECK(std::string(grid->GetCellData()->GetArray("own_history")->GetInformation()->Get(vtkDataArray::UNITS_LABEL())) ==
+        "N/m");
+  CHECK(std::string(grid->GetPointData()->GetArray("stress")->GetInformation()->Get(vtkDataArray::UNITS_LABEL())) ==
+        "Pa");
+
+  CHECK_THROWS_WITH(write_vtk_solid(folder / "missing/s.vtu", solid, 0), Contains("missing"));
+  solid.of_elements.front().values.pop_back();
+  CHECK_THROWS_AS(write_vtk_solid(folder / "s.vtu", solid, 0), std::invalid_argument);
+  CHECK(files_in(folder.path) == 1);
 }
 
 TEST_CASE("a links file without any link opens and has every column", "[postprocess]")

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace apps
+{
+  /**
+   * Lines for the terminal that say what a finished run left: its tables, summaries and pictures, and what ParaView opens. Only what
+   * is there: a picture that could not be drawn is not listed.
+   */
+  std::string result_listing(const std::filesystem::path &folder);
+} // namespace apps

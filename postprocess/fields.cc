@@ -1,0 +1,168 @@
+#include "postprocess/fields.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace postprocess
+{
+  namespace
+  {
+    constexpr Field::Of points = Field::Of::points, cells = Field::Of::cells;
+
+    constexpr const char *several = "several materials", *periodic = "periodic cells",
+                         *concrete = "damage-plastic concrete";
+
+    FieldFile particle_fields()
+    {
+      return {
+        "particles",
+        "TEST_particles.pvd, cell_particles.pvd",
+        "a point per particle, at its present place",
+        {{"id", "", 1, points, "number of the particle in the packing, from 0", ""},
+         {"radius", "m", 1, points, "of the sphere or disc", ""},
+         {"displacement", "m", 3, points, "since the specimen was made", ""},
+         {"velocity", "m/s", 3, points, "", ""},
+         {"angular_velocity", "rad/s", 3, points, "", ""},
+         {"damage", "-", 1, points, "mean damage of the links that the particle was made with; broken ones count as 1",
+          ""},
+         {"broken_links", "", 1, points, "how many of these links are gone", ""},
+         {"phase", "", 1, points, "number of the particle's material, from 0", ""},
+         {"material", "", 1, points, "the same", several},
+         {"stress", "Pa", 6, points, "over the particle's share of the volume, tension positive (Love-Weber)", ""}}};
+    }
+
+    FieldFile link_fields()
+    {
+      return {
+        "links",
+        "TEST_links.pvd, cell_links.pvd",
+        "a line per link or contact between the present places of its particles, or from a particle to the periodic "
+        "image that it "
+        "is linked to; the points are the particles, then these images",
+        {{"id", "", 1, points, "number of the particle in the packing, from 0; an image has that of its particle", ""},
+         {"radius", "m", 1, points, "of the particle", ""},
+         {"displacement", "m", 3, points, "of the particle, or of the image", ""},
+         {"normal_force", "N", 1, cells, "tension positive", ""},
+         {"shear_force", "N", 1, cells, "magnitude", ""},
+         {"normal_stress", "Pa", 1, cells, "force over the section of the link", ""},
+         {"shear_stress", "Pa", 1, cells, "magnitude, over the section of the link", ""},
+         {"normal_strain", "-", 1, cells, "elongation over length", ""},
+         {"damage", "-", 1, cells, "0: whole; 1: without stiffness in tension, and of broken links and contacts", ""},
+         {"kind", "", 1, cells, "0: cohesive, 1: contact, 2: broken", ""},
+         {"broken", "", 1, cells, "1: the link was deleted", ""},
+         {"material_pair", "", 1, cells, "pair of materials that the link joins (0-0: 0, 1-0: 1, 1-1: 2, 2-0: 3, ...)",
+          several},
+         {"to_image", "", 1, cells, "1: the link leads to a periodic image of its second particle", periodic}}};
+    }
+
+    FieldFile solid_fields()
+    {
+      return {"solid",
+              "solid.pvd, transfer.pvd (mesh)",
+              "the finite elements; what integration points know is shown of elements as the largest of their points, "
+              "and at nodes as "
+              "average over the points around, weighted with their volume",
+              {{"displacement", "m", 3, points, "", ""},
+               {"reaction", "N", 3, points, "internal less external force", ""},
+               {"stress", "Pa", 6, points, "average at the node, tension positive", ""},
+               {"strain", "-", 6, points, "average at the node; tensor shears, half the engineering ones", ""},
+               {"plastic_strain", "-", 6, points, "average at the node; tensor shears", concrete},
+               {"damage", "-", 1, cells, "largest in the element", concrete},
+               {"crack_opening", "m", 1, cells, "largest in the element", concrete},
+               {"kappa_P", "-", 1, cells, "hardening variable, largest in the element", concrete},
+               {"kappa_D", "-", 1, cells, "damage-driving variable, largest in the element", concrete},
+               {"element_size", "m", 1, cells, "across the crack, with which the law regularises", concrete},
+               {"localised_at", "-", 1, cells, "damage-driving variable at which the size was fixed", concrete}}};
+    }
+
+    FieldFile transferred_particle_fields()
+    {
+      return {"transferred particles",
+              "transfer.pvd (particles)",
+              "a point per particle that is handed over, where it was when the specimen was made",
+              {{"radius", "m", 1, points, "of the particle", ""},
+               {"volume", "m^3", 1, points, "the particle's share of the specimen, voids included", ""},
+               {"damage", "-", 1, points,
+                "mean lost part of the strength of its links: a third of the trace of the tensor (half in two "
+                "dimensions)",
+                ""},
+               {"stress", "Pa", 6, points, "of the particle", ""},
+               {"damage_tensor", "-", 6, points, "of the particle", ""},
+               {"mapped_stress", "Pa", 6, points, "the average that an element here would be given", ""},
+               {"mapped_damage_tensor", "-", 6, points, "the average that an element here would be given", ""},
+               {"mapped_raw_damage", "-", 1, points, "damage that the mapping law makes of it, before limits", ""},
+               {"stress_difference", "Pa", 6, points, "mapped less own", ""},
+               {"damage_tensor_difference", "-", 6, points, "mapped less own", ""}}};
+    }
+
+    FieldFile integration_point_fields()
+    {
+      return {"integration points",
+              "transfer.pvd (integration points)",
+              "a point per integration point that was given a history",
+              {{"volume", "m^3", 1, points, "its share of the solid", ""},
+               {"stress", "Pa", 6, points, "average of the particles around, as handed over", ""},
+               {"damage_tensor", "-", 6, points, "average of the particles around", ""},
+               {"damage", "-", 1, points, "scalar damage handed over", ""},
+               {"raw_damage", "-", 1, points, "the same before limits", ""},
+               {"kappa_D", "-", 1, points, "damage-driving variable handed over", ""},
+               {"kappa_P", "-", 1, points, "hardening variable handed over", ""},
+               {"particles", "", 1, points, "how many particles the averages are of", ""},
+               {"offset", "-", 1, points,
+                "distance from the point to the centre of the averages' weights, in widths of the kernel: how "
+                "one-sided they are",
+                ""},
+               {"returned_stress", "Pa", 1, points, "by which the stress was moved back to the yield surface", ""}}};
+    }
+
+    const char *kind_of(const Field &field)
+    {
+      return field.components == 1 ? "number" : field.components == 3 ? "vector" : "tensor";
+    }
+  } // namespace
+
+  const Field &FieldFile::field(const std::string &field_name) const
+  {
+    const auto found = std::find_if(fields.begin(), fields.end(), [&](const Field &f) { return f.name == field_name; });
+    if (found == fields.end())
+      throw std::logic_error("a file of " + name + " has no field \"" + field_name +
+                             "\": declare it in postprocess/fields.cc");
+    return *found;
+  }
+
+  const std::vector<FieldFile> &field_files()
+  {
+    static const std::vector<FieldFile> all = {particle_fields(), link_fields(), solid_fields(),
+                                               transferred_particle_fields(), integration_point_fields()};
+    return all;
+  }
+
+  const FieldFile &field_file(const std::string &name)
+  {
+    for (const FieldFile &file : field_files())
+      if (file.name == name)
+        return file;
+    throw std::logic_error("there are no files of \"" + name + "\" for ParaView");
+  }
+
+  std::string fields_as_markdown()
+  {
+    std::string text;
+    for (const FieldFile &file : field_files())
+      {
+        std::string title = file.name;
+        title.front()     = static_cast<char>(title.front() - 'a' + 'A');
+        text += "### " + title + "\n\n`" + file.collections + "`: " + file.shows + ".\n\n";
+        text += "| Field | Unit | Kind | Data of | Meaning |\n|---|---|---|---|---|\n";
+        for (const Field &f : file.fields)
+          {
+            const std::string where =
+              f.only.empty() ? "" : (f.meaning.empty() ? "" : "; ") + std::string("only ") + f.only;
+            text += "| `" + f.name + "` | " + f.unit + " | " + kind_of(f) + " | " +
+                    (f.of == points ? "points" : "cells") + " | " + f.meaning + where + " |\n";
+          }
+        text += "\n";
+      }
+    return text;
+  }
+} // namespace postprocess
