@@ -22,7 +22,7 @@ namespace dem
   };
 
   /**
-   * Solve the cell for all macroscopic strains at once: D = (K_EE - K_Eu K_uu^+ K_uE)/V, homogenisation specification (3.2),
+   * Solve the cell for all macroscopic strains at once: D = (K_EE - K_Eu K_uu^+ K_uE)/V, doc/theory/homogenisation.md, 3,
    * evaluated as the energy of the solution, which is symmetric and whose error is that of the motions squared.
    *
    * @throws std::invalid_argument if the network is not periodic.
@@ -32,7 +32,7 @@ namespace dem
                                      CellFormulation         formulation = CellFormulation::fluctuation);
 
   /**
-   * Strain localisation of a link: link strain (slip over length) = M E; homogenisation specification (3.3).
+   * Strain localisation of a link: link strain (slip over length) = M E; doc/theory/homogenisation.md, 3.
    * @pre relaxed was found with CellFormulation::fluctuation
    */
   Eigen::Matrix<double, 3, 6> strain_localisation(const ElasticLink &link, const RelaxedStiffness &relaxed);

@@ -76,7 +76,7 @@ namespace fem
     Response<State>
     evaluate(const Voigt &strain, const State &committed, const ElementExtent &element, bool with_tangent = true) const;
 
-    /// History that answers the given stress to zero strain (specification, section 5).
+    /// History that answers the given stress to zero strain (doc/theory/damage-plastic-concrete.md, 5).
     /// @throws std::invalid_argument on damage outside [0, 1] or an undamaged kappa_P outside [0, 1).
     State initial_state(const InitialPointState &given, const ElementExtent &element) const;
 
