@@ -35,7 +35,7 @@ namespace coupling
   };
 
   /**
-   * Stress and damage tensor of every particle of a state (coupling specification 6.1); particles that never had a cohesive link tell
+   * Stress and damage tensor of every particle of a state (doc/theory/sequential-transfer.md, 1); particles that never had a cohesive link tell
    * nothing of damage and are left out.
    * @throws dem::InputError if none remains
    */
