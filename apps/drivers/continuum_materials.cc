@@ -2,6 +2,7 @@
 
 #include "apps/scene/continuum_law_block.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
@@ -9,6 +10,11 @@
 
 namespace apps
 {
+  namespace
+  {
+    constexpr double softest = 1e3; // [Pa]: gels are about as soft
+  }
+
   void MaterialOfGroup::declare(Section &section, const std::function<bool()> &is_explicit)
   {
     const auto is = [this](const Law wanted) { return [this, wanted] { return law == wanted; }; };
@@ -82,6 +88,10 @@ namespace apps
   {
     try
       {
+        if (law == Law::isotropic && isotropic.young_modulus < softest)
+          throw std::invalid_argument(fmt::format("Young modulus = {} Pa: no solid is as soft. Is it in Pa? 25 GPa are "
+                                                  "25e9.",
+                                                  isotropic.young_modulus));
         if (law == Law::isotropic)
           return fem::make_points(fem::IsotropicElastic(isotropic), plane);
         if (law == Law::anisotropic)

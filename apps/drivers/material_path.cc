@@ -8,50 +8,58 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace apps
 {
   namespace
   {
-    constexpr int finest = 1024; // parts of a row
-
     template <typename Law>
     struct Point
     {
       fem::Voigt          strain = fem::Voigt::Zero(), stress = fem::Voigt::Zero();
       typename Law::State state;
-      int                 substeps = 1;
+      int                 parts = 1;
     };
 
-    /** One row in equal parts; false if a part finds no equilibrium. */
-    template <typename Law>
-    bool advance(
-      const Law &law, const MaterialPath &path, const std::array<double, 6> &row, const int parts, Point<Law> &point)
+    template <typename Parameters>
+    fem::Increments increments_of(const Parameters &)
     {
-      const Point<Law> start = point;
-      const double     unit =
-        law.elastic_stiffness().cwiseAbs().maxCoeff() * 1e-6; // the stress of a strain of 1e-6 is exact to 1e-12
-      for (int part = 1; part <= parts; ++part)
-        {
-          fem::MixedTarget target;
-          target.stress_given = path.stress_given;
-          for (int i = 0; i < 6; ++i)
-            {
-              const double from = path.stress_given[i] ? start.stress[i] : start.strain[i];
-              target.value[i]   = from + (row[i] - from) * part / parts;
-            }
-          try
-            {
-              const auto reached = fem::solve_mixed(law, point.strain, target, point.state, fem::ElementExtent{}, unit);
-              point = {reached.strain, reached.response.stress, reached.response.trial, reached.response.substeps};
-            }
-          catch (const fem::MaterialFailure &)
-            {
-              point = start;
-              return false;
-            }
-        }
-      point.substeps *= parts;
-      return true;
+      return fem::Increments::followed;
+    }
+
+    fem::Increments increments_of(const fem::DamagePlasticParameters &parameters)
+    {
+      return parameters.largest_increment > 0 ? fem::Increments::followed : fem::Increments::whole;
+    }
+
+    /** Goes to a row: where the path there can be followed. */
+    template <typename Law>
+    void advance(const Law                   &law,
+                 const fem::Increments        increments,
+                 const MaterialPath          &path,
+                 const std::array<double, 6> &row,
+                 Point<Law>                  &point)
+    {
+      fem::MixedTarget target;
+      target.stress_given = path.stress_given;
+      for (int i = 0; i < 6; ++i)
+        target.value[i] = row[i];
+      // The stress of a strain of 1e-6 is exact to 1e-12.
+      const double unit    = law.elastic_stiffness().cwiseAbs().maxCoeff() * 1e-6;
+      const auto   reached = fem::solve_mixed(law, target, point.state, fem::ElementExtent{}, unit, increments);
+      point.strain         = reached.strain;
+      point.stress         = reached.response.stress;
+      point.state          = reached.response.trial;
+      point.parts          = reached.parts * reached.response.substeps;
+    }
+
+    std::string advice(const MaterialPath &path)
+    {
+      const bool stresses =
+        std::any_of(path.stress_given.begin(), path.stress_given.end(), [](const bool given) { return given; });
+      return stresses ? "Beyond a peak a component must be given in strain; a way that snaps back cannot be followed." :
+                        "All components are given in strain: take shorter rows, and see that the numbers are strains.";
     }
 
     template <typename Law>
@@ -84,7 +92,7 @@ namespace apps
           }
       });
       names.push_back("parts");
-      row.push_back(point.substeps);
+      row.push_back(point.parts);
       history.names = names;
       history.rows.push_back(row);
     }
@@ -102,13 +110,15 @@ namespace apps
           MaterialHistory history;
           for (std::size_t row = 0; row < path.rows.size(); ++row)
             {
-              int parts = 1;
-              while (!advance(law, path, path.rows[row], parts, point))
-                if ((parts *= 2) > finest)
+              try
+                {
+                  advance(law, increments_of(parameters), path, path.rows[row], point);
+                }
+              catch (const fem::MaterialFailure &failure)
+                {
                   throw dem::InputError(
-                    fmt::format("{}: row {}: no equilibrium with these stresses, not even in {} parts. Beyond a "
-                                "peak a component must be given in strain.",
-                                path.origin, row + 1, finest));
+                    fmt::format("{}: row {}: {} {}", path.origin, row + 1, failure.what(), advice(path)));
+                }
               record(history, point);
             }
           return history;

@@ -31,9 +31,8 @@ namespace apps
   {
     std::string name;
     /**
-     * Declare the constants in the section, let `read` fill them, and drive one point along the path. A step that finds no
-     * equilibrium is halved, down to 1/1024 of a row.
-     * @throws dem::InputError naming the row that could not be reached.
+     * Declare the constants in the section, let `read` fill them, and drive one point along the path, straight from row to row.
+     * @throws dem::InputError naming the row that could not be reached, and how far it could.
      */
     MaterialHistory (*drive)(Section &constants, const std::function<void()> &read, const MaterialPath &path);
   };

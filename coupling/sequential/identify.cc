@@ -26,7 +26,7 @@ namespace coupling
     for (int n = 1; n <= most_steps; ++n)
       {
         target.value[0]     = (compression ? -1 : 1) * n * strain_step;
-        state               = fem::solve_mixed(law, state.strain, target, state, extent, unit).response.trial;
+        state               = fem::solve_mixed(law, target, state, extent, unit).response.trial;
         const double stress = std::abs(state.stress[0]);
         if (stress > largest)
           {

@@ -237,10 +237,14 @@ namespace fem
         demand(s.length > 0 && s.radius > 0 && s.divisions > 0,
                "cylinder: its length, radius and divisions must be positive.");
         const Names names = {"left", "right", "side"};
+        // The section is a regular polygon of 4, 8, 16 ... sides (0, 1, 2 ... refinements), inscribed in a circle so much
+        // larger that it has the area of the wanted one: mass and axial stiffness are those of the round bar.
+        const double sides  = 4 * std::pow(2.0, options.refinements);
+        const double circle = s.radius * std::sqrt(2 * numbers::PI / (sides * std::sin(2 * numbers::PI / sides)));
         return finish<dim>(
           options, names,
           [&](Triangulation<dim> &mesh) {
-            GridGenerator::subdivided_cylinder(mesh, s.divisions, s.radius, s.length / 2);
+            GridGenerator::subdivided_cylinder(mesh, s.divisions, circle, s.length / 2);
             GridTools::shift(Tensor<1, dim>({s.length / 2, 0, 0}), mesh);
           },
           [&](const Point<dim> &face) {

@@ -11,30 +11,6 @@ namespace fem
 {
   namespace
   {
-    /// Out-of-plane strains zz, yz, zx of a plane-stress point.
-    using OutOfPlane = Eigen::Vector3d;
-
-    /// Stiffness of a plane-stress point: the out-of-plane rows condensed, zero outside xx, yy, xy.
-    Stiffness condensed(const Stiffness &full)
-    {
-      static constexpr int in[3] = {0, 1, 5}, out[3] = {2, 3, 4};
-      Eigen::Matrix3d      aa, ab, ba, bb;
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-          {
-            aa(i, j) = full(in[i], in[j]);
-            ab(i, j) = full(in[i], out[j]);
-            ba(i, j) = full(out[i], in[j]);
-            bb(i, j) = full(out[i], out[j]);
-          }
-      const Eigen::Matrix3d plane  = aa - ab * bb.partialPivLu().solve(ba);
-      Stiffness             result = Stiffness::Zero();
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-          result(in[i], in[j]) = plane(i, j);
-      return result;
-    }
-
     template <typename Law>
     class PointsOf : public MaterialPoints
     {
@@ -51,10 +27,6 @@ namespace fem
       {
         committed.assign(n_points, {});
         trial.assign(n_points, {});
-        if (plane_stress)
-          out.assign(n_points, OutOfPlane::Zero());
-        if (plane_stress)
-          out_trial.assign(n_points, OutOfPlane::Zero());
       }
 
       void evaluate(const std::size_t    point,
@@ -64,7 +36,7 @@ namespace fem
                     PointAnswer         &answer) override
       {
         if (plane_stress)
-          return evaluate_plane_stress(point, strain, element, answer);
+          return evaluate_plane_stress(point, strain, element, with_tangent, answer);
         const auto r  = law.evaluate(strain, committed[point], element, with_tangent);
         trial[point]  = r.trial;
         answer.stress = r.stress;
@@ -72,11 +44,7 @@ namespace fem
           answer.tangent = r.tangent;
       }
 
-      void commit() override
-      {
-        committed = trial;
-        out       = out_trial;
-      }
+      void commit() override { committed = trial; }
 
       void set_initial([[maybe_unused]] const std::size_t        point,
                        [[maybe_unused]] const InitialPointState &given,
@@ -92,11 +60,7 @@ namespace fem
       void visit(const std::size_t point, const StateColumn &column) override
       {
         Law::describe_state(committed[point], column);
-        if (plane_stress)
-          column("out-of-plane strain", out[point].data(), 3);
         trial[point] = committed[point];
-        if (plane_stress)
-          out_trial[point] = out[point];
       }
 
       const Stiffness &elastic_stiffness() const override { return law.elastic_stiffness(); }
@@ -107,26 +71,24 @@ namespace fem
       void evaluate_plane_stress(const std::size_t    point,
                                  const Voigt         &strain,
                                  const ElementExtent &element,
+                                 const bool           with_tangent,
                                  PointAnswer         &answer)
       {
         MixedTarget target;
         target.stress_given = {false, false, true, true, true, false};
         target.value << strain[0], strain[1], 0, 0, 0, strain[5];
-        Voigt guess         = strain;
-        guess.segment<3>(2) = out[point];
-        const double unit   = law.elastic_stiffness()(0, 0) * std::fmax(strain.cwiseAbs().maxCoeff(), 1e-12);
-        const auto   s      = solve_mixed(law, guess, target, committed[point], element, unit);
-        trial[point]        = s.response.trial;
-        out_trial[point]    = s.strain.template segment<3>(2);
-        answer.stress       = s.response.stress;
+        const double unit = law.elastic_stiffness()(0, 0) * std::fmax(strain.cwiseAbs().maxCoeff(), 1e-12);
+        const auto   s    = solve_mixed(law, target, committed[point], element, unit);
+        trial[point]      = s.response.trial;
+        answer.stress     = s.response.stress;
         answer.stress[2] = answer.stress[3] = answer.stress[4] = 0;
-        answer.tangent                                         = condensed(s.response.tangent);
+        if (with_tangent)
+          answer.tangent = mixed_tangent(law, target, committed[point], element, unit, s);
       }
 
       Law                              law;
       bool                             plane_stress;
       std::vector<typename Law::State> committed, trial;
-      std::vector<OutOfPlane>          out, out_trial;
     };
   }
 

@@ -188,6 +188,15 @@ TEST_CASE("point-test: the concrete of the sequential mapping has its published 
   CHECK(at(out, "kappa_D", 70) == Approx(8.9096e-6).epsilon(1e-4));
 }
 
+TEST_CASE("point-test: one long row ends where many short ones do", "[apps]")
+{
+  Constants soft = with(m1, "Largest increment=2e-4");
+  soft[1]        = "Poisson ratio=0.4";
+  const auto out = answer("strain_xx,stress_yy,stress_zz\n-4e-4,0,0\n", soft);
+  CHECK(at(out, "stress_xx", 1) == Approx(-11.65e6).epsilon(0.01));
+  CHECK(at(out, "damage", 1) == 0);
+}
+
 TEST_CASE("point-test: elastic materials answer by Hooke's law, in strain, stress and mixed control", "[apps]")
 {
   const double    E = 10e9, nu = 0.25;
@@ -222,6 +231,7 @@ TEST_CASE("point-test refuses a bad path, constant or material with its place", 
     CHECK(outcome.status == 2);
     CHECK_THAT(outcome.err, Contains(message));
     CHECK_FALSE(std::filesystem::exists(folder / "out.csv"));
+    return outcome.err;
   };
   const std::string fine = "strain_xx\n1e-4\n";
   refused("strain_xx\n1e-4\nx\n", m1, "path.csv, line 3");
@@ -233,5 +243,11 @@ TEST_CASE("point-test refuses a bad path, constant or material with its place", 
           "Tensile strength = 40000000: must be below the compressive strength");
   refused(fine, with(m1, "Element size=0"), "element");
   refused(fine, m1, "Did you mean \"isotropic elastic\"?", "isotropic elastics");
-  refused("stress_xx,stress_yy,stress_zz\n4e6,0,0\n", m1, "row 1: no equilibrium with these stresses");
+  refused("stress_xx,stress_yy,stress_zz\n4e6,0,0\n", m1,
+          "row 1: mixed control: the path from the last state can be followed over 7");
+  refused("stress_xx,stress_yy,stress_zz\n4e6,0,0\n", m1, "Beyond a peak a component must be given in strain");
+  // Strains alone are not blamed on stresses that nobody gave.
+  const std::string far = refused("strain_xx\n1e-4\n1e6\n", with(m1, "Largest increment=2e-4"),
+                                  "row 2: damage-plastic concrete: strain increment of");
+  CHECK_THAT(far, Contains("All components are given in strain") && !Contains("stresses"));
 }

@@ -42,6 +42,7 @@ class UniaxialPoint
 public:
   explicit UniaxialPoint(const fem::DamagePlasticParameters &p)
     : law(p)
+    , increments(p.largest_increment > 0 ? fem::Increments::followed : fem::Increments::whole)
   {
   }
 
@@ -54,12 +55,13 @@ public:
         fem::MixedTarget target;
         target.stress_given = {false, true, true, true, true, true};
         target.value[0]     = from + (axial - from) * i / steps;
-        state               = fem::solve_mixed(law, state.strain, target, state, extent, 1e6).response.trial;
+        state               = fem::solve_mixed(law, target, state, extent, 1e6, increments).response.trial;
       }
     return state.stress[0];
   }
 
   fem::DamagePlasticConcrete law;
+  fem::Increments            increments;
   fem::DamagePlasticState    state;
   fem::ElementExtent         extent;
 };
