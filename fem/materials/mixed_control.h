@@ -3,7 +3,6 @@
 #include "fem/materials/mixed_path.h"
 
 #include <algorithm>
-#include <limits>
 #include <sstream>
 #include <vector>
 
@@ -18,12 +17,11 @@ namespace fem
 
   namespace mixed_control
   {
-    /// Strain at which a damaging law cracks, f_t / E: what its damage takes off the crack where nothing else is left of it.
+    /// Strain at which a damaging law cracks, f_t / E.
     template <typename Law>
     double cracking_strain(const Law &law)
     {
-      constexpr double some = 0.5, endless = std::numeric_limits<double>::infinity();
-      return -law.damage_law().inverse(some, endless) / some;
+      return law.parameters().tensile_strength / law.parameters().young_modulus;
     }
 
     // Lengths of strain increments, in units of the strain at which the material cracks.
