@@ -28,7 +28,9 @@ namespace apps
                               (stream ? std::string("it is a folder") : std::string(std::strerror(errno))) + ".");
       std::ostringstream text;
       text << stream.rdbuf();
-      return text.str();
+      const std::string     content         = text.str();
+      constexpr const char *byte_order_mark = "\xEF\xBB\xBF"; // which some editors put before a text
+      return content.compare(0, 3, byte_order_mark) == 0 ? content.substr(3) : content;
     }
 
     /** What an exception of deal.II says, without the banner around it. */

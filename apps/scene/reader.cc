@@ -67,18 +67,28 @@ namespace apps
       entry.set   = true;
     }
 
-    void refuse_missing(const Section &section, const std::string &source)
+    /** What has to be set and is not, section by section. */
+    void collect_missing(const Section &section, std::string &missing)
     {
       if (!section.needed())
         return;
       for (const auto &entry : section.entries())
         if (entry->required && !entry->set && entry->needed())
-          throw dem::InputError(source + ": \"" + section.path_of(entry->name) + "\"" +
-                                (entry->unit.empty() ? "" : " [" + entry->unit + "]") +
-                                " is not set and has no default. Meaning: " + entry->meaning +
-                                (entry->allowed.empty() ? "" : "; " + entry->allowed) + ".");
+          missing += (missing.empty() ? "\"" : " \"") + section.path_of(entry->name) + "\"" +
+                     (entry->unit.empty() ? "" : " [" + entry->unit + "]") +
+                     " is not set and has no default. Meaning: " + entry->meaning +
+                     (entry->allowed.empty() ? "" : "; " + entry->allowed) + ".";
       for (const auto &subsection : section.sections())
-        refuse_missing(*subsection, source);
+        collect_missing(*subsection, missing);
+    }
+
+    /** All at once, so that nobody has to ask again for each. */
+    void refuse_missing(const Section &section, const std::string &source)
+    {
+      std::string missing;
+      collect_missing(section, missing);
+      if (!missing.empty())
+        throw dem::InputError(source + ": " + missing);
     }
   } // namespace
 

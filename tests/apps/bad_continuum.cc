@@ -75,6 +75,12 @@ TEST_CASE("Names that the mesh does not have are refused with the nearest one", 
           "", "Materials: the group \"mortar\" of the mesh has no law. Add subsection Materials/mortar.");
 }
 
+TEST_CASE("A byte order mark before a scene is passed over", "[apps][S14]")
+{
+  refused_with("\xEF\xBB\xBF" + replaced(two_squares_scene(), "subsection right\n", "subsection rigth\n"),
+               two_squares_mesh(), "x.prm:31: Boundary conditions/rigth: the mesh has no boundary of this name.");
+}
+
 TEST_CASE("Keys, values and formulas of a continuum scene are refused with their place", "[apps][S14]")
 {
   refused("set Traction x", "set Tracton x",
