@@ -14,7 +14,7 @@ namespace
 {
   using Constants = std::vector<std::string>;
 
-  /** Material M1 of the damage-plastic specification, section 6.1; one step per row. */
+  /** Material M1 of doc/theory/damage-plastic-concrete.md, 6; one step per row. */
   const Constants m1 = {"Young modulus=30e9",   "Poisson ratio=0.2",  "Compressive strength=30e6",
                         "Tensile strength=3e6", "Crack opening=3e-4", "Softening A=35",
                         "Element size=1",       "Largest increment=0"};
@@ -67,7 +67,7 @@ namespace
 TEST_CASE("point-test: uniaxial tension of concrete has the published values", "[apps]")
 {
   const postprocess::CsvTable out = answer(uniaxial(1e-4, 5), m1);
-  // Specification 6.1, tension: stress, kappa_P, kappa_D and damage at 1e-4, 2e-4 and 5e-4; digits as printed there.
+  // doc/theory/damage-plastic-concrete.md, 6: tension, stress, kappa_P, kappa_D and damage at 1e-4, 2e-4 and 5e-4; digits as they were given.
   const double table[][5] = {{1, 2948603, 0.242505, 0, 0},
                              {2, 1960544, 14.24193, 9.296858e-5, 0.346485},
                              {5, 621539, 56.97227, 3.929686e-4, 0.792820}};
@@ -100,11 +100,11 @@ TEST_CASE("point-test: uniaxial compression of concrete has the published values
   for (const auto &line : table)
     {
       const int row = static_cast<int>(line[0]);
-      CHECK(at(out, "stress_xx", row) == Approx(line[1]).epsilon(1e-4)); // the tolerance of the specification
+      CHECK(at(out, "stress_xx", row) == Approx(line[1]).epsilon(1e-4)); // the tolerance of the reference values
       CHECK(at(out, "kappa_P", row) == Approx(line[2]).epsilon(1e-4));
       CHECK(at(out, "damage", row) == Approx(line[3]).epsilon(1e-4).margin(1e-12));
     }
-  // OOFEM's values carry 1 % of unbalance (specification 6.1).
+  // OOFEM's values carry 1 % of unbalance (doc/theory/damage-plastic-concrete.md, 6).
   CHECK(at(out, "stress_xx", 1) == Approx(-1.40303082e7).epsilon(0.015));
   CHECK(at(out, "stress_xx", 5) == Approx(-2.99825545e7).epsilon(0.015));
   CHECK(at(out, "stress_xx", 10) == Approx(-2.62968729e7).epsilon(0.015));
@@ -150,7 +150,7 @@ TEST_CASE("point-test: confined and hydrostatic paths of concrete have the publi
 
 TEST_CASE("point-test: a path that bends has the published stresses", "[apps]")
 {
-  // Specification 6.1: 200 sub-steps per segment, tolerance 0.5 %.
+  // An independent program in 200 sub-steps per segment, tolerance 0.5 %.
   const double p1[] = {-1e-3, 2e-4, 1e-4, 0, 0, 3e-4}, p2[] = {-2e-3, 5e-4, 2e-4, 1e-4, 0, 6e-4};
   std::string  path = "strain_xx,strain_yy,strain_zz,strain_yz,strain_zx,strain_xy\n";
   for (int step = 1; step <= 400; ++step)
@@ -174,7 +174,7 @@ TEST_CASE("point-test: a path that bends has the published stresses", "[apps]")
 
 TEST_CASE("point-test: the concrete of the sequential mapping has its published curve", "[apps]")
 {
-  // Specification 6.2: OOFEM 2.3, to five digits.
+  // doc/theory/damage-plastic-concrete.md, 6: OOFEM 2.3, to five digits.
   const postprocess::CsvTable out =
     answer(uniaxial(-3.5e-5, 90),
            {"Young modulus=33e9", "Poisson ratio=0.2", "Compressive strength=40e6", "Tensile strength=1e6",

@@ -9,7 +9,7 @@
 #include <vector>
 
 // Six of the twelve transfers of Stransky (2018): what the particles had, what was mapped, and how the continuum went on
-// (coupling specification 6.6).
+// (doc/theory/sequential-transfer.md, 3).
 namespace
 {
   struct Continuation
@@ -210,7 +210,7 @@ TEST_CASE("continuations of the published states follow the published stresses",
 
 TEST_CASE("the refitted law follows the loss of strength of the published states after the peak", "[coupling]")
 {
-  // Peak 39.476 MPa; published states past it (coupling specification 6.3: root mean square 0.008 over the whole branch).
+  // Peak 39.476 MPa; published states past it (doc/theory/sequential-transfer.md, 3: root mean square 0.008 over the whole branch).
   const coupling::MappingLaw law = coupling::mapping_laws().at(2).law;
   for (const PublishedCase &c : published_cases())
     if (std::string(c.name) == "005")

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-/// Material M1 of the specification; increments are taken whole, as in the published runs.
+/// Material M1 of doc/theory/damage-plastic-concrete.md, 6; increments are taken whole, as in the published runs.
 inline fem::DamagePlasticParameters material_m1()
 {
   fem::DamagePlasticParameters p;

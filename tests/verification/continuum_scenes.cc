@@ -80,7 +80,7 @@ namespace
 TEST_CASE("The cantilever under its own weight sags as Timoshenko's beam", "[verification]")
 {
   const Results quadratic = results_of("cantilever");
-  // Specification: -1.4818e-3 m; the clamp of a solid differs from a beam's by a few 1e-4 of that.
+  // Timoshenko: -1.4818e-3 m; the clamp of a solid differs from a beam's by a few 1e-4 of that.
   CHECK(quadratic.figure("final_displacement_end_y") == Approx(-1.4818e-3).epsilon(3e-4));
   CHECK(quadratic.figure("peak_reaction_left_y") == Approx(2500 * 9.8 * 0.2 * 0.02 * 0.02).epsilon(1e-8));
   // Linear elements lock in bending: too stiff, and better on a finer mesh.
