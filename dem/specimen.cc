@@ -187,10 +187,19 @@ namespace dem
 
   void Specimen::advance(const std::int64_t steps)
   {
+    advance(steps, [] { return true; });
+  }
+
+  void Specimen::advance(const std::int64_t steps, const std::function<bool()> &go_on)
+  {
     if (self->step_count == 0)
       self->begin();
-    for (std::int64_t s = 0; s < steps; ++s)
-      self->step();
+    bool more = true;
+    for (std::int64_t s = 0; s < steps && more; ++s)
+      {
+        self->step();
+        more = go_on();
+      }
     self->check_numbers();
   }
 

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -127,6 +128,8 @@ namespace dem
 
     /** Take the given number of steps. @throws NumericalError when the state is no longer a number. */
     void advance(std::int64_t steps);
+    /** The same, asking after each step whether to go on. */
+    void advance(std::int64_t steps, const std::function<bool()> &go_on);
 
     const SpecimenParameters &parameters() const;
 
@@ -174,6 +177,7 @@ namespace dem
     void set_velocity(std::size_t particle, const Eigen::Vector3d &velocity, const Eigen::Vector3d &spin);
 
     EnergyAccount  energy() const;      ///< at t_n of the last step
+    Eigen::Vector3d displacement(std::size_t particle) const; ///< of a particle, by packing number, since the start [m]
     double         mean_damage() const; ///< of the links made at the start, broken ones count as 1 [-]
     ParticleOutput particles() const;
     LinkOutput     links() const;

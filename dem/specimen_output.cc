@@ -42,6 +42,12 @@ namespace dem
     return e;
   }
 
+  Eigen::Vector3d Specimen::displacement(const std::size_t particle) const
+  {
+    const auto i = static_cast<std::size_t>(self->slot.at(particle));
+    return self->particles.position_of(i) - Eigen::Vector3d(&self->particles.reference[3 * i]);
+  }
+
   double Specimen::mean_damage() const
   {
     double sum = static_cast<double>(self->crack_log.size() / 2);

@@ -9,6 +9,14 @@ namespace postprocess
 {
   using namespace numeric_text;
 
+  std::size_t CsvTable::rows() const
+  {
+    std::size_t most = 0;
+    for (const auto &column : columns)
+      most = std::max(most, column.size());
+    return most;
+  }
+
   const std::vector<double> &CsvTable::column(const std::string &name) const
   {
     const auto found = std::find(names.begin(), names.end(), name);
@@ -47,7 +55,9 @@ namespace postprocess
     }
   } // namespace
 
-  CsvTable read_csv_table(const std::filesystem::path &path, const bool accept_not_finite)
+  CsvTable read_csv_table(const std::filesystem::path    &path,
+                          const bool                      accept_not_finite,
+                          const std::vector<std::string> &word_columns)
   {
     CsvTable                      table{{}, {}, {}, path.string()};
     const std::string             text = read_whole(path);
@@ -68,7 +78,8 @@ namespace postprocess
                  "found " + std::to_string(fields.size()) + " values, expected " + std::to_string(table.names.size()) +
                    " as in the header.");
         for (std::size_t c = 0; c < fields.size(); ++c)
-          table.columns[c].push_back(value_of(fields[c], table, lines.number(), accept_not_finite));
+          if (std::find(word_columns.begin(), word_columns.end(), table.names[c]) == word_columns.end())
+            table.columns[c].push_back(value_of(fields[c], table, lines.number(), accept_not_finite));
       }
     if (table.names.empty())
       throw dem::InputError(table.origin + ": is empty. The first line must name the columns.");

@@ -14,17 +14,20 @@ namespace postprocess
     std::vector<std::vector<double>> columns;
     std::string                      origin; ///< file name, for messages
 
-    std::size_t rows() const { return columns.empty() ? 0 : columns.front().size(); }
+    std::size_t rows() const;
     /** @throws dem::InputError that lists the columns there are. */
     const std::vector<double> &column(const std::string &name) const;
   };
 
   /**
    * Read a table: the first line names the columns (`name` or `name [unit]`), commas, blanks or tabs separate, lines
-   * starting with `#` are comments. The values nan and inf are accepted only when asked for.
+   * starting with `#` are comments. The values nan and inf are accepted only when asked for. Columns of words, where the caller
+   * says that there are any, stay empty.
    *
    * @throws dem::InputError naming file and line: missing file, no header, a name twice, wrong number of values, not a
    * number.
    */
-  CsvTable read_csv_table(const std::filesystem::path &path, bool accept_not_finite = false);
+  CsvTable read_csv_table(const std::filesystem::path    &path,
+                          bool                            accept_not_finite = false,
+                          const std::vector<std::string> &word_columns      = {});
 } // namespace postprocess

@@ -75,30 +75,34 @@ namespace postprocess
       }
   }
 
-  void SeriesWriter::append(const std::vector<double> &values) { write_row(values, nullptr); }
+  void SeriesWriter::append(const std::vector<double> &values) { append({}, values); }
 
-  void SeriesWriter::append(const std::vector<double> &values, const std::string &word)
+  void SeriesWriter::append(const std::vector<std::string> &first,
+                            const std::vector<double>      &values,
+                            const std::vector<std::string> &last)
   {
-    if (word.find_first_of(",\"\n") != std::string::npos)
-      throw std::invalid_argument("SeriesWriter::append: \"" + word + "\" is not a plain word");
-    write_row(values, &word);
-  }
-
-  void SeriesWriter::write_row(const std::vector<double> &values, const std::string *const word)
-  {
-    const std::size_t given = values.size() + (word ? 1 : 0);
+    const std::size_t given = first.size() + values.size() + last.size();
     if (given != column_count)
       throw std::invalid_argument("SeriesWriter::append: " + std::to_string(given) + " values for " +
                                   std::to_string(column_count) + " columns");
-    for (std::size_t i = 0; i < values.size(); ++i)
+    std::string row;
+    const auto  add_word = [&row](const std::string &word) {
+      if (word.find_first_of(",\"\n") != std::string::npos)
+        throw std::invalid_argument("SeriesWriter::append: \"" + word + "\" is not a plain word");
+      row += word + ',';
+    };
+    for (const std::string &word : first)
+      add_word(word);
+    for (const double value : values)
       {
-        if (i > 0)
-          buffer += ',';
-        numeric_text::append(buffer, values[i]);
+        numeric_text::append(row, value);
+        row += ',';
       }
-    if (word)
-      buffer += (values.empty() ? "" : ",") + *word;
-    buffer += '\n';
+    for (const std::string &word : last)
+      add_word(word);
+    if (!row.empty())
+      row.back() = '\n';
+    buffer += row;
     ++row_count;
     if (std::chrono::steady_clock::now() - last_written > std::chrono::seconds(2))
       write_out();

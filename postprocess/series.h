@@ -38,8 +38,10 @@ namespace postprocess
 
     /** One value per column. @throws std::invalid_argument for another number of values; OutputError (disk full). */
     void append(const std::vector<double> &values);
-    /** The same, a plain word (no comma, no quotes) in the last column. */
-    void append(const std::vector<double> &values, const std::string &word);
+    /** The same between plain words (no comma, no quotes) in the first columns and in the last ones. */
+    void append(const std::vector<std::string> &first,
+                const std::vector<double>      &values,
+                const std::vector<std::string> &last = {});
 
     /** Bring all rows to the disk; call it before a checkpoint stores rows(). @throws OutputError (disk full). */
     void flush();
@@ -47,7 +49,6 @@ namespace postprocess
     std::int64_t rows() const { return row_count; } ///< appended so far, header not counted
 
   private:
-    void write_row(const std::vector<double> &values, const std::string *word);
     void write_out();
 
     std::size_t                           column_count;

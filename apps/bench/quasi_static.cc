@@ -30,6 +30,13 @@ namespace apps
       double       cost          = 0; ///< processor time [s]
     };
 
+    dem::GripParameters grips_of_the_bench()
+    {
+      dem::GripParameters p;
+      p.thickness = 2.2 * radius;
+      return p;
+    }
+
     double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
     dem::CpmParameters concrete()
@@ -52,7 +59,7 @@ namespace apps
       links.normal_modulus    = law.normal_modulus;
       links.shear_ratio       = law.shear_ratio;
       dem::GripPair grips;
-      grips.layers      = dem::find_grip_layers({packing.centre, packing.radius}, 2, 2.2 * radius);
+      grips.layers      = dem::find_grip_layers({packing.centre, packing.radius}, 2, grips_of_the_bench());
       const auto loaded = dem::load_grips(dem::make_network(packing, links), grips);
 
       dem::QuasiStaticParameters p;
@@ -87,7 +94,7 @@ namespace apps
       s.damping           = damping;
       dem::UniaxialParameters u;
       u.strain_rate           = rate;
-      u.grip_thickness        = 2.2 * radius;
+      u.grips                 = grips_of_the_bench();
       u.stop_fraction         = 0.8;
       u.stop_strain           = 1e-3;
       const double      start = processor_seconds();

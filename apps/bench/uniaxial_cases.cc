@@ -25,7 +25,7 @@ namespace apps
       }
     else
       {
-        model.loading.grip_thickness *= value; // stays the same number of particle layers
+        model.loading.grips.thickness *= value; // stays the same number of particle layers
         model.source.generator.radius *= value;
       }
     return model;

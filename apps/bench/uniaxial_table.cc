@@ -69,11 +69,11 @@ namespace apps
   {
     if (result.load == UniaxialLoad::tension)
       {
-        modulus.values.push_back(result.figures.young_modulus);
-        tension.values.push_back(result.figures.strength);
+        modulus.values.push_back(result.notes.figures.young_modulus);
+        tension.values.push_back(result.notes.figures.strength);
       }
     else
-      compression.values.push_back(result.figures.strength);
+      compression.values.push_back(result.notes.figures.strength);
     particles = result.at_start.particles;
     links     = result.at_start.links;
     all_steps += static_cast<double>(result.steps);

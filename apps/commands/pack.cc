@@ -6,6 +6,7 @@
 #include "apps/scene/value_text.h"
 #include "apps/version.h"
 #include "dem/core/errors.h"
+#include "dem/packing/box_cell.h"
 #include "postprocess/packing_io.h"
 
 #include <CLI/Validators.hpp>
@@ -22,6 +23,7 @@ namespace apps
       dem::CompactionParameters generator;
       std::string               from, box, output;
       bool                      periodic = false;
+      bool                      counted  = false; ///< the user says how many spheres the cell has
       int                       threads  = 0;
     };
 
@@ -58,17 +60,23 @@ namespace apps
     }
 
     /** A new packing, or the one of --from, as it is before cropping. */
-    dem::Packing source_packing(const PackOptions &options, postprocess::Metadata &metadata)
+    dem::Packing source_packing(const PackOptions &options, const Eigen::Vector3d &box, postprocess::Metadata &metadata)
     {
       if (!options.from.empty())
         {
           metadata = postprocess::read_packing_metadata(options.from);
           return postprocess::read_packing(options.from);
         }
-      dem::CompactionResult result = compact_with_progress(options.generator);
-      metadata                     = metadata_of(options.generator, result);
-      fmt::print("cell: {} spheres, edge {:.6g} m, packing fraction {:.4f}\n", result.packing.size(),
-                 result.packing.periodic_cell->x(), result.packing_fraction);
+      const bool            cut_out = !options.box.empty() && !options.counted;
+      dem::CompactionResult result =
+        compact_with_progress(cut_out ? dem::cell_for_box(options.generator, box) : options.generator);
+      metadata                    = metadata_of(options.generator, result);
+      const Eigen::Vector3d edges = *result.packing.periodic_cell;
+      const std::string     size  = edges.minCoeff() == edges.maxCoeff() ?
+                                      fmt::format("edge {:.6g} m", edges.x()) :
+                                      fmt::format("edges {:.6g}, {:.6g}, {:.6g} m", edges.x(), edges.y(), edges.z());
+      fmt::print("cell: {} spheres, {}, packing fraction {:.4f}\n", result.packing.size(), size,
+                 result.packing_fraction);
       fmt::print("      {:.2f} contacts per sphere, mean overlap {:.2e} of a diameter, {} steps\n", result.coordination,
                  result.mean_overlap, result.steps);
       return std::move(result.packing);
@@ -86,7 +94,7 @@ namespace apps
       catch_interrupts();
 
       postprocess::Metadata metadata;
-      dem::Packing          packing = source_packing(options, metadata);
+      dem::Packing          packing = source_packing(options, box, metadata);
       if (!options.box.empty())
         {
           packing = cropped(packing, box);
@@ -108,9 +116,13 @@ namespace apps
       return fmt::format("{}; default: {}", meaning, value);
     };
     command.add_option("--radius", make.radius, "Of every sphere [m]")->type_name("R");
-    command.add_option("--count", make.count, with_default("Spheres in the periodic cell", make.count))
-      ->type_name("N")
-      ->check(CLI::Range(1.0, 1e8));
+    CLI::Option *count =
+      command
+        .add_option("--count", make.count,
+                    fmt::format("Spheres in the periodic cell; default: {}, for a box up to {} so that nothing repeats",
+                                make.count, dem::most_in_one_cell))
+        ->type_name("N")
+        ->check(CLI::Range(1.0, 1e8));
     command.add_option("--seed", make.seed, with_default("Another seed, another packing", make.seed))
       ->type_name("N")
       ->check(CLI::Range(0.0, 9007199254740992.0)); // as in a scene
@@ -131,6 +143,9 @@ namespace apps
       ->required()
       ->type_name("FILE");
     add_threads(command, options->threads);
-    command.callback([options, &chosen] { chosen = [options] { return pack(*options); }; });
+    command.callback([options, count, &chosen] {
+      options->counted = count->count() > 0;
+      chosen           = [options] { return pack(*options); };
+    });
   }
 } // namespace apps

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 namespace apps
 {
@@ -107,11 +108,10 @@ namespace apps
       dem::UniaxialParameters p;
       p.axis            = stage.axis;
       p.strain_rate     = std::copysign(stage.strain_rate, furthest);
-      p.grip_thickness  = stage.grip_thickness;
+      p.grips           = stage.grips.parameters();
       p.lateral_blocked = stage.lateral_blocked;
       p.spin_blocked    = stage.spin_blocked;
-      p.stop_fraction   = 0.5; // not asked: the strains say when to stop
-      p.stop_strain     = std::abs(furthest);
+      p.stop_strain     = std::numeric_limits<double>::infinity(); // the case counts its steps itself
       return p;
     }
 
@@ -273,8 +273,7 @@ namespace apps
     u.number("Strain rate", strain_rate, "1/s", Range::positive(), Need::required)
       .means("Magnitude, on the way forward");
     u.number("Back rate", back_rate, "1/s", Range::at_least(0), Need::optional).means("On the way back; 0: half of it");
-    u.number("Grip thickness", grip_thickness, "m", Range::positive(), Need::required)
-      .means("Particles whose centre is within this of the specimen's ends are gripped");
+    grips.declare(u);
     u.flag("Grip lateral motion blocked", lateral_blocked).means("Grips hold their particles sideways too");
     u.flag("Grip rotation blocked", spin_blocked).means("Grips keep their particles from spinning");
     u.text("Instants", instants, Need::required)
@@ -329,6 +328,7 @@ namespace apps
         u.refuse("Instants", "the strains must have one sign: all tension or all compression.");
     if (end_strain != 0 && std::signbit(end_strain) != std::signbit(when.front().forward))
       u.refuse("End strain", "must have the sign of the instants.");
+    grips.validate(u);
     if (physics.dimension == 2 && axis == 2)
       u.refuse("Axis", "in two dimensions the specimen lies in the plane z = 0. Load it along x or y.");
   }

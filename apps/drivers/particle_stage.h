@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/drivers/static_start.h"
+#include "apps/scene/grip_entries.h"
 #include "apps/scene/material_section.h"
 #include "apps/scene/specimen_section.h"
 #include "apps/scene/time_section.h"
@@ -40,10 +41,10 @@ namespace apps
     TimeSection     time;
     GravitySection  gravity;
 
-    int         axis            = 2;
-    double      strain_rate     = 0; ///< [1/s], magnitude; the sign is that of the strains
-    double      back_rate       = 0; ///< [1/s]; 0: half of strain_rate
-    double      grip_thickness  = 0;
+    int         axis        = 2;
+    double      strain_rate = 0; ///< [1/s], magnitude; the sign is that of the strains
+    double      back_rate   = 0; ///< [1/s]; 0: half of strain_rate
+    GripEntries grips;
     bool        lateral_blocked = false, spin_blocked = false;
     double      end_strain = 0; ///< of the all-particle run that continuations are compared with; 0: none
     std::string instants;

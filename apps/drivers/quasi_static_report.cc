@@ -16,8 +16,6 @@ namespace apps
 {
   namespace
   {
-    nlohmann::json quantity(const double value, const char *unit) { return {{"value", value}, {"unit", unit}}; }
-
     nlohmann::json energy_of(const QuasiStaticResult &r)
     {
       return {{"unit", "J"},
@@ -32,49 +30,44 @@ namespace apps
 
     nlohmann::json details_of(const QuasiStaticResult &r)
     {
-      return {{"name", name_of(r.load)},
-              {"young_modulus", quantity(r.young_modulus, "Pa")},
-              {"strength", quantity(r.strength, "Pa")},
-              {"strain_at_peak", quantity(r.strain_at_peak, "-")},
-              {"peak_passed", r.peak_passed},
-              {"points", {{"strain", r.strain_points}, {"opening", r.opening_points}, {"relaxed", r.relaxed_points}}},
-              {"solutions", r.solutions},
-              {"relaxation_steps", r.relaxation_steps},
-              {"energy", energy_of(r)}};
+      nlohmann::json details = json_of(r.notes);
+      details["points"] = {{"strain", r.strain_points}, {"opening", r.opening_points}, {"relaxed", r.relaxed_points}};
+      details["solutions"]        = r.solutions;
+      details["relaxation_steps"] = r.relaxation_steps;
+      details["energy"]           = energy_of(r);
+      return details;
+    }
+
+    std::vector<LabNotes> notes_of(const std::vector<QuasiStaticResult> &results)
+    {
+      std::vector<LabNotes> notes;
+      for (const QuasiStaticResult &r : results)
+        notes.push_back(r.notes);
+      return notes;
     }
   } // namespace
 
   nlohmann::json QuasiStaticReport::summary() const
   {
-    nlohmann::json figures;
-    double         strength[2] = {0, 0};
-    double         worst       = 0;
-    std::int64_t   solutions   = 0;
+    double       worst     = 0;
+    std::int64_t solutions = 0;
     for (const QuasiStaticResult &r : results)
       {
-        const bool pulls = r.load == UniaxialLoad::tension;
-        if (pulls || !figures.contains("young_modulus"))
-          figures["young_modulus"] = quantity(r.young_modulus, "Pa");
-        figures[pulls ? "tensile_strength" : "compressive_strength"]             = quantity(r.strength, "Pa");
-        figures[pulls ? "strain_at_tensile_peak" : "strain_at_compressive_peak"] = quantity(r.strain_at_peak, "-");
-        strength[pulls ? 0 : 1]                                                  = r.strength;
         worst = std::max(worst, r.worst_balance_error);
         solutions += r.solutions;
       }
-    if (strength[0] > 0 && strength[1] > 0)
-      figures["strength_ratio"] = quantity(strength[1] / strength[0], "-");
-
     nlohmann::json summary;
-    summary["scene"]   = request.scene_file;
-    summary["asked"]   = {{"kind", "quasi_static"}, {"overrides", request.overrides}};
-    summary["version"] = version();
-    summary["figures"] = figures;
-    summary["cost"]    = {{"particles", particles},
-                          {"links", links},
-                          {"solutions", solutions},
-                          {"threads", omp_get_max_threads()},
-                          {"wall_seconds", wall_seconds}};
-    summary["energy"]  = {{"balance_error", worst}};
+    summary["scene"]    = request.scene_file;
+    summary["asked"]    = {{"kind", "quasi_static"}, {"overrides", request.overrides}};
+    summary["version"]  = version();
+    summary["figures"]  = figures_of(notes_of(results));
+    summary["warnings"] = warnings_of(notes_of(results));
+    summary["cost"]     = {{"particles", particles},
+                           {"links", links},
+                           {"solutions", solutions},
+                           {"threads", omp_get_max_threads()},
+                           {"wall_seconds", wall_seconds}};
+    summary["energy"]   = {{"balance_error", worst}};
     materials.put_into(summary);
     for (const QuasiStaticResult &r : results)
       summary["tests"].push_back(details_of(r));
@@ -104,13 +97,14 @@ namespace apps
     double      worst = 0;
     for (const QuasiStaticResult &r : results)
       {
-        text += fmt::format("{:<12} strength {:.3f} MPa at strain {:.3e}, E {:.2f} GPa{}\n", name_of(r.load),
-                            1e-6 * r.strength, r.strain_at_peak, 1e-9 * r.young_modulus,
-                            r.peak_passed ? "" : " (no peak: the stress still grows)");
+        text += text_of(r.notes);
         text += fmt::format("{:<12} {} points led by strain, {} by opening, {} relaxed (cascades)\n", "",
                             r.strain_points, r.opening_points, r.relaxed_points);
         worst = std::max(worst, r.worst_balance_error);
       }
+    text += basis_of(results.front().notes);
+    for (const std::string &warning : warnings_of(notes_of(results)))
+      text += fmt::format("warning      {}\n", warning);
     text += fmt::format("energy       balance error {:.1e} at worst\n", worst);
     text += fmt::format("cost         {} with {} threads\n", duration_text(wall_seconds), omp_get_max_threads());
     text += result_listing(request.output_folder);

@@ -23,6 +23,13 @@ namespace apps
     return p;
   }
 
+  dem::GripLayers QuasiStaticModel::grip_layers(const dem::Packing &packing) const
+  {
+    dem::check_packing(packing, "packing");
+    return dem::find_grip_layers({packing.centre, packing.radius, dimension, source.thickness}, axis,
+                                 grips.parameters());
+  }
+
   dem::LoadedNetwork QuasiStaticModel::load(const dem::Packing &packing) const
   {
     dem::NetworkParameters links;
@@ -32,16 +39,14 @@ namespace apps
     links.thickness         = source.thickness;
     if (is_cell())
       return dem::load_cell(dem::make_network(packing, links, material.materials()), axis, !lateral_blocked);
-    dem::GripPair grips;
-    grips.axis            = axis;
-    grips.lateral_blocked = lateral_blocked;
-    grips.spin_blocked    = spin_blocked;
-    dem::check_packing(packing, "packing");
-    grips.layers =
-      dem::find_grip_layers({packing.centre, packing.radius, dimension, source.thickness}, axis, grip_thickness);
-    dem::Packing free = packing;
+    dem::GripPair pair;
+    pair.axis            = axis;
+    pair.lateral_blocked = lateral_blocked;
+    pair.spin_blocked    = spin_blocked;
+    pair.layers          = grip_layers(packing);
+    dem::Packing free    = packing;
     free.periodic_cell.reset();
-    return dem::load_grips(dem::make_network(free, links, material.materials()), grips);
+    return dem::load_grips(dem::make_network(free, links, material.materials()), pair);
   }
 
   void QuasiStaticScene::declare(Section &root)
@@ -85,11 +90,7 @@ namespace apps
                Need::optional)
       .means("Tests to make, in this order");
     section.choice("Axis", asked.axis, {{"x", 0}, {"y", 1}, {"z", 2}}, Need::optional).means("Direction of loading");
-    section.number("Grip thickness", asked.grip_thickness, "m", Range::positive(), Need::required)
-      .means("Particles whose centre is within this of the specimen's ends are gripped: more than their radius; 2.2 "
-             "radii hold "
-             "about one layer")
-      .only_if(gripped, "Specimen/Body = box");
+    asked.grips.declare(section, gripped, "Specimen/Body = box");
     section.flag("Lateral motion blocked", asked.lateral_blocked)
       .means(
         "A specimen's grips hold their particles sideways, as rough platens do; of a cell all other strains are zero");
@@ -127,6 +128,8 @@ namespace apps
     const Section &loading = *root.find_section("Loading");
     if (asked.dimension == 2 && asked.axis == 2)
       loading.refuse("Axis", "in two dimensions the specimen lies in the plane z = 0. Load it along x or y.");
+    if (!asked.is_cell())
+      asked.grips.validate(loading);
     for (const UniaxialLoad load : asked.tests)
       if (const auto steps = asked.steps(load); steps.end_strain < steps.strain_step)
         loading.find_section(load == UniaxialLoad::tension ? "Tension" : "Compression")
@@ -142,6 +145,8 @@ namespace apps
     text += fmt::format("  particles    {}\n", loaded.network.particles());
     text += fmt::format("  links        {}\n", loaded.network.links.size());
     text += materials_in(loaded.network, packing.material_names).text();
+    if (!model.is_cell())
+      text += fmt::format("  basis        {}\n", text_of(model.grip_layers(packing), model.grips.parameters()));
     for (const UniaxialLoad load : model.tests)
       text += fmt::format("  {:<12} at least {:.0f} points to its stop strain\n", name_of(load),
                           model.steps(load).end_strain / model.steps(load).strain_step);

@@ -20,9 +20,9 @@ namespace apps
     int                       dimension = 3;
     bool                      rotations = true;
     MaterialSection           material;
-    std::vector<UniaxialLoad> tests           = {UniaxialLoad::tension, UniaxialLoad::compression};
-    int                       axis            = 2;
-    double                    grip_thickness  = 0; ///< of a specimen with ends
+    std::vector<UniaxialLoad> tests = {UniaxialLoad::tension, UniaxialLoad::compression};
+    int                       axis  = 2;
+    GripEntries               grips; ///< of a specimen with ends
     bool                      lateral_blocked = false, spin_blocked = false;
     Test                      tension{1e-5, 0.2, 1e-3}, compression{5e-5, 0.7, 5e-3};
     double                    growth_step = 0.2, tolerance = 1e-7, damping = 0.7;
@@ -31,7 +31,9 @@ namespace apps
 
     bool                       is_cell() const { return source.body == SpecimenSection::Body::cell; }
     dem::QuasiStaticParameters steps(UniaxialLoad load) const;
-    /** @throws dem::InputError when the packing has no grips, or no links */
+    /** @throws dem::InputError when the packing cannot be gripped so */
+    dem::GripLayers grip_layers(const dem::Packing &packing) const;
+    /** @throws dem::InputError when the packing cannot be gripped so, or has no links */
     dem::LoadedNetwork load(const dem::Packing &packing) const;
   };
 

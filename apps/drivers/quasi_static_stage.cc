@@ -30,17 +30,19 @@ namespace apps
     return MaterialCounts(names, network.material, law);
   }
 
-  void QuasiStaticResult::add(const dem::QuasiStaticPoint &point, const int led)
+  void QuasiStaticResult::add(const dem::QuasiStaticPoint &point, const double e, const double s)
   {
-    const double e = point.strain[led], s = point.stress[led], sign = load == UniaxialLoad::tension ? 1 : -1;
-    if (strain.empty())
-      young_modulus = s / e;
-    if (sign * s > strength)
+    const double          sign    = load == UniaxialLoad::tension ? 1 : -1;
+    dem::UniaxialFigures &figures = notes.figures;
+    if (strain.empty() && point.mean_damage == 0)
+      figures.young_modulus = s / e;
+    if (sign * s > figures.strength)
       {
-        strength       = sign * s;
-        strain_at_peak = sign * e;
+        figures.strength       = sign * s;
+        figures.strain_at_peak = sign * e;
       }
-    peak_passed         = sign * s < strength;
+    figures.peak_passed =
+      sign * s < figures.strength; // equilibria do not tremble: the first one below is past the peak
     worst_balance_error = std::max(worst_balance_error, point.balance_error());
     strain_points += point.control == dem::StepControl::strain;
     opening_points += point.control == dem::StepControl::opening;
@@ -54,14 +56,10 @@ namespace apps
 
   void QuasiStaticResult::visit_state(dem::StateVisitor &visitor)
   {
-    std::int64_t passed = peak_passed;
-    visitor.scalar("peak_passed", passed);
-    peak_passed = passed != 0;
+    notes.name = name_of(load);
+    notes.visit_state(visitor);
     for (const auto &[name, value] :
-         std::initializer_list<std::pair<const char *, double *>>{{"young_modulus", &young_modulus},
-                                                                  {"strength", &strength},
-                                                                  {"strain_at_peak", &strain_at_peak},
-                                                                  {"worst_balance_error", &worst_balance_error},
+         std::initializer_list<std::pair<const char *, double *>>{{"worst_balance_error", &worst_balance_error},
                                                                   {"external_work", &last.external_work},
                                                                   {"stored", &last.stored},
                                                                   {"damage", &last.damage},
@@ -84,8 +82,8 @@ namespace apps
                                      const dem::Packing     &packing,
                                      const std::size_t       which)
     : name(name_of(model.tests[which]))
-    , number(which)
     , axis(model.axis)
+    , shape{model.dimension, 0, model.source.thickness}
     , end_strain(model.steps(model.tests[which]).end_strain)
     , snapshot_interval(model.snapshot_interval)
     , radius(packing.radius)
@@ -93,8 +91,15 @@ namespace apps
     , loaded(model.load(packing))
     , path(loaded, model.material.materials(), model.steps(model.tests[which]))
   {
-    result.load = model.tests[which];
-    materials   = materials_in(loaded.network, packing.material_names);
+    result.load       = model.tests[which];
+    result.notes.name = name;
+    if (!model.is_cell())
+      {
+        layers                    = model.grip_layers(packing);
+        result.notes.section      = layers->section;
+        result.notes.gauge_length = layers->gauge_length;
+      }
+    materials = materials_in(loaded.network, packing.material_names);
   }
 
   void QuasiStaticStage::open(const std::filesystem::path &folder)
@@ -109,9 +114,19 @@ namespace apps
   {
     if (path.points().size() == 1 && particles)
       snapshot();
-    result.add(path.advance(), loaded.led);
+    const dem::QuasiStaticPoint &point = path.advance();
+    result.add(point, gauged_strain(), point.stress[loaded.led]);
     if (particles && static_cast<std::int64_t>(path.points().size() - 1) % snapshot_interval == 0)
       snapshot();
+  }
+
+  double QuasiStaticStage::gauged_strain() const
+  {
+    if (!layers || !layers->planes)
+      return path.points().back().strain[loaded.led];
+    const std::vector<Eigen::Vector3d> u     = dem::displacements_of(loaded, path.motion());
+    const auto                         place = [&](const std::size_t i) { return u[i][axis]; };
+    return (layers->planes->second.motion(place) - layers->planes->first.motion(place)) / layers->gauge_length;
   }
 
   std::vector<postprocess::SeriesColumn> QuasiStaticStage::series_columns()
@@ -143,13 +158,14 @@ namespace apps
     if (loaded.network.volume == 0) // between grips only the strain along the axis is known
       {
         strains.setConstant(std::nan(""));
-        strains[axis] = p.strain[loaded.led];
+        strains[axis] = result.strain.back();
       }
-    series.append({static_cast<double>(number + 1), static_cast<double>(path.points().size() - 1), p.strain[loaded.led],
-                   p.stress[loaded.led], p.mean_damage, strains[0], strains[1], strains[2], p.external_work, p.stored,
-                   p.damage, p.friction, p.damped, p.energy_residual(), p.residual, static_cast<double>(p.iterations),
+    series.append({name},
+                  {static_cast<double>(path.points().size() - 1), result.strain.back(), p.stress[loaded.led],
+                   p.mean_damage, strains[0], strains[1], strains[2], p.external_work, p.stored, p.damage, p.friction,
+                   p.damped, p.energy_residual(), p.residual, static_cast<double>(p.iterations),
                    static_cast<double>(p.relaxation_steps)},
-                  dem::name_of(p.control));
+                  {dem::name_of(p.control)});
   }
 
   std::vector<dem::LinkImage> QuasiStaticStage::images_of(const dem::LinkOutput     &joined,
@@ -168,7 +184,7 @@ namespace apps
   {
     // ParaView's time is the number of the point: strain may fall.
     const auto                at    = static_cast<double>(path.points().size() - 1);
-    const dem::ParticleOutput state = dem::particles_of(loaded, path, radius);
+    const dem::ParticleOutput state = dem::particles_of(loaded, path, radius, shape);
     postprocess::write_vtk_particles(particles->next(), state, at);
     particles->add(at);
     const dem::LinkOutput joined = dem::links_of(loaded, path);
@@ -180,11 +196,13 @@ namespace apps
   {
     if (particles && static_cast<std::int64_t>(path.points().size() - 1) % snapshot_interval != 0)
       snapshot();
+    result.notes.crack =
+      dem::measure_crack(dem::particles_of(loaded, path, radius, shape), dem::links_of(loaded, path), shape);
   }
 
   std::string QuasiStaticStage::draw_crack(const std::filesystem::path &folder) const
   {
-    const dem::ParticleOutput state  = dem::particles_of(loaded, path, radius);
+    const dem::ParticleOutput state  = dem::particles_of(loaded, path, radius, shape);
     const dem::LinkOutput     joined = dem::links_of(loaded, path);
     postprocess::PictureSlab  slab;
     slab.axis      = axis == 2 ? 1 : 2; // seen across the load

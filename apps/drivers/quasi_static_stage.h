@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/drivers/lab_report.h"
 #include "apps/drivers/material_counts.h"
 #include "apps/drivers/quasi_static_scene.h"
 #include "dem/measures/link_images.h"
@@ -19,18 +20,16 @@ namespace apps
   /** What one quasi-static test found and what it took. */
   struct QuasiStaticResult
   {
-    UniaxialLoad          load          = UniaxialLoad::tension;
-    double                young_modulus = 0;                ///< of the first point, which is elastic [Pa]
-    double                strength = 0, strain_at_peak = 0; ///< magnitudes [Pa], [-]
-    bool                  peak_passed         = false;
+    UniaxialLoad          load = UniaxialLoad::tension;
+    LabNotes              notes; ///< the modulus is that of the first point, if nothing is damaged there
     double                worst_balance_error = 0;
     std::int64_t          strain_points = 0, opening_points = 0, relaxed_points = 0; ///< by what controlled them
     std::int64_t          solutions = 0, relaxation_steps = 0;
     dem::QuasiStaticPoint last;
     dem::Column           strain, stress; ///< the curve, tension positive
 
-    /** The next point. @param led number of the load parameter that is led */
-    void add(const dem::QuasiStaticPoint &point, int led);
+    /** The next point, with its strain over the gauge length and its stress. */
+    void add(const dem::QuasiStaticPoint &point, double strain, double stress);
     /** Everything that a resumed run must still know of this test; of the last point its energies. */
     void visit_state(dem::StateVisitor &visitor);
   };
@@ -50,7 +49,7 @@ namespace apps
     void advance();
     void append_row(postprocess::SeriesWriter &series) const; ///< of the last point
     bool finished() const { return path.finished(); }
-    void finish(); ///< last snapshot
+    void finish(); ///< measures the crack, and takes the last snapshot
     /** TEST_crack.png of the present state. @return what went wrong, "" if nothing. */
     std::string draw_crack(const std::filesystem::path &folder) const;
 
@@ -79,13 +78,15 @@ namespace apps
     static std::vector<postprocess::SeriesColumn> series_columns();
 
   private:
-    void snapshot();
+    void   snapshot();
+    double gauged_strain() const; ///< of the last point, over the gauge length
     /** Of a periodic cell; empty for a specimen between grips. */
     std::vector<dem::LinkImage> images_of(const dem::LinkOutput &joined, const dem::ParticleOutput &state) const;
 
     std::string                               name;
-    std::size_t                               number;
     int                                       axis;
+    std::optional<dem::GripLayers>            layers; ///< of a specimen between grips
+    dem::ParticleShape                        shape;
     double                                    end_strain;
     std::int64_t                              snapshot_interval;
     std::vector<double>                       radius;

@@ -31,9 +31,7 @@ namespace apps
     specimen.validate(root, physics.dimension);
     material.validate(root, physics.dimension);
     gravity.validate(root, physics.dimension);
-    if (physics.dimension == 2 && loading.axis == 2)
-      root.find_section("Loading")->refuse(
-        "Axis", "in two dimensions the specimen lies in the plane z = 0. Load it along x or y.");
+    loading.validate(root, physics.dimension);
   }
 
   UniaxialModel UniaxialScene::model() const
@@ -101,6 +99,8 @@ namespace apps
         const dem::UniaxialTest test(fresh, asked.loading.parameters(load));
         const std::int64_t      most = most_steps(asked.loading, load, fresh.time_step());
         if (load == asked.loading.tests.front()) // the grips hold alike in all of them
+          text += fmt::format("  basis        {}\n", text_of(test.grip_layers(), asked.loading.grips.parameters()));
+        if (load == asked.loading.tests.front())
           if (const StaticStart start = start_statically(fresh, asked.gravity))
             text += fmt::format("  start        {}\n", text_of(*start));
         steps += static_cast<double>(most);

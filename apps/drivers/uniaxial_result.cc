@@ -34,12 +34,8 @@ namespace apps
   void UniaxialResult::visit_state(dem::StateVisitor &visitor)
   {
     apps::visit_state(visitor, start);
-    visitor.scalar("young_modulus", figures.young_modulus);
-    visitor.scalar("strength", figures.strength);
-    visitor.scalar("strain_at_peak", figures.strain_at_peak);
-    std::int64_t passed = peak_passed;
-    visitor.scalar("peak_passed", passed);
-    peak_passed = passed != 0;
+    notes.name = name_of(load);
+    notes.visit_state(visitor);
     visit_energy(visitor, energy);
     visitor.scalar("worst_balance_error", worst_balance_error);
     visitor.scalar("time_step", time_step);

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "apps/drivers/lab_report.h"
 #include "apps/drivers/static_start.h"
 #include "apps/scene/loading_section.h"
 #include "dem/core/column.h"
 #include "dem/energy.h"
-#include "dem/loading/uniaxial.h"
 #include "dem/specimen.h"
 #include "dem/state.h"
 
@@ -15,18 +15,17 @@ namespace apps
   /** What one uniaxial test found and what it took. */
   struct UniaxialResult
   {
-    UniaxialLoad         load = UniaxialLoad::tension;
-    StaticStart          start;
-    dem::UniaxialFigures figures;
-    bool                 peak_passed = false;     ///< ended by the stop fraction, so that the strength is one
-    dem::EnergyAccount   energy;                  ///< at the end
-    double               worst_balance_error = 0; ///< of all samples
-    double               time_step           = 0; ///< [s], at the start
-    dem::Counts          at_start, at_end;
-    std::int64_t         steps            = 0;
-    double               link_updates     = 0; ///< sum over the steps of links and contacts
-    double               stepping_seconds = 0; ///< wall clock, in steps only
-    dem::Column          strain, stress;       ///< the curve, tension positive; filled when the test has ended
+    UniaxialLoad       load = UniaxialLoad::tension;
+    StaticStart        start;
+    LabNotes           notes;                   ///< figures up to now; the crack when the test has ended
+    dem::EnergyAccount energy;                  ///< at the end
+    double             worst_balance_error = 0; ///< of all samples
+    double             time_step           = 0; ///< [s], at the start
+    dem::Counts        at_start, at_end;
+    std::int64_t       steps            = 0;
+    double             link_updates     = 0; ///< sum over the steps of links and contacts
+    double             stepping_seconds = 0; ///< wall clock, in steps only
+    dem::Column        strain, stress;       ///< the curve, tension positive; filled when the test has ended
 
     /** Everything that a resumed run must still know of this test. */
     void visit_state(dem::StateVisitor &visitor);

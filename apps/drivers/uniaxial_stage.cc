@@ -45,7 +45,6 @@ namespace apps
 
   UniaxialStage::UniaxialStage(const UniaxialModel &model, const dem::Packing &packing, const std::size_t which)
     : name(name_of(model.loading.tests[which]))
-    , number(which)
     , axis(model.loading.axis)
     , specimen(packing, model.specimen, model.material.materials())
     , test(specimen, model.loading.parameters(model.loading.tests[which]))
@@ -54,9 +53,12 @@ namespace apps
     , steps_per_sample(std::max<std::int64_t>(1, steps_at_most / model.output.samples))
     , samples_per_snapshot(rounded_up(model.output.samples, model.output.snapshots))
   {
-    result.load      = model.loading.tests[which];
-    result.time_step = specimen.time_step();
-    result.at_start  = specimen.counts();
+    result.load               = model.loading.tests[which];
+    result.notes.name         = name;
+    result.notes.section      = test.section();
+    result.notes.gauge_length = test.gauge_length();
+    result.time_step          = specimen.time_step();
+    result.at_start           = specimen.counts();
     if (packing.material_names.size() > 1)
       materials = MaterialCounts(packing.material_names, specimen.particles().material, specimen.links().law);
   }
@@ -75,16 +77,17 @@ namespace apps
   {
     if (specimen.steps() == 0 && particles)
       snapshot();
-    const auto start = std::chrono::steady_clock::now();
+    const auto         start  = std::chrono::steady_clock::now();
+    const std::int64_t before = specimen.steps();
     test.advance(steps_per_sample);
     result.stepping_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
-    result.at_end  = specimen.counts();
-    result.steps   = specimen.steps();
-    result.energy  = specimen.energy();
-    result.figures = test.figures();
+    result.at_end        = specimen.counts();
+    result.steps         = specimen.steps();
+    result.energy        = specimen.energy();
+    result.notes.figures = test.figures();
     result.link_updates +=
-      static_cast<double>(steps_per_sample) * static_cast<double>(result.at_end.links + result.at_end.contacts);
+      static_cast<double>(result.steps - before) * static_cast<double>(result.at_end.links + result.at_end.contacts);
     result.worst_balance_error = std::max(result.worst_balance_error, result.energy.balance_error());
     if (particles && static_cast<std::int64_t>(test.curve().size()) % samples_per_snapshot == 0)
       snapshot();
@@ -102,8 +105,7 @@ namespace apps
   void UniaxialStage::append_row(postprocess::SeriesWriter &series) const
   {
     const dem::UniaxialSample &sample = test.curve().back();
-    std::vector<double>        row    = {static_cast<double>(number + 1),
-                                         sample.time,
+    std::vector<double>        row    = {sample.time,
                                          sample.strain,
                                          sample.stress,
                                          specimen.mean_damage(),
@@ -111,7 +113,7 @@ namespace apps
                                          static_cast<double>(result.at_end.broken),
                                          static_cast<double>(result.at_end.contacts)};
     result.energy.each([&](const std::string &, const double value) { row.push_back(value); });
-    series.append(row);
+    series.append({name}, row);
   }
 
   void UniaxialStage::snapshot()
@@ -132,8 +134,9 @@ namespace apps
         result.strain.push_back(sample.strain);
         result.stress.push_back(sample.stress);
       }
-    // Ended by the stop strain, the largest stress may be the strength or may still grow.
-    result.peak_passed = std::abs(test.curve().back().strain) > result.figures.strain_at_peak;
+    const dem::SpecimenParameters &made = specimen.parameters();
+    result.notes.crack                  = dem::measure_crack(specimen.particles(), specimen.links(),
+                                                             {made.physics.dimension, made.density, made.thickness});
   }
 
   void UniaxialStage::save_discrete_state(const std::filesystem::path &folder) const

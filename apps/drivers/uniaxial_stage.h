@@ -78,7 +78,6 @@ namespace apps
     void snapshot();
 
     std::string                               name; ///< "tension"
-    std::size_t                               number;
     int                                       axis;
     dem::Specimen                             specimen;
     dem::UniaxialTest                         test;

@@ -17,13 +17,6 @@ namespace apps
 {
   namespace
   {
-    const UniaxialResult *of(const std::vector<UniaxialResult> &results, const UniaxialLoad load)
-    {
-      const auto found =
-        std::find_if(results.begin(), results.end(), [load](const UniaxialResult &r) { return r.load == load; });
-      return found == results.end() ? nullptr : &*found;
-    }
-
     const UniaxialResult &worst_balanced(const std::vector<UniaxialResult> &results)
     {
       return *std::max_element(results.begin(), results.end(), [](const UniaxialResult &a, const UniaxialResult &b) {
@@ -31,29 +24,12 @@ namespace apps
       });
     }
 
-    nlohmann::json quantity(const double value, const char *unit) { return {{"value", value}, {"unit", unit}}; }
-
-    /** The modulus is measured in tension where there is such a test: no sliding disturbs it there. */
-    nlohmann::json figures(const std::vector<UniaxialResult> &results)
+    std::vector<LabNotes> notes_of(const std::vector<UniaxialResult> &results)
     {
-      const UniaxialResult *tension     = of(results, UniaxialLoad::tension),
-                           *compression = of(results, UniaxialLoad::compression);
-      nlohmann::json found;
-      found["young_modulus"] =
-        quantity(tension ? tension->figures.young_modulus : compression->figures.young_modulus, "Pa");
-      if (tension)
-        {
-          found["tensile_strength"]       = quantity(tension->figures.strength, "Pa");
-          found["strain_at_tensile_peak"] = quantity(tension->figures.strain_at_peak, "-");
-        }
-      if (compression)
-        {
-          found["compressive_strength"]       = quantity(compression->figures.strength, "Pa");
-          found["strain_at_compressive_peak"] = quantity(compression->figures.strain_at_peak, "-");
-        }
-      if (tension && compression)
-        found["strength_ratio"] = quantity(compression->figures.strength / tension->figures.strength, "-");
-      return found;
+      std::vector<LabNotes> notes;
+      for (const UniaxialResult &result : results)
+        notes.push_back(result.notes);
+      return notes;
     }
 
     nlohmann::json energy(const UniaxialResult &result)
@@ -65,19 +41,13 @@ namespace apps
 
     nlohmann::json test_details(const UniaxialResult &result)
     {
-      const UniaxialResult &r       = result;
-      nlohmann::json        details = {{"name", name_of(r.load)},
-                                       {"young_modulus", quantity(r.figures.young_modulus, "Pa")},
-                                       {"strength", quantity(r.figures.strength, "Pa")},
-                                       {"strain_at_peak", quantity(r.figures.strain_at_peak, "-")},
-                                       {"peak_passed", r.peak_passed},
-                                       {"broken_links", r.at_end.broken},
-                                       {"contacts", r.at_end.contacts},
-                                       {"steps", r.steps},
-                                       {"stepping_seconds", r.stepping_seconds},
-                                       {"energy", energy(r)}};
-      if (r.start)
-        details["initial_equilibrium"] = json_of(*r.start);
+      nlohmann::json details      = json_of(result.notes);
+      details["contacts"]         = result.at_end.contacts;
+      details["steps"]            = result.steps;
+      details["stepping_seconds"] = result.stepping_seconds;
+      details["energy"]           = energy(result);
+      if (result.start)
+        details["initial_equilibrium"] = json_of(*result.start);
       return details;
     }
 
@@ -105,7 +75,8 @@ namespace apps
     summary["scene"]            = request.scene_file;
     summary["asked"]            = {{"kind", "uniaxial"}, {"overrides", request.overrides}};
     summary["version"]          = version();
-    summary["figures"]          = figures(results);
+    summary["figures"]          = figures_of(notes_of(results));
+    summary["warnings"]         = warnings_of(notes_of(results));
     summary["cost"]             = {{"particles", first.at_start.particles},
                                    {"links", first.at_start.links},
                                    {"steps", steps},
@@ -143,12 +114,10 @@ namespace apps
   {
     std::string text;
     for (const UniaxialResult &result : results)
-      {
-        text += fmt::format("{:<12} strength {:.3f} MPa at strain {:.3e}, E {:.2f} GPa, {} of {} links broken{}\n",
-                            name_of(result.load), 1e-6 * result.figures.strength, result.figures.strain_at_peak,
-                            1e-9 * result.figures.young_modulus, result.at_end.broken, result.at_start.links,
-                            result.peak_passed ? "" : " (no peak: the stress still grows)");
-      }
+      text += text_of(result.notes);
+    text += basis_of(results.front().notes);
+    for (const std::string &warning : warnings_of(notes_of(results)))
+      text += fmt::format("warning      {}\n", warning);
     if (const StaticStart &start = results.front().start)
       text += fmt::format("start        {}\n", text_of(*start));
     text += fmt::format("energy       balance error {:.1e} at worst\n", worst_balanced(results).worst_balance_error);

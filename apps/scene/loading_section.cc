@@ -25,10 +25,7 @@ namespace apps
                Need::optional)
       .means("Tests to make, in this order");
     section.choice("Axis", axis, {{"x", 0}, {"y", 1}, {"z", 2}}, Need::optional).means("Direction of loading");
-    section.number("Grip thickness", grip_thickness, "m", Range::positive(), Need::required)
-      .means("Particles whose centre is within this of the specimen's ends are gripped: more than their radius; 2.2 "
-             "radii hold "
-             "about one layer");
+    grips.declare(section);
     section.flag("Grip lateral motion blocked", lateral_blocked)
       .means("Grips hold their particles sideways too, as rough platens do");
     section.flag("Grip rotation blocked", spin_blocked).means("Grips keep their particles from spinning");
@@ -54,6 +51,14 @@ namespace apps
       .means("The test ends at this strain at the latest");
   }
 
+  void UniaxialLoadingSection::validate(const Section &root, const int dimension) const
+  {
+    const Section &section = *root.find_section("Loading");
+    if (dimension == 2 && axis == 2)
+      section.refuse("Axis", "in two dimensions the specimen lies in the plane z = 0. Load it along x or y.");
+    grips.validate(section);
+  }
+
   bool UniaxialLoadingSection::asks_for(const UniaxialLoad load) const
   {
     return std::find(tests.begin(), tests.end(), load) != tests.end();
@@ -65,7 +70,7 @@ namespace apps
     dem::UniaxialParameters result;
     result.axis            = axis;
     result.strain_rate     = load == UniaxialLoad::tension ? test.rate : -test.rate;
-    result.grip_thickness  = grip_thickness;
+    result.grips           = grips.parameters();
     result.lateral_blocked = lateral_blocked;
     result.spin_blocked    = spin_blocked;
     result.stop_fraction   = test.stop_fraction;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/scene/grip_entries.h"
 #include "apps/scene/section.h"
 #include "dem/loading/uniaxial.h"
 
@@ -28,12 +29,13 @@ namespace apps
 
     std::vector<UniaxialLoad> tests           = {UniaxialLoad::tension, UniaxialLoad::compression};
     int                       axis            = 2;
-    double                    grip_thickness  = 0;
+    GripEntries               grips;
     bool                      lateral_blocked = false, spin_blocked = false;
     Test                      tension, compression;
 
     UniaxialLoadingSection();
     void declare(Section &root);
+    void validate(const Section &root, int dimension) const;
     bool asks_for(UniaxialLoad load) const;
     /** The test as dem runs it: the rate with its sign. */
     dem::UniaxialParameters parameters(UniaxialLoad load) const;

@@ -1,19 +1,24 @@
 #include "apps/scene/specimen_section.h"
 
+#include "dem/packing/box_cell.h"
+
 #include <fmt/format.h>
 
 #include <filesystem>
 
 namespace apps
 {
-  dem::CompactionParameters SpecimenSection::Generator::parameters() const
+  dem::CompactionParameters SpecimenSection::compaction() const
   {
     dem::CompactionParameters asked;
-    asked.radius   = radius;
-    asked.count    = static_cast<std::size_t>(cell_count);
-    asked.seed     = static_cast<std::uint64_t>(seed);
-    asked.friction = friction;
-    asked.damping  = damping;
+    asked.radius   = generator.radius;
+    asked.seed     = static_cast<std::uint64_t>(generator.seed);
+    asked.friction = generator.friction;
+    asked.damping  = generator.damping;
+    if (generator.cell_count > 0)
+      asked.count = static_cast<std::size_t>(generator.cell_count);
+    else if (has_box())
+      return dem::cell_for_box(asked, box_edges());
     return asked;
   }
 
@@ -46,6 +51,14 @@ namespace apps
     section.number("Interaction ratio", interaction_ratio, "-", Range::between(1, 10), Need::required)
       .means("iota: particles closer than iota times the sum of their radii are linked; a constant of the material "
              "model, about 1.5");
+    if (use.box)
+      section
+        .choice("Loose pieces", loose_pieces,
+                {{"refuse", LoosePieces::refuse}, {"drop", LoosePieces::drop}, {"keep", LoosePieces::keep}},
+                Need::optional)
+        .means("What becomes of particles that are not linked to the rest, directly or over others. refuse: the scene "
+               "is refused with their number; drop: the largest piece is the specimen; keep: they stay, and nothing "
+               "holds them");
     section.number("Thickness", thickness, "m", Range::positive(), Need::required)
       .means("Of the discs")
       .only_if([&dimension] { return dimension == 2; }, "Physics/Dimension = 2");
@@ -53,8 +66,13 @@ namespace apps
     Section &inner = section.section("Generator", "Random packing of equal spheres, compacted in a periodic cell");
     inner.only_if(generated, "Specimen/Source = generator");
     inner.number("Particle radius", generator.radius, "m", Range::positive(), Need::required).means("Of every sphere");
-    inner.integer("Cell particles", generator.cell_count, "", Range::between(8, 1e7), Need::optional)
-      .means("Spheres in the periodic cell, which is repeated to fill the box; 1000 make its edge about ten diameters");
+    inner.integer("Cell particles", generator.cell_count, "", Range::between(0, 1e7), Need::optional)
+      .means(
+        "Spheres in the periodic cell, which is repeated to fill the box: its pattern repeats too, and cracks follow "
+        "it; 1000 make its edge about ten diameters. 0: a box of up to " +
+        std::to_string(dem::most_in_one_cell) +
+        " spheres is filled in one piece, in half a minute at most; a larger one is filled with cells of so many; a periodic "
+        "cell has 1000");
     inner.integer("Seed", generator.seed, "", Range::between(0, 9007199254740992.0), Need::optional)
       .means("Another seed gives another random packing; the same seed the same packing");
     inner.number("Friction coefficient", generator.friction, "-", Range::between(0, 10), Need::optional)
@@ -71,6 +89,8 @@ namespace apps
                      "there is no such file (" + std::filesystem::absolute(file).lexically_normal().string() + ").");
     if (source != Source::generator)
       return;
+    if (generator.cell_count > 0 && generator.cell_count < 8)
+      section.find_section("Generator")->refuse("Cell particles", "must be 0, or at least 8.");
     if (dimension == 2)
       section.refuse("Source", "the generator packs spheres, and Physics/Dimension is 2. Read the discs from a file.");
     if (body == Body::cell)

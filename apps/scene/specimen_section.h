@@ -22,12 +22,18 @@ namespace apps
     struct Generator
     {
       double       radius     = 0; ///< [m]
-      std::int64_t cell_count = static_cast<std::int64_t>(dem::CompactionParameters().count);
+      std::int64_t cell_count = 0; ///< 0: as many as fill the box in one piece, as long as that costs seconds
       std::int64_t seed       = static_cast<std::int64_t>(dem::CompactionParameters().seed);
       double       friction   = dem::CompactionParameters().friction;
       double       damping    = dem::CompactionParameters().damping;
+    };
 
-      dem::CompactionParameters parameters() const;
+    /** What becomes of a specimen whose particles do not all hang together. */
+    enum class LoosePieces
+    {
+      refuse,
+      drop, ///< the largest piece is the specimen
+      keep
     };
 
     /** What becomes of the particles. */
@@ -51,12 +57,15 @@ namespace apps
     double                density           = 0;         ///< [kg/m^3]
     double                interaction_ratio = 0;
     double                thickness         = 0; ///< [m], of discs
+    LoosePieces           loose_pieces      = LoosePieces::refuse;
 
     /** @param dimension chosen in section "Physics"; read only after reading. */
     void declare(Section &root, const int &dimension, const Use &use);
     void declare(Section &root, const int &dimension) { declare(root, dimension, Use()); }
     void validate(const Section &root, int dimension) const;
-    bool has_box() const { return body == Body::box && box[0] > 0; }
+    /** Of the generator, for the body that is asked for. */
+    dem::CompactionParameters compaction() const;
+    bool                      has_box() const { return body == Body::box && box[0] > 0; }
     /** The entry as a vector. @pre has_box() */
     Eigen::Vector3d box_edges() const { return {box[0], box[1], box[2]}; }
   };

@@ -6,23 +6,21 @@
 
 namespace dem
 {
-  /**
- * Smallest convex-hull area of a body of spheres over planes across an axis between two heights [m^2].
- *
- * Spheres that a plane meets are projected on it at their full radius, so that a crop of a packing keeps the area of its box; the section
- * is the area of the convex hull of these circles, counted with its voids. Planes that meet no sphere do not count.
- *
- * @param axis 0, 1, 2: normal of the planes
- * @return infinity when no plane between the heights meets a sphere
- */
-  double smallest_section(
-    const std::vector<Eigen::Vector3d> &centre, const std::vector<double> &radius, int axis, double low, double high);
+  /** Particles of a specimen and how thick its discs are. */
+  struct SpecimenShape
+  {
+    const std::vector<Eigen::Vector3d> &centre; ///< [m]
+    const std::vector<double>          &radius; ///< [m]
+    int                                 dimension = 3;
+    double                              thickness = 0; ///< two dimensions only [m]
+  };
 
-  /** The same for discs in the plane z = 0 of a given thickness: extent across the axis (0 or 1) times thickness. */
-  double smallest_plane_section(const std::vector<Eigen::Vector3d> &centre,
-                                const std::vector<double>          &radius,
-                                int                                 axis,
-                                double                              low,
-                                double                              high,
-                                double                              thickness);
+  /**
+   * Nominal section of a specimen across an axis [m^2], as a laboratory measures it with a calliper: of all particles, seen along the
+   * axis, the rectangle around their circles, or the circle around them where that is the smaller one (a cylinder). In two dimensions
+   * the extent across the axis times the thickness.
+   *
+   * The rectangle's sides are those of the axes; the circle is drawn around its middle.
+   */
+  double nominal_section(const SpecimenShape &specimen, int axis);
 } // namespace dem

@@ -1,10 +1,10 @@
 #include "dem/loading/uniaxial.h"
 
 #include "dem/core/errors.h"
-#include "dem/loading/grip_layers.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace dem
 {
@@ -12,8 +12,6 @@ namespace dem
   {
     /** The peak is believed once the specimen has been strained this much past it; earlier dips are waves. */
     constexpr double strain_past_peak = 1.1;
-    /** Part of the peak stress up to which the slope counts as the modulus, as in EN 12390-13. */
-    constexpr double elastic_part = 1.0 / 3.0;
 
     void check(const UniaxialParameters &p, const int dimension)
     {
@@ -22,34 +20,45 @@ namespace dem
         refuse("Axis: must be one of the specimen's directions.");
       if (p.strain_rate == 0 || !std::isfinite(p.strain_rate))
         refuse("strain rate: must not be zero.");
-      if (!(p.grip_thickness > 0))
+      if (!(p.grips.thickness > 0))
         refuse("Grip thickness: must be above 0 m.");
-      if (!(p.stop_fraction > 0 && p.stop_fraction < 1))
+      if (!(p.grips.area >= 0 && std::isfinite(p.grips.area)))
+        refuse("Area: must be above 0 m^2.");
+      if (p.grips.gauge == Gauge::planes && !(p.grips.low_plane < p.grips.high_plane))
+        refuse("Gauge planes: the second must lie above the first.");
+      if (!(p.stop_fraction >= 0 && p.stop_fraction < 1))
         refuse("stop fraction: must lie between 0 and 1.");
       if (!(p.stop_strain > 0))
         refuse("stop strain: must be above 0.");
+    }
+
+    GripLayers layers_of(const Specimen &body, const UniaxialParameters &p)
+    {
+      const SpecimenParameters &made = body.parameters();
+      check(p, made.physics.dimension);
+      const ParticleOutput particles = body.particles();
+      return find_grip_layers({particles.position, particles.radius, made.physics.dimension, made.thickness}, p.axis,
+                              p.grips);
     }
   } // namespace
 
   UniaxialTest::UniaxialTest(Specimen &body, const UniaxialParameters &p)
     : specimen(&body)
     , parameters(p)
+    , layers(layers_of(body, p))
     , rate(p.strain_rate)
   {
-    const SpecimenParameters &made = body.parameters();
-    check(p, made.physics.dimension);
     const ParticleOutput particles = body.particles();
     const auto          &x         = particles.position;
-    const GripLayers     layers =
-      find_grip_layers({x, particles.radius, made.physics.dimension, made.thickness}, p.axis, p.grip_thickness);
-    length = layers.length;
-    area   = layers.section;
+    const double         radii     = std::accumulate(particles.radius.begin(), particles.radius.end(), 0.0);
+    const double         faces     = layers.high_face - layers.low_face;
+    row = static_cast<std::int64_t>(std::ceil(faces / (2 * radii / static_cast<double>(x.size()))));
 
-    // Every particle starts with the velocity of a uniform strain rate: no shock runs in from the grips.
+    // Every particle between the grips starts with the velocity of a uniform strain rate: no shock runs in from them.
     for (std::size_t i = 0; i < x.size(); ++i)
       {
         Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
-        velocity[p.axis]         = p.strain_rate * (x[i][p.axis] - layers.middle);
+        velocity[p.axis]         = p.strain_rate * layers.distance / faces * (x[i][p.axis] - layers.middle());
         body.set_velocity(i, velocity, Eigen::Vector3d::Zero());
       }
     for (int side = 0; side < 2; ++side)
@@ -61,47 +70,82 @@ namespace dem
             grip.prescribed[c]     = c == p.axis || p.lateral_blocked;
             grip.prescribed[3 + c] = p.spin_blocked;
           }
-        grip.velocity[p.axis] = (side == 0 ? -0.5 : 0.5) * p.strain_rate * length;
-        grips[side]           = body.add_grip(grip);
+        grips[side] = body.add_grip(grip);
+      }
+    move_grips();
+  }
+
+  void UniaxialTest::move_grips()
+  {
+    for (int side = 0; side < 2; ++side)
+      {
+        Eigen::Vector3d velocity  = Eigen::Vector3d::Zero();
+        velocity[parameters.axis] = (side == 0 ? -0.5 : 0.5) * rate * layers.distance;
+        specimen->set_grip_velocity(grips[side], velocity, Eigen::Vector3d::Zero());
       }
   }
 
   UniaxialSample UniaxialTest::advance(const std::int64_t steps)
   {
-    specimen->advance(steps);
-    UniaxialSample sample;
-    sample.time   = specimen->time() - specimen->time_step(); // forces are those of the last step's start
-    sample.strain = strain_then + rate * (sample.time - rate_changed_at);
-    sample.stress =
-      0.5 * (specimen->reaction(grips[1])[parameters.axis] - specimen->reaction(grips[0])[parameters.axis]) / area;
-    samples.push_back(sample);
-    return sample;
+    if (finished())
+      return samples.back();
+    if (specimen->steps() == 0 && layers.planes)
+      planes_at_start = opening_of_planes();
+    look_ahead();
+    specimen->advance(steps, [this] {
+      measure();
+      look_ahead();
+      return !finished();
+    });
+    samples.push_back(now);
+    return now;
+  }
+
+  double UniaxialTest::travel() const { return travel_then + rate * (specimen->time() - rate_changed_at); }
+
+  double UniaxialTest::opening_of_planes() const
+  {
+    const auto along = [this](const std::size_t i) { return specimen->displacement(i)[parameters.axis]; };
+    return layers.planes->second.motion(along) - layers.planes->first.motion(along);
+  }
+
+  void UniaxialTest::look_ahead()
+  {
+    next_time   = specimen->time();
+    next_travel = travel();
+    next_strain = layers.planes ? (opening_of_planes() - planes_at_start) / layers.gauge_length : next_travel;
+  }
+
+  void UniaxialTest::measure()
+  {
+    const double pull =
+      0.5 * (specimen->reaction(grips[1])[parameters.axis] - specimen->reaction(grips[0])[parameters.axis]);
+    now       = {next_time, next_strain, pull / layers.section};
+    travelled = next_travel;
+
+    const double sign = parameters.strain_rate > 0 ? 1 : -1;
+    if (record.add(sign * now.strain, sign * now.stress))
+      travelled_at_peak = sign * travelled;
+    const bool low = past_peak() && sign * now.stress < parameters.stop_fraction * record.largest_stress();
+    low_steps      = low ? low_steps + 1 : 0;
   }
 
   void UniaxialTest::set_strain_rate(const double strain_rate)
   {
     if (!std::isfinite(strain_rate))
       throw InputError("Loading/strain rate: must be a finite number.");
-    strain_then += rate * (specimen->time() - rate_changed_at);
+    travel_then     = travel();
     rate_changed_at = specimen->time();
     rate            = strain_rate;
-    for (int side = 0; side < 2; ++side)
-      {
-        Eigen::Vector3d velocity  = Eigen::Vector3d::Zero();
-        velocity[parameters.axis] = (side == 0 ? -0.5 : 0.5) * rate * length;
-        specimen->set_grip_velocity(grips[side], velocity, Eigen::Vector3d::Zero());
-      }
+    move_grips();
   }
+
+  bool UniaxialTest::past_peak() const { return std::abs(travelled) > strain_past_peak * travelled_at_peak; }
 
   bool UniaxialTest::finished() const
   {
-    if (samples.empty())
-      return false;
-    const UniaxialFigures found  = figures();
-    const double          strain = std::abs(samples.back().strain),
-                 stress          = samples.back().stress * (parameters.strain_rate > 0 ? 1 : -1);
-    return strain >= parameters.stop_strain ||
-           (strain > strain_past_peak * found.strain_at_peak && stress < parameters.stop_fraction * found.strength);
+    // A wave that runs through a specimen may dip below the stop fraction; a crack stays below.
+    return std::abs(travelled) >= parameters.stop_strain || low_steps > row;
   }
 
   std::int64_t UniaxialTest::most_steps() const
@@ -111,32 +155,12 @@ namespace dem
            1;
   }
 
-  const std::vector<UniaxialSample> &UniaxialTest::curve() const { return samples; }
-
   UniaxialFigures UniaxialTest::figures() const
   {
-    const double    sign = parameters.strain_rate > 0 ? 1 : -1;
-    UniaxialFigures found;
-    for (const auto &s : samples)
-      if (sign * s.stress > found.strength)
-        {
-          found.strength       = sign * s.stress;
-          found.strain_at_peak = sign * s.strain;
-        }
-    double product = 0, square = 0;
-    for (const auto &s : samples)
-      {
-        if (sign * s.stress > elastic_part * found.strength)
-          break;
-        product += s.stress * s.strain;
-        square += s.strain * s.strain;
-      }
-    found.young_modulus = square > 0 ? product / square : 0.0;
+    UniaxialFigures found = record.figures();
+    found.peak_passed     = found.strength > 0 && past_peak();
     return found;
   }
-
-  double UniaxialTest::section() const { return area; }
-  double UniaxialTest::reference_length() const { return length; }
 
   void UniaxialTest::visit_state(StateVisitor &visitor)
   {
@@ -144,11 +168,16 @@ namespace dem
     for (const auto &s : samples)
       flat.insert(flat.end(), {s.time, s.strain, s.stress});
     visitor.column("uniaxial/samples", flat);
-    visitor.scalar("uniaxial/rate", rate);
-    visitor.scalar("uniaxial/rate_changed_at", rate_changed_at);
-    visitor.scalar("uniaxial/strain_then", strain_then);
     samples.resize(flat.size() / 3);
     for (std::size_t i = 0; i < samples.size(); ++i)
       samples[i] = {flat[3 * i], flat[3 * i + 1], flat[3 * i + 2]};
+    visitor.scalar("uniaxial/rate", rate);
+    visitor.scalar("uniaxial/rate_changed_at", rate_changed_at);
+    visitor.scalar("uniaxial/travel_then", travel_then);
+    visitor.scalar("uniaxial/planes_at_start", planes_at_start);
+    visitor.scalar("uniaxial/travelled", travelled);
+    visitor.scalar("uniaxial/travelled_at_peak", travelled_at_peak);
+    visitor.scalar("uniaxial/low_steps", low_steps);
+    record.visit_state(visitor);
   }
 } // namespace dem

@@ -1,8 +1,9 @@
 #pragma once
 
+#include "dem/loading/curve_figures.h"
+#include "dem/loading/grip_layers.h"
 #include "dem/specimen.h"
 
-#include <optional>
 #include <vector>
 
 namespace dem
@@ -10,42 +11,38 @@ namespace dem
   /** Uniaxial test between two layers of particles that move apart or together (mesoscale specification 9.3). */
   struct UniaxialParameters
   {
-    int    axis            = 2;     ///< 0, 1, 2: x, y, z
-    double strain_rate     = 0;     ///< [1/s], > 0 pulls, < 0 crushes
-    double grip_thickness  = 0;     ///< [m], > 0: layers of particles whose centre is within it of the specimen's end
-    bool   lateral_blocked = false; ///< grips hold their particles sideways
-    bool   spin_blocked    = false; ///< grips hold their particles' rotation
-    double stop_fraction   = 0;     ///< stop when stress has fallen to this part of the peak, in (0, 1)
-    double stop_strain     = 0;     ///< stop at this |strain|, > 0
+    int            axis        = 2; ///< 0, 1, 2: x, y, z
+    double         strain_rate = 0; ///< [1/s], > 0 pulls, < 0 crushes: relative speed of the grips over their distance
+    GripParameters grips;
+    bool           lateral_blocked = false; ///< grips hold their particles sideways
+    bool           spin_blocked    = false; ///< grips hold their particles' rotation
+    /** Stop when stress has fallen to this part of the peak, in (0, 1); 0: however far it falls. */
+    double stop_fraction = 0;
+    double stop_strain   = 0; ///< stop when the grips have moved by this part of their distance, > 0
   };
 
   /** One row of the stress-strain curve. Tension positive. */
   struct UniaxialSample
   {
     double time;   ///< [s]
-    double strain; ///< displacement between the grips over their reference distance [-]
+    double strain; ///< over the gauge length [-]
     double stress; ///< half the difference of the grips' reactions over the section [Pa]
   };
 
-  /** What the curve says so far. Stresses and strains as magnitudes. */
-  struct UniaxialFigures
-  {
-    double young_modulus  = 0; ///< least-squares slope through the origin up to a third of the peak stress [Pa]
-    double strength       = 0; ///< largest stress [Pa]
-    double strain_at_peak = 0; ///< [-]
-  };
-
-  /** Grips on a specimen and the curve they measure. The specimen must outlive the test. */
+  /**
+   * Grips on a specimen and the curve they measure. Figures and the end of the test come from every step, samples are only what is
+   * shown. The specimen must outlive the test.
+   */
   class UniaxialTest
   {
   public:
     /**
-   * Find the two layers, grip them, and start with the velocity field linear along the axis (no first shock).
-   * @throws InputError when a layer is empty or the layers meet, and for parameters out of range.
-   */
+     * Find the two layers, grip them, and start with the velocity field linear between them (no first shock).
+     * @throws InputError when the layers meet, and for parameters out of range.
+     */
     UniaxialTest(Specimen &specimen, const UniaxialParameters &parameters);
 
-    /** Take the given number of steps and add one sample to the curve. */
+    /** Take the given number of steps, fewer where the test ends, and add one sample to the curve. */
     UniaxialSample advance(std::int64_t steps);
     /**
      * Move the grips at another rate from now on: slower, or back. Figures and stop criterion go on as for the first rate.
@@ -57,19 +54,36 @@ namespace dem
     /** Steps to the stop strain, the most that the test can take. */
     std::int64_t most_steps() const;
 
-    const std::vector<UniaxialSample> &curve() const;
+    const std::vector<UniaxialSample> &curve() const { return samples; }
     UniaxialFigures                    figures() const;
-    double                             section() const; ///< A, smallest convex-hull section across the axis [m^2]
-    double                             reference_length() const; ///< l0, between the grips' extreme centres [m]
+    const GripLayers                  &grip_layers() const { return layers; }
+    double                             section() const { return layers.section; }           ///< A [m^2]
+    double                             gauge_length() const { return layers.gauge_length; } ///< [m]
     void                               visit_state(StateVisitor &visitor);
 
   private:
+    /** Time and strains of the forces that the next step will find. */
+    void look_ahead();
+    /** Take the forces of the step just done. */
+    void   measure();
+    double travel() const; ///< of the grips, over their distance
+    double opening_of_planes() const;
+    void   move_grips();
+    bool   past_peak() const;
+
     Specimen                   *specimen;
     UniaxialParameters          parameters;
+    GripLayers                  layers;
     std::array<std::size_t, 2>  grips; ///< low, high
-    double                      area, length;
-    double                      rate;                                 ///< of the grips now [1/s]
-    double                      rate_changed_at = 0, strain_then = 0; ///< time [s] and strain of the last change
+    std::int64_t                row;   ///< particles one behind the other from grip to grip: steps that a wave takes
+    double                      rate;  ///< of the grips now [1/s]
+    double                      rate_changed_at = 0, travel_then = 0; ///< time [s] and travel of the last change
+    double                      planes_at_start = 0; ///< what the planes' displacements differ by then [m]
+    double                      next_time = 0, next_travel = 0, next_strain = 0; ///< see look_ahead()
+    UniaxialSample              now       = {0, 0, 0};
+    double                      travelled = 0, travelled_at_peak = 0;
+    std::int64_t                low_steps = 0; ///< for how many steps the stress has been below the stop fraction
+    CurveFigures                record;
     std::vector<UniaxialSample> samples;
   };
 } // namespace dem

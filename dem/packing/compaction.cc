@@ -50,6 +50,8 @@ namespace dem
       require("low pressure", p.low_pressure, above_zero, 0.5, "above zero and below the high pressure");
       require("high pressure", p.high_pressure, std::nextafter(p.low_pressure, 1.0), 0.5,
               "above the low pressure, at most 0.5");
+      require("proportions", p.proportions.minCoeff() / p.proportions.maxCoeff(), 1e-3, 1,
+              "above zero, none a thousandth of another");
       require("time step factor", p.time_step_factor, above_zero, 0.8, "above 0, at most 0.8");
       require("step limit", static_cast<double>(p.step_limit), 1, largest, "above zero");
     }
@@ -81,7 +83,9 @@ namespace dem
     private:
       static Packing loose_spheres(const CompactionParameters &p)
       {
-        return place_sequentially(p.count, 1.0, p.initial_spacing * std::cbrt(static_cast<double>(p.count)), p.seed);
+        const Eigen::Vector3d shape = p.proportions / std::cbrt(p.proportions.prod());
+        return place_sequentially(p.count, 1.0, p.initial_spacing * std::cbrt(static_cast<double>(p.count)) * shape,
+                                  p.seed);
       }
 
       /** P-wave time in sqrt(mass/k_n), with k_n = modulus radius. */
@@ -92,14 +96,14 @@ namespace dem
 
       double packing_fraction() const
       {
-        return 4.0 / 3.0 * M_PI * static_cast<double>(parameters.count) / std::pow(assembly.edge(), 3);
+        return 4.0 / 3.0 * M_PI * static_cast<double>(parameters.count) / assembly.edges().prod();
       }
 
       /** Strain of the cell in the next step. */
       double servo(const Stage &stage) const
       {
         const double wanted = servo_gain * (2 * assembly.pressure() - stage.target);
-        const double limit  = 2 * largest_edge_change / assembly.edge();
+        const double limit  = 2 * largest_edge_change / assembly.edges().maxCoeff();
         return std::clamp(wanted, -limit, limit);
       }
 
@@ -142,7 +146,7 @@ namespace dem
         for (Eigen::Vector3d &x : packing.centre)
           x *= parameters.radius;
         packing.radius.assign(parameters.count, parameters.radius);
-        packing.periodic_cell = Eigen::Vector3d::Constant(assembly.edge() * parameters.radius);
+        packing.periodic_cell = assembly.edges() * parameters.radius;
         return packing;
       }
 
@@ -152,6 +156,27 @@ namespace dem
       std::int64_t                                           steps = 0;
     };
   } // namespace
+
+  double expected_packing_fraction(const double friction)
+  {
+    constexpr double table[][2] = {{0, 0.6456},   {0.1, 0.6133}, {0.2, 0.5923}, {0.5, 0.5640},
+                                   {0.8, 0.5557}, {1.0, 0.5515}, {2.0, 0.5466}};
+    constexpr int    rows       = sizeof(table) / sizeof(table[0]);
+    for (int i = 1; i < rows; ++i)
+      if (friction <= table[i][0])
+        {
+          const double part = (friction - table[i - 1][0]) / (table[i][0] - table[i - 1][0]);
+          return table[i - 1][1] + part * (table[i][1] - table[i - 1][1]);
+        }
+    return table[rows - 1][1];
+  }
+
+  std::size_t count_to_fill(const Eigen::Vector3d &box, const double radius, const double friction)
+  {
+    constexpr double spare = 1.01 * 1.01 * 1.01;
+    return static_cast<std::size_t>(
+      std::ceil(spare * expected_packing_fraction(friction) * box.prod() / (4.0 / 3.0 * M_PI * std::pow(radius, 3))));
+  }
 
   CompactionResult compact(const CompactionParameters                            &parameters,
                            const std::function<bool(const CompactionProgress &)> &progress)

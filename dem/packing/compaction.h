@@ -30,13 +30,15 @@ namespace dem
     double        radius = 0;    ///< of every sphere [m], > 0
     std::size_t   count  = 1000; ///< spheres in the periodic cell, >= 1; 1000 make the edge about 10 diameters
     std::uint64_t seed   = 1;
+    /** Edges of the cell, in proportion: it is compressed alike in all directions. */
+    Eigen::Vector3d proportions = {1, 1, 1};
 
     double friction = 1.0; ///< coefficient tan(phi) between the spheres while they are compacted, >= 0; see above
     double damping  = 0.6; ///< local (Cundall) damping, in [0, 1)
 
     double shear_ratio = 0.3; ///< k_s/k_n of the contacts, >= 0
     double initial_spacing =
-      3.0; ///< edge of the cell at the start over radius count^(1/3), in [2.4, 10]; 3: 15.5 % solid
+      3.0; ///< mean edge of the cell at the start over radius count^(1/3), in [2.4, 10]; 3: 15.5 % solid
     double high_pressure = 0.1;  ///< first target, p 2r/k_n, in (low pressure, 0.5]; see below
     double low_pressure  = 1e-3; ///< second target, > 0; leaves overlaps of about 0.15 % of the diameter
 
@@ -46,6 +48,12 @@ namespace dem
 
     std::int64_t step_limit = 400000; ///< of both stages together, > 0; default: ten times what is usual
   };
+
+  /** What to expect for a coefficient of friction, by the table above. */
+  double expected_packing_fraction(double friction);
+
+  /** Spheres that fill a box in one periodic cell of its proportions, with a hundredth of its edges to spare. */
+  std::size_t count_to_fill(const Eigen::Vector3d &box, double radius, double friction);
 
   struct CompactionProgress
   {
@@ -84,7 +92,7 @@ namespace dem
   };
 
   /**
-   * Random packing of equal spheres in a cubic periodic cell by isotropic compaction (mesoscale specification 9.1).
+   * Random packing of equal spheres in a rectangular periodic cell by isotropic compaction (mesoscale specification 9.1).
    *
    * Spheres are placed at random in a loose cell, which then shrinks until the pressure of their contacts (linear springs with
    * Coulomb friction, Cundall and Strack, 1979, Geotechnique 29, 47) reaches the high target and is in equilibrium

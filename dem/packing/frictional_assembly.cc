@@ -58,7 +58,7 @@ namespace dem
   FrictionalAssembly::FrictionalAssembly(const Packing &start, const FrictionalAssemblyParameters &p)
     : parameters(p)
     , particles(start.size())
-    , cell_edge(start.periodic_cell->x())
+    , cell_edges(*start.periodic_cell)
     , place(record_size * particles, 0.0)
     , motion(record_size * particles, 0.0)
     , force(record_size * particles, 0.0)
@@ -104,8 +104,8 @@ namespace dem
       s *= parameters.time_step * parameters.time_step;
     const Pack scale = load(scale_of), damping(parameters.damping);
 
-    cell_edge *= 1 + strain;
-    const double back = searched_edge / cell_edge;
+    cell_edges *= 1 + strain;
+    const double back = searched_edge / cell_edges.x();
     largest_drift_2   = 0;
     for (std::size_t i = 0; i < particles; ++i)
       {
@@ -136,7 +136,7 @@ namespace dem
   /** Two spheres left out were at least diameter + skin apart; since then both may have drifted towards each other. */
   bool FrictionalAssembly::candidates_are_complete() const
   {
-    const double scale = cell_edge / searched_edge;
+    const double scale = cell_edges.x() / searched_edge;
     return scale * ((1 - tie) * (diameter + skin) - 2 * std::sqrt(largest_drift_2)) > diameter;
   }
 
@@ -147,9 +147,8 @@ namespace dem
     for (std::size_t i = 0; i < particles; ++i)
       for (int d = 0; d < 3; ++d)
         searched_at[3 * i + d] = centre[i][d] = place[record_size * i + d];
-    searched_edge     = cell_edge;
-    const auto cell   = Eigen::Vector3d::Constant(cell_edge);
-    const auto found  = find_pairs(centre, std::vector<double>(particles, 1.0), 1.0, skin, Eigen::Vector3d(cell));
+    searched_edge     = cell_edges.x();
+    const auto found  = find_pairs(centre, std::vector<double>(particles, 1.0), 1.0, skin, cell_edges);
     const auto filled = (found.size() + pack_size - 1) / pack_size * pack_size;
 
     const auto        old_first = std::move(first), old_second = std::move(second);
@@ -175,7 +174,7 @@ namespace dem
     for (int d = 0; d < 3; ++d)
       {
         shift[d].assign(filled, d == 0 ? far_away : 0.0);
-        branch[d].assign(filled, d == 0 ? far_away * cell_edge : 0.0);
+        branch[d].assign(filled, d == 0 ? far_away * cell_edges.x() : 0.0);
         slip[d].assign(filled, 0.0);
       }
     std::size_t old = 0;
@@ -189,10 +188,10 @@ namespace dem
         const bool known = old < old_candidates && old_pair(old) == pair;
         for (int d = 0; d < 3; ++d)
           {
-            shift[d][c] = pair.shift[d];
-            branch[d][c] =
-              known ? old_branch[d][old] : centre[pair.second][d] + cell_edge * pair.shift[d] - centre[pair.first][d];
-            slip[d][c] = known ? old_slip[d][old] : 0.0;
+            shift[d][c]  = pair.shift[d];
+            branch[d][c] = known ? old_branch[d][old] :
+                                   centre[pair.second][d] + cell_edges[d] * pair.shift[d] - centre[pair.first][d];
+            slip[d][c]   = known ? old_slip[d][old] : 0.0;
           }
       }
   }
@@ -203,6 +202,7 @@ namespace dem
     alignas(64) const double reaction_of[record_size] = {-1, -1, -1, 1, 1, 1, 1, 1};
     const Pack               reaction                 = load(reaction_of);
     const Pack friction(parameters.friction), shear_ratio(parameters.shear_ratio), half(0.5), one(1.0), zero(0.0);
+    const Pack edge[3] = {Pack(cell_edges[0]), Pack(cell_edges[1]), Pack(cell_edges[2])};
     Pack       virial(0.0), overlaps(0.0), forces(0.0), touching_count(0.0);
 
     for (std::size_t at = 0; at < first.size(); at += pack_size)
@@ -210,7 +210,9 @@ namespace dem
         const Gathered     j(place, &first[at]), k(place, &second[at]);
         const Vec<Pack, 3> before = load3(branch, at);
         PairMotion<Pack>   m;
-        m.branch            = k.vector(0) - j.vector(0) + Pack(cell_edge) * load3(shift, at);
+        const Vec<Pack, 3> image = load3(shift, at);
+        m.branch =
+          k.vector(0) - j.vector(0) + Vec<Pack, 3>{{edge[0] * image[0], edge[1] * image[1], edge[2] * image[2]}};
         const Pack distance = dot(m.branch, m.branch);
         const auto touching = distance < Pack(diameter * diameter);
         store3(m.branch, branch, at);
@@ -258,7 +260,10 @@ namespace dem
     contact_count        = static_cast<std::int64_t>(sum(touching_count));
   }
 
-  double FrictionalAssembly::pressure() const { return overlap_times_length / (3 * cell_edge * cell_edge * cell_edge); }
+  double FrictionalAssembly::pressure() const
+  {
+    return overlap_times_length / (3 * cell_edges[0] * cell_edges[1] * cell_edges[2]);
+  }
 
   AssemblyMeasures FrictionalAssembly::measures() const
   {
@@ -281,7 +286,7 @@ namespace dem
       for (int d = 0; d < 3; ++d)
         {
           const double x = place[record_size * i + d];
-          result[i][d]   = x - cell_edge * std::floor(x / cell_edge);
+          result[i][d]   = x - cell_edges[d] * std::floor(x / cell_edges[d]);
         }
     return result;
   }

@@ -27,7 +27,7 @@ namespace dem
   };
 
   /**
-   * Equal spheres in a cubic periodic cell, pushing at each other by linear springs with Coulomb friction (Cundall and Strack,
+   * Equal spheres in a rectangular periodic cell, pushing at each other by linear springs with Coulomb friction (Cundall and Strack,
    * 1979), advanced by leap-frog steps with local damping while the cell shrinks or grows alike in all directions.
    *
    * Everything is in the units radius = 1, normal stiffness k_n = 1, mass of a sphere = 1: such a packing depends on no other
@@ -37,7 +37,7 @@ namespace dem
   class FrictionalAssembly
   {
   public:
-    /** @param start equal spheres of radius 1 in a cubic cell, at rest */
+    /** @param start equal spheres of radius 1 in a periodic cell, at rest */
     FrictionalAssembly(const Packing &start, const FrictionalAssemblyParameters &parameters);
 
     /** Give a sphere a velocity [radius/sqrt(mass/k_n)] and a spin [1/sqrt(mass/k_n)], half a step before now. */
@@ -47,7 +47,7 @@ namespace dem
     /** One step, in which every length of the cell grows by the factor 1 + strain. */
     void step(double strain);
 
-    double           edge() const { return cell_edge; }
+    Eigen::Vector3d  edges() const { return cell_edges; }
     double           pressure() const;
     AssemblyMeasures measures() const;
     /** Centres brought into the cell. */
@@ -61,7 +61,7 @@ namespace dem
 
     FrictionalAssemblyParameters parameters;
     std::size_t                  particles;
-    double                       cell_edge;
+    Eigen::Vector3d              cell_edges;
 
     // Records of eight doubles (see dem/core/records.h), one per particle.
     Column place;  ///< centre, rotation vector of the last step, its Hughes-Winget factor, 0
@@ -75,8 +75,8 @@ namespace dem
     Column                    branch[3]; ///< at the last step
     Column                    slip[3];   ///< elastic tangential displacement, 0 unless touching
 
-    Column searched_at; ///< centres at the last search, x, y, z of each particle
-    double searched_edge   = 0;
+    Column searched_at;         ///< centres at the last search, x, y, z of each particle
+    double searched_edge   = 0; ///< the first of the cell's edges then: all have kept their proportions
     double largest_drift_2 = 0; ///< of any particle since the search, squared, in units of the cell at the search
 
     double       overlap_times_length = 0; ///< sum over contacts

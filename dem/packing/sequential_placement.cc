@@ -16,24 +16,34 @@ namespace dem
     class GrowingCells
     {
     public:
-      GrowingCells(const double cell_edge, const double diameter, const std::size_t spheres)
-        : edge(cell_edge)
+      GrowingCells(const Eigen::Vector3d &cell_edges, const double diameter, const std::size_t spheres)
+        : edges(cell_edges)
         , reach(diameter)
-        // at least as wide as the reach, no more cells than a few per sphere
-        , count(std::max(1, static_cast<int>(std::min(edge / reach, 2 * std::cbrt(static_cast<double>(spheres)) + 1))))
-        , newest(static_cast<std::size_t>(count) * count * count, none)
       {
+        // At least as wide as the reach, no more cells than a few per sphere.
+        const double width = std::max(reach, std::cbrt(edges.prod() / (8 * static_cast<double>(spheres) + 1)));
+        std::size_t  all   = 1;
+        for (int d = 0; d < 3; ++d)
+          {
+            count[d] = std::max(1, static_cast<int>(edges[d] / width));
+            all *= static_cast<std::size_t>(count[d]);
+          }
+        newest.assign(all, none);
       }
 
       bool is_free(const Eigen::Vector3d &x, const std::vector<Eigen::Vector3d> &placed) const
       {
         // With fewer than three cells a neighbour on both sides is the same one.
         const std::array<int, 3> home = cell_of(x);
-        const int                low  = count >= 3 ? -1 : 0;
-        const int                high = count >= 3 ? 1 : count - 1;
-        for (int dz = low; dz <= high; ++dz)
-          for (int dy = low; dy <= high; ++dy)
-            for (int dx = low; dx <= high; ++dx)
+        std::array<int, 3>       low, high;
+        for (int d = 0; d < 3; ++d)
+          {
+            low[d]  = count[d] >= 3 ? -1 : 0;
+            high[d] = count[d] >= 3 ? 1 : count[d] - 1;
+          }
+        for (int dz = low[2]; dz <= high[2]; ++dz)
+          for (int dy = low[1]; dy <= high[1]; ++dy)
+            for (int dx = low[0]; dx <= high[0]; ++dx)
               for (std::int64_t other = newest[number({{home[0] + dx, home[1] + dy, home[2] + dz}})]; other != none;
                    other              = before[other])
                 if (nearest_distance_squared(x, placed[other]) < reach * reach)
@@ -55,7 +65,7 @@ namespace dem
       {
         std::array<int, 3> cell;
         for (int d = 0; d < 3; ++d)
-          cell[d] = std::min(static_cast<int>(x[d] / edge * count), count - 1);
+          cell[d] = std::min(static_cast<int>(x[d] / edges[d] * count[d]), count[d] - 1);
         return cell;
       }
 
@@ -63,7 +73,7 @@ namespace dem
       {
         std::size_t n = 0;
         for (int d = 2; d >= 0; --d)
-          n = n * count + (cell[d] + count) % count;
+          n = n * static_cast<std::size_t>(count[d]) + static_cast<std::size_t>((cell[d] + count[d]) % count[d]);
         return n;
       }
 
@@ -72,28 +82,33 @@ namespace dem
         double sum = 0;
         for (int d = 0; d < 3; ++d)
           {
-            const double apart = std::abs(a[d] - b[d]), nearest = std::min(apart, edge - apart);
+            const double apart = std::abs(a[d] - b[d]), nearest = std::min(apart, edges[d] - apart);
             sum += nearest * nearest;
           }
         return sum;
       }
 
-      double                    edge, reach;
-      int                       count;
+      Eigen::Vector3d           edges;
+      double                    reach;
+      std::array<int, 3>        count;
       std::vector<std::int64_t> newest, before;
     };
   } // namespace
 
-  Packing place_sequentially(const std::size_t count, const double radius, const double edge, const std::uint64_t seed)
+  Packing place_sequentially(const std::size_t      count,
+                             const double           radius,
+                             const Eigen::Vector3d &edges,
+                             const std::uint64_t    seed)
   {
     constexpr int most_draws = 100000;
-    if (!(edge >= 2 * radius))
+    if (!(edges.minCoeff() >= 2 * radius))
       throw InputError("random placement: a sphere of diameter " + std::to_string(2 * radius) +
-                       " m overlaps its own image in a periodic cell of edge " + std::to_string(edge) + " m.");
+                       " m overlaps its own image in a periodic cell of edge " + std::to_string(edges.minCoeff()) +
+                       " m.");
     UniformRandom random(seed);
-    GrowingCells  cells(edge, 2 * radius, count);
+    GrowingCells  cells(edges, 2 * radius, count);
     Packing       packing;
-    packing.periodic_cell = Eigen::Vector3d::Constant(edge);
+    packing.periodic_cell = edges;
     packing.radius.assign(count, radius);
     packing.centre.reserve(count);
     while (packing.centre.size() < count)
@@ -107,11 +122,11 @@ namespace dem
                 std::ostringstream text;
                 text << "random placement: sphere " << packing.centre.size() + 1 << " of " << count
                      << " found no free place in " << most_draws
-                     << " draws. Place them in a larger cell (edge = " << edge << " m).";
+                     << " draws. Place them in a larger cell (its edges are " << edges.transpose() << " m).";
                 throw InputError(text.str());
               }
             for (int d = 0; d < 3; ++d)
-              x[d] = edge * random();
+              x[d] = edges[d] * random();
           }
         while (!cells.is_free(x, packing.centre));
         cells.add(x);

@@ -8,12 +8,12 @@
 namespace dem
 {
   /**
-   * Random sequential placement: equal spheres one after the other at uniformly random places of a cubic periodic cell, each
+   * Random sequential placement: equal spheres one after the other at uniformly random places of a periodic cell, each
    * drawn again until it overlaps none before it. Beyond a packing fraction of about 0.38 there is no place left (Talbot,
    * Schaaf, Tarjus, 1991, Mol. Phys. 72, 1397); 0.31 takes some tens of draws per sphere.
    *
-   * @param edge of the cell [m]
+   * @param edges of the cell [m]
    * @throws InputError if a sphere finds no place in 100000 draws, or is larger than the cell.
    */
-  Packing place_sequentially(std::size_t count, double radius, double edge, std::uint64_t seed);
+  Packing place_sequentially(std::size_t count, double radius, const Eigen::Vector3d &edges, std::uint64_t seed);
 } // namespace dem

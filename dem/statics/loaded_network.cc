@@ -41,7 +41,7 @@ namespace dem
               if (grips.spin_blocked)
                 loaded.held[i] |= bit(3 + c);
             }
-          loaded.carried[i](grips.axis, 0) = half * grips.layers.length;
+          loaded.carried[i](grips.axis, 0) = half * grips.layers.distance;
         }
     }
   } // namespace
@@ -81,11 +81,11 @@ namespace dem
       throw InputError("Axis = " + std::to_string(grips.axis) + ": must be one of the specimen's directions.");
     if (grips.layers.low.empty() || grips.layers.high.empty())
       throw InputError("grips: one of them holds no particle.");
-    if (!(grips.layers.length > 0 && grips.layers.section > 0) ||
-        !std::isfinite(grips.layers.length * grips.layers.section))
+    if (!(grips.layers.distance > 0 && grips.layers.section > 0) ||
+        !std::isfinite(grips.layers.distance * grips.layers.section))
       throw InputError("grips: the length between them and the section must be above 0.");
     LoadedNetwork loaded;
-    loaded.volume = grips.layers.length * grips.layers.section;
+    loaded.volume = grips.layers.distance * grips.layers.section;
     loaded.held   = missing_motions(network);
     loaded.carried.assign(network.particles(), LoadSlip::Zero());
     loaded.network = std::move(network);

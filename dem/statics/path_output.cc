@@ -1,31 +1,48 @@
 #include "dem/statics/path_output.h"
 
-#include <cmath>
+#include "dem/measures/bulk_volume.h"
+
+#include <numeric>
 
 namespace dem
 {
   namespace
   {
-    std::vector<Eigen::Vector3d> displacements(const LoadedNetwork &loaded, const LoadedMotion &motion)
+    /** Shares of the volume, voids included, of the cell or of the body [m^3]. */
+    std::vector<double>
+    volumes(const ElasticNetwork &network, const std::vector<double> &radius, const ParticleShape &shape)
     {
-      std::vector<Eigen::Vector3d> u(loaded.network.particles());
-      for (std::size_t i = 0; i < u.size(); ++i)
-        u[i] = motion.particles.col(static_cast<Eigen::Index>(i)).head<3>() + loaded.carried[i] * motion.loads;
-      return u;
+      std::vector<double> solid;
+      for (const double r : radius)
+        solid.push_back(shape.volume(r));
+      const double total = std::accumulate(solid.begin(), solid.end(), 0.0);
+      const double bulk  = network.periodic() ?
+                             network.volume / total :
+                             bulk_over_solid(network.centre, radius, solid, shape.dimension, shape.thickness);
+      for (double &v : solid)
+        v *= bulk;
+      return solid;
     }
   } // namespace
 
-  ParticleOutput
-  particles_of(const LoadedNetwork &loaded, const QuasiStaticPath &path, const std::vector<double> &radius)
+  std::vector<Eigen::Vector3d> displacements_of(const LoadedNetwork &loaded, const LoadedMotion &motion)
+  {
+    std::vector<Eigen::Vector3d> u(loaded.network.particles());
+    for (std::size_t i = 0; i < u.size(); ++i)
+      u[i] = motion.particles.col(static_cast<Eigen::Index>(i)).head<3>() + loaded.carried[i] * motion.loads;
+    return u;
+  }
+
+  ParticleOutput particles_of(const LoadedNetwork       &loaded,
+                              const QuasiStaticPath     &path,
+                              const std::vector<double> &radius,
+                              const ParticleShape       &shape)
   {
     const ElasticNetwork &network = loaded.network;
     const DamagingLinks  &links   = path.links();
     const std::size_t     n       = network.particles();
-    double                cubes   = 0;
-    for (const double r : radius)
-      cubes += r * r * r;
-    ParticleOutput out;
-    out.displacement = displacements(loaded, path.motion());
+    ParticleOutput        out;
+    out.displacement = displacements_of(loaded, path.motion());
     out.position     = network.centre;
     for (std::size_t i = 0; i < n; ++i)
       out.position[i] += out.displacement[i];
@@ -35,7 +52,12 @@ namespace dem
     out.material         = network.material;
     out.damage.assign(n, 0.0);
     out.broken_links.assign(n, 0);
+    out.held.assign(n, 0);
+    if (!network.periodic())
+      for (std::size_t i = 0; i < n; ++i)
+        out.held[i] = !loaded.carried[i].isZero(0);
     out.stress.assign(n, Eigen::Matrix3d::Zero());
+    out.volume = volumes(network, radius, shape);
     std::vector<int> ends(n, 0);
     for (std::size_t l = 0; l < links.size(); ++l)
       {
@@ -47,7 +69,7 @@ namespace dem
             ++ends[i];
             out.damage[i] += links.damage_of(l);
             out.broken_links[i] += links.is_exhausted(l);
-            out.stress[i] += arm * moment * cubes / (loaded.volume * std::pow(radius[i], 3));
+            out.stress[i] += arm * moment / out.volume[i];
           }
       }
     for (std::size_t i = 0; i < n; ++i)
@@ -59,7 +81,7 @@ namespace dem
   LinkOutput links_of(const LoadedNetwork &loaded, const QuasiStaticPath &path)
   {
     const DamagingLinks               &links = path.links();
-    const std::vector<Eigen::Vector3d> u     = displacements(loaded, path.motion());
+    const std::vector<Eigen::Vector3d> u     = displacements_of(loaded, path.motion());
     LinkOutput                         out;
     for (std::size_t l = 0; l < links.size(); ++l)
       {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "dem/particles.h"
 #include "dem/specimen.h"
 #include "dem/statics/quasi_static_path.h"
 
@@ -7,14 +8,19 @@
 
 namespace dem
 {
+  /** Displacement of each particle of a loaded network [m]. */
+  std::vector<Eigen::Vector3d> displacements_of(const LoadedNetwork &loaded, const LoadedMotion &motion);
+
   /**
    * A point of a quasi-static path as observers of a Specimen see it: nothing moves (velocities are zero), stresses refer to the
-   * particle's share of the loaded volume by its own, exhausted links count as broken.
+   * particle's share of the volume by its own, exhausted links count as broken.
    *
    * @param radius of each particle [m]
    */
-  ParticleOutput
-  particles_of(const LoadedNetwork &loaded, const QuasiStaticPath &path, const std::vector<double> &radius);
+  ParticleOutput particles_of(const LoadedNetwork       &loaded,
+                              const QuasiStaticPath     &path,
+                              const std::vector<double> &radius,
+                              const ParticleShape       &shape);
 
   /** The links of the same. */
   LinkOutput links_of(const LoadedNetwork &loaded, const QuasiStaticPath &path);

@@ -86,7 +86,7 @@ TEST_CASE("Rules between entries are refused with the place of the entry", "[app
           "\"Specimen/Thickness\" [m] is not set and has no default");
   refused("set Relative ductility   = 30", "set Relative ductility = 0.5\n    set Damage law = linear",
           "Relative ductility = 0.5");
-  refused("Grip thickness = 1.5e-3", "Grip thickness = 1", "Loading/Grip thickness = 1");
+  refused("Grip thickness = 0.5e-3", "Grip thickness = 1", "Loading/Grip thickness = 1");
   refused("Strain rate = 4", "Strain rate = 4e-12", "Loading, tension: strain 0.001 at 4e-12 1/s would take");
 }
 

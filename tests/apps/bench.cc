@@ -20,7 +20,7 @@ namespace
     std::string scene = replaced(scene_with_file(), "Source            = file",
                                  "Source = generator\n  set Box size = 0.014, 0.014, 0.02");
     scene             = replaced(scene, "  set File              = packing.txt\n", "");
-    scene             = replaced(scene, "set Grip thickness = 1.5e-3", "set Grip thickness = 2.2e-3");
+    scene             = replaced(scene, "set Grip thickness = 0.5e-3", "set Grip thickness = 2.2e-3");
     return scene + "subsection Specimen\n  subsection Generator\n    set Particle radius = 1e-3\n    set Cell "
                    "particles = 200\n  end\nend\n";
   }

@@ -51,9 +51,11 @@ TEST_CASE("A run writes summary, series, curve, snapshots and the completed scen
   CHECK(summary["asked"]["overrides"][0] == "Output/Samples=60");
   CHECK_THAT(summary["version"].get<std::string>(), Catch::StartsWith("0."));
 
-  const postprocess::CsvTable series = postprocess::read_csv_table(folder / "results/series.csv");
+  const postprocess::CsvTable series = postprocess::read_csv_table(folder / "results/series.csv", false, {"test"});
   const double largest = *std::max_element(series.column("stress").begin(), series.column("stress").end());
-  CHECK(largest == summary["figures"]["tensile_strength"]["value"].get<double>());
+  // The strength is that of all steps, of which the rows are a few.
+  CHECK(summary["figures"]["tensile_strength"]["value"].get<double>() == Approx(largest).epsilon(0.02));
+  CHECK(summary["figures"]["tensile_strength"]["value"].get<double>() >= largest);
   for (const char *column :
        {"test", "time", "strain", "mean_damage", "broken_links", "contacts", "energy_external_work", "energy_kinetic",
         "energy_elastic", "energy_damage", "energy_friction", "energy_damping"})
@@ -70,7 +72,7 @@ TEST_CASE("The completed scene, the scene in JSON and any number of threads give
     "Specimen": {"Source": "file", "File": "packing.txt", "Density": 4800, "Interaction ratio": 1.5},
     "Material": {"Law": "CPM", "CPM": {"Normal modulus": 25e9, "Shear ratio": 0.2, "Limit elastic strain": 1e-4,
                  "Relative ductility": "30", "Cohesion": 3e6, "Friction coefficient": 0.8}},
-    "Loading": {"Grip thickness": 1.5e-3, "Tension": {"Strain rate": 4}, "Compression": {"Strain rate": 20}},
+    "Loading": {"Grip thickness": 0.5e-3, "Tension": {"Strain rate": 4}, "Compression": {"Strain rate": 20}},
     "Output": {"Samples": 50, "Snapshots": 5}})");
   REQUIRE(run(folder.path(), {"run", "x.prm", "-o", "first", "--threads", "1"}).status == 0);
   REQUIRE(run(folder.path(), {"run", "first/scene.prm", "-o", "second", "--threads", "2"}).status == 0);
@@ -92,7 +94,7 @@ TEST_CASE("Two particles give the curve of their one link, in closed form", "[ap
   // Pulled along its axis, the pair is one link of section pi r^2 and length 2 r, whose stress follows the envelope of
   // the law (mesoscale specification 3.3) until it is deleted with 1e-4 of its strength. The specimen's section,
   // a polygon for its circle, is approximate: the shape of the curve is compared, and energies in absolute value.
-  const postprocess::CsvTable series = postprocess::read_csv_table(folder / "results/series.csv");
+  const postprocess::CsvTable series = postprocess::read_csv_table(folder / "results/series.csv", false, {"test"});
   const auto                 &strain = series.column("strain"), &stress = series.column("stress");
   const double                E = 25e9, onset = 1e-4, softening = 30e-4, left_at_deletion = 1e-4;
   const auto                  envelope = [&](const double e) {
@@ -122,12 +124,12 @@ TEST_CASE("A chain of three radii stores the energy of its links in series", "[a
   folder.file("x.prm", scene_with_file());
   REQUIRE(run(folder.path(), {"run", "x.prm", "-o", "results", "-s", "Loading/Tests=tension", "-s",
                               "Specimen/Interaction ratio=1.05", "-s", "Loading/Tension/Strain rate=0.05", "-s",
-                              "Loading/Tension/Stop strain=5e-5", "-s", "Loading/Grip thickness=2.1e-3"})
+                              "Loading/Tension/Stop strain=5e-5", "-s", "Loading/Grip thickness=0.1e-3"})
             .status == 0);
   // Two springs E A/L in series, A = pi min(r)^2 (mesoscale specification 1.1): lengths 3.5 and 2.5 mm, radii 1.5 and
   // 1 mm.
   const double                compliance = (3.5e-3 / (pi * 2.25e-6) + 2.5e-3 / (pi * 1e-6)) / 25e9;
-  const postprocess::CsvTable series     = postprocess::read_csv_table(folder / "results/series.csv");
+  const postprocess::CsvTable series     = postprocess::read_csv_table(folder / "results/series.csv", false, {"test"});
   const double                stretch    = series.column("strain").back() * 6e-3;
   CHECK(series.column("links").back() == 2);
   // The middle sphere's vibration from the start has been damped; 1e-6 of the energy is what a slow pull still leaves.

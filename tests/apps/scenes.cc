@@ -43,7 +43,7 @@ subsection Material
   end
 end
 subsection Loading
-  set Grip thickness = 1.5e-3
+  set Grip thickness = 0.5e-3
   subsection Tension
     set Strain rate = 4
   end

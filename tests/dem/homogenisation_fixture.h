@@ -59,7 +59,8 @@ namespace homogenisation_fixture
   /** Spheres dropped at random, 33 % solid: with links up to 1.6 diameters a rough but well connected network. */
   inline dem::Packing random_spheres(const std::size_t count, const std::uint64_t seed)
   {
-    return dem::place_sequentially(count, 1.0, std::cbrt(static_cast<double>(count) * 4.0 / 3 * M_PI / 0.33), seed);
+    return dem::place_sequentially(
+      count, 1.0, Eigen::Vector3d::Constant(std::cbrt(static_cast<double>(count) * 4.0 / 3 * M_PI / 0.33)), seed);
   }
 
   /** Rotation of a strain with engineering shears by the rotation R, as a matrix; from the tensor, entry by entry. */

@@ -23,17 +23,30 @@ TEST_CASE("randomly placed spheres do not overlap, not even across the cell", "[
     for (const std::size_t count : {1, 5, 27, 1000})
       {
         const double       edge    = 0.01 * spacing * std::cbrt(static_cast<double>(count));
-        const dem::Packing packing = dem::place_sequentially(count, 0.01, edge, 3);
+        const dem::Packing packing = dem::place_sequentially(count, 0.01, Eigen::Vector3d::Constant(edge), 3);
         REQUIRE(packing.size() == count);
         REQUIRE(dem::find_pairs(packing.centre, packing.radius, 1.0, 0.0, packing.periodic_cell).empty());
       }
+}
+
+TEST_CASE("randomly placed spheres fill a cell of three different edges without overlap", "[dem][packing]")
+{
+  const Eigen::Vector3d edges(0.1, 0.03, 0.4);
+  const dem::Packing    packing = dem::place_sequentially(600, 5e-3, edges, 5);
+  REQUIRE(*packing.periodic_cell == edges);
+  REQUIRE(dem::find_pairs(packing.centre, packing.radius, 1.0, 0.0, packing.periodic_cell).empty());
+  Eigen::Vector3d largest = Eigen::Vector3d::Zero();
+  for (const auto &x : packing.centre)
+    largest = largest.cwiseMax(x);
+  for (int d = 0; d < 3; ++d)
+    REQUIRE(largest[d] == Approx(edges[d]).epsilon(0.05));
 }
 
 TEST_CASE("random places are uniform over the cell", "[dem][packing]")
 {
   // 4000 spheres so small that they hardly exclude each other, counted in 8 slices along each axis: chi squared of 7
   // degrees of freedom exceeds 24.3 once in a thousand draws; the seed is fixed.
-  const dem::Packing packing = dem::place_sequentially(4000, 0.001, 1.0, 11);
+  const dem::Packing packing = dem::place_sequentially(4000, 0.001, Eigen::Vector3d::Ones(), 11);
   for (int d = 0; d < 3; ++d)
     {
       double count[8] = {};
@@ -49,8 +62,9 @@ TEST_CASE("random places are uniform over the cell", "[dem][packing]")
 TEST_CASE("a cell without room is refused", "[dem][packing]")
 {
   using Catch::Contains;
-  REQUIRE_THROWS_WITH(dem::place_sequentially(1, 1.0, 1.9, 1), Contains("own image"));
+  REQUIRE_THROWS_WITH(dem::place_sequentially(1, 1.0, Eigen::Vector3d(1.9, 9, 9), 1), Contains("own image"));
   // 0.45 of the volume: beyond what random placement can ever fill.
-  REQUIRE_THROWS_WITH(dem::place_sequentially(100, 1.0, std::cbrt(100 * 4.19 / 0.45), 1), Contains("no free place"));
-  REQUIRE_THROWS_AS(dem::place_sequentially(100, 1.0, 5.0, 1), dem::InputError);
+  REQUIRE_THROWS_WITH(dem::place_sequentially(100, 1.0, Eigen::Vector3d::Constant(std::cbrt(100 * 4.19 / 0.45)), 1),
+                      Contains("no free place"));
+  REQUIRE_THROWS_AS(dem::place_sequentially(100, 1.0, Eigen::Vector3d::Constant(5.0), 1), dem::InputError);
 }

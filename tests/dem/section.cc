@@ -1,5 +1,8 @@
 #include "dem/loading/section.h"
 
+#include "clusters.h"
+#include "dem/core/uniform_random.h"
+
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -11,78 +14,56 @@ namespace
 {
   const double r = 1e-3;
 
-  /** Columns of touching spheres along an axis: n spheres high, feet at the given places across (axis + 1, axis + 2). */
-  std::vector<Vector3d> columns(const int axis, const int n, const std::vector<Eigen::Vector2d> &feet)
+  double section_of(const dem::Packing &packing, const int axis)
   {
-    std::vector<Vector3d> centre;
-    for (const auto &foot : feet)
-      for (int k = 0; k < n; ++k)
-        {
-          Vector3d x;
-          x[axis]           = 2 * r * k;
-          x[(axis + 1) % 3] = foot[0];
-          x[(axis + 2) % 3] = foot[1];
-          centre.push_back(x);
-        }
-    return centre;
+    return dem::nominal_section({packing.centre, packing.radius}, axis);
+  }
+
+  /** Centres at random in a cylinder of 50 mm across and 100 mm high along an axis, spheres wholly inside. */
+  dem::Packing cylinder(const int axis)
+  {
+    dem::UniformRandom random(7);
+    dem::Packing       packing;
+    while (packing.size() < 20000)
+      {
+        const double   reach = 25e-3 - r;
+        const Vector3d x(reach * (2 * random() - 1), reach * (2 * random() - 1), 100e-3 * random());
+        if (x.head<2>().norm() > reach)
+          continue;
+        Vector3d turned;
+        for (int c = 0; c < 3; ++c)
+          turned[(axis + 1 + c) % 3] = x[c];
+        packing.centre.push_back(turned);
+        packing.radius.push_back(r);
+      }
+    return packing;
   }
 } // namespace
 
-namespace
+TEST_CASE("nominal section of a box is its edges' product, radii included, along each axis", "[dem]")
 {
-  /** Area of the polygon with 24 corners on a circle that stands for it; its corners on the axes are those of the circle. */
-  double polygon(const double radius) { return 12 * std::sin(2 * M_PI / 24) * radius * radius; }
-} // namespace
+  const dem::Packing box = cluster::cubic_lattice(5, 4, 3, r);
+  CHECK(section_of(box, 0) == Approx(8 * 6 * r * r).epsilon(1e-12));
+  CHECK(section_of(box, 1) == Approx(10 * 6 * r * r).epsilon(1e-12));
+  CHECK(section_of(box, 2) == Approx(10 * 8 * r * r).epsilon(1e-12));
+}
 
-TEST_CASE("section of a sphere is its full circle", "[dem]")
+TEST_CASE("nominal section of a cylinder is its circle, not the square around it", "[dem]")
 {
   for (const int axis : {0, 1, 2})
     {
-      const double found = dem::smallest_section({Vector3d::Zero()}, {r}, axis, -0.6 * r, 0.6 * r);
-      CHECK(found == Approx(polygon(r)).epsilon(1e-12));
-      CHECK(found == Approx(M_PI * r * r).epsilon(0.0115)); // what a polygon of 24 corners lacks
+      const dem::Packing body = cylinder(axis);
+      CHECK(section_of(body, axis) == Approx(M_PI * 25e-3 * 25e-3).epsilon(2e-3)); // its outermost spheres touch it
+      CHECK(section_of(body, (axis + 1) % 3) == Approx(50e-3 * 100e-3).epsilon(0.03));
     }
 }
 
-TEST_CASE("section of a rectangle of columns is the hull of their circles", "[dem]")
+TEST_CASE("nominal section of one sphere is its circle, and of discs their extent times the thickness", "[dem]")
 {
-  // Hull of equal circles: area of the centres' hull + its perimeter r + one circle, the voids inside counted.
-  const double                       a = 7 * r, b = 4 * r;
-  const std::vector<Eigen::Vector2d> feet = {{0, 0}, {a, 0}, {a, b}, {0, b}, {0.4 * a, 0.3 * b}};
-  for (const int axis : {0, 1, 2})
-    {
-      const auto                centre = columns(axis, 3, feet);
-      const std::vector<double> radius(centre.size(), r);
-      CHECK(dem::smallest_section(centre, radius, axis, -0.3 * r, 4.3 * r) ==
-            Approx(a * b + 2 * (a + b) * r + polygon(r)).epsilon(1e-12));
-    }
-}
-
-TEST_CASE("section finds the waist of a body", "[dem]")
-{
-  // A wide foot, a single column, a wide head: the section is that of the column.
-  std::vector<Vector3d> centre = columns(2, 11, {{0, 0}});
-  for (const double z : {0.0, 20 * r})
-    for (const double x : {-4 * r, 4 * r})
-      centre.push_back({x, x, z});
-  const std::vector<double> radius(centre.size(), r);
-  CHECK(dem::smallest_section(centre, radius, 2, 0, 20 * r) == Approx(polygon(r)).epsilon(1e-12));
-  CHECK(dem::smallest_section(centre, radius, 2, -0.5 * r, 0.5 * r) > 16 * r * r);
-}
-
-TEST_CASE("section of discs is their extent times the thickness", "[dem]")
-{
+  CHECK(section_of(cluster::cubic_lattice(1, 1, 1, r), 2) == Approx(M_PI * r * r).epsilon(1e-12));
   const double                t      = 3e-3;
   const std::vector<Vector3d> centre = {{0, 0, 0}, {5 * r, 0, 0}, {0, 9 * r, 0}};
   const std::vector<double>   radius = {r, 2 * r, 3 * r};
-  CHECK(dem::smallest_plane_section(centre, radius, 1, -0.5 * r, 0.5 * r, t) == Approx(8 * r * t).epsilon(1e-12));
-  CHECK(dem::smallest_plane_section(centre, radius, 0, 4 * r, 6 * r, t) == Approx(4 * r * t).epsilon(1e-12));
-}
-
-TEST_CASE("section between particles that no plane meets is infinite", "[dem]")
-{
-  const std::vector<Vector3d> centre = {{0, 0, 0}, {0, 0, 10 * r}};
-  CHECK(std::isinf(dem::smallest_section(centre, {r, r}, 2, 2 * r, 8 * r)));
-  CHECK(dem::smallest_section(centre, {r, r}, 2, 0, 10 * r) ==
-        Approx(polygon(r)).epsilon(1e-12)); // planes in the gap do not count
+  CHECK(dem::nominal_section({centre, radius, 2, t}, 1) == Approx(10 * r * t).epsilon(1e-12)); // x from -3 r to 7 r
+  CHECK(dem::nominal_section({centre, radius, 2, t}, 0) == Approx(14 * r * t).epsilon(1e-12)); // y from -2 r to 12 r
 }

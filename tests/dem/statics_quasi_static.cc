@@ -84,6 +84,13 @@ namespace
     return dem::load_cell(network_of(millimetres(random_spheres(64, 3)), 1.6, law), 0, lateral_free);
   }
 
+  dem::GripLayers cluster_grips(const dem::Packing &packing, const int axis, const double thickness)
+  {
+    dem::GripParameters p;
+    p.thickness = thickness;
+    return dem::find_grip_layers({packing.centre, packing.radius}, axis, p);
+  }
+
   /** A row of touching spheres of 1 mm along x, gripped at its ends. */
   dem::LoadedNetwork row(const int spheres, const dem::CpmParameters &law)
   {
@@ -93,7 +100,7 @@ namespace
     packing.radius.assign(spheres, 1e-3);
     dem::GripPair grips;
     grips.axis   = 0;
-    grips.layers = dem::find_grip_layers({packing.centre, packing.radius}, 0, 1.1e-3);
+    grips.layers = cluster_grips(packing, 0, 1.1e-3);
     return dem::load_grips(network_of(packing, 1.05, law), grips);
   }
 
@@ -104,7 +111,7 @@ namespace
     packing.periodic_cell.reset();
     dem::GripPair grips;
     grips.lateral_blocked = grips.spin_blocked = rough;
-    grips.layers                               = dem::find_grip_layers({packing.centre, packing.radius}, 2, 2.5e-3);
+    grips.layers                               = cluster_grips(packing, 2, 1.5e-3);
     return dem::load_grips(network_of(packing, 1.6, law), grips);
   }
 } // namespace
@@ -438,8 +445,8 @@ TEST_CASE("quasi-static path: what cannot be followed is refused", "[dem][static
   grips.axis           = 0;
   grips.layers.low     = {0};
   grips.layers.high    = {0};
-  grips.layers.length  = 1;
-  grips.layers.section = 1;
+  grips.layers.distance = 1;
+  grips.layers.section  = 1;
   CHECK_THROWS_WITH(dem::load_grips(loaded.network, grips), Catch::Contains("particle 1"));
 }
 

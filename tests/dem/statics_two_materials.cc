@@ -28,7 +28,9 @@ namespace
     packing.material     = material;
     dem::GripPair grips;
     grips.axis   = 0;
-    grips.layers = dem::find_grip_layers({packing.centre, packing.radius}, 0, 1.1 * r);
+    dem::GripParameters ends;
+    ends.thickness = 0.1 * r;
+    grips.layers   = dem::find_grip_layers({packing.centre, packing.radius}, 0, ends);
     return dem::load_grips(dem::make_network(packing, linked(), materials), grips);
   }
 

@@ -251,10 +251,9 @@ TEST_CASE("energy of a specimen of two materials balances while it damages, slid
       p.damping                                       = 0.3;
       dem::Specimen           body(cluster::mixed(cluster::cubic_lattice(4, 4, 8, r), 51), p, materials);
       dem::UniaxialParameters pull;
-      pull.strain_rate    = 2;
-      pull.grip_thickness = 1.5 * r;
-      pull.stop_fraction  = 0.2;
-      pull.stop_strain    = 5e-3;
+      pull.strain_rate     = 2;
+      pull.grips.thickness = 0.5 * r;
+      pull.stop_strain     = 5e-3;
       dem::UniaxialTest test(body, pull);
       double            before = 0;
       for (int i = 0; i < 40; ++i)

@@ -137,8 +137,7 @@ TEST_CASE("uniaxial test resumed past the peak draws the same curve (S13)", "[st
   p.damping = 0.3;
   dem::UniaxialParameters loading;
   loading.strain_rate        = 4;
-  loading.grip_thickness     = 1.5e-3;
-  loading.stop_fraction      = 0.2;
+  loading.grips.thickness    = 0.5e-3;
   loading.stop_strain        = 5e-3;
   const dem::Packing packing = cluster::cubic_lattice(4, 4, 6, 1e-3);
   const auto         lead    = [](dem::UniaxialTest &test, const int samples) {

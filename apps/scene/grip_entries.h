@@ -1,0 +1,28 @@
+#pragma once
+
+#include "apps/scene/section.h"
+#include "dem/loading/grip_layers.h"
+
+#include <functional>
+#include <string>
+
+namespace apps
+{
+  /** Entries of a loading section that say what grips hold, and what stress and strain refer to; the same in every kind of scene. */
+  struct GripEntries
+  {
+    double      thickness = 0;
+    std::string area      = "nominal";
+    dem::Gauge  gauge     = dem::Gauge::inner_faces;
+    double      low_plane = 0, high_plane = 0;
+
+    /** @param gripped whether there are grips at all, @param words the same in words; both may be left out: always. */
+    void declare(Section &loading, const std::function<bool()> &gripped = {}, const std::string &words = "");
+    /** @throws dem::InputError naming the entry */
+    void                validate(const Section &loading) const;
+    dem::GripParameters parameters() const;
+  };
+
+  /** Section and gauge length in words, for the terminal. */
+  std::string text_of(const dem::GripLayers &layers, const dem::GripParameters &asked);
+} // namespace apps
