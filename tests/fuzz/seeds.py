@@ -25,7 +25,7 @@ UNIAXIAL = f"""set Kind = uniaxial
 {SPECIMEN}subsection Material
 {CPM}end
 subsection Loading
-  set Grip thickness = 1.5e-3
+  set Grip thickness = 0.5e-3
   subsection Tension
     set Strain rate = 20
   end
@@ -73,7 +73,7 @@ subsection Material
 {CPM}end
 subsection Loading
   set Tests          = tension
-  set Grip thickness = 1.5e-3
+  set Grip thickness = 0.5e-3
   subsection Tension
     set Strain step   = 2e-5
     set Stop fraction = 0.7
@@ -248,7 +248,7 @@ subsection Particles
 {CPM}  end
   subsection Uniaxial
     set Strain rate    = 100
-    set Grip thickness = 1.5e-3
+    set Grip thickness = 0.5e-3
     set Instants       = -4e-4, -1.5e-3
     set End strain     = 0
   end
