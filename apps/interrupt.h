@@ -1,10 +1,35 @@
 #pragma once
 
+#include <string>
+
 namespace apps
 {
-  /** From here on the first SIGINT or SIGTERM only raises the flag below; a second one ends the program at once. */
+  /**
+   * From here on the first SIGINT or SIGTERM raises the flag below, and a second one ends the program at once.
+   *
+   * Whoever works long asks for the flag often, saves what is worth saving and leaves. Work that cannot ask (a
+   * factorisation, a large file) is left within four seconds all the same: a thread of its own then says the last words and
+   * ends the program with exit_interrupted. Files that appear complete or not at all make that safe. A second call does
+   * nothing.
+   */
   void catch_interrupts();
 
   /** Somebody wants the program to stop: save what is worth saving and leave. */
   bool interrupted();
+
+  /**
+   * What the program says when it has to leave in the middle of work that cannot be stopped: what is saved, and how to go
+   * on. "" for nothing but the interruption, e.g. on all ranks but the first.
+   */
+  void set_last_words(const std::string &words);
+
+  /** As long as this object lives, an interrupt is being answered (the state is saved): the program is not left before. */
+  class AnsweringInterrupt
+  {
+  public:
+    AnsweringInterrupt();
+    ~AnsweringInterrupt();
+    AnsweringInterrupt(const AnsweringInterrupt &)            = delete;
+    AnsweringInterrupt &operator=(const AnsweringInterrupt &) = delete;
+  };
 } // namespace apps

@@ -3,6 +3,7 @@
 #include "apps/commands/command.h"
 #include "apps/exit_status.h"
 #include "apps/mpi_session.h"
+#include "apps/progress.h"
 #include "apps/scene/nearest_name.h"
 #include "apps/version.h"
 #include "dem/core/errors.h"
@@ -45,10 +46,11 @@ namespace apps
       return status;
     }
 
-    int perform(const Action &action)
+    int perform(const Action &action, const std::string &command)
     {
       try
         {
+          const Progress working(command, Progress::Shown::in_logs); // speaks where no part of the work does
           return action();
         }
       catch (const dem::InputError &error)
@@ -101,7 +103,7 @@ namespace apps
           return program.exit(error);
         return refuse_command_line(program, error, argc > 1 ? argv[1] : nullptr);
       }
-    const int status = perform(chosen);
+    const int status = perform(chosen, program.get_subcommands().front()->get_name());
     finish_mpi();
     return status;
   }

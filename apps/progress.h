@@ -8,13 +8,25 @@ namespace apps
   /**
    * Tells how far a long piece of work is: on a terminal one line that updates itself, otherwise one line a minute.
    *
-   * Written to the standard error, so that the standard output holds results only.
+   * Work that says nothing for long (a factorisation, the search for links) is spoken for by a thread of its own, so that
+   * the lines come in any case. One piece of work may be part of another: the innermost is shown. Written to the standard
+   * error, so that the standard output holds results only.
    */
   class Progress
   {
   public:
-    /** @param title what is being done, e.g. "tension". */
-    explicit Progress(std::string title);
+    using Clock = std::chrono::steady_clock;
+
+    enum class Shown
+    {
+      everywhere,
+      in_logs ///< not on a terminal: work whose parts tell more, or that prints
+    };
+
+    /** @param title what is being done, e.g. "tension". @param log_interval from line to line, if not on a terminal. */
+    explicit Progress(std::string     title,
+                      Shown           shown        = Shown::everywhere,
+                      Clock::duration log_interval = std::chrono::minutes(1));
     ~Progress();
     Progress(const Progress &)            = delete;
     Progress &operator=(const Progress &) = delete;
@@ -33,13 +45,19 @@ namespace apps
     void clear();
 
   private:
-    bool is_due();
-    void show(const std::string &text);
+    friend class ProgressBoard;
 
-    using Clock = std::chrono::steady_clock;
+    bool is_due() const;
+    void show(const std::string &text);
+    void speak_up(); ///< nobody has said anything for long
+
     std::string       title;
     bool              terminal;
+    Clock::duration   interval;
     double            done_at_start = -1; ///< a resumed run starts late
+    std::string       last_text;
+    bool              cleared = true; ///< nothing stands on the terminal
+    bool              silent;         ///< never speaks
     Clock::time_point start, last_shown;
   };
 

@@ -14,7 +14,7 @@ namespace postprocess
   {
     constexpr const char  *format_name    = "breccia checkpoint";
     constexpr std::int64_t format_version = 1;
-    constexpr const char  *remedy         = " Start the run afresh.";
+    constexpr const char  *remedy         = " Start the run afresh with --restart.";
 
     /** The first line in which two texts differ, for a message. */
     std::string first_difference(const std::string &stored, const std::string &present)
@@ -115,6 +115,11 @@ namespace postprocess
     self->file.commit();
   }
 
+  void CheckpointWriter::text(const std::string &name, const std::string &value)
+  {
+    self->file.write_text(name, value);
+  }
+
   // --- Reading ---
 
   struct CheckpointReader::Implementation
@@ -207,6 +212,11 @@ namespace postprocess
   void CheckpointReader::scalar(const std::string &name, double &value) { self->read_scalar(name, value); }
 
   void CheckpointReader::scalar(const std::string &name, std::int64_t &value) { self->read_scalar(name, value); }
+
+  std::string CheckpointReader::text(const std::string &name) const
+  {
+    return self->file.read_text(name);
+  }
 
   void CheckpointReader::finish() const
   {

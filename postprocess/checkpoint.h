@@ -35,6 +35,8 @@ namespace postprocess
     void column(const std::string &name, std::vector<std::int32_t> &values) override;
     void scalar(const std::string &name, double &value) override;
     void scalar(const std::string &name, std::int64_t &value) override;
+    /** A text beside the state; it belongs to no group. */
+    void text(const std::string &name, const std::string &value);
 
     /** Complete the file and put it in place. @throws OutputError; the earlier checkpoint then still stands. */
     void commit();
@@ -62,6 +64,8 @@ namespace postprocess
     void column(const std::string &name, std::vector<std::int32_t> &values) override;
     void scalar(const std::string &name, double &value) override;
     void scalar(const std::string &name, std::int64_t &value) override;
+
+    std::string text(const std::string &name) const;
 
     /** Call it last. @throws dem::InputError if the file holds an item that nobody read. */
     void finish() const;

@@ -98,7 +98,7 @@ namespace postprocess
       throw dem::InputError(
         (checkpoint.parent_path() / name).string() + ": " + what +
         " since the checkpoint beside it was written, and the run cannot go on with it. Put the file "
-        "back, or start the run afresh.");
+        "back, or start the run afresh with --restart.");
     };
     for (const auto &[name, one] : parsed(list))
       {

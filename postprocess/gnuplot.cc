@@ -11,7 +11,10 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
+#include <csignal>
 #include <system_error>
+#include <thread>
 
 extern char **environ; // of this process, for the child
 
@@ -51,6 +54,31 @@ namespace postprocess
       fs::path folder;
     };
 
+    std::function<bool()> &drawing_is_to_stop()
+    {
+      static std::function<bool()> asked = [] { return false; };
+      return asked;
+    }
+
+    /** Wait for the end of a child, unless drawing is to stop: then end it. @return its status, as waitpid gives it */
+    int status_of(const pid_t child)
+    {
+      int status = 0;
+      for (;;)
+        {
+          const pid_t ended = ::waitpid(child, &status, WNOHANG);
+          if (ended == child)
+            return status;
+          if (drawing_is_to_stop()())
+            break;
+          std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
+      ::kill(child, SIGKILL);
+      while (::waitpid(child, &status, 0) < 0 && errno == EINTR)
+        continue;
+      throw OutputError("interrupted");
+    }
+
     /** Run `gnuplot script` in the folder; what it says goes to the file `messages`. @return exit status, -1 if killed
      */
     int run_gnuplot(const ScratchFolder &folder)
@@ -72,9 +100,7 @@ namespace postprocess
       if (error != 0)
         throw OutputError("gnuplot cannot be started: " + std::generic_category().message(error));
 
-      int status = 0;
-      while (::waitpid(child, &status, 0) < 0 && errno == EINTR)
-        continue;
+      const int status = status_of(child);
       return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     }
 
@@ -88,6 +114,8 @@ namespace postprocess
       return last;
     }
   } // namespace
+
+  void stop_drawing_if(std::function<bool()> asked) { drawing_is_to_stop() = std::move(asked); }
 
   void draw_with_gnuplot(const fs::path &destination, const GnuplotJob &job)
   {

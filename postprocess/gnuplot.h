@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 
@@ -16,9 +17,12 @@ namespace postprocess
 
   /**
    * Let gnuplot, in a child process, draw a PNG file; the destination is replaced only by a complete picture.
-   * @throws OutputError when gnuplot is not installed or does not understand, or the file cannot be written.
+   * @throws OutputError when gnuplot is not installed or does not understand, the file cannot be written, or drawing is to stop.
    */
   void draw_with_gnuplot(const std::filesystem::path &destination, const GnuplotJob &job);
+
+  /** From now on a picture is given up as soon as this says so: it is asked every few milliseconds while gnuplot draws. */
+  void stop_drawing_if(std::function<bool()> asked);
 
   /** A text as gnuplot reads it back literally: between single quotes. */
   std::string gnuplot_quoted(const std::string &text);

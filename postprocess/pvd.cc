@@ -36,6 +36,18 @@ namespace postprocess
   void PvdCollection::add(const double time)
   {
     times.push_back(time);
+    write_list();
+  }
+
+  void PvdCollection::restore(const dem::Column &listed_before)
+  {
+    times = listed_before;
+    if (!times.empty())
+      write_list();
+  }
+
+  void PvdCollection::write_list() const
+  {
     std::vector<PvdPart> parts;
     for (std::size_t i = 0; i < times.size(); ++i)
       parts.push_back({times[i], 0, "", name + "/" + file_name(name, i, extension)});

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dem/state.h"
+#include "dem/core/column.h"
 
 #include <filesystem>
 #include <string>
@@ -32,10 +32,15 @@ namespace postprocess
 
     std::size_t size() const { return times.size(); }
 
-    /** The times of all snapshots listed; after reading, the list is what it was at the checkpoint. */
-    void visit_state(dem::StateVisitor &visitor) { visitor.column("times", times); }
+    /** The times of all snapshots listed: all that must be remembered. */
+    const dem::Column &listed() const { return times; }
+
+    /** Go on after these, and write the list anew. @throws OutputError. */
+    void restore(const dem::Column &listed_before);
 
   private:
+    void write_list() const;
+
     std::filesystem::path folder;
     std::string           name, extension;
     dem::Column           times;

@@ -13,7 +13,7 @@ namespace apps
     struct RunOptions : SceneOptions
     {
       std::string output_folder;
-      bool        resume = false;
+      bool        resume = false, restart = false;
     };
 
     int run(const RunOptions &options)
@@ -28,6 +28,7 @@ namespace apps
 
       RunRequest request = request_of(scene);
       request.resume     = options.resume;
+      request.restart    = options.restart;
       request.overrides  = options.overrides;
       return scene.scene->run(request);
     }
@@ -50,6 +51,10 @@ namespace apps
       ->type_name("DIR");
     command.add_flag("--resume", options->resume,
                      "Go on from the checkpoint that an interrupted run left in the folder");
+    command
+      .add_flag("--restart", options->restart,
+                "Start afresh where an interrupted run left a checkpoint, which is thrown away")
+      ->excludes("--resume");
     command.callback([options, &chosen] { chosen = [options] { return run(*options); }; });
   }
 } // namespace apps

@@ -6,8 +6,6 @@
 #include <CLI/Validators.hpp>
 #include <fmt/format.h>
 
-#include <omp.h>
-
 namespace apps
 {
   void add_scene_options(CLI::App &command, SceneOptions &options)
@@ -25,7 +23,9 @@ namespace apps
 
   void add_threads(CLI::App &command, int &threads)
   {
-    command.add_option("--threads", threads, "Threads to use; default: all cores, or OMP_NUM_THREADS")
+    command
+      .add_option("--threads", threads,
+                  "Threads to use; default: OMP_NUM_THREADS, or one per processor that is not busy")
       ->type_name("N")
       ->check(CLI::Range(1, 4096));
   }
@@ -36,11 +36,5 @@ namespace apps
       throw dem::InputError(fmt::format("{}: Kind = {}: runs in one process, and mpirun has started {}. Use --threads; "
                                         "only scenes of kind continuum share their work among processes.",
                                         scene.file, scene.kind, launched_ranks()));
-  }
-
-  void use_threads(const int threads)
-  {
-    if (threads > 0)
-      omp_set_num_threads(threads);
   }
 } // namespace apps

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/scene/load.h"
+#include "apps/threads.h"
 
 #include <CLI/App.hpp>
 
@@ -14,7 +15,7 @@ namespace apps
   {
     std::string              scene;
     std::vector<std::string> overrides;
-    int                      threads = 0; ///< 0: as many as OpenMP chooses (all cores, or OMP_NUM_THREADS)
+    int                      threads = 0; ///< 0: see use_threads()
   };
 
   void add_scene_options(CLI::App &command, SceneOptions &options);
@@ -27,7 +28,4 @@ namespace apps
 
   /** @throws dem::InputError when mpirun has started several processes and the kind of the scene runs in one. */
   void refuse_idle_ranks(const LoadedScene &scene);
-
-  /** Let OpenMP use the given number of threads; 0 leaves it as it is. */
-  void use_threads(int threads);
 } // namespace apps

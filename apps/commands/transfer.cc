@@ -13,7 +13,7 @@ namespace apps
     struct TransferCommand : SceneOptions
     {
       std::string output_folder;
-      bool        identify = false, resume = false;
+      bool        identify = false, resume = false, restart = false;
     };
 
     int transfer(const TransferCommand &options)
@@ -31,6 +31,8 @@ namespace apps
 
       RunRequest request = request_of(scene);
       request.resume     = options.resume;
+      request.restart    = options.restart;
+      request.command    = options.identify ? "transfer --identify" : "transfer";
       request.overrides  = options.overrides;
       return options.identify ? sequential->identify(request) : sequential->transfer_only(request);
     }
@@ -51,6 +53,10 @@ namespace apps
     command.add_flag("--resume", options->resume, "Go on from what an interrupted transfer left in the folder");
     command.add_flag("--identify", options->identify,
                      "Fit the constants of the mapping law to the particle run and to one continuum element instead");
+    command
+      .add_flag("--restart", options->restart,
+                "Start afresh where an interrupted run left a checkpoint, which is thrown away")
+      ->excludes("--resume");
     command.callback([options, &chosen] { chosen = [options] { return transfer(*options); }; });
   }
 } // namespace apps

@@ -1,7 +1,6 @@
 #include "apps/drivers/cell_report.h"
 
 #include "apps/progress.h"
-#include "apps/results/result_listing.h"
 #include "apps/version.h"
 #include "postprocess/plot.h"
 
@@ -118,7 +117,6 @@ namespace apps
     text += fmt::format("energy       balance error {:.1e} at worst\n", worst_balance_error);
     text += fmt::format("cost         {}, {} steps with {} threads\n", duration_text(wall_seconds), specimen.steps(),
                         omp_get_max_threads());
-    text += result_listing(request.output_folder);
     return text;
   }
 } // namespace apps

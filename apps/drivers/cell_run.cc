@@ -2,11 +2,9 @@
 
 #include "apps/drivers/cell_report.h"
 #include "apps/drivers/specimen_packing.h"
-#include "apps/exit_status.h"
-#include "apps/interrupt.h"
-#include "apps/progress.h"
-#include "postprocess/atomic_file.h"
-#include "postprocess/checkpoint.h"
+#include "apps/results/life_cycle.h"
+#include "apps/results/snapshots.h"
+#include "apps/results/warning.h"
 #include "postprocess/packing_io.h"
 #include "postprocess/specimen_picture.h"
 #include "postprocess/summary.h"
@@ -23,41 +21,20 @@ namespace apps
 {
   namespace
   {
-    std::vector<postprocess::SeriesColumn> series_columns()
-    {
-      std::vector<postprocess::SeriesColumn> columns = {{"time", "s"}};
-      for (const char *component : {"xx", "yy", "zz", "yz", "zx", "xy"})
-        columns.push_back({std::string("strain_") + component, "-"});
-      for (const char *component : {"xx", "yy", "zz", "yz", "zx", "xy"})
-        columns.push_back({std::string("stress_") + component, "Pa"});
-      for (const auto &[name, unit] :
-           std::initializer_list<std::pair<const char *, const char *>>{{"skew_stress", "Pa"},
-                                                                        {"servo_error", "Pa"},
-                                                                        {"unbalanced", "-"},
-                                                                        {"localised", ""},
-                                                                        {"mean_damage", "-"},
-                                                                        {"broken_links", ""}})
-        columns.push_back({name, unit});
-      dem::EnergyAccount().each([&](const std::string &term, double) { columns.push_back({"energy_" + term, "J"}); });
-      return columns;
-    }
-  } // namespace
+    constexpr const char *packing_name = "packing.h5";
+  }
 
   CellRun::CellRun(const RunRequest &asked, const CellModel &what)
     : request(asked)
     , model(what)
-    , start(Clock::now())
-    , last_saved(start)
   {
   }
 
-  double CellRun::wall_seconds() const
-  {
-    return seconds_before + std::chrono::duration<double>(Clock::now() - start).count();
-  }
+  int CellRun::execute() { return LifeCycle(request, model.output.checkpoint_interval, *this).execute(); }
 
   void CellRun::make_test()
   {
+    const Progress progress("links");
     specimen.emplace(packing, model.specimen, model.material.materials());
     if (packing.material_names.size() > 1)
       materials = MaterialCounts(packing.material_names, specimen->particles().material, specimen->links().law);
@@ -77,94 +54,86 @@ namespace apps
     samples_per_snapshot         = snapshots > 0 ? std::max<std::int64_t>(1, model.output.samples / snapshots) : 0;
   }
 
-  int CellRun::execute()
+  void CellRun::prepare()
   {
-    if (request.resume)
-      resume();
-    else
-      begin();
-    const dem::Counts counts = specimen->counts();
-    fmt::print(stderr, "{}: {} particles, {} links; results {} in {}\n", request.scene_file, counts.particles,
-               counts.links, request.resume ? "go on" : "grow", folder->running().string());
-    if (!complete())
-      return exit_interrupted;
-    finish();
-    return exit_success;
-  }
-
-  void CellRun::open(const std::filesystem::path &location)
-  {
-    if (samples_per_snapshot == 0)
-      return;
-    particles.emplace(location, "cell_particles");
-    links.emplace(location, "cell_links");
-  }
-
-  void CellRun::begin()
-  {
-    // All refusals come before the folder is touched.
     packing = make_packing(model.source, model.material, model.specimen.physics.dimension);
     make_test();
-    folder              = std::make_unique<ResultFolder>(request.output_folder, ResultFolder::Start::afresh);
-    const auto location = folder->running();
-    postprocess::write_text(location / "scene.prm", request.scene_text);
-    postprocess::write_packing(packing, location / "packing.h5");
-    series = std::make_unique<postprocess::SeriesWriter>(location / "series.csv", series_columns());
-    open(location);
+  }
+
+  void CellRun::begin(const std::filesystem::path &folder, const Record &)
+  {
+    postprocess::write_packing(packing, folder / packing_name);
+    open(folder);
     if (particles)
       snapshot();
   }
 
-  template <typename Checkpoint>
-  void CellRun::visit_state(Checkpoint &checkpoint)
+  void CellRun::reopen(const std::filesystem::path &folder)
   {
-    checkpoint.group("specimen");
-    specimen->visit_state(checkpoint);
-    checkpoint.group("test");
-    test->visit_state(checkpoint);
-    checkpoint.group("particle_snapshots");
-    if (particles)
-      particles->visit_state(checkpoint);
-    checkpoint.group("link_snapshots");
-    if (links)
-      links->visit_state(checkpoint);
-  }
-
-  void CellRun::resume()
-  {
-    folder              = std::make_unique<ResultFolder>(request.output_folder, ResultFolder::Start::resume);
-    const auto location = folder->running();
-
-    postprocess::CheckpointReader checkpoint(location / checkpoint_name, request.deciding_text);
-    std::int64_t                  rows = 0;
-    checkpoint.group("run");
-    checkpoint.scalar("series_rows", rows);
-    checkpoint.scalar("wall_seconds", seconds_before);
-    checkpoint.scalar("worst_balance_error", worst_balance_error);
-    packing = postprocess::read_packing(location / "packing.h5");
+    packing = postprocess::read_packing(folder / packing_name);
     make_test();
-    open(location);
-    visit_state(checkpoint);
-    checkpoint.finish();
-    series = std::make_unique<postprocess::SeriesWriter>(location / "series.csv", series_columns(), rows);
+    open(folder);
   }
 
-  void CellRun::save()
+  void CellRun::open(const std::filesystem::path &folder)
   {
-    series->flush();
-    postprocess::CheckpointWriter checkpoint(folder->running() / checkpoint_name, request.deciding_text);
-    std::int64_t                  rows    = series->rows();
-    double                        seconds = wall_seconds();
-    checkpoint.group("run");
-    checkpoint.scalar("series_rows", rows);
-    checkpoint.scalar("wall_seconds", seconds);
-    checkpoint.scalar("worst_balance_error", worst_balance_error);
-    visit_state(checkpoint);
-    checkpoint.commit();
-    last_saved = Clock::now();
+    if (samples_per_snapshot == 0)
+      return;
+    particles.emplace(folder, "cell_particles");
+    links.emplace(folder, "cell_links");
   }
 
-  void CellRun::append_row()
+  void CellRun::visit_state(RunState &state)
+  {
+    state.group("cell");
+    state.scalar("worst_balance_error", worst_balance_error);
+    state.group("specimen");
+    specimen->visit_state(state);
+    state.group("test");
+    test->visit_state(state);
+    visit_snapshots(state, "particle_snapshots", particles);
+    visit_snapshots(state, "link_snapshots", links);
+  }
+
+  std::string CellRun::size() const
+  {
+    const dem::Counts counts = specimen->counts();
+    return fmt::format("{} particles, {} links", counts.particles, counts.links);
+  }
+
+  double CellRun::done() const
+  {
+    return std::min(1.0, static_cast<double>(specimen->steps()) / static_cast<double>(steps));
+  }
+
+  std::string CellRun::details() const
+  {
+    if (test->curve().empty())
+      return "";
+    const dem::CellSample &sample = test->curve().back();
+    return fmt::format("strain xx {:.2e}, stress xx {:.3g} MPa{}", sample.strain[0], 1e-6 * sample.stress[0],
+                       sample.localised ? ", localised" : "");
+  }
+
+  std::vector<postprocess::SeriesColumn> CellRun::series_columns() const
+  {
+    std::vector<postprocess::SeriesColumn> columns = {{"time", "s"}};
+    for (const char *component : {"xx", "yy", "zz", "yz", "zx", "xy"})
+      columns.push_back({std::string("strain_") + component, "-"});
+    for (const char *component : {"xx", "yy", "zz", "yz", "zx", "xy"})
+      columns.push_back({std::string("stress_") + component, "Pa"});
+    for (const auto &[name, unit] : std::initializer_list<std::pair<const char *, const char *>>{{"skew_stress", "Pa"},
+                                                                                                 {"servo_error", "Pa"},
+                                                                                                 {"unbalanced", "-"},
+                                                                                                 {"localised", ""},
+                                                                                                 {"mean_damage", "-"},
+                                                                                                 {"broken_links", ""}})
+      columns.push_back({name, unit});
+    dem::EnergyAccount().each([&](const std::string &term, double) { columns.push_back({"energy_" + term, "J"}); });
+    return columns;
+  }
+
+  SeriesRow CellRun::row()
   {
     const dem::CellSample &s   = test->curve().back();
     std::vector<double>    row = {s.time};
@@ -175,7 +144,7 @@ namespace apps
     const dem::EnergyAccount energy = specimen->energy();
     energy.each([&](const std::string &, const double value) { row.push_back(value); });
     worst_balance_error = std::max(worst_balance_error, energy.balance_error());
-    series->append(row);
+    return {{}, row, {}};
   }
 
   void CellRun::snapshot()
@@ -189,30 +158,12 @@ namespace apps
     links->add(specimen->time());
   }
 
-  bool CellRun::complete()
+  void CellRun::advance(const Record &record)
   {
-    Progress progress("cell");
-    while (!test->finished())
-      {
-        const dem::CellSample sample = test->advance(steps_per_sample);
-        append_row();
-        if (particles && static_cast<std::int64_t>(test->curve().size()) % samples_per_snapshot == 0)
-          snapshot();
-        progress.update(std::min(1.0, static_cast<double>(specimen->steps()) / static_cast<double>(steps)),
-                        fmt::format("strain xx {:.2e}, stress xx {:.3g} MPa{}", sample.strain[0],
-                                    1e-6 * sample.stress[0], sample.localised ? ", localised" : ""));
-        if (interrupted())
-          {
-            save();
-            progress.clear();
-            fmt::print(stderr, "breccia: interrupted, state saved. Go on with: breccia run {} --resume\n",
-                       (folder->running() / "scene.prm").string());
-            return false;
-          }
-        if (std::chrono::duration<double>(Clock::now() - last_saved).count() > model.output.checkpoint_interval)
-          save();
-      }
-    return true;
+    test->advance(steps_per_sample);
+    record(row());
+    if (particles && static_cast<std::int64_t>(test->curve().size()) % samples_per_snapshot == 0)
+      snapshot();
   }
 
   std::string CellRun::draw_crack(const std::filesystem::path &file) const
@@ -226,18 +177,12 @@ namespace apps
     return postprocess::picture_of_specimen(file, state, joined, "Periodic cell at the end of its path", slab);
   }
 
-  void CellRun::finish()
+  std::string CellRun::finish(const std::filesystem::path &folder, const double wall_seconds)
   {
-    series->flush();
-    const CellReport report{request, model, *specimen, *test, materials, worst_balance_error, wall_seconds()};
-    postprocess::write_json(folder->running() / "summary.json", report.summary());
-    const auto warn = [](const char *what, const std::string &problem) {
-      if (!problem.empty())
-        fmt::print(stderr, "breccia: warning: no {}: {}\n", what, problem);
-    };
-    warn("curve.png", report.draw_curve(folder->running() / "curve.png"));
-    warn("cell_crack.png", draw_crack(folder->running() / "cell_crack.png"));
-    folder->publish();
-    fmt::print("{}", report.text());
+    const CellReport report{request, model, *specimen, *test, materials, worst_balance_error, wall_seconds};
+    postprocess::write_json(folder / "summary.json", report.summary());
+    warn_of_missing("curve.png", report.draw_curve(folder / "curve.png"));
+    warn_of_missing("cell_crack.png", draw_crack(folder / "cell_crack.png"));
+    return report.text();
   }
 } // namespace apps

@@ -2,23 +2,20 @@
 
 #include "apps/drivers/cell_scene.h"
 #include "apps/drivers/material_counts.h"
-#include "apps/results/result_folder.h"
+#include "apps/results/run_work.h"
 #include "postprocess/pvd.h"
-#include "postprocess/series.h"
 
-#include <chrono>
-#include <memory>
 #include <optional>
 
 namespace apps
 {
   /**
-   * One run of a periodic cell along its path.
+   * The work of a periodic cell along its path.
    *
-   * In the result folder: packing.h5, scene.prm, series.csv, cell_particles.pvd and cell_links.pvd with their snapshots,
-   * checkpoint.h5 while running, and at the end summary.json, curve.png and cell_crack.png.
+   * In the result folder, besides what every run has (life_cycle.h): packing.h5, cell_particles.pvd and cell_links.pvd with their
+   * snapshots, and at the end summary.json, curve.png and cell_crack.png.
    */
-  class CellRun
+  class CellRun : public RunWork
   {
   public:
     CellRun(const RunRequest &request, const CellModel &model);
@@ -27,22 +24,25 @@ namespace apps
     int execute();
 
   private:
-    using Clock = std::chrono::steady_clock;
+    void                                   prepare() override;
+    void                                   begin(const std::filesystem::path &folder, const Record &record) override;
+    void                                   reopen(const std::filesystem::path &folder) override;
+    void                                   visit_state(RunState &state) override;
+    std::vector<postprocess::SeriesColumn> series_columns() const override;
+    std::string                            size() const override;
+    std::string                            stage() const override { return "cell"; }
+    double                                 done() const override;
+    std::string                            details() const override;
+    bool                                   finished() const override { return test->finished(); }
+    void                                   advance(const Record &record) override;
+    std::string                            finish(const std::filesystem::path &folder, double wall_seconds) override;
 
-    void make_test();
-    void begin();
-    void resume();
-    void open(const std::filesystem::path &location);
-    bool complete(); ///< @return false when interrupted
-    void append_row();
-    void snapshot();
-    void save();
-    void finish();
+    void      make_test();
+    void      open(const std::filesystem::path &folder);
+    SeriesRow row();
+    void      snapshot();
     /** @return what went wrong, "" if nothing */
     std::string draw_crack(const std::filesystem::path &file) const;
-    double      wall_seconds() const;
-    template <typename Checkpoint>
-    void visit_state(Checkpoint &checkpoint);
 
     RunRequest                   request;
     CellModel                    model;
@@ -51,10 +51,7 @@ namespace apps
     MaterialCounts               materials; ///< before anything moves
     std::optional<dem::CellTest> test;
     std::int64_t steps = 0, steps_per_sample = 1, samples_per_snapshot = 0; ///< steps: of the whole path
-    std::unique_ptr<ResultFolder>              folder;
-    std::unique_ptr<postprocess::SeriesWriter> series;
-    std::optional<postprocess::PvdCollection>  particles, links;
-    double                                     worst_balance_error = 0, seconds_before = 0;
-    Clock::time_point                          start, last_saved;
+    std::optional<postprocess::PvdCollection> particles, links;
+    double                                    worst_balance_error = 0;
   };
 } // namespace apps

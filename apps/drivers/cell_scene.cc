@@ -1,6 +1,7 @@
 #include "apps/drivers/cell_scene.h"
 
 #include "apps/drivers/cell_run.h"
+#include "apps/drivers/duration.h"
 #include "apps/drivers/material_counts.h"
 #include "apps/drivers/specimen_packing.h"
 #include "apps/scene/physics_section.h"
@@ -125,11 +126,13 @@ namespace apps
 
   std::string CellScene::forecast() const
   {
-    const CellModel     asked   = model();
-    const dem::Packing  packing = make_packing(asked.source, asked.material, physics.dimension);
-    dem::Specimen       body(packing, asked.specimen, asked.material.materials());
-    const dem::CellTest test(body, asked.loading); // refuses what a run would refuse
-    double              duration = 0;
+    const Stopwatch    set_up;
+    const CellModel    asked   = model();
+    const dem::Packing packing = make_packing(asked.source, asked.material, physics.dimension);
+    dem::Specimen      body(packing, asked.specimen, asked.material.materials());
+    dem::CellTest      test(body, asked.loading); // refuses what a run would refuse
+    const double       set_up_seconds = set_up.seconds();
+    double             duration       = 0;
     for (const dem::CellLeg &leg : asked.loading.path)
       duration += leg.duration;
     std::string text;
@@ -137,8 +140,10 @@ namespace apps
     text += fmt::format("  links        {}\n", body.counts().links);
     text += MaterialCounts(packing.material_names, body.particles().material, body.links().law).text();
     text += fmt::format("  time step    {:.4g} s\n", body.time_step());
-    text += fmt::format("  steps        {:.0f}\n", duration / body.time_step());
-    return text;
+    const double steps = duration / body.time_step();
+    text += fmt::format("  steps        {:.0f}\n", steps);
+    const double cost = seconds_per_unit([&](const std::int64_t count) { test.advance(count); });
+    return text + duration_line(set_up_seconds + steps * cost);
   }
 
   int CellScene::run(const RunRequest &request) const { return CellRun(request, model()).execute(); }

@@ -2,33 +2,63 @@
 
 #include "apps/drivers/continuum_run.h"
 #include "apps/drivers/continuum_solid.h"
+#include "apps/drivers/duration.h"
 #include "apps/mpi_session.h"
-#include "apps/progress.h"
 
 #include <fmt/format.h>
 
-#include <chrono>
+#include <algorithm>
+#include <cmath>
 
 namespace apps
 {
   namespace
   {
-    /** Seconds of the first new state: a step, or a sample of an explicit motion. */
-    template <int dim>
-    double first_state_cost(const ContinuumModel &model)
+    /** Whether every step of a static analysis solves the same linear system. */
+    bool is_linear(const ContinuumModel &model)
     {
-      const auto solid = make_solid<dim>(model);
-      const auto analysis =
+      const auto &groups = model.materials.groups;
+      return !model.solid.large_displacement && std::none_of(groups.begin(), groups.end(), [](const auto &group) {
+        return group->law == MaterialOfGroup::Law::concrete;
+      });
+    }
+
+    /**
+     * Seconds that so many new states take: steps, or samples of an explicit motion. The first ones are computed. Steps of a
+     * material that is not damaged yet need few iterations; later ones are taken to need as many as cracking usually does.
+     */
+    template <int dim>
+    double seconds_of_states(const ContinuumModel &model, const double states)
+    {
+      constexpr double enough = 1, measured_at_most = 10, iterations_when_cracking = 5;
+      const auto       solid = make_solid<dim>(model);
+      const auto       analysis =
         model.is_static() ? make_static_analysis<dim>(*solid, model) : make_explicit_analysis<dim>(*solid, model);
-      const auto start = std::chrono::steady_clock::now();
-      analysis->run([] { return false; });
-      return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      const Stopwatch all;
+      double          first = 0, measured = 0;
+      while (!analysis->finished() && measured < std::min(states, measured_at_most) &&
+             (measured < 2 || all.seconds() < enough))
+        {
+          while (!analysis->advance())
+            continue;
+          first = measured == 0 ? all.seconds() : first;
+          ++measured;
+        }
+      const double each  = measured > 1 ? (all.seconds() - first) / (measured - 1) : first;
+      const auto   costs = analysis->cost();
+      const auto   found = costs.find("newton_iterations");
+      if (found == costs.end() || is_linear(model))
+        return first + (states - 1) * each;
+      const double iteration = all.seconds() / std::max(1.0, found->second);
+      return first + (states - 1) * std::max(each, iterations_when_cracking * iteration);
     }
 
     template <int dim>
     std::string forecast_of(const ContinuumModel &model)
     {
+      const Stopwatch         set_up;
       const ContinuumRun<dim> run(RunRequest{}, model); // refuses what a run would refuse
+      const double            set_up_seconds = set_up.seconds();
       std::string             text;
       text += fmt::format("  elements     {}\n", run.body().mesh().triangulation->n_global_active_cells());
       text += fmt::format("  unknowns     {}\n", run.body().dofs().n_dofs());
@@ -50,8 +80,7 @@ namespace apps
         }
       try
         {
-          text += fmt::format("  duration     roughly {}, on this machine as it is now\n",
-                              duration_text(states * first_state_cost<dim>(model)));
+          text += duration_line(set_up_seconds + seconds_of_states<dim>(model, states));
         }
       catch (const std::runtime_error &failure)
         {

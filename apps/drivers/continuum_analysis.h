@@ -29,10 +29,13 @@ namespace apps
     virtual ~ContinuumAnalysis() = default;
 
     /**
-     * Go on to the end, or until the observer returns false. It is called whenever there is a new state to record.
+     * Go on, but not past the next state to record.
+     * @return whether that state is reached; false: half-way, where a run may be interrupted too
      * @throws fem::NoEquilibrium, fem::MaterialFailure; the last recorded state still stands.
      */
-    virtual void run(const std::function<bool()> &observe) = 0;
+    virtual bool advance() = 0;
+
+    virtual bool finished() const = 0;
 
     virtual SolidState      state() const      = 0;
     virtual ContinuumEnergy energy() const     = 0;

@@ -1,5 +1,6 @@
 #include "apps/drivers/continuum_analysis.h"
 #include "apps/drivers/continuum_solid.h"
+#include "apps/mpi_session.h"
 
 #include <fmt/format.h>
 
@@ -11,6 +12,8 @@ namespace apps
 {
   namespace
   {
+    constexpr double longest_stretch = 0.5; ///< between two chances to interrupt [s]
+
     fem::ExplicitOptions explicit_options(const ContinuumModel &model)
     {
       fem::ExplicitOptions options;
@@ -44,17 +47,22 @@ namespace apps
           });
       }
 
-      void run(const std::function<bool()> &observe) override
+      bool finished() const override { return steps >= steps_in_all; }
+
+      bool advance() override
       {
-        while (steps < steps_in_all)
-          {
-            const auto start = std::chrono::steady_clock::now();
-            for (const std::int64_t last = std::min(steps + steps_per_sample, steps_in_all); steps < last; ++steps)
-              solver.advance(step);
-            seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-            if (!observe())
-              return;
-          }
+        const auto start = std::chrono::steady_clock::now();
+        const auto spent = [&] {
+          return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        };
+        // Ranks must stop at the same step, and their clocks differ: on several of them a sample is done in one go.
+        const bool         pauses = rank_count() == 1;
+        const std::int64_t sample = std::min((steps / steps_per_sample + 1) * steps_per_sample, steps_in_all);
+        do
+          solver.advance(step);
+        while (++steps < sample && !(pauses && spent() > longest_stretch));
+        seconds += spent();
+        return steps == sample;
       }
 
       SolidState state() const override

@@ -119,16 +119,20 @@ namespace apps
     Section &s = root.section("Output", "What is written, and how often");
     s.integer("Samples", samples, "", Range::between(1, 1e9), Need::optional)
       .means("Rows of series.csv; a static analysis writes one per step")
-      .only_if(std::move(is_explicit), "Model/Analysis = explicit");
+      .only_if(std::move(is_explicit), "Model/Analysis = explicit")
+      .housekeeping();
     s.integer("Snapshots", snapshots, "", Range::between(0, 1e6), Need::optional)
-      .means("ParaView files on the way to the end, besides the first and the last state; 0: none at all");
+      .means("ParaView files on the way to the end, besides the first and the last state; 0: none at all")
+      .housekeeping();
     s.number("Checkpoint interval", checkpoint_interval, "s", Range::positive(), Need::optional)
-      .means("Wall-clock time between checkpoints: what an accident can cost at most")
+      .means("Longest wall-clock time between checkpoints; from one minute on they are made wherever saving is cheap")
       .housekeeping();
     s.text("Curve horizontal", horizontal, Need::optional)
-      .means("Column of series.csv for curve.png; empty: the opening, or the time");
+      .means("Column of series.csv for curve.png; empty: the opening, or the time")
+      .housekeeping();
     s.text("Curve vertical", vertical, Need::optional)
-      .means("Column of series.csv for curve.png; empty: the first reaction, or the energy");
+      .means("Column of series.csv for curve.png; empty: the first reaction, or the energy")
+      .housekeeping();
   }
 
   void ContinuumModel::declare(Section &root)

@@ -4,13 +4,10 @@
 #include "apps/drivers/continuum_solid.h"
 #include "apps/drivers/continuum_summary.h"
 #include "apps/drivers/solid_snapshot.h"
-#include "apps/exit_status.h"
-#include "apps/interrupt.h"
 #include "apps/mpi_session.h"
-#include "apps/progress.h"
-#include "apps/results/shared_state.h"
+#include "apps/results/life_cycle.h"
+#include "apps/results/warning.h"
 #include "apps/scene/nearest_name.h"
-#include "postprocess/atomic_file.h"
 
 #include <fmt/format.h>
 
@@ -21,19 +18,38 @@ namespace apps
 {
   namespace
   {
-    constexpr const char *scene_name    = "scene.prm";
-    constexpr const char *series_name   = "series.csv";
     constexpr const char *snapshot_name = "solid";
-
-    double seconds_since(const std::chrono::steady_clock::time_point &start)
-    {
-      return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    }
 
     template <int dim>
     std::unique_ptr<ContinuumAnalysis<dim>> make_analysis(fem::Solid<dim> &solid, const ContinuumModel &model)
     {
       return model.is_static() ? make_static_analysis(solid, model) : make_explicit_analysis(solid, model);
+    }
+
+    /** What solvers throw, as a run tells it. */
+    template <typename Work>
+    void in_words_of_a_run(const Work &work)
+    {
+      try
+        {
+          work();
+        }
+      catch (const fem::NoEquilibrium &failure)
+        {
+          throw StoppedShort(failure.what());
+        }
+      catch (const fem::MaterialFailure &failure)
+        {
+          throw StoppedShort(failure.what());
+        }
+      catch (const dem::InputError &)
+        {
+          throw;
+        }
+      catch (const std::invalid_argument &refusal)
+        {
+          throw dem::InputError(refusal.what());
+        }
     }
   } // namespace
 
@@ -45,8 +61,6 @@ namespace apps
     : request(asked)
     , model(what)
     , settle(settle_)
-    , start(Clock::now())
-    , last_saved(start)
   {
     solid = make_solid<dim>(model);
     if (prepare)
@@ -57,13 +71,7 @@ namespace apps
   }
 
   template <int dim>
-  double ContinuumRun<dim>::wall_seconds() const
-  {
-    return seconds_before + seconds_since(start);
-  }
-
-  template <int dim>
-  std::vector<postprocess::SeriesColumn> ContinuumRun<dim>::columns() const
+  std::vector<postprocess::SeriesColumn> ContinuumRun<dim>::series_columns() const
   {
     std::vector<postprocess::SeriesColumn> all = analysis->columns();
     for (const auto &column : gauges->columns())
@@ -78,7 +86,7 @@ namespace apps
   void ContinuumRun<dim>::choose_curve()
   {
     std::vector<std::string> names;
-    for (const auto &column : columns())
+    for (const auto &column : series_columns())
       names.push_back(column.name);
     const auto has = [&](const std::string &name) {
       return std::find(names.begin(), names.end(), name) != names.end();
@@ -98,105 +106,82 @@ namespace apps
   template <int dim>
   int ContinuumRun<dim>::execute()
   {
-    if (request.resume)
-      resume();
-    else
-      begin();
-    if (is_first_rank() && !request.quiet)
-      fmt::print(stderr, "{}: {} elements, {} unknowns; results {} in {}\n", request.scene_file,
-                 solid->mesh().triangulation->n_global_active_cells(), solid->dofs().n_dofs(),
-                 request.resume ? "go on" : "grow", location.string());
-    complete();
-    if (was_interrupted)
-      return exit_interrupted;
-    finish();
-    return exit_success;
+    return LifeCycle(request, model.output.checkpoint_interval, *this).execute();
   }
 
   template <int dim>
-  void ContinuumRun<dim>::begin()
+  std::string ContinuumRun<dim>::size() const
   {
-    location = request.output_folder / "running";
+    return fmt::format("{} elements, {} unknowns", solid->mesh().triangulation->n_global_active_cells(),
+                       solid->dofs().n_dofs());
+  }
+
+  template <int dim>
+  std::string ContinuumRun<dim>::stage() const
+  {
+    return model.is_static() ? "equilibrium" : "motion";
+  }
+
+  template <int dim>
+  double ContinuumRun<dim>::done() const
+  {
+    return std::min(1.0, analysis->coordinate() / analysis->end());
+  }
+
+  template <int dim>
+  void ContinuumRun<dim>::open(const std::filesystem::path &folder)
+  {
+    location = folder;
     on_first_rank([&] {
-      folder   = std::make_unique<ResultFolder>(request.output_folder, ResultFolder::Start::afresh);
-      location = folder->running();
-      postprocess::write_text(location / scene_name, request.scene_text);
-      series = std::make_unique<postprocess::SeriesWriter>(location / series_name, columns());
       if (model.output.snapshots > 0)
         snapshots.emplace(location, snapshot_name, rank_count() > 1 ? ".pvtu" : ".vtu");
     });
+  }
+
+  template <int dim>
+  void ContinuumRun<dim>::begin(const std::filesystem::path &folder, const Record &record)
+  {
+    open(folder);
     if (settle)
       {
+        const Progress progress("equilibrium of the start");
         settle(*solid, *analysis);
         gauges->start_at(*analysis->state().displacement);
       }
     snapshot();
     if (settle)
-      record();
+      record(row());
   }
 
   template <int dim>
-  void ContinuumRun<dim>::visit_own_state(dem::StateVisitor &visitor)
+  void ContinuumRun<dim>::reopen(const std::filesystem::path &folder)
   {
-    visitor.scalar("series_rows", row_count);
-    visitor.scalar("peak", peak);
-    visitor.scalar("snapshot_count", snapshot_count);
-    visitor.scalar("snapshots_due", snapshots_due);
-    gauges->visit_state(visitor);
+    open(folder);
   }
 
   template <int dim>
-  void ContinuumRun<dim>::resume()
+  void ContinuumRun<dim>::visit_state(RunState &state)
   {
-    location = request.output_folder / "running";
-    std::unique_ptr<postprocess::CheckpointReader> checkpoint;
-    on_first_rank([&] {
-      folder     = std::make_unique<ResultFolder>(request.output_folder, ResultFolder::Start::resume);
-      checkpoint = std::make_unique<postprocess::CheckpointReader>(location / checkpoint_name, request.deciding_text);
-      checkpoint->group("run");
-      std::int64_t ranks = 0;
-      checkpoint->scalar("ranks", ranks);
-      if (ranks != rank_count())
-        throw dem::InputError(fmt::format("--resume: {} was written by {} ranks, and there are {} now. Start as many.",
-                                          (location / checkpoint_name).string(), ranks, rank_count()));
-      checkpoint->scalar("wall_seconds", seconds_before);
-      if (model.output.snapshots > 0)
-        {
-          snapshots.emplace(location, snapshot_name, rank_count() > 1 ? ".pvtu" : ".vtu");
-          snapshots->visit_state(*checkpoint);
-        }
-    });
-    SharedState shared(checkpoint.get(), SharedState::Direction::read);
-    visit_own_state(shared);
-    on_first_rank([&] { checkpoint->group("analysis"); });
-    analysis->visit_state(shared);
-    on_first_rank([&] {
-      checkpoint->finish();
-      series = std::make_unique<postprocess::SeriesWriter>(location / series_name, columns(), row_count);
-    });
-  }
-
-  template <int dim>
-  void ContinuumRun<dim>::save()
-  {
-    std::unique_ptr<postprocess::CheckpointWriter> checkpoint;
-    on_first_rank([&] {
-      series->flush();
-      checkpoint = std::make_unique<postprocess::CheckpointWriter>(location / checkpoint_name, request.deciding_text);
-      std::int64_t ranks   = rank_count();
-      double       seconds = wall_seconds();
-      checkpoint->group("run");
-      checkpoint->scalar("ranks", ranks);
-      checkpoint->scalar("wall_seconds", seconds);
-      if (snapshots)
-        snapshots->visit_state(*checkpoint);
-    });
-    SharedState shared(checkpoint.get(), SharedState::Direction::write);
-    visit_own_state(shared);
-    on_first_rank([&] { checkpoint->group("analysis"); });
-    analysis->visit_state(shared);
-    on_first_rank([&] { checkpoint->commit(); });
-    last_saved = Clock::now();
+    std::int64_t stopped = was_stopped ? 1 : 0;
+    auto         column  = static_cast<std::int64_t>(vertical_index);
+    state.scalar("vertical_column", column);
+    if (model.control.stop_fraction > 0 && column != static_cast<std::int64_t>(vertical_index))
+      throw dem::InputError("Output/Curve vertical = " + vertical +
+                            ": the run was begun with another column, which decides by Control/Stop fraction when it "
+                            "ends.");
+    state.scalar("peak", peak);
+    state.scalar("was_stopped", stopped);
+    state.scalar("snapshot_count", snapshot_count);
+    state.scalar("snapshots_due", snapshots_due);
+    was_stopped = stopped == 1;
+    // Columns are spread over the ranks: all of this one is the first rank's.
+    snapshot_times.resize(is_first_rank() ? static_cast<std::size_t>(snapshot_count) : 0);
+    state.column("snapshot_times", snapshot_times);
+    if (state.reads() && model.output.snapshots > 0)
+      on_first_rank([&] { snapshots->restore(snapshot_times); });
+    gauges->visit_state(state);
+    state.group("analysis");
+    analysis->visit_state(state);
   }
 
   template <int dim>
@@ -212,94 +197,50 @@ namespace apps
     write_solid(*solid, *state.displacement, reaction,
                 {location / snapshot_name, snapshot_name, static_cast<std::size_t>(snapshot_count), coordinate});
     ++snapshot_count;
-    on_first_rank([&] { snapshots->add(coordinate); });
+    on_first_rank([&] {
+      snapshots->add(coordinate);
+      snapshot_times = snapshots->listed();
+    });
   }
 
-  /** The row of a new state, and what else is due. False ends the run. */
   template <int dim>
-  bool ContinuumRun<dim>::record()
+  SeriesRow ContinuumRun<dim>::row()
   {
     const ContinuumEnergy energy = analysis->energy();
-    std::vector<double>   row    = analysis->values();
+    std::vector<double>   values = analysis->values();
     for (const double value : gauges->read(analysis->state(), energy.internal))
-      row.push_back(value);
-    row.insert(row.end(), {energy.external, energy.internal, energy.balance_error()});
-    on_first_rank([&] { series->append(row); });
-    ++row_count;
+      values.push_back(value);
+    values.insert(values.end(), {energy.external, energy.internal, energy.balance_error()});
 
+    const double now = std::fabs(values[vertical_index]);
+    peak             = std::max(peak, now);
+    was_stopped      = now < model.control.stop_fraction * peak;
+    return {{}, values, {}};
+  }
+
+  template <int dim>
+  void ContinuumRun<dim>::snapshot_if_due()
+  {
     const double part = analysis->coordinate() / analysis->end();
-    if (const auto due = static_cast<std::int64_t>(std::floor(part * static_cast<double>(model.output.snapshots)));
-        due > snapshots_due)
-      {
-        snapshots_due = due;
-        snapshot();
-      }
-    peak = std::max(peak, std::fabs(row[vertical_index]));
-    if (std::fabs(row[vertical_index]) < model.control.stop_fraction * peak)
-      {
-        was_stopped = true;
-        return false;
-      }
-    was_interrupted = on_any_rank(interrupted());
-    if (!was_interrupted && on_any_rank(seconds_since(last_saved) > model.output.checkpoint_interval))
-      save();
-    return !was_interrupted;
+    const auto   due  = static_cast<std::int64_t>(std::floor(part * static_cast<double>(model.output.snapshots)));
+    if (due > snapshots_due)
+      snapshot();
+    snapshots_due = due; // fewer than before where a resumed run asks for fewer
   }
 
   template <int dim>
-  void ContinuumRun<dim>::complete()
+  void ContinuumRun<dim>::advance(const Record &record)
   {
-    std::optional<Progress> progress;
-    if (is_first_rank())
-      progress.emplace(model.is_static() ? "equilibrium" : "motion");
-    try
-      {
-        analysis->run([&] {
-          const bool        goes_on = record();
-          const double      part    = std::min(1.0, analysis->coordinate() / analysis->end());
-          const std::string details = analysis->details();
-          if (progress)
-            progress->update(part, details);
-          return goes_on;
-        });
-      }
-    catch (const fem::NoEquilibrium &failure)
-      {
-        fail(failure.what());
-      }
-    catch (const fem::MaterialFailure &failure)
-      {
-        fail(failure.what());
-      }
-    catch (const dem::InputError &)
-      {
-        throw;
-      }
-    catch (const std::invalid_argument &refusal)
-      {
-        throw dem::InputError(refusal.what());
-      }
-    if (!was_interrupted)
-      return;
-    save();
-    if (progress)
-      progress->clear();
-    if (is_first_rank() && !request.quiet)
-      fmt::print(stderr, "breccia: interrupted, state saved. Go on with: breccia run {} --resume\n",
-                 (location / scene_name).string());
-  }
-
-  /** The last state that was found stays, with what leads to it. */
-  template <int dim>
-  void ContinuumRun<dim>::fail(const std::string &reason)
-  {
-    save();
-    snapshot();
-    throw dem::NumericalError(reason + " What was computed until then stands in " + location.string() + ".");
+    in_words_of_a_run([&] {
+      if (!analysis->advance())
+        return;
+      record(row());
+      snapshot_if_due();
+    });
   }
 
   template <int dim>
-  void ContinuumRun<dim>::finish()
+  std::string ContinuumRun<dim>::finish(const std::filesystem::path &folder, const double wall_seconds)
   {
     // The way to the end asks for a snapshot there; a run that stopped early shows where.
     if (was_stopped || snapshots_due < model.output.snapshots)
@@ -308,30 +249,28 @@ namespace apps
     size.elements             = static_cast<double>(solid->mesh().triangulation->n_global_active_cells());
     size.unknowns             = static_cast<double>(solid->dofs().n_dofs());
     size.points               = size.elements * solid->quadrature().size();
-    const std::string problem = draw_damage(*solid, *analysis->state().displacement, location / "damage.png",
+    const std::string problem = draw_damage(*solid, *analysis->state().displacement, folder / "damage.png",
                                             std::filesystem::path(request.scene_file).stem().string());
     const bool        at_end  = analysis->coordinate() >= analysis->end() * (1 - 1e-9);
+    std::string       words;
     on_first_rank([&] {
-      if (!problem.empty())
-        fmt::print(stderr, "breccia: warning: no damage.png: {}\n", problem);
-      series->flush();
-      ContinuumReport report{request,
-                             postprocess::read_csv_table(location / series_name, true),
-                             size,
-                             analysis->cost(),
-                             analysis->linear_solver(),
-                             wall_seconds(),
-                             horizontal,
-                             vertical,
-                             model.is_static(),
-                             was_stopped ? "stop fraction" :
-                             at_end      ? "end" :
-                                           "steps at most"};
-      report.write(location);
-      folder->publish();
-      if (!request.quiet)
-        fmt::print("{}", report.text());
+      warn_of_missing("damage.png", problem);
+      const ContinuumReport report{request,
+                                   postprocess::read_csv_table(folder / "series.csv", true),
+                                   size,
+                                   analysis->cost(),
+                                   analysis->linear_solver(),
+                                   wall_seconds,
+                                   horizontal,
+                                   vertical,
+                                   model.is_static(),
+                                   was_stopped ? "stop fraction" :
+                                   at_end      ? "end" :
+                                                 "steps at most"};
+      report.write(folder);
+      words = report.text();
     });
+    return words;
   }
 
   template class ContinuumRun<2>;

@@ -1,27 +1,24 @@
 #pragma once
 
 #include "apps/drivers/continuum_analysis.h"
-#include "apps/results/result_folder.h"
+#include "apps/results/run_work.h"
 #include "apps/scene/scene.h"
-#include "postprocess/checkpoint.h"
 #include "postprocess/pvd.h"
-#include "postprocess/series.h"
 
-#include <chrono>
 #include <memory>
 #include <optional>
 
 namespace apps
 {
   /**
-   * One run of a continuum analysis, with everything that is written.
+   * The work of a continuum analysis.
    *
-   * In the result folder: scene.prm, series.csv (a row per step or sample), solid.pvd with its snapshots, checkpoint.h5 while
-   * running, and at the end summary.json, curve.png and, where something can
-   * be damaged, damage.png. Under MPI every rank calls it; the first one writes.
+   * In the result folder, besides what every run has (life_cycle.h; a row of the series per step or sample): solid.pvd with its
+   * snapshots, and at the end summary.json, curve.png and, where something can be damaged, damage.png. Under MPI every rank
+   * calls it; the first one writes.
    */
   template <int dim>
-  class ContinuumRun
+  class ContinuumRun : public RunWork
   {
   public:
     /** Gives a fresh solid its initial state, e.g. one mapped from particles. */
@@ -43,42 +40,42 @@ namespace apps
     const ContinuumAnalysis<dim> &computation() const { return *analysis; }
 
   private:
-    using Clock = std::chrono::steady_clock;
+    void                                   prepare() override {} ///< the constructor has refused what is to be refused
+    void                                   begin(const std::filesystem::path &folder, const Record &record) override;
+    void                                   reopen(const std::filesystem::path &folder) override;
+    void                                   visit_state(RunState &state) override;
+    std::vector<postprocess::SeriesColumn> series_columns() const override;
+    std::string                            size() const override;
+    std::string                            stage() const override;
+    double                                 done() const override;
+    std::string                            details() const override { return analysis->details(); }
+    bool                                   finished() const override { return was_stopped || analysis->finished(); }
+    void                                   advance(const Record &record) override;
+    void                                   leave_last_state() override { snapshot(); }
+    std::string                            finish(const std::filesystem::path &folder, double wall_seconds) override;
 
-    void              begin();
-    void              resume();
-    bool              record();
-    void              complete();
-    void              snapshot();
-    void              save();
-    void              finish();
-    void              choose_curve();
-    double            wall_seconds() const;
-    void              visit_own_state(dem::StateVisitor &visitor);
-    [[noreturn]] void fail(const std::string &reason);
-
-    std::vector<postprocess::SeriesColumn> columns() const;
+    void      open(const std::filesystem::path &folder);
+    SeriesRow row();
+    void      snapshot();
+    void      snapshot_if_due();
+    void      choose_curve();
 
     RunRequest            request;
     const ContinuumModel &model;
     Settle                settle;
 
-    std::unique_ptr<fem::Solid<dim>>           solid;
-    std::unique_ptr<ContinuumAnalysis<dim>>    analysis;
-    std::unique_ptr<ContinuumGauges<dim>>      gauges;
-    std::unique_ptr<ResultFolder>              folder; ///< first rank only, as are the next two
-    std::unique_ptr<postprocess::SeriesWriter> series;
-    std::optional<postprocess::PvdCollection>  snapshots;
-    std::filesystem::path                      location; ///< where results grow
-    std::string                                horizontal, vertical;
-    std::size_t                                vertical_index = 0;
+    std::unique_ptr<fem::Solid<dim>>          solid;
+    std::unique_ptr<ContinuumAnalysis<dim>>   analysis;
+    std::unique_ptr<ContinuumGauges<dim>>     gauges;
+    std::optional<postprocess::PvdCollection> snapshots;      ///< first rank only, as is the next
+    dem::Column                               snapshot_times; ///< kept where a resumed run takes none
+    std::filesystem::path                     location;       ///< where results grow
+    std::string                               horizontal, vertical;
+    std::size_t                               vertical_index = 0;
 
-    double            peak            = 0; ///< of the vertical column, in magnitude
-    std::int64_t      snapshot_count  = 0; ///< taken so far
-    std::int64_t      snapshots_due   = 0; ///< on the way to the end
-    std::int64_t      row_count       = 0;
-    bool              was_interrupted = false, was_stopped = false;
-    double            seconds_before = 0; ///< of the same run, before it was resumed
-    Clock::time_point start, last_saved;
+    double       peak           = 0; ///< of the vertical column, in magnitude
+    std::int64_t snapshot_count = 0; ///< taken so far
+    std::int64_t snapshots_due  = 0; ///< on the way to the end
+    bool         was_stopped    = false;
   };
 } // namespace apps

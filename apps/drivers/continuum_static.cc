@@ -74,34 +74,33 @@ namespace apps
           path.kind = fem::PathControl::Kind::cylindrical;
       }
 
-      void run(const std::function<bool()> &observe) override
+      bool finished() const override { return accepted >= control.most_steps || coordinate() >= end() * (1 - 1e-12); }
+
+      bool advance() override
       {
         fem::StepControl steps;
-        steps.first     = control.first();
-        steps.smallest  = control.smallest();
-        steps.largest   = control.largest();
-        steps.growth    = control.growth;
-        steps.easy      = static_cast<unsigned int>(control.easy_iterations);
-        steps.relax     = control.relax;
-        auto       last = Clock::now();
-        const auto each = [&](const fem::StepReport &report, const double done) {
-          seconds += std::chrono::duration<double>(Clock::now() - last).count();
+        steps.first      = control.first();
+        steps.smallest   = control.smallest();
+        steps.largest    = control.largest();
+        steps.growth     = control.growth;
+        steps.easy       = static_cast<unsigned int>(control.easy_iterations);
+        steps.relax      = control.relax;
+        const auto start = std::chrono::steady_clock::now();
+        const auto one   = [&](const fem::StepReport &report, const double done) {
           ++accepted;
           iterations += report.iterations;
           rounded += report.rounded ? 1 : 0;
           relaxed += report.relaxed > 0 ? 1 : 0;
           report_of_last = report;
           travelled += done;
-          const bool goes_on = observe() && accepted < control.most_steps && coordinate() < end() * (1 - 1e-12);
-          last               = Clock::now();
-          return goes_on;
+          return false;
         };
-        if (accepted >= control.most_steps || coordinate() >= end() * (1 - 1e-12))
-          return;
         if (control.follow == ControlSection::Follow::time)
-          fem::run_to(solver, control.end, steps, length, each);
+          fem::run_to(solver, control.end, steps, length, one);
         else
-          fem::run_along(solver, path, steps, length, each);
+          fem::run_along(solver, path, steps, length, one);
+        seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        return true;
       }
 
       SolidState state() const override
@@ -200,8 +199,6 @@ namespace apps
       }
 
     private:
-      using Clock = std::chrono::steady_clock;
-
       fem::Solid<dim>       &solid;
       const ControlSection  &control;
       fem::StaticSolver<dim> solver;

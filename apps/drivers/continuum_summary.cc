@@ -2,7 +2,6 @@
 
 #include "apps/mpi_session.h"
 #include "apps/progress.h"
-#include "apps/results/result_listing.h"
 #include "apps/version.h"
 #include "postprocess/drawn_unit.h"
 #include "postprocess/plot.h"
@@ -148,7 +147,6 @@ namespace apps
     text += fmt::format("energy       balance error {:.1e} at worst\n", worst_balance());
     text += fmt::format("cost         {}, {:.0f} steps{}\n", duration_text(wall_seconds), cost.at("steps"),
                         linear_solver.empty() ? "" : ", " + linear_solver);
-    text += result_listing(request.output_folder);
     return text;
   }
 } // namespace apps

@@ -1,5 +1,6 @@
 #include "apps/drivers/homogenisation_scene.h"
 
+#include "apps/drivers/duration.h"
 #include "apps/drivers/homogenisation_report.h"
 #include "apps/drivers/specimen_packing.h"
 #include "apps/exit_status.h"
@@ -180,23 +181,51 @@ namespace apps
       return {postprocess::read_packing(file)};
     std::vector<dem::Packing> made;
     for (std::int64_t seed = 1; seed <= seeds; ++seed)
-      {
-        dem::CompactionParameters parameters;
-        parameters.radius   = radius;
-        parameters.count    = static_cast<std::size_t>(particles);
-        parameters.friction = friction;
-        parameters.seed     = static_cast<std::uint64_t>(seed);
-        made.push_back(compact_with_progress(parameters).packing);
-      }
+      made.push_back(made_packing(seed));
     return made;
+  }
+
+  dem::Packing HomogenisationScene::made_packing(const std::int64_t seed) const
+  {
+    dem::CompactionParameters parameters;
+    parameters.radius   = radius;
+    parameters.count    = static_cast<std::size_t>(particles);
+    parameters.friction = friction;
+    parameters.seed     = static_cast<std::uint64_t>(seed);
+    return compact_with_progress(parameters).packing;
+  }
+
+  HomogenisationQuestion HomogenisationScene::question(const double interaction_ratio, const double shear_ratio) const
+  {
+    HomogenisationQuestion asked;
+    asked.links.dimension         = thickness > 0 ? 2 : 3;
+    asked.links.thickness         = thickness;
+    asked.links.interaction_ratio = interaction_ratio;
+    asked.links.shear_ratio       = shear_ratio;
+    asked.links.normal_modulus    = normal_modulus;
+    asked.solver.tolerance        = tolerance;
+    return asked;
   }
 
   std::string HomogenisationScene::forecast() const
   {
-    const std::size_t cases =
-      numbers_in(interaction_ratios, interaction_range).size() * numbers_in(shear_ratios, shear_range).size();
-    const std::size_t count = source == SpecimenSection::Source::generator ? static_cast<std::size_t>(seeds) : 1;
-    return fmt::format("  packings     {}\n  solutions    {}, of six load cases each\n", count, count * cases);
+    const std::vector<double> interaction = numbers_in(interaction_ratios, interaction_range),
+                              shear       = numbers_in(shear_ratios, shear_range);
+    const bool         made               = source == SpecimenSection::Source::generator;
+    const auto         count              = static_cast<double>(made ? seeds : 1);
+    const Stopwatch    making;
+    const dem::Packing first          = made ? made_packing(1) : postprocess::read_packing(file);
+    const double       making_seconds = making.seconds();
+    double             solving        = 0; // of all cases of the first packing, one solved for each interaction ratio
+    for (const double ratio : interaction)
+      {
+        const Stopwatch watch;
+        homogenise(first, question(ratio, shear.front()), made ? "generator" : file);
+        solving += watch.seconds() * static_cast<double>(shear.size());
+      }
+    return fmt::format("  packings     {:.0f}, of {} particles\n  solutions    {:.0f}, of six load cases each\n", count,
+                       first.size(), count * static_cast<double>(interaction.size() * shear.size())) +
+           duration_line(count * (making_seconds + solving));
   }
 
   int HomogenisationScene::run(const RunRequest &request) const
@@ -214,18 +243,11 @@ namespace apps
         {
           if (interrupted())
             return exit_interrupted;
-          HomogenisationQuestion question;
-          question.links.dimension         = thickness > 0 ? 2 : 3;
-          question.links.thickness         = thickness;
-          question.links.interaction_ratio = iota;
-          question.links.shear_ratio       = ratio;
-          question.links.normal_modulus    = normal_modulus;
-          question.solver.tolerance        = tolerance;
-          SweepPoint point{iota, ratio, {}};
+          const HomogenisationQuestion asked = question(iota, ratio);
+          SweepPoint                   point{iota, ratio, {}};
           for (const dem::Packing &body : bodies)
-            point.answers.push_back(homogenise(body, question, origin));
-          fmt::print("G/E = {:<8} {}{}\n", ratio, table_of(point.answers.front(), question),
-                     scatter_table(point.answers));
+            point.answers.push_back(homogenise(body, asked, origin));
+          fmt::print("G/E = {:<8} {}{}\n", ratio, table_of(point.answers.front(), asked), scatter_table(point.answers));
           nlohmann::json entry = json_of(point.answers.front());
           if (point.answers.size() > 1)
             entry["scatter"] = scatter_json(point.answers);

@@ -21,6 +21,8 @@ namespace apps
 
   private:
     std::vector<dem::Packing> packings() const;
+    dem::Packing              made_packing(std::int64_t seed) const;
+    HomogenisationQuestion    question(double interaction_ratio, double shear_ratio) const;
 
     SpecimenSection::Source source = SpecimenSection::Source::generator;
     std::string             file;

@@ -255,7 +255,8 @@ namespace apps
       .means("file: discrete states saved before; uniaxial: a specimen between grips; impact: a beam hit by a sphere");
     s.text("Files", files, Need::required)
       .means("Saved discrete states (HDF5), separated by commas")
-      .only_if([this] { return source == Source::file; }, "Particles/Source = file");
+      .only_if([this] { return source == Source::file; }, "Particles/Source = file")
+      .type = "list of files";
     specimen.declare(s, physics.dimension);
     material.declare(s);
     declare_physics(s, physics);

@@ -1,7 +1,6 @@
 #include "apps/drivers/quasi_static_report.h"
 
 #include "apps/progress.h"
-#include "apps/results/result_listing.h"
 #include "apps/version.h"
 #include "postprocess/plot.h"
 
@@ -107,7 +106,6 @@ namespace apps
       text += fmt::format("warning      {}\n", warning);
     text += fmt::format("energy       balance error {:.1e} at worst\n", worst);
     text += fmt::format("cost         {} with {} threads\n", duration_text(wall_seconds), omp_get_max_threads());
-    text += result_listing(request.output_folder);
     return text;
   }
 } // namespace apps

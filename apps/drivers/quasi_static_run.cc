@@ -2,165 +2,124 @@
 
 #include "apps/drivers/quasi_static_report.h"
 #include "apps/drivers/specimen_packing.h"
-#include "apps/exit_status.h"
 #include "apps/interrupt.h"
-#include "apps/progress.h"
-#include "postprocess/atomic_file.h"
-#include "postprocess/checkpoint.h"
+#include "apps/results/life_cycle.h"
+#include "apps/results/warning.h"
 #include "postprocess/packing_io.h"
 #include "postprocess/summary.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 namespace apps
 {
   namespace
   {
     constexpr const char *packing_name = "packing.h5";
-    constexpr const char *series_name  = "series.csv";
-
-    void warn(const char *what, const std::string &problem)
-    {
-      if (!problem.empty())
-        fmt::print(stderr, "breccia: warning: no {}: {}\n", what, problem);
-    }
-  } // namespace
+  }
 
   QuasiStaticRun::QuasiStaticRun(const RunRequest &asked, const QuasiStaticModel &what)
     : request(asked)
     , model(what)
-    , start(Clock::now())
-    , last_saved(start)
   {
   }
 
-  double QuasiStaticRun::wall_seconds() const
+  int QuasiStaticRun::execute() { return LifeCycle(request, model.checkpoint_interval, *this).execute(); }
+
+  void QuasiStaticRun::make_stage()
   {
-    return seconds_before + std::chrono::duration<double>(Clock::now() - start).count();
+    const Progress progress("links and grips");
+    // A run whose tests are complete, and whose results are not, still has its last one.
+    test = std::make_unique<QuasiStaticStage>(model, packing, std::min(complete.size(), model.tests.size() - 1));
   }
 
-  int QuasiStaticRun::execute()
+  void QuasiStaticRun::prepare()
   {
-    if (request.resume)
-      resume();
-    else
-      begin();
-    fmt::print(stderr, "{}: {} particles, {} links; results {} in {}\n", request.scene_file, stage->particles_in(),
-               stage->links_in(), request.resume ? "go on" : "grow", folder->running().string());
-    while (true)
-      {
-        if (!complete_stage())
-          return exit_interrupted;
-        finished.push_back(stage->result);
-        if (finished.size() == model.tests.size())
-          break;
-        stage = std::make_unique<QuasiStaticStage>(model, packing, finished.size());
-        stage->open(folder->running());
-      }
-    finish();
-    return exit_success;
-  }
-
-  void QuasiStaticRun::begin()
-  {
-    // All refusals come before the folder is touched.
     packing = make_packing(model.source, model.material, model.dimension);
-    stage   = std::make_unique<QuasiStaticStage>(model, packing, 0);
-
-    folder              = std::make_unique<ResultFolder>(request.output_folder, ResultFolder::Start::afresh);
-    const auto location = folder->running();
-    postprocess::write_text(location / "scene.prm", request.scene_text);
-    postprocess::write_packing(packing, location / packing_name);
-    series = std::make_unique<postprocess::SeriesWriter>(location / series_name, QuasiStaticStage::series_columns());
-    stage->open(location);
+    make_stage();
   }
 
-  void QuasiStaticRun::resume()
+  void QuasiStaticRun::begin(const std::filesystem::path &folder, const Record &)
   {
-    folder              = std::make_unique<ResultFolder>(request.output_folder, ResultFolder::Start::resume);
-    const auto location = folder->running();
+    location = folder;
+    postprocess::write_packing(packing, folder / packing_name);
+    test->open(folder);
+  }
 
-    postprocess::CheckpointReader checkpoint(location / checkpoint_name, request.deciding_text);
-    std::int64_t                  tests = 0, rows = 0;
-    checkpoint.group("run");
-    checkpoint.scalar("finished_tests", tests);
-    checkpoint.scalar("series_rows", rows);
-    checkpoint.scalar("wall_seconds", seconds_before);
-    for (std::int64_t i = 0; i < tests; ++i)
+  void QuasiStaticRun::reopen(const std::filesystem::path &folder)
+  {
+    location = folder;
+    packing  = postprocess::read_packing(folder / packing_name);
+  }
+
+  void QuasiStaticRun::visit_state(RunState &state)
+  {
+    auto tests = static_cast<std::int64_t>(complete.size());
+    state.group("tests");
+    state.scalar("finished_tests", tests);
+    complete.resize(static_cast<std::size_t>(tests));
+    for (std::size_t i = 0; i < complete.size(); ++i)
       {
-        finished.emplace_back();
-        finished.back().load = model.tests.at(static_cast<std::size_t>(i));
-        checkpoint.group(std::string("result_") + name_of(finished.back().load));
-        finished.back().visit_state(checkpoint);
+        complete[i].load = model.tests.at(i);
+        state.group(std::string("result_") + name_of(complete[i].load));
+        complete[i].visit_state(state);
       }
-    packing = postprocess::read_packing(location / packing_name);
-    stage   = std::make_unique<QuasiStaticStage>(model, packing, finished.size());
-    stage->open(location);
-    stage->visit_state(checkpoint);
-    checkpoint.group("result_under_way");
-    stage->result.visit_state(checkpoint);
-    checkpoint.finish();
-    series =
-      std::make_unique<postprocess::SeriesWriter>(location / series_name, QuasiStaticStage::series_columns(), rows);
-  }
-
-  void QuasiStaticRun::save()
-  {
-    series->flush();
-    postprocess::CheckpointWriter checkpoint(folder->running() / checkpoint_name, request.deciding_text);
-    std::int64_t                  tests = static_cast<std::int64_t>(finished.size()), rows = series->rows();
-    double                        seconds = wall_seconds();
-    checkpoint.group("run");
-    checkpoint.scalar("finished_tests", tests);
-    checkpoint.scalar("series_rows", rows);
-    checkpoint.scalar("wall_seconds", seconds);
-    for (QuasiStaticResult &result : finished)
+    if (state.reads())
       {
-        checkpoint.group(std::string("result_") + name_of(result.load));
-        result.visit_state(checkpoint);
+        make_stage();
+        test->open(location);
       }
-    stage->visit_state(checkpoint);
-    checkpoint.group("result_under_way");
-    stage->result.visit_state(checkpoint);
-    checkpoint.commit();
-    last_saved = Clock::now();
+    test->visit_state(state);
+    state.group("result_under_way");
+    test->result.visit_state(state);
   }
 
-  bool QuasiStaticRun::complete_stage()
+  std::vector<postprocess::SeriesColumn> QuasiStaticRun::series_columns() const
   {
-    const char *name = name_of(stage->result.load);
-    Progress    progress(name);
-    while (!stage->finished())
+    return QuasiStaticStage::series_columns();
+  }
+
+  std::string QuasiStaticRun::size() const
+  {
+    return fmt::format("{} particles, {} links", test->particles_in(), test->links_in());
+  }
+
+  std::string QuasiStaticRun::stage() const { return name_of(test->result.load); }
+  double      QuasiStaticRun::done() const { return test->done(); }
+  std::string QuasiStaticRun::details() const { return test->details(); }
+  bool        QuasiStaticRun::finished() const { return complete.size() == model.tests.size(); }
+
+  void QuasiStaticRun::advance(const Record &record)
+  {
+    if (!test->finished())
       {
-        stage->advance();
-        stage->append_row(*series);
-        progress.update(stage->done(), stage->details());
-        if (interrupted())
-          {
-            save();
-            progress.clear();
-            fmt::print(stderr, "breccia: interrupted in {}, state saved. Go on with: breccia run {} --resume\n", name,
-                       (folder->running() / "scene.prm").string());
-            return false;
-          }
-        if (std::chrono::duration<double>(Clock::now() - last_saved).count() > model.checkpoint_interval)
-          save();
+        test->advance();
+        record(test->row());
       }
-    stage->finish();
-    progress.clear();
-    warn("crack picture", stage->draw_crack(folder->running()));
-    return true;
+    if (test->finished() && !interrupted()) // else the resumed run completes it
+      complete_stage();
   }
 
-  void QuasiStaticRun::finish()
+  void QuasiStaticRun::complete_stage()
   {
-    series->flush();
-    const QuasiStaticReport report{request,          model,         finished, stage->particles_in(), stage->links_in(),
-                                   stage->materials, wall_seconds()};
-    postprocess::write_json(folder->running() / "summary.json", report.summary());
-    warn("curve.png", report.draw_curve(folder->running() / "curve.png"));
-    folder->publish();
-    fmt::print("{}", report.text());
+    const Progress progress(stage() + ", results");
+    test->finish();
+    warn_of_missing("crack picture", test->draw_crack(location));
+    complete.push_back(test->result);
+    if (finished())
+      return;
+    make_stage();
+    test->open(location);
+  }
+
+  std::string QuasiStaticRun::finish(const std::filesystem::path &folder, const double wall_seconds)
+  {
+    const QuasiStaticReport report{request,          model,           complete,    test->particles_in(),
+                                   test->links_in(), test->materials, wall_seconds};
+    postprocess::write_json(folder / "summary.json", report.summary());
+    warn_of_missing("curve.png", report.draw_curve(folder / "curve.png"));
+    return report.text();
   }
 } // namespace apps

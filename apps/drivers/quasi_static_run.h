@@ -1,21 +1,20 @@
 #pragma once
 
 #include "apps/drivers/quasi_static_stage.h"
-#include "apps/results/result_folder.h"
+#include "apps/results/run_work.h"
 
-#include <chrono>
 #include <memory>
 #include <vector>
 
 namespace apps
 {
   /**
-   * One run of a quasi-static scene: the tests one after the other, and everything that is written.
+   * The work of a quasi-static scene: the tests one after the other.
    *
-   * In the result folder: packing.h5, scene.prm, series.csv (all tests), snapshots if asked for, checkpoint.h5 while running, and
-   * at the end summary.json, curve.png and TEST_crack.png.
+   * In the result folder, besides what every run has (life_cycle.h): packing.h5, snapshots if asked for, and at the end
+   * summary.json, curve.png and TEST_crack.png.
    */
-  class QuasiStaticRun
+  class QuasiStaticRun : public RunWork
   {
   public:
     QuasiStaticRun(const RunRequest &request, const QuasiStaticModel &model);
@@ -24,23 +23,27 @@ namespace apps
     int execute();
 
   private:
-    using Clock = std::chrono::steady_clock;
+    void                                   prepare() override;
+    void                                   begin(const std::filesystem::path &folder, const Record &record) override;
+    void                                   reopen(const std::filesystem::path &folder) override;
+    void                                   visit_state(RunState &state) override;
+    std::vector<postprocess::SeriesColumn> series_columns() const override;
+    std::string                            size() const override;
+    std::string                            stage() const override;
+    double                                 done() const override;
+    std::string                            details() const override;
+    bool                                   finished() const override;
+    void                                   advance(const Record &record) override;
+    std::string                            finish(const std::filesystem::path &folder, double wall_seconds) override;
 
-    void   begin();
-    void   resume();
-    bool   complete_stage(); ///< @return false when interrupted
-    void   save();
-    void   finish();
-    double wall_seconds() const;
+    void make_stage();
+    void complete_stage();
 
-    RunRequest                                 request;
-    QuasiStaticModel                           model;
-    dem::Packing                               packing;
-    std::unique_ptr<ResultFolder>              folder;
-    std::unique_ptr<postprocess::SeriesWriter> series;
-    std::unique_ptr<QuasiStaticStage>          stage; ///< under way
-    std::vector<QuasiStaticResult>             finished;
-    double                                     seconds_before = 0; ///< of the same run, before it was resumed
-    Clock::time_point                          start, last_saved;
+    RunRequest                        request;
+    QuasiStaticModel                  model;
+    dem::Packing                      packing;
+    std::filesystem::path             location;
+    std::unique_ptr<QuasiStaticStage> test;     ///< under way
+    std::vector<QuasiStaticResult>    complete; ///< of the tests before it
   };
 } // namespace apps

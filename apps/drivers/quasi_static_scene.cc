@@ -1,11 +1,13 @@
 #include "apps/drivers/quasi_static_scene.h"
 
+#include "apps/drivers/duration.h"
 #include "apps/drivers/quasi_static_run.h"
 #include "apps/drivers/specimen_packing.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace apps
 {
@@ -75,9 +77,10 @@ namespace apps
 
     Section &output = root.section("Output", "How often results are written");
     output.integer("Points per snapshot", asked.snapshot_interval, "", Range::between(0, 1e6), Need::optional)
-      .means("Points of the path from one pair of ParaView files to the next; 0: none at all");
+      .means("Points of the path from one pair of ParaView files to the next; 0: none at all")
+      .housekeeping();
     output.number("Checkpoint interval", asked.checkpoint_interval, "s", Range::positive(), Need::optional)
-      .means("Wall-clock time between checkpoints: what an accident can cost at most")
+      .means("Longest wall-clock time between checkpoints; from one minute on they are made wherever saving is cheap")
       .housekeeping();
   }
 
@@ -136,21 +139,56 @@ namespace apps
           ->refuse("Stop strain", "must not be below the strain step.");
   }
 
+  namespace
+  {
+    /**
+     * Of a test, for the forecast of its duration: the first points, which are elastic, measured; then as many as cracking takes
+     * where a step may let a damaging strain grow by the growth step only, with the solutions that each needs.
+     */
+    double expected_seconds(const QuasiStaticModel &model, const dem::Packing &packing, const UniaxialLoad load)
+    {
+      constexpr double enough = 0.5, solutions_when_cracking = 6, rounds_of_cracks = 4;
+      double           growth = 0; // of a link's damaging strain until it carries nothing
+      for (const dem::CpmParameters &one : model.material.materials().pairs())
+        growth = std::max(growth, std::log(5 * one.relative_ductility));
+      const Stopwatch   watch;
+      QuasiStaticResult result;
+      const auto        loaded = model.load(packing);
+      result.load              = load;
+      dem::QuasiStaticPath path(loaded, model.material.materials(), model.steps(load));
+      while (!path.finished() && (result.solutions < 2 || watch.seconds() < enough))
+        {
+          const dem::QuasiStaticPoint &point = path.advance();
+          result.add(point, point.strain[loaded.led], point.stress[loaded.led]);
+        }
+      const double solution = watch.seconds() / static_cast<double>(std::max<std::int64_t>(1, result.solutions));
+      const double points   = model.steps(load).end_strain / model.steps(load).strain_step +
+                            rounds_of_cracks * growth / std::log1p(model.growth_step);
+      return points * solutions_when_cracking * solution;
+    }
+  } // namespace
+
   std::string QuasiStaticScene::forecast() const
   {
-    const QuasiStaticModel &model   = asked;
-    const dem::Packing      packing = make_packing(model.source, model.material, model.dimension);
-    const auto              loaded  = model.load(packing);
+    const Stopwatch         set_up;
+    const QuasiStaticModel &model          = asked;
+    const dem::Packing      packing        = make_packing(model.source, model.material, model.dimension);
+    const auto              loaded         = model.load(packing);
+    const double            set_up_seconds = set_up.seconds();
     std::string             text;
     text += fmt::format("  particles    {}\n", loaded.network.particles());
     text += fmt::format("  links        {}\n", loaded.network.links.size());
     text += materials_in(loaded.network, packing.material_names).text();
     if (!model.is_cell())
       text += fmt::format("  basis        {}\n", text_of(model.grip_layers(packing), model.grips.parameters()));
+    double seconds = 0;
     for (const UniaxialLoad load : model.tests)
-      text += fmt::format("  {:<12} at least {:.0f} points to its stop strain\n", name_of(load),
-                          model.steps(load).end_strain / model.steps(load).strain_step);
-    return text;
+      {
+        text += fmt::format("  {:<12} at least {:.0f} points to its stop strain\n", name_of(load),
+                            model.steps(load).end_strain / model.steps(load).strain_step);
+        seconds += set_up_seconds + expected_seconds(model, packing, load);
+      }
+    return text + duration_line(seconds);
   }
 
   int QuasiStaticScene::run(const RunRequest &request) const { return QuasiStaticRun(request, asked).execute(); }

@@ -27,7 +27,7 @@ namespace apps
     Test                      tension{1e-5, 0.2, 1e-3}, compression{5e-5, 0.7, 5e-3};
     double                    growth_step = 0.2, tolerance = 1e-7, damping = 0.7;
     std::int64_t              snapshot_interval   = 20; ///< points; enough to see a crack grow
-    double                    checkpoint_interval = 60;
+    double                    checkpoint_interval = 600;
 
     bool                       is_cell() const { return source.body == SpecimenSection::Body::cell; }
     dem::QuasiStaticParameters steps(UniaxialLoad load) const;

@@ -1,5 +1,6 @@
 #include "apps/drivers/quasi_static_stage.h"
 
+#include "apps/results/snapshots.h"
 #include "dem/statics/path_output.h"
 #include "postprocess/specimen_picture.h"
 #include "postprocess/vtk_links.h"
@@ -151,7 +152,7 @@ namespace apps
             {"control", ""}};
   }
 
-  void QuasiStaticStage::append_row(postprocess::SeriesWriter &series) const
+  SeriesRow QuasiStaticStage::row() const
   {
     const dem::QuasiStaticPoint &p       = path.points().back();
     Eigen::Vector3d              strains = p.strain.head<3>();
@@ -160,12 +161,20 @@ namespace apps
         strains.setConstant(std::nan(""));
         strains[axis] = result.strain.back();
       }
-    series.append({name},
-                  {static_cast<double>(path.points().size() - 1), result.strain.back(), p.stress[loaded.led],
-                   p.mean_damage, strains[0], strains[1], strains[2], p.external_work, p.stored, p.damage, p.friction,
-                   p.damped, p.energy_residual(), p.residual, static_cast<double>(p.iterations),
-                   static_cast<double>(p.relaxation_steps)},
-                  {dem::name_of(p.control)});
+    return {{name},
+            {static_cast<double>(path.points().size() - 1), result.strain.back(), p.stress[loaded.led], p.mean_damage,
+             strains[0], strains[1], strains[2], p.external_work, p.stored, p.damage, p.friction, p.damped,
+             p.energy_residual(), p.residual, static_cast<double>(p.iterations),
+             static_cast<double>(p.relaxation_steps)},
+            {dem::name_of(p.control)}};
+  }
+
+  void QuasiStaticStage::visit_state(RunState &state)
+  {
+    state.group("path");
+    path.visit_state(state);
+    visit_snapshots(state, "particle_snapshots", particles);
+    visit_snapshots(state, "link_snapshots", links);
   }
 
   std::vector<dem::LinkImage> QuasiStaticStage::images_of(const dem::LinkOutput     &joined,

@@ -3,9 +3,9 @@
 #include "apps/drivers/lab_report.h"
 #include "apps/drivers/material_counts.h"
 #include "apps/drivers/quasi_static_scene.h"
+#include "apps/results/run_work.h"
 #include "dem/measures/link_images.h"
 #include "postprocess/pvd.h"
-#include "postprocess/series.h"
 
 #include <filesystem>
 #include <optional>
@@ -46,10 +46,10 @@ namespace apps
     /** From now on snapshots go to this folder. @throws postprocess::OutputError. */
     void open(const std::filesystem::path &folder);
     /** One point further, and a snapshot when one is due. */
-    void advance();
-    void append_row(postprocess::SeriesWriter &series) const; ///< of the last point
-    bool finished() const { return path.finished(); }
-    void finish(); ///< measures the crack, and takes the last snapshot
+    void      advance();
+    SeriesRow row() const; ///< of the last point
+    bool      finished() const { return path.finished(); }
+    void      finish(); ///< measures the crack, and takes the last snapshot
     /** TEST_crack.png of the present state. @return what went wrong, "" if nothing. */
     std::string draw_crack(const std::filesystem::path &folder) const;
 
@@ -58,19 +58,7 @@ namespace apps
     std::size_t particles_in() const { return loaded.network.particles(); }
     std::size_t links_in() const { return loaded.network.links.size(); }
 
-    /** @tparam Checkpoint postprocess::CheckpointWriter or CheckpointReader */
-    template <typename Checkpoint>
-    void visit_state(Checkpoint &checkpoint)
-    {
-      checkpoint.group("path");
-      path.visit_state(checkpoint);
-      checkpoint.group("particle_snapshots");
-      if (particles)
-        particles->visit_state(checkpoint);
-      checkpoint.group("link_snapshots");
-      if (links)
-        links->visit_state(checkpoint);
-    }
+    void visit_state(RunState &state);
 
     QuasiStaticResult result;
     MaterialCounts    materials;

@@ -7,11 +7,12 @@
 #include "apps/exit_status.h"
 #include "apps/interrupt.h"
 #include "apps/progress.h"
-#include "apps/results/result_folder.h"
+#include "apps/results/life_cycle.h"
 #include "apps/results/result_listing.h"
 #include "apps/version.h"
 #include "coupling/sequential/identify.h"
 #include "postprocess/atomic_file.h"
+#include "postprocess/numeric_text.h"
 #include "postprocess/plot.h"
 #include "postprocess/summary.h"
 
@@ -33,18 +34,45 @@ namespace apps
 
     std::string continuation_name(const std::size_t number) { return fmt::format("continuation_{:03}", number); }
 
-    int interrupted_in(const std::filesystem::path &running)
+    /** The folder of a study, with the mark by which an interrupted one is known, and can go on. */
+    class StudyFolder
     {
-      fmt::print(stderr, "breccia: interrupted, state saved. Go on with: breccia run {} --resume\n",
-                 (running / "scene.prm").string());
-      return exit_interrupted;
-    }
+    public:
+      explicit StudyFolder(const RunRequest &asked)
+        : request(asked)
+        , folder(opened(asked))
+      {
+        const std::filesystem::path mark = folder.running() / checkpoint_name;
+        if (request.resume)
+          require_same_content(request.inputs, postprocess::numeric_text::read_whole(mark));
+        postprocess::write_text(folder.running() / "scene.prm", request.scene_text);
+        postprocess::write_text(mark, listed(request.inputs)); // states and continuations have checkpoints of their own
+        set_last_words("interrupted in work that cannot be stopped half-way; what was finished is kept. " +
+                       way_to_go_on(request));
+      }
 
-    ResultFolder open_folder(const RunRequest &request)
-    {
-      return ResultFolder(request.output_folder,
-                          request.resume ? ResultFolder::Start::resume : ResultFolder::Start::afresh);
-    }
+      const std::filesystem::path &running() const { return folder.running(); }
+
+      int interrupted() const
+      {
+        fmt::print(stderr, "breccia: interrupted, state saved. {}\n", way_to_go_on(request));
+        return exit_interrupted;
+      }
+
+      void publish() { folder.publish(); }
+
+    private:
+      static ResultFolder opened(const RunRequest &request)
+      {
+        if (!request.resume && !request.restart)
+          refuse_to_overwrite(request.output_folder);
+        return ResultFolder(request.output_folder,
+                            request.resume ? ResultFolder::Start::resume : ResultFolder::Start::afresh);
+      }
+
+      const RunRequest &request;
+      ResultFolder      folder;
+    };
 
     nlohmann::json head_of(const RunRequest &request, const char *kind)
     {
@@ -105,12 +133,20 @@ namespace apps
     model.continuum.declare(continuum);
     Section &s = root.section("Study", "How the continuations are read and compared");
     s.number("Length", model.study.length, "m", Range::positive(), Need::optional)
-      .means("Displacement over it is the strain of the continuation; 1: displacements as they are");
+      .means("Displacement over it is the strain of the continuation; 1: displacements as they are")
+      .housekeeping();
     s.number("Area", model.study.area, "m^2", Range::positive(), Need::optional)
-      .means("Force over it is the stress; 1: forces as they are");
-    s.number("Sign", model.study.sign, "-", Range::between(-1, 1), Need::optional).means("-1 turns both around");
-    s.text("Horizontal", model.study.horizontal, Need::required).means("Column of the continuation's series.csv");
-    s.text("Vertical", model.study.vertical, Need::required).means("Column of the continuation's series.csv");
+      .means("Force over it is the stress; 1: forces as they are")
+      .housekeeping();
+    s.number("Sign", model.study.sign, "-", Range::between(-1, 1), Need::optional)
+      .means("-1 turns both around")
+      .housekeeping();
+    s.text("Horizontal", model.study.horizontal, Need::required)
+      .means("Column of the continuation's series.csv")
+      .housekeeping();
+    s.text("Vertical", model.study.vertical, Need::required)
+      .means("Column of the continuation's series.csv")
+      .housekeeping();
   }
 
   void SequentialScene::validate(const Section &root) const
@@ -148,15 +184,12 @@ namespace apps
 
   int SequentialScene::run(const RunRequest &request) const
   {
-    const auto   start   = std::chrono::steady_clock::now();
-    ResultFolder folder  = open_folder(request);
-    const auto   running = folder.running();
-    postprocess::write_text(running / "scene.prm", request.scene_text);
-    postprocess::write_text(running / checkpoint_name,
-                            "the states of finished particle runs and the continuations stand beside\n");
+    const auto    start = std::chrono::steady_clock::now();
+    StudyFolder   folder(request);
+    const auto    running = folder.running();
     ParticleCases particles(model.particles, running, request.deciding_text);
     if (!particles.complete())
-      return interrupted_in(running);
+      return folder.interrupted();
 
     TransferRecord                 record(model, running);
     std::vector<ContinuationCurve> curves;
@@ -175,7 +208,7 @@ namespace apps
             const Continuation done =
               continue_from(part, model.continuum, record.field_of(outcome), model.transfer.chosen());
             if (done.status == exit_interrupted)
-              return interrupted_in(running);
+              return folder.interrupted();
           }
         ContinuationCurve curve = read_continuation(model.study, part.output_folder);
         curve.name              = outcome.name;
@@ -195,7 +228,6 @@ namespace apps
     postprocess::write_json(running / "summary.json", summary);
     if (const std::string problem = report.draw(running / "study.png"); !problem.empty())
       fmt::print(stderr, "breccia: warning: no study.png: {}\n", problem);
-    std::filesystem::remove(running / checkpoint_name);
     folder.publish();
     fmt::print("{}", report.text());
     fmt::print("{}", result_listing(request.output_folder));
@@ -204,12 +236,11 @@ namespace apps
 
   int SequentialScene::transfer_only(const RunRequest &request) const
   {
-    ResultFolder folder  = open_folder(request);
-    const auto   running = folder.running();
-    postprocess::write_text(running / "scene.prm", request.scene_text);
+    StudyFolder   folder(request);
+    const auto    running = folder.running();
     ParticleCases particles(model.particles, running, request.deciding_text);
     if (!particles.complete())
-      return interrupted_in(running);
+      return folder.interrupted();
     TransferRecord record(model, running);
     for (std::size_t k = 0; k < particles.outcomes().size(); ++k)
       record.add(k, particles.outcomes()[k]);
@@ -301,12 +332,11 @@ namespace apps
       throw dem::InputError(
         "--identify: wants a scene whose particles are strained between grips (Particles/Source = uniaxial): "
         "the same test is made on one continuum element.");
-    ResultFolder folder  = open_folder(request);
-    const auto   running = folder.running();
-    postprocess::write_text(running / "scene.prm", request.scene_text);
+    StudyFolder   folder(request);
+    const auto    running = folder.running();
     ParticleCases particles(model.particles, running, request.deciding_text);
     if (!particles.complete())
-      return interrupted_in(running);
+      return folder.interrupted();
 
     double peak = 0, strain_at_peak = 0;
     for (const ParticleOutcome &outcome : particles.outcomes())

@@ -2,6 +2,7 @@
 
 #include "apps/interrupt.h"
 #include "apps/progress.h"
+#include "apps/results/life_cycle.h"
 #include "postprocess/atomic_file.h"
 #include "postprocess/checkpoint.h"
 #include "postprocess/discrete_state_hdf5.h"
@@ -13,6 +14,8 @@ namespace apps
 {
   namespace
   {
+    constexpr double checkpoint_interval = 600; ///< the longest [s]
+
     /** The numbers of an outcome beside its state, in the order in which a checkpoint stores them. */
     void visit_figures(dem::StateVisitor &visitor, ParticleOutcome &outcome)
     {
@@ -101,29 +104,37 @@ namespace apps
 
   bool ParticleCases::run(ParticleCase &particles, const std::string &name)
   {
-    const auto under_way = folder / "under_way.h5";
+    const auto        under_way = folder / "under_way.h5";
+    const std::string text      = deciding_text + "\n# " + name;
     if (std::filesystem::exists(under_way))
       {
-        postprocess::CheckpointReader reader(under_way, deciding_text + "\n# " + name);
+        postprocess::CheckpointReader reader(under_way, text);
         reader.group("particles");
         particles.visit_state(reader);
         reader.finish();
-        std::filesystem::remove(under_way);
       }
-    Progress progress(name);
+    const auto write = [&] {
+      postprocess::CheckpointWriter writer(under_way, text);
+      writer.group("particles");
+      particles.visit_state(writer);
+      writer.commit();
+    };
+    CheckpointClock clock(checkpoint_interval);
+    Progress        progress(name);
     while (!particles.finished())
       {
         particles.advance();
         progress.update(particles.done(), "");
-        if (!interrupted())
-          continue;
-        postprocess::CheckpointWriter writer(under_way, deciding_text + "\n# " + name);
-        writer.group("particles");
-        particles.visit_state(writer);
-        writer.commit();
-        progress.clear();
-        return false;
+        if (interrupted())
+          {
+            const AnsweringInterrupt answering;
+            write();
+            return false;
+          }
+        if (clock.is_due())
+          clock.save(write);
       }
+    std::filesystem::remove(under_way);
     return true;
   }
 } // namespace apps

@@ -4,6 +4,7 @@
 #include "apps/progress.h"
 #include "dem/core/errors.h"
 #include "dem/neighbours/pieces.h"
+#include "dem/packing/overlaps.h"
 #include "dem/packing/tiling.h"
 #include "postprocess/packing_io.h"
 
@@ -117,14 +118,16 @@ namespace apps
 
   dem::Packing make_packing(const SpecimenSection &specimen, const MaterialSection &material, const int dimension)
   {
-    dem::Packing packing = make_particles(specimen);
+    const bool        from_file = specimen.source == SpecimenSection::Source::file;
+    const std::string origin    = from_file ? specimen.file : "generated packing";
+    dem::Packing      packing   = make_particles(specimen);
+    if (from_file || specimen.body == SpecimenSection::Body::box)
+      dem::check_packing(packing, origin);
+    if (from_file)
+      dem::check_overlaps(packing, origin, dimension);
     if (specimen.body == SpecimenSection::Body::box)
-      {
-        dem::check_packing(packing, "packing");
-        packing = in_one_piece(std::move(packing), specimen);
-      }
-    material.assign(packing, dimension,
-                    specimen.source == SpecimenSection::Source::file ? specimen.file : "generated packing");
+      packing = in_one_piece(std::move(packing), specimen);
+    material.assign(packing, dimension, origin);
     return packing;
   }
 } // namespace apps

@@ -2,172 +2,120 @@
 
 #include "apps/drivers/specimen_packing.h"
 #include "apps/drivers/uniaxial_summary.h"
-#include "apps/exit_status.h"
 #include "apps/interrupt.h"
-#include "apps/progress.h"
-#include "postprocess/atomic_file.h"
-#include "postprocess/checkpoint.h"
+#include "apps/results/life_cycle.h"
+#include "apps/results/warning.h"
 #include "postprocess/packing_io.h"
 #include "postprocess/summary.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 namespace apps
 {
   namespace
   {
-    constexpr const char *scene_name   = "scene.prm";
     constexpr const char *packing_name = "packing.h5";
-    constexpr const char *series_name  = "series.csv";
-
-    double seconds_since(const std::chrono::steady_clock::time_point &start)
-    {
-      return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    }
-
-    /** A picture that could not be drawn costs the user a line, not the run. */
-    void warn(const char *what, const std::string &problem)
-    {
-      if (!problem.empty())
-        fmt::print(stderr, "breccia: warning: no {}: {}\n", what, problem);
-    }
-  } // namespace
+  }
 
   UniaxialRun::UniaxialRun(const RunRequest &asked, const UniaxialModel &what)
     : request(asked)
     , model(what)
-    , start(Clock::now())
-    , last_saved(start)
   {
   }
 
-  double UniaxialRun::wall_seconds() const { return seconds_before + seconds_since(start); }
+  int UniaxialRun::execute() { return LifeCycle(request, model.output.checkpoint_interval, *this).execute(); }
 
-  int UniaxialRun::execute()
+  void UniaxialRun::make_stage()
   {
-    if (request.resume)
-      resume();
-    else
-      begin();
-    fmt::print(stderr, "{}: {} particles, {} links; results {} in {}\n", request.scene_file,
-               stage->result.at_start.particles, stage->result.at_start.links, request.resume ? "go on" : "grow",
-               folder->running().string());
-    while (true)
-      {
-        if (!complete_stage())
-          return exit_interrupted;
-        finished.push_back(stage->result);
-        if (finished.size() == model.loading.tests.size())
-          break;
-        stage = std::make_unique<UniaxialStage>(model, packing, finished.size());
-        stage->settle();
-        stage->open(folder->running());
-      }
-    finish();
-    return exit_success;
+    const Progress progress("links and grips");
+    // A run whose tests are complete, and whose results are not, still has its last one.
+    test = std::make_unique<UniaxialStage>(model, packing, std::min(complete.size(), model.loading.tests.size() - 1));
   }
 
-  void UniaxialRun::begin()
+  void UniaxialRun::prepare()
   {
-    // All refusals come before the folder is touched.
     packing = make_packing(model.source, model.material, model.specimen.physics.dimension);
-    stage   = std::make_unique<UniaxialStage>(model, packing, 0);
-    stage->settle();
-
-    folder = std::make_unique<ResultFolder>(request.output_folder, ResultFolder::Start::afresh);
-    const std::filesystem::path &location = folder->running();
-    postprocess::write_text(location / scene_name, request.scene_text);
-    postprocess::write_packing(packing, location / packing_name);
-    series = std::make_unique<postprocess::SeriesWriter>(location / series_name, UniaxialStage::series_columns());
-    stage->open(location);
+    make_stage();
+    test->settle();
   }
 
-  void UniaxialRun::resume()
+  void UniaxialRun::begin(const std::filesystem::path &folder, const Record &)
   {
-    folder = std::make_unique<ResultFolder>(request.output_folder, ResultFolder::Start::resume);
-    const std::filesystem::path &location = folder->running();
+    location = folder;
+    postprocess::write_packing(packing, folder / packing_name);
+    test->open(folder);
+  }
 
-    postprocess::CheckpointReader checkpoint(location / checkpoint_name, request.deciding_text);
-    std::int64_t                  tests = 0, rows = 0;
-    checkpoint.group("run");
-    checkpoint.scalar("finished_tests", tests);
-    checkpoint.scalar("series_rows", rows);
-    checkpoint.scalar("wall_seconds", seconds_before);
-    for (std::int64_t i = 0; i < tests; ++i)
+  void UniaxialRun::reopen(const std::filesystem::path &folder)
+  {
+    location = folder;
+    packing  = postprocess::read_packing(folder / packing_name);
+  }
+
+  void UniaxialRun::visit_state(RunState &state)
+  {
+    auto tests = static_cast<std::int64_t>(complete.size());
+    state.group("tests");
+    state.scalar("finished_tests", tests);
+    complete.resize(static_cast<std::size_t>(tests));
+    for (std::size_t i = 0; i < complete.size(); ++i)
       {
-        finished.emplace_back();
-        finished.back().load = model.loading.tests.at(static_cast<std::size_t>(i));
-        checkpoint.group(std::string("result_") + name_of(finished.back().load));
-        finished.back().visit_state(checkpoint);
+        complete[i].load = model.loading.tests.at(i);
+        state.group(std::string("result_") + name_of(complete[i].load));
+        complete[i].visit_state(state);
       }
-
-    packing = postprocess::read_packing(location / packing_name);
-    stage   = std::make_unique<UniaxialStage>(model, packing, finished.size());
-    stage->open(location);
-    stage->visit_state(checkpoint);
-    checkpoint.group("result_under_way");
-    stage->result.visit_state(checkpoint);
-    checkpoint.finish();
-    series = std::make_unique<postprocess::SeriesWriter>(location / series_name, UniaxialStage::series_columns(), rows);
-  }
-
-  void UniaxialRun::save()
-  {
-    series->flush();
-    postprocess::CheckpointWriter checkpoint(folder->running() / checkpoint_name, request.deciding_text);
-    std::int64_t                  tests = static_cast<std::int64_t>(finished.size()), rows = series->rows();
-    double                        seconds = wall_seconds();
-    checkpoint.group("run");
-    checkpoint.scalar("finished_tests", tests);
-    checkpoint.scalar("series_rows", rows);
-    checkpoint.scalar("wall_seconds", seconds);
-    for (UniaxialResult &result : finished)
+    if (state.reads())
       {
-        checkpoint.group(std::string("result_") + name_of(result.load));
-        result.visit_state(checkpoint);
+        make_stage();
+        test->open(location);
       }
-    stage->visit_state(checkpoint);
-    checkpoint.group("result_under_way");
-    stage->result.visit_state(checkpoint);
-    checkpoint.commit();
-    last_saved = Clock::now();
+    test->visit_state(state);
+    state.group("result_under_way");
+    test->result.visit_state(state);
   }
 
-  bool UniaxialRun::complete_stage()
+  std::vector<postprocess::SeriesColumn> UniaxialRun::series_columns() const { return UniaxialStage::series_columns(); }
+
+  std::string UniaxialRun::size() const
   {
-    const char *name = name_of(stage->result.load);
-    Progress    progress(name);
-    while (!stage->finished())
-      {
-        stage->advance();
-        stage->append_row(*series);
-        progress.update(stage->done(), stage->details());
-        if (interrupted())
-          {
-            save();
-            progress.clear();
-            fmt::print(stderr, "breccia: interrupted in {}, state saved. Go on with: breccia run {} --resume\n", name,
-                       (folder->running() / scene_name).string());
-            return false;
-          }
-        if (seconds_since(last_saved) > model.output.checkpoint_interval)
-          save();
-      }
-    stage->finish();
-    stage->save_discrete_state(folder->running());
-    progress.clear();
-    warn("crack picture", stage->draw_crack(folder->running()));
-    return true;
+    return fmt::format("{} particles, {} links", test->result.at_start.particles, test->result.at_start.links);
   }
 
-  void UniaxialRun::finish()
+  std::string UniaxialRun::stage() const { return name_of(test->result.load); }
+  double      UniaxialRun::done() const { return test->done(); }
+  std::string UniaxialRun::details() const { return test->details(); }
+  bool        UniaxialRun::finished() const { return complete.size() == model.loading.tests.size(); }
+
+  void UniaxialRun::advance(const Record &record)
   {
-    series->flush();
-    const UniaxialReport report{request, finished, stage->materials, wall_seconds()};
-    postprocess::write_json(folder->running() / "summary.json", report.summary());
-    warn("curve.png", report.draw_curve(folder->running() / "curve.png"));
-    folder->publish();
-    fmt::print("{}", report.text());
+    if (!test->finished() && test->advance())
+      record(test->row());
+    if (test->finished() && !interrupted()) // else the resumed run completes it
+      complete_stage();
+  }
+
+  void UniaxialRun::complete_stage()
+  {
+    const Progress progress(stage() + ", results");
+    test->finish();
+    test->save_discrete_state(location);
+    warn_of_missing("crack picture", test->draw_crack(location));
+    complete.push_back(test->result);
+    if (finished())
+      return;
+    make_stage();
+    test->settle();
+    test->open(location);
+  }
+
+  std::string UniaxialRun::finish(const std::filesystem::path &folder, const double wall_seconds)
+  {
+    const UniaxialReport report{request, complete, test->materials, wall_seconds};
+    postprocess::write_json(folder / "summary.json", report.summary());
+    warn_of_missing("curve.png", report.draw_curve(folder / "curve.png"));
+    return report.text();
   }
 } // namespace apps

@@ -2,24 +2,21 @@
 
 #include "apps/drivers/uniaxial_model.h"
 #include "apps/drivers/uniaxial_stage.h"
-#include "apps/results/result_folder.h"
+#include "apps/results/run_work.h"
 #include "apps/scene/scene.h"
-#include "postprocess/series.h"
 
-#include <chrono>
 #include <memory>
 #include <vector>
 
 namespace apps
 {
   /**
-   * One run of a uniaxial scene: the tests one after the other, each on a fresh specimen, with everything that is
-   * written.
+   * The work of a uniaxial scene: the tests one after the other, each on a fresh specimen.
    *
-   * In the result folder: packing.h5, scene.prm, series.csv (all tests), TEST_particles.pvd and TEST_links.pvd with
-   * their snapshots, checkpoint.h5 while running, and at the end TEST_state.h5, summary.json, curve.png and TEST_crack.png.
+   * In the result folder, besides what every run has (life_cycle.h): packing.h5, TEST_particles.pvd and TEST_links.pvd with
+   * their snapshots, and at the end TEST_state.h5, summary.json, curve.png and TEST_crack.png.
    */
-  class UniaxialRun
+  class UniaxialRun : public RunWork
   {
   public:
     UniaxialRun(const RunRequest &request, const UniaxialModel &model);
@@ -28,25 +25,27 @@ namespace apps
     int execute();
 
   private:
-    using Clock = std::chrono::steady_clock;
+    void                                   prepare() override;
+    void                                   begin(const std::filesystem::path &folder, const Record &record) override;
+    void                                   reopen(const std::filesystem::path &folder) override;
+    void                                   visit_state(RunState &state) override;
+    std::vector<postprocess::SeriesColumn> series_columns() const override;
+    std::string                            size() const override;
+    std::string                            stage() const override;
+    double                                 done() const override;
+    std::string                            details() const override;
+    bool                                   finished() const override;
+    void                                   advance(const Record &record) override;
+    std::string                            finish(const std::filesystem::path &folder, double wall_seconds) override;
 
-    void begin();
-    void resume();
-    /** The stage under way to its end. @return false when interrupted. */
-    bool   complete_stage();
-    void   save();
-    void   finish();
-    double wall_seconds() const;
+    void make_stage();
+    void complete_stage();
 
-    RunRequest    request;
-    UniaxialModel model;
-
-    dem::Packing                               packing;
-    std::unique_ptr<ResultFolder>              folder;
-    std::unique_ptr<postprocess::SeriesWriter> series;
-    std::unique_ptr<UniaxialStage>             stage;              ///< under way
-    std::vector<UniaxialResult>                finished;           ///< of the stages before it
-    double                                     seconds_before = 0; ///< of the same run, before it was resumed
-    Clock::time_point                          start, last_saved;
+    RunRequest                     request;
+    UniaxialModel                  model;
+    dem::Packing                   packing;
+    std::filesystem::path          location;
+    std::unique_ptr<UniaxialStage> test;     ///< under way
+    std::vector<UniaxialResult>    complete; ///< of the tests before it
   };
 } // namespace apps

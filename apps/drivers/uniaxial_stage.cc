@@ -1,5 +1,7 @@
 #include "apps/drivers/uniaxial_stage.h"
 
+#include "apps/progress.h"
+#include "apps/results/snapshots.h"
 #include "dem/core/errors.h"
 #include "dem/measures/discrete_state.h"
 #include "postprocess/discrete_state_hdf5.h"
@@ -63,7 +65,11 @@ namespace apps
       materials = MaterialCounts(packing.material_names, specimen.particles().material, specimen.links().law);
   }
 
-  void UniaxialStage::settle() { result.start = start_statically(specimen, gravity); }
+  void UniaxialStage::settle()
+  {
+    const Progress progress("initial equilibrium");
+    result.start = start_statically(specimen, gravity);
+  }
 
   void UniaxialStage::open(const std::filesystem::path &folder)
   {
@@ -73,7 +79,7 @@ namespace apps
     links.emplace(folder, name + "_links");
   }
 
-  void UniaxialStage::advance()
+  bool UniaxialStage::advance()
   {
     if (specimen.steps() == 0 && particles)
       snapshot();
@@ -91,6 +97,7 @@ namespace apps
     result.worst_balance_error = std::max(result.worst_balance_error, result.energy.balance_error());
     if (particles && static_cast<std::int64_t>(test.curve().size()) % samples_per_snapshot == 0)
       snapshot();
+    return true;
   }
 
   std::vector<postprocess::SeriesColumn> UniaxialStage::series_columns()
@@ -102,7 +109,7 @@ namespace apps
     return columns;
   }
 
-  void UniaxialStage::append_row(postprocess::SeriesWriter &series) const
+  SeriesRow UniaxialStage::row() const
   {
     const dem::UniaxialSample &sample = test.curve().back();
     std::vector<double>        row    = {sample.time,
@@ -113,7 +120,17 @@ namespace apps
                                          static_cast<double>(result.at_end.broken),
                                          static_cast<double>(result.at_end.contacts)};
     result.energy.each([&](const std::string &, const double value) { row.push_back(value); });
-    series.append({name}, row);
+    return {{name}, row, {}};
+  }
+
+  void UniaxialStage::visit_state(RunState &state)
+  {
+    state.group("specimen");
+    specimen.visit_state(state);
+    state.group("test");
+    test.visit_state(state);
+    visit_snapshots(state, "particle_snapshots", particles);
+    visit_snapshots(state, "link_snapshots", links);
   }
 
   void UniaxialStage::snapshot()

@@ -3,8 +3,8 @@
 #include "apps/drivers/material_counts.h"
 #include "apps/drivers/uniaxial_model.h"
 #include "apps/drivers/uniaxial_result.h"
+#include "apps/results/run_work.h"
 #include "postprocess/pvd.h"
-#include "postprocess/series.h"
 
 #include <filesystem>
 #include <optional>
@@ -37,11 +37,11 @@ namespace apps
     /** From now on snapshots go to this folder; without this call there are none. @throws postprocess::OutputError. */
     void open(const std::filesystem::path &folder);
 
-    /** One sample further: some steps, and a snapshot when one is due. */
-    void advance();
-    /** The row of the last sample. */
-    void append_row(postprocess::SeriesWriter &series) const;
-    bool finished() const { return test.finished(); }
+    /** One sample further: some steps, and a snapshot when one is due. @return whether there is a new row */
+    bool advance();
+    /** Of the last sample. */
+    SeriesRow row() const;
+    bool      finished() const { return test.finished(); }
     /** Call it when finished: completes the result, and takes the last snapshot. */
     void finish();
     /** TEST_state.h5: the discrete state, from which `breccia transfer` can go on. */
@@ -52,21 +52,8 @@ namespace apps
     double      done() const;    ///< part of the most that the test can take, in [0, 1]
     std::string details() const; ///< where it is and how fast, for the progress line
 
-    /** Everything to go on to the same bits. @tparam Checkpoint postprocess::CheckpointWriter or CheckpointReader */
-    template <typename Checkpoint>
-    void visit_state(Checkpoint &checkpoint)
-    {
-      checkpoint.group("specimen");
-      specimen.visit_state(checkpoint);
-      checkpoint.group("test");
-      test.visit_state(checkpoint);
-      checkpoint.group("particle_snapshots");
-      if (particles)
-        particles->visit_state(checkpoint);
-      checkpoint.group("link_snapshots");
-      if (links)
-        links->visit_state(checkpoint);
-    }
+    /** Everything to go on to the same bits. */
+    void visit_state(RunState &state);
 
     UniaxialResult result;    ///< up to the last sample
     MaterialCounts materials; ///< before anything moves

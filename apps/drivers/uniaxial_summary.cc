@@ -1,7 +1,6 @@
 #include "apps/drivers/uniaxial_summary.h"
 
 #include "apps/progress.h"
-#include "apps/results/result_listing.h"
 #include "apps/version.h"
 #include "postprocess/plot.h"
 
@@ -123,7 +122,6 @@ namespace apps
     text += fmt::format("energy       balance error {:.1e} at worst\n", worst_balanced(results).worst_balance_error);
     text += fmt::format("cost         {}, {:.1f} million link updates/s with {} threads\n", duration_text(wall_seconds),
                         1e-6 * updates_per_second(results), omp_get_max_threads());
-    text += result_listing(request.output_folder);
     return text;
   }
 } // namespace apps

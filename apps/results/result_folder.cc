@@ -48,6 +48,15 @@ namespace apps
     }
   } // namespace
 
+  void refuse_to_overwrite(const fs::path &folder)
+  {
+    std::error_code none;
+    if (fs::exists(folder / "running" / checkpoint_name, none))
+      throw dem::InputError(folder.string() + ": an earlier run was interrupted, or failed, and its state is kept in " +
+                            (folder / "running").string() +
+                            ". Go on with it: --resume. Throw it away and start afresh: --restart.");
+  }
+
   ResultFolder::ResultFolder(const fs::path &folder, const Start start)
     : folder_path(folder)
     , running_path(folder / "running")

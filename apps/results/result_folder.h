@@ -9,8 +9,8 @@ namespace apps
    *
    * A folder holds the results of the last *completed* run. The run in progress writes to its sub-folder `running`;
    * when it is complete, its files move up and replace those of the earlier run. A run that is interrupted or fails
-   * leaves the earlier results as they are, and in `running` its own with the last checkpoint, for `--resume`. A new
-   * run (without `--resume`) replaces `running`.
+   * leaves the earlier results as they are, and in `running` its own with the last checkpoint, for `--resume`. A new run
+   * replaces `running`; see refuse_to_overwrite().
    *
    * Only one run at a time may write to a folder: it is locked until the object goes.
    */
@@ -43,6 +43,12 @@ namespace apps
     std::filesystem::path folder_path, running_path;
     int                   lock = -1;
   };
+
+  /**
+   * Keeps a new run from throwing away what an interrupted one computed.
+   * @throws dem::InputError, which offers --resume and --restart, when the folder holds a checkpoint.
+   */
+  void refuse_to_overwrite(const std::filesystem::path &folder);
 
   /** The name, in a result folder, of what a run goes on from. */
   extern const char *const checkpoint_name;

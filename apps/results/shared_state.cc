@@ -36,7 +36,7 @@ namespace apps
       if (total != all.size())
         throw dem::InputError("checkpoint: \"" + name + "\" has " + std::to_string(all.size()) +
                               " values, and the model " + std::to_string(total) +
-                              ". The mesh file has changed, or another version wrote it: run again without --resume.");
+                              ". Another version wrote it: start again with --restart.");
       const auto first = all.begin() + static_cast<std::ptrdiff_t>(before);
       values.assign(first, first + static_cast<std::ptrdiff_t>(values.size()));
     }
@@ -50,26 +50,21 @@ namespace apps
     }
   } // namespace
 
-  SharedState::SharedState(dem::StateVisitor *on_first, const Direction way)
+  SharedState::SharedState(RunState *on_first, const bool reads)
     : inner(on_first)
-    , direction(way)
+    , reader(reads)
   {
   }
 
-  void SharedState::column(const std::string &name, dem::Column &values)
+  void SharedState::group(const std::string &name)
   {
-    visit_column(inner, direction == Direction::read, name, values);
+    on_first_rank([&] { inner->group(name); });
   }
+  void SharedState::column(const std::string &name, dem::Column &values) { visit_column(inner, reader, name, values); }
   void SharedState::column(const std::string &name, std::vector<std::int32_t> &values)
   {
-    visit_column(inner, direction == Direction::read, name, values);
+    visit_column(inner, reader, name, values);
   }
-  void SharedState::scalar(const std::string &name, double &value)
-  {
-    visit_scalar(inner, direction == Direction::read, name, value);
-  }
-  void SharedState::scalar(const std::string &name, std::int64_t &value)
-  {
-    visit_scalar(inner, direction == Direction::read, name, value);
-  }
+  void SharedState::scalar(const std::string &name, double &value) { visit_scalar(inner, reader, name, value); }
+  void SharedState::scalar(const std::string &name, std::int64_t &value) { visit_scalar(inner, reader, name, value); }
 } // namespace apps

@@ -1,6 +1,8 @@
 #pragma once
 
-#include "dem/state.h"
+#include "apps/results/run_state.h"
+
+#include <functional>
 
 namespace apps
 {
@@ -10,17 +12,14 @@ namespace apps
    * Columns are spread: each rank holds its part, of the right length also before reading. Scalars are the same on all
    * ranks. The same number of ranks must read what they wrote.
    */
-  class SharedState : public dem::StateVisitor
+  class SharedState : public RunState
   {
   public:
-    enum class Direction
-    {
-      write,
-      read
-    };
-
     /** @param on_first_rank where the state goes to or comes from; nullptr on other ranks. */
-    SharedState(dem::StateVisitor *on_first_rank, Direction direction);
+    SharedState(RunState *on_first_rank, bool reads);
+
+    bool reads() const override { return reader; }
+    void group(const std::string &name) override;
 
     /** @throws dem::InputError on every rank, on reading, if the lengths do not fit. */
     void column(const std::string &name, dem::Column &values) override;
@@ -29,7 +28,7 @@ namespace apps
     void scalar(const std::string &name, std::int64_t &value) override;
 
   private:
-    dem::StateVisitor *inner;
-    Direction          direction;
+    RunState *inner;
+    bool      reader;
   };
 } // namespace apps

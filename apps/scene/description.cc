@@ -67,7 +67,9 @@ namespace apps
 
     std::string completed_line(const Entry &entry, const Completed what)
     {
-      const std::string line = "set " + entry.name + " = " + portable_value(entry);
+      // Files decide by their content, which is compared apart, and not by their names.
+      const bool        by_content = what == Completed::what_decides_results && entry.type == "file";
+      const std::string line       = "set " + entry.name + " = " + (by_content ? "(content)" : portable_value(entry));
       return what == Completed::everything ?
                fmt::format("{:<48} # {}{}\n", line, entry.meaning, unit_in_brackets(entry)) :
                line + "\n";

@@ -7,6 +7,8 @@
 #include "apps/scene/parameter_file.h"
 #include "apps/scene/reader.h"
 #include "apps/scene/same_name.h"
+#include "apps/scene/value_text.h"
+#include "postprocess/digest.h"
 
 #include <filesystem>
 
@@ -66,6 +68,33 @@ namespace apps
         .housekeeping();
       loaded.scene->declare(*loaded.root);
     }
+
+    /** The files that an entry names, from the current folder. */
+    std::vector<std::filesystem::path> files_of(const Entry &entry)
+    {
+      std::vector<std::filesystem::path> files;
+      if (entry.type == "file")
+        files.push_back((std::filesystem::path(entry.place.file).parent_path() / entry.value).lexically_normal());
+      if (entry.type == "list of files")
+        for (const std::string &name : comma_separated(entry.value))
+          files.emplace_back(name);
+      return files;
+    }
+
+    void add_inputs(const Section &section, std::vector<InputFile> &inputs)
+    {
+      if (!section.needed())
+        return;
+      std::error_code none; // a file that is missing is refused by who reads it
+      for (const auto &entry : section.entries())
+        if (entry->set && entry->needed())
+          for (const std::filesystem::path &file : files_of(*entry))
+            if (std::filesystem::is_regular_file(file, none))
+              inputs.push_back({section.path_of(entry->name), file.string(), std::filesystem::file_size(file),
+                                postprocess::digest_of_file(file)});
+      for (const auto &subsection : section.sections())
+        add_inputs(*subsection, inputs);
+    }
   } // namespace
 
   LoadedScene load_scene(const std::string &file, const std::vector<std::string> &overrides)
@@ -112,6 +141,7 @@ namespace apps
     request.scene_file    = scene.file;
     request.scene_text    = completed_scene(*scene.root, Completed::everything);
     request.deciding_text = completed_scene(*scene.root, Completed::what_decides_results);
+    add_inputs(*scene.root, request.inputs);
     return request;
   }
 } // namespace apps

@@ -6,12 +6,14 @@ namespace apps
   {
     Section &section = root.section("Output", "How often results are written");
     section.integer("Samples", samples, "", Range::between(1, 1e9), Need::optional)
-      .means("Rows of series.csv from the start of a test to its stop strain (it may stop earlier)");
+      .means("Rows of series.csv from the start of a test to its stop strain (it may stop earlier)")
+      .housekeeping();
     section.integer("Snapshots", snapshots, "", Range::between(0, 1e6), Need::optional)
       .means(
-        "ParaView files from the start of a test to its stop strain; its first and last state besides; 0: none at all");
+        "ParaView files from the start of a test to its stop strain; its first and last state besides; 0: none at all")
+      .housekeeping();
     section.number("Checkpoint interval", checkpoint_interval, "s", Range::positive(), Need::optional)
-      .means("Wall-clock time between checkpoints: what an accident can cost at most")
+      .means("Longest wall-clock time between checkpoints; from one minute on they are made wherever saving is cheap")
       .housekeeping();
   }
 } // namespace apps

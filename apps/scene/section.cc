@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 
 namespace apps
 {
@@ -58,6 +59,37 @@ namespace apps
                                                        {"", 1e-30, 1e30}}};
       return std::find_if(known.begin(), known.end() - 1, [&](const Magnitudes &m) { return unit == m.unit; });
     }
+
+    /** A number, and whether its unit was written behind it: "25e9 Pa". */
+    struct NumberWithUnit
+    {
+      std::optional<double> value;
+      bool                  unit_named = false;
+    };
+
+    NumberWithUnit number_with_unit(const std::string &text, const std::string &unit)
+    {
+      const std::string ending = " " + unit;
+      if (unit.empty() || text.size() <= ending.size() ||
+          text.compare(text.size() - ending.size(), ending.size(), ending) != 0)
+        return {number_in(text), false};
+      return {number_in(trimmed(text.substr(0, text.size() - ending.size()))), true};
+    }
+
+    /**
+     * What to ask about a modulus that no solid has ("25" for 25 GPa): soft rubber has 1e6 Pa, diamond 1.2e12 Pa. Whoever means it
+     * names the unit. "" for nothing.
+     */
+    std::string question_about(const std::string &entry, const std::string &unit, const NumberWithUnit &number)
+    {
+      constexpr double softest = 1e6, stiffest = 1e13;
+      const bool       is_modulus = unit == "Pa" && entry.find("modulus") != std::string::npos;
+      if (!is_modulus || number.unit_named || (*number.value >= softest && *number.value <= stiffest))
+        return "";
+      return fmt::format("no solid is so {}. In GPa or MPa? Write it in Pa, e.g. 25e9. If it is meant, name the unit: "
+                         "{} Pa",
+                         *number.value < softest ? "soft" : "stiff", *number.value);
+    }
   } // namespace
 
   bool Range::contains(const double value) const
@@ -103,14 +135,16 @@ namespace apps
     Entry &added  = add(entry, "number", need, fmt::format("{}", member));
     added.unit    = unit;
     added.allowed = range.text();
-    added.store   = [&member, range, unit](const std::string &text, const Place &) -> std::string {
-      const auto value = number_in(text);
-      if (!value || !range.contains(*value))
+    added.store   = [&member, range, unit, entry](const std::string &text, const Place &) -> std::string {
+      const NumberWithUnit number = number_with_unit(text, unit);
+      if (!number.value || !range.contains(*number.value))
         return expected("a number", range.text());
-      if (const Magnitudes *limits = magnitudes_of(unit); !limits->contain(*value))
+      if (const Magnitudes *limits = magnitudes_of(unit); !limits->contain(*number.value))
         return expected("a number", range.text()) + limits->text();
-      member = *value;
-      return "";
+      const std::string question = question_about(entry, unit, number);
+      if (question.empty())
+        member = *number.value;
+      return question;
     };
     return added;
   }

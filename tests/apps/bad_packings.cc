@@ -35,6 +35,16 @@ TEST_CASE("A packing of which no specimen can be made is refused with file and l
   CHECK_THAT(refusal_of("# x y z radius\n"), Contains("packing.txt") && Contains("no particle"));
 }
 
+TEST_CASE("A packing whose particles overlap by almost a diameter is refused by check and run", "[apps]")
+{
+  const std::string packing = "0 0 0 1e-3\n0 0 2e-3 1e-3\n0 0.1e-3 2e-3 1e-3\n";
+  CHECK_THAT(refusal_of(packing), Contains("packing.txt: particles 2 and 3 overlap by") && Contains("95 %"));
+  const ScratchFolder folder;
+  folder.file("packing.txt", packing);
+  folder.file("x.prm", scene_with_file());
+  CHECK(run(folder.path(), {"check", "x.prm"}).status == 2);
+}
+
 TEST_CASE("A single particle, with nothing to be linked to, is refused", "[apps][S14]")
 {
   CHECK_THAT(refusal_of("0 0 0 1e-3\n"), Contains("no two particles are near enough to be linked"));

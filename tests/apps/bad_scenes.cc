@@ -73,6 +73,40 @@ TEST_CASE("A material constant that nobody sets is refused by name, with its uni
   refused("    set Strain rate = 4\n", "", "\"Loading/Tension/Strain rate\" [1/s] is not set and has no default");
 }
 
+TEST_CASE("All entries that are missing are named at once", "[apps]")
+{
+  const ScratchFolder folder;
+  std::string         scene = scene_with_file();
+  for (const char *line :
+       {"    set Cohesion             = 3e6\n", "  set Density           = 4800\n", "  set Grip thickness = 1.5e-3\n"})
+    scene = replaced(scene, line, "");
+  folder.file("packing.txt", pair_packing());
+  folder.file("x.prm", scene);
+  for (const char *command : {"run", "check"})
+    {
+      const Outcome outcome = run(folder.path(), {command, "x.prm"});
+      CHECK(outcome.status == 2);
+      CHECK_THAT(outcome.err, Contains("\"Specimen/Density\" [kg/m^3] is not set") &&
+                                Contains("\"Material/CPM/Cohesion\" [Pa] is not set") &&
+                                Contains("\"Loading/Grip thickness\" [m] is not set"));
+    }
+}
+
+TEST_CASE("A modulus that no solid has is asked for once more, and taken when its unit is named", "[apps]")
+{
+  for (const char *value : {"25", "25000", "25e18"})
+    refused("Normal modulus       = 25e9", std::string("Normal modulus = ") + value,
+            std::string("Material/CPM/Normal modulus = ") + value + ": no solid is so");
+  refused("Normal modulus       = 25e9", "Normal modulus = 25 GPa",
+          "Normal modulus = 25 GPa: expected a number > 0 [Pa]");
+  const ScratchFolder folder;
+  folder.file("packing.txt", stack_packing());
+  folder.file("x.prm", replaced(scene_with_file(), "Normal modulus       = 25e9", "Normal modulus = 25000 Pa"));
+  const Outcome meant = run(folder.path(), {"check", "x.prm"});
+  INFO(meant.err);
+  CHECK(meant.status == 0);
+}
+
 TEST_CASE("An unknown kind of scene is refused with the kinds there are", "[apps][S14]")
 {
   refused("Kind = uniaxial", "Kind = uniaxail", "x.prm:1: Kind = uniaxail is not known. Did you mean \"uniaxial\"?");

@@ -116,3 +116,23 @@ TEST_CASE("A scene of particles under mpirun is refused in one message", "[apps]
   CHECK(place != std::string::npos);
   CHECK(said.find(refusal, place + 1) == std::string::npos);
 }
+
+TEST_CASE("Interrupted under mpirun, a run says how to go on under mpirun, and does", "[apps][slow]")
+{
+  if (mpirun.empty())
+    return;
+  const ScratchFolder folder;
+  std::string         scene = replaced(impact_scene(), "set End time           = 1.9e-4", "set End time = 2e-2");
+  folder.file("x.prm", replaced(scene, "subsection Output", "subsection Output\n  set Checkpoint interval = 0.01"));
+  const int status =
+    shell(folder, "RUN -o two & "
+                  "for i in $(seq 600); do test -e two/running/checkpoint.h5 && break; sleep 0.1; done; "
+                  "kill -TERM $!; wait $!");
+  INFO(content_of(folder / "said"));
+  CHECK(status != 0);
+  CHECK_THAT(content_of(folder / "said"),
+             Contains("Go on with: mpirun -n 2 breccia run two/running/scene.prm --resume"));
+  REQUIRE_FALSE(std::filesystem::exists(folder / "two/summary.json"));
+  REQUIRE(shell(folder, "RUN -o two --resume") == 0);
+  CHECK(std::filesystem::exists(folder / "two/summary.json"));
+}

@@ -106,3 +106,93 @@ TEST_CASE("A run cannot be resumed with another scene, or where there is nothing
     run(folder.path(), {"run", "x.prm", "-o", "results", "--resume", "-s", "Output/Checkpoint interval=100"}).status ==
     0);
 }
+
+namespace
+{
+  /** A run of the slow scene that was interrupted in the middle. */
+  void leave_interrupted(const ScratchFolder &folder)
+  {
+    folder.file("packing.txt", stack_packing());
+    folder.file("x.prm", slow_scene());
+    REQUIRE(interrupted_run(folder, {"run", "x.prm", "-o", "results"}, SIGINT).status == 130);
+  }
+
+  /** Resuming is refused, the message names the file, and nothing is changed by that. */
+  void resuming_is_refused_for(const ScratchFolder &folder, const std::string &name)
+  {
+    const std::string before  = listing_of(folder / "results");
+    const Outcome     refused = run(folder.path(), {"run", "x.prm", "-o", "results", "--resume"});
+    INFO(refused.err);
+    CHECK(refused.status == 2);
+    CHECK_THAT(refused.err, Contains(name) && Contains("--restart"));
+    CHECK(listing_of(folder / "results") == before);
+  }
+} // namespace
+
+TEST_CASE("The same command after an interruption does not throw the checkpoint away", "[apps][slow]")
+{
+  const ScratchFolder folder;
+  leave_interrupted(folder);
+  const std::string before  = listing_of(folder / "results");
+  const Outcome     refused = run(folder.path(), {"run", "x.prm", "-o", "results"});
+  CHECK(refused.status == 2);
+  CHECK_THAT(refused.err, Contains("results/running") && Contains("--resume") && Contains("--restart"));
+  CHECK(listing_of(folder / "results") == before);
+  CHECK(run(folder.path(), {"run", "x.prm", "-o", "results", "--restart", "--resume"}).status == 2);
+  REQUIRE(run(folder.path(), {"run", "x.prm", "-o", "results", "--restart"}).status == 0);
+  CHECK_FALSE(std::filesystem::exists(folder / "results/running"));
+}
+
+TEST_CASE("Resuming compares the content of input files, not their names", "[apps][slow]")
+{
+  const ScratchFolder folder;
+  leave_interrupted(folder);
+  const std::string packing = content_of(folder / "packing.txt");
+  folder.file("packing.txt", packing + "0 0 0.1 1e-3\n");
+  resuming_is_refused_for(folder, "packing.txt");
+  folder.file("packing.txt", replaced(packing, "0.001", "0.0011")); // nearly the same length
+  resuming_is_refused_for(folder, "packing.txt");
+  folder.file("same.txt", packing);
+  CHECK(run(folder.path(), {"run", "x.prm", "-o", "results", "--resume", "-s", "Specimen/File=same.txt"}).status == 0);
+}
+
+TEST_CASE("A series or snapshot that was changed or lost is noticed before a run goes on", "[apps][slow]")
+{
+  const ScratchFolder folder;
+  leave_interrupted(folder);
+  const auto in_progress = [&](const std::string &name) { return "results/running/" + name; };
+  for (const std::string &name : {in_progress("series.csv"), in_progress("packing.h5"),
+                                  in_progress("tension_particles/tension_particles_000000.vtp"),
+                                  in_progress("tension_links/tension_links_000001.vtp")})
+    {
+      const std::string whole = content_of(folder / name);
+      std::string       other = whole;
+      other[other.size() / 3] = other[other.size() / 3] == '1' ? '2' : '1';
+      folder.file(name, other);
+      resuming_is_refused_for(folder, name);
+      std::filesystem::remove(folder / name);
+      const Outcome lost = run(folder.path(), {"run", "x.prm", "-o", "results", "--resume"});
+      CHECK(lost.status == 2);
+      CHECK_THAT(lost.err, Contains(name));
+      folder.file(name, whole);
+    }
+  std::filesystem::remove(folder / in_progress("tension_particles.pvd")); // follows from the checkpoint: made anew
+  REQUIRE(run(folder.path(), {"run", "x.prm", "-o", "results", "--resume"}).status == 0);
+  CHECK(std::filesystem::exists(folder / "results/tension_particles.pvd"));
+}
+
+TEST_CASE("A run may be resumed with other entries of output", "[apps][slow]")
+{
+  const ScratchFolder folder;
+  leave_interrupted(folder);
+  SECTION("more of it")
+  {
+    REQUIRE(run(folder.path(),
+                {"run", "x.prm", "-o", "results", "--resume", "-s", "Output/Samples=100", "-s", "Output/Snapshots=20"})
+              .status == 0);
+    CHECK_THAT(content_of(folder / "results/scene.prm"), Contains("set Samples = 100"));
+  }
+  SECTION("no snapshots any more")
+  REQUIRE(run(folder.path(), {"run", "x.prm", "-o", "results", "--resume", "-s", "Output/Snapshots=0"}).status == 0);
+  CHECK(std::filesystem::exists(folder / "results/summary.json"));
+}

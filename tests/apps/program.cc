@@ -11,6 +11,7 @@
 
 #include <atomic>
 #include <csignal>
+#include <fstream>
 #include <stdexcept>
 
 namespace apps_tests
@@ -85,6 +86,19 @@ namespace apps_tests
     if (!ended)
       ended = waitpid(process, &status, WNOHANG) == process;
     return !ended;
+  }
+
+  bool Program::catches(const int signal) const
+  {
+    std::ifstream status_of_process("/proc/" + std::to_string(process) + "/status");
+    for (std::string word; status_of_process >> word;)
+      if (word == "SigCgt:")
+        {
+          unsigned long long caught = 0;
+          status_of_process >> std::hex >> caught;
+          return (caught >> (signal - 1) & 1) == 1;
+        }
+    return false;
   }
 
   void Program::send(const int signal) { kill(process, signal); }

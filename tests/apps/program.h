@@ -26,6 +26,7 @@ namespace apps_tests
     Program &operator=(const Program &) = delete;
 
     bool    running();
+    bool    catches(int signal) const; ///< it has set a handler of its own for the signal
     void    send(int signal);
     Outcome wait();
 

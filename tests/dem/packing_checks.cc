@@ -1,4 +1,5 @@
 #include "dem/core/errors.h"
+#include "dem/packing/overlaps.h"
 #include "dem/packing/packing.h"
 
 #include <catch2/catch.hpp>
@@ -119,4 +120,34 @@ TEST_CASE("what no specimen can be made of is refused by file and particle", "[d
     packing = {};
     REQUIRE_THROWS_AS(refusal(), dem::InputError);
   }
+}
+
+TEST_CASE("particles that overlap by almost a diameter are refused, and those of a dense packing are not",
+          "[dem][packing]")
+{
+  using Catch::Contains;
+  dem::Packing packing  = two_spheres(); // radii 1 and 2 mm
+  const auto   refusal  = [&packing] { dem::check_overlaps(packing, "a.txt", 3); };
+  packing.centre[1].x() = 0.0016; // overlap 1.4 mm of 2 mm
+  REQUIRE_NOTHROW(refusal());
+  packing.centre[1].x() = 0.0014;
+  REQUIRE_THROWS_WITH(refusal(), Contains("a.txt: particles 1 and 2 overlap") && Contains("80 %"));
+  packing.centre[1].x() = 0.0101; // the images are as near
+  packing.periodic_cell = Eigen::Vector3d(0.0115, 0.02, 0.02);
+  REQUIRE_THROWS_WITH(refusal(), Contains("particles 1 and 2 (its periodic image) overlap"));
+}
+
+TEST_CASE("a packing that is larger than its periodic cell is refused", "[dem][packing]")
+{
+  using Catch::Contains;
+  dem::Packing packing  = two_spheres();
+  packing.centre[1].x() = 0.05;
+  packing.periodic_cell = Eigen::Vector3d(0.04, 0.04, 0.04);
+  REQUIRE_THROWS_WITH(dem::check_overlaps(packing, "a.txt", 3),
+                      Contains("a.txt: along x the centres lie up to 0.05 m apart") && Contains("0.04 m long"));
+  packing.centre[1].x() = 0.0439; // a particle across the boundary may stand on either side
+  REQUIRE_NOTHROW(dem::check_overlaps(packing, "a.txt", 3));
+  packing.centre[1]     = {0.0005, 0.0005, 0.0025};
+  packing.periodic_cell = Eigen::Vector3d(0.0033, 0.0033, 0.0033); // 37.7 mm^3 of spheres in 35.9 mm^3
+  REQUIRE_THROWS_WITH(dem::check_overlaps(packing, "a.txt", 3), Contains("a volume of"));
 }

@@ -284,8 +284,9 @@ TEST_CASE("a collection of snapshots goes on from its checkpoint", "[postprocess
   snapshots.add(0.5);
   {
     CheckpointWriter writer(folder / "c.h5", scene);
+    dem::Column      times = snapshots.listed();
     writer.group("particles");
-    snapshots.visit_state(writer);
+    writer.column("times", times);
     writer.commit();
   }
   snapshots.add(1);
@@ -293,9 +294,13 @@ TEST_CASE("a collection of snapshots goes on from its checkpoint", "[postprocess
 
   PvdCollection    resumed(folder.path, "particles");
   CheckpointReader reader(folder / "c.h5", scene);
+  dem::Column      times;
   reader.group("particles");
-  resumed.visit_state(reader);
+  reader.column("times", times);
   reader.finish();
+  std::filesystem::remove(folder / "particles.pvd");
+  resumed.restore(times);
+  REQUIRE(std::filesystem::exists(folder / "particles.pvd")); // lost in between, or longer than at the checkpoint
   REQUIRE(resumed.next() == folder / "particles/particles_000002.vtp");
   resumed.add(1);
   REQUIRE(content_of(folder / "particles.pvd") == whole);

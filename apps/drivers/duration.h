@@ -1,0 +1,25 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <string>
+
+namespace apps
+{
+  /** Wall-clock time since it was made [s]. */
+  class Stopwatch
+  {
+  public:
+    double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); }
+
+  private:
+    std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+  };
+
+  /** Seconds of one unit of work, from as many as fit into about half a second. @param work does so many of them */
+  double seconds_per_unit(const std::function<void(std::int64_t)> &work);
+
+  /** The line of a forecast. @param at_most [s]; 0: nothing is known of it */
+  std::string duration_line(double expected, double at_most = 0);
+} // namespace apps

@@ -1,0 +1,74 @@
+#pragma once
+
+#include "apps/results/run_state.h"
+#include "postprocess/series.h"
+
+#include <filesystem>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace apps
+{
+  /** A new row of series.csv: words, numbers, and words again. */
+  struct SeriesRow
+  {
+    std::vector<std::string> first;
+    std::vector<double>      values;
+    std::vector<std::string> last;
+  };
+
+  /**
+   * What a run computes, as its life-cycle sees it (life_cycle.h): each kind of scene has one.
+   *
+   * Order: prepare() and begin(), or reopen() and visit_state(); then advance() until finished(), with visit_state() in between
+   * for checkpoints; then finish(). On several ranks each calls everything.
+   */
+  class RunWork
+  {
+  public:
+    using Record = std::function<void(const SeriesRow &)>;
+
+    virtual ~RunWork() = default;
+
+    /** Make the model of a run that starts. Nothing is written yet: what can be refused is refused here. @throws dem::InputError */
+    virtual void prepare() = 0;
+
+    /** Write what the run starts from to its folder; rows that describe the start, if any, are recorded. */
+    virtual void begin(const std::filesystem::path &folder, const Record &record) = 0;
+
+    /** In place of both: make the model from what an interrupted run left in its folder. Its state follows by visit_state(). */
+    virtual void reopen(const std::filesystem::path &folder) = 0;
+
+    /** Everything to go on to the same bits. */
+    virtual void visit_state(RunState &state) = 0;
+
+    virtual std::vector<postprocess::SeriesColumn> series_columns() const = 0;
+
+    virtual std::string size() const     = 0; ///< "175 particles, 1203 links"
+    virtual std::string stage() const    = 0; ///< what is being done, e.g. "tension"
+    virtual double      done() const     = 0; ///< part of the stage, in [0, 1]
+    virtual std::string details() const  = 0; ///< where it is and how fast, for the progress line
+    virtual bool        finished() const = 0;
+
+    /**
+     * Some further: to a state that a checkpoint can store, preferably within a second; rows that are due are recorded.
+     * @throws StoppedShort; dem::NumericalError when even the last state cannot be trusted.
+     */
+    virtual void advance(const Record &record) = 0;
+
+    /** After StoppedShort: show the last state as well. */
+    virtual void leave_last_state() {}
+
+    /** The run is complete and its series is written: summary and pictures into the folder. @return words for the terminal */
+    virtual std::string finish(const std::filesystem::path &folder, double wall_seconds) = 0;
+  };
+
+  /** The work cannot go on, but its last state stands and is worth keeping. */
+  class StoppedShort : public std::runtime_error
+  {
+  public:
+    using std::runtime_error::runtime_error;
+  };
+} // namespace apps
