@@ -126,7 +126,7 @@ TEST_CASE("reading a checkpoint resizes columns, and groups keep equal names apa
   REQUIRE(refusal([&] { reader.finish(); }) ==
           (folder / "c.h5").string() +
             ": holds \"state/first/column\", which this program does not know: it was made by "
-            "another version. Start the run afresh.");
+            "another version. Start the run afresh with --restart.");
   reader.group("first");
   back.visit_state(reader);
   REQUIRE(back.column.size() == 10);
@@ -139,7 +139,7 @@ TEST_CASE("a checkpoint of another scene is refused and says what differs", "[po
   write(folder / "c.h5", sample_state(), "set Damping = 0.3\n  set Seed = 2\n");
   REQUIRE(refusal([&] { read(folder / "c.h5"); }) ==
           (folder / "c.h5").string() +
-            ": was made by another scene: then \"set Seed = 2\", now \"set Seed = 1\". Start the run afresh.");
+            ": was made by another scene: then \"set Seed = 2\", now \"set Seed = 1\". Start the run afresh with --restart.");
   write(folder / "c.h5", sample_state(), scene + "set More = 1\n");
   REQUIRE_THAT(refusal([&] { read(folder / "c.h5"); }), Contains("then \"set More = 1\", now nothing"));
 }
@@ -164,7 +164,7 @@ TEST_CASE("a checkpoint that is missing, foreign, of another version or lacks an
     newer.commit();
   }
   REQUIRE(refusal([&] { read(path); }) ==
-          path.string() + ": checkpoint format 7, this program reads format 1. Start the run afresh.");
+          path.string() + ": checkpoint format 7, this program reads format 1. Start the run afresh with --restart.");
   {
     CheckpointWriter writer(path, scene);
     writer.commit();
