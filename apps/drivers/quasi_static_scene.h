@@ -39,7 +39,7 @@ namespace apps
 
   /**
    * Scene kind "quasi_static": a bonded-particle specimen between grips, or a periodic cell, led along its equilibrium path
-   * without inertia (homogenisation specification 3.4).
+   * without inertia (doc/theory/quasi-static-path.md).
    */
   class QuasiStaticScene : public Scene
   {

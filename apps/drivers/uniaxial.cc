@@ -59,7 +59,7 @@ namespace apps
     /**
      * Strain at which a test probably ends, for the forecast of its duration. In tension one crack opens, through links about a
      * particle's diameter long, as their law softens; in compression the peak has come at about twelve times the limit
-     * elastic strain of the links in concrete (mesoscale specification 9.3), and the fall behind it takes as long again.
+     * elastic strain of the links in concrete (doc/theory/laboratory-test.md), and the fall behind it takes as long again.
      */
     double expected_end(const UniaxialModel &asked, const dem::Packing &packing, const UniaxialLoad load)
     {

@@ -17,7 +17,7 @@ namespace apps
   /** "tension" or "compression": the word of scenes, files and messages. */
   const char *name_of(UniaxialLoad load);
 
-  /** Section "Loading": uniaxial tests between two grips, each on a fresh specimen (mesoscale specification 9.3). */
+  /** Section "Loading": uniaxial tests between two grips, each on a fresh specimen (doc/theory/laboratory-test.md). */
   struct UniaxialLoadingSection
   {
     struct Test

@@ -17,7 +17,7 @@ namespace apps
     };
 
     /**
-     * Sub-section "Generator": periodic isotropic compaction (mesoscale specification 9.1), with the defaults of dem.
+     * Sub-section "Generator": periodic isotropic compaction (doc/theory/packing.md, 1), with the defaults of dem.
      */
     struct Generator
     {

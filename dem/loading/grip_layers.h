@@ -48,7 +48,7 @@ namespace dem
     }
   };
 
-  /** What a uniaxial test grips: two layers of particles at the ends of a specimen (mesoscale specification 9.2, 9.3). */
+  /** What a uniaxial test grips: two layers of particles at the ends of a specimen (doc/theory/laboratory-test.md). */
   struct GripLayers
   {
     std::vector<std::size_t> low, high;        ///< particle numbers

@@ -8,7 +8,7 @@
 
 namespace dem
 {
-  /** Uniaxial test between two layers of particles that move apart or together (mesoscale specification 9.3). */
+  /** Uniaxial test between two layers of particles that move apart or together (doc/theory/laboratory-test.md). */
   struct UniaxialParameters
   {
     int            axis        = 2; ///< 0, 1, 2: x, y, z

@@ -42,8 +42,8 @@ namespace dem
     double high_pressure = 0.1;  ///< first target, p 2r/k_n, in (low pressure, 0.5]; see below
     double low_pressure  = 1e-3; ///< second target, > 0; leaves overlaps of about 0.15 % of the diameter
 
-    /// Time step over the P-wave time r sqrt(density/modulus), in (0, 0.8]. 0.6 is 0.8 of the bound (5.1) of the mesoscale
-    /// specification for a sphere with 14 contacts at this shear ratio; compressed to the high pressure they have about 7.
+    /// Time step over the P-wave time r sqrt(density/modulus), in (0, 0.8]. 0.6 is 0.8 of the stable
+    /// step (doc/theory/integration.md, 3) for a sphere with 14 contacts at this shear ratio; compressed to the high pressure they have about 7.
     double time_step_factor = 0.6;
 
     std::int64_t step_limit = 400000; ///< of both stages together, > 0; default: ten times what is usual
@@ -92,7 +92,7 @@ namespace dem
   };
 
   /**
-   * Random packing of equal spheres in a rectangular periodic cell by isotropic compaction (mesoscale specification 9.1).
+   * Random packing of equal spheres in a rectangular periodic cell by isotropic compaction (doc/theory/packing.md, 1).
    *
    * Spheres are placed at random in a loose cell, which then shrinks until the pressure of their contacts (linear springs with
    * Coulomb friction, Cundall and Strack, 1979, Geotechnique 29, 47) reaches the high target and is in equilibrium

@@ -31,8 +31,8 @@ namespace dem
    * 1979), advanced by leap-frog steps with local damping while the cell shrinks or grows alike in all directions.
    *
    * Everything is in the units radius = 1, normal stiffness k_n = 1, mass of a sphere = 1: such a packing depends on no other
-   * scale. Velocities are kept as the fluctuation about the homogeneous motion of the cell (mesoscale specification 6).
-   * The incremental tangential force turns with the contact exactly (specification 2.3).
+   * scale. Velocities are kept as the fluctuation about the homogeneous motion of the cell (doc/theory/periodic-cell.md).
+   * The incremental tangential force turns with the contact exactly (doc/theory/shear-kinematics.md, 1).
    */
   class FrictionalAssembly
   {

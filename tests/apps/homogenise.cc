@@ -11,12 +11,12 @@ using Catch::Contains;
 
 namespace
 {
-  // Homogenisation specification 7.1.
+  // doc/theory/homogenisation.md, 5.
   const char *eight_spheres = "# periodic_cell 1 1 1\n"
                               "0.625 0.897 0.776 0.22\n0.225 0.300 0.874 0.22\n0.468 0.303 0.278 0.22\n"
                               "0.036 0.515 0.466 0.22\n0.508 0.871 0.361 0.22\n0.123 0.967 0.658 0.22\n"
                               "0.815 0.730 0.113 0.22\n0.921 0.123 0.092 0.22\n";
-  // Homogenisation specification 7.2.
+  // doc/theory/homogenisation.md, 5.
   const char *six_discs = "# periodic_cell 1 1 1\n"
                           "0.10 0.20 0 0.22\n0.55 0.15 0 0.22\n0.30 0.55 0 0.22\n"
                           "0.80 0.60 0 0.22\n0.05 0.85 0 0.22\n0.60 0.90 0 0.22\n";
@@ -31,7 +31,7 @@ namespace
   }
 } // namespace
 
-TEST_CASE("homogenise writes the specification's numbers of the cell of eight spheres", "[apps]")
+TEST_CASE("homogenise writes the reference numbers of the cell of eight spheres", "[apps]")
 {
   const ScratchFolder folder;
   folder.file("eight.txt", eight_spheres);

@@ -92,7 +92,7 @@ TEST_CASE("Two particles give the curve of their one link, in closed form", "[ap
                "-s", "Output/Samples=2000", "-s", "Loading/Tension/Stop fraction=1e-5"})
             .status == 0);
   // Pulled along its axis, the pair is one link of section pi r^2 and length 2 r, whose stress follows the envelope of
-  // the law (mesoscale specification 3.3) until it is deleted with 1e-4 of its strength. The specimen's section,
+  // the law (doc/theory/cpm.md, 3) until it is deleted with 1e-4 of its strength. The specimen's section,
   // a polygon for its circle, is approximate: the shape of the curve is compared, and energies in absolute value.
   const postprocess::CsvTable series = postprocess::read_csv_table(folder / "results/series.csv", false, {"test"});
   const auto                 &strain = series.column("strain"), &stress = series.column("stress");
@@ -126,7 +126,7 @@ TEST_CASE("A chain of three radii stores the energy of its links in series", "[a
                               "Specimen/Interaction ratio=1.05", "-s", "Loading/Tension/Strain rate=0.05", "-s",
                               "Loading/Tension/Stop strain=5e-5", "-s", "Loading/Grip thickness=0.1e-3"})
             .status == 0);
-  // Two springs E A/L in series, A = pi min(r)^2 (mesoscale specification 1.1): lengths 3.5 and 2.5 mm, radii 1.5 and
+  // Two springs E A/L in series, A = pi min(r)^2 (doc/theory/links.md, 2): lengths 3.5 and 2.5 mm, radii 1.5 and
   // 1 mm.
   const double                compliance = (3.5e-3 / (pi * 2.25e-6) + 2.5e-3 / (pi * 1e-6)) / 25e9;
   const postprocess::CsvTable series     = postprocess::read_csv_table(folder / "results/series.csv", false, {"test"});

@@ -35,7 +35,7 @@ namespace homogenisation_fixture
     return p;
   }
 
-  /** Homogenisation specification 7.1. */
+  /** doc/theory/homogenisation.md, 5. */
   inline dem::Packing eight_particles()
   {
     dem::Packing p;
@@ -46,7 +46,7 @@ namespace homogenisation_fixture
     return p;
   }
 
-  /** Homogenisation specification 7.2. */
+  /** doc/theory/homogenisation.md, 5. */
   inline dem::Packing six_discs()
   {
     dem::Packing p;
