@@ -1,6 +1,6 @@
 #include "dem/links.h"
 
-#include "dem/laws/cpm_table.h"
+#include "dem/laws/materials.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,17 +15,39 @@ namespace dem
   std::size_t LinkSet::bytes() const
   {
     std::size_t doubles = 0;
-    for (const Column *column : {&reference_length, &area, &kappa, &damage, &force, &stress_moments})
+    for (const Column *column : {&reference_length, &area, &force, &moment, &stress_moments})
       doubles += column->capacity();
-    for (int i = 0; i < 3; ++i)
-      doubles += elastic_shear[i].capacity() + total_shear[i].capacity();
+    for (const Column &column : history)
+      doubles += column.capacity();
     std::size_t integers = 0;
-    for (const auto *column : {&first, &second, &image, &law, &own_begin, &other_begin, &others})
+    for (const auto *column : {&first, &second, &image, &law, &noted, &own_begin, &other_begin, &others})
       integers += column->capacity();
     return doubles * sizeof(double) + integers * sizeof(std::int32_t) + accounts.capacity() * sizeof(LinkBlockAccount);
   }
 
-  void LinkSet::resize(const std::size_t n, const std::size_t particles, const bool with_total_shear)
+  void LinkSet::shape_for(const LinkLaw &links_law, const bool in_cell, const bool several_materials)
+  {
+    periodic     = in_cell;
+    several_laws = several_materials;
+    has_moment   = links_law.has_moment();
+    logs_breaks  = links_law.breaks_in_place();
+    quantities   = links_law.columns();
+    history.resize(quantities.size());
+  }
+
+  LinkSet LinkSet::empty_like() const
+  {
+    LinkSet other;
+    other.periodic     = periodic;
+    other.several_laws = several_laws;
+    other.has_moment   = has_moment;
+    other.logs_breaks  = logs_breaks;
+    other.quantities   = quantities;
+    other.history.resize(quantities.size());
+    return other;
+  }
+
+  void LinkSet::resize(const std::size_t n, const std::size_t particles)
   {
     count                   = n;
     const std::size_t lines = round_up(n, links_per_block);
@@ -44,24 +66,23 @@ namespace dem
         law.resize(lines);
         std::fill(law.begin() + n, law.end(), 0);
       }
+    if (logs_breaks)
+      {
+        noted.resize(lines);
+        std::fill(noted.begin() + n, noted.end(), 0);
+      }
     reference_length.resize(lines);
     std::fill(reference_length.begin() + n, reference_length.end(), 1.0);
-    for (Column *column : {&area, &kappa, &damage})
+    area.resize(lines);
+    std::fill(area.begin() + n, area.end(), 0.0);
+    for (Column &column : history)
       {
-        column->resize(lines);
-        std::fill(column->begin() + n, column->end(), 0.0);
-      }
-    for (int i = 0; i < shear_components; ++i)
-      {
-        elastic_shear[i].resize(lines);
-        std::fill(elastic_shear[i].begin() + n, elastic_shear[i].end(), 0.0);
-        if (with_total_shear)
-          {
-            total_shear[i].resize(lines);
-            std::fill(total_shear[i].begin() + n, total_shear[i].end(), 0.0);
-          }
+        column.resize(lines);
+        std::fill(column.begin() + n, column.end(), 0.0);
       }
     force.assign(record_size * lines, 0.0);
+    if (has_moment)
+      moment.assign(record_size * lines, 0.0);
     accounts.resize(std::max<std::size_t>(lines / links_per_block, 1));
   }
 
@@ -93,42 +114,61 @@ namespace dem
       image[to] = source.image[from];
     if (several_laws)
       law[to] = source.law[from];
+    if (logs_breaks)
+      noted[to] = source.noted[from];
     reference_length[to] = source.reference_length[from];
     area[to]             = source.area[from];
-    kappa[to]            = source.kappa[from];
-    damage[to]           = source.damage[from];
-    for (int i = 0; i < shear_components; ++i)
-      {
-        elastic_shear[i][to] = source.elastic_shear[i][from];
-        if (!total_shear[i].empty())
-          total_shear[i][to] = source.total_shear[i][from];
-      }
+    for (std::size_t c = 0; c < history.size(); ++c)
+      history[c][to] = source.history[c][from];
     std::copy_n(&source.force[record_size * from], record_size, &force[record_size * to]);
+    if (has_moment)
+      std::copy_n(&source.moment[record_size * from], record_size, &moment[record_size * to]);
   }
 
   void LinkSet::remove(const std::size_t link)
   {
     area[link] = 0.0;
     std::fill_n(&force[record_size * link], record_size, 0.0);
+    if (has_moment)
+      std::fill_n(&moment[record_size * link], record_size, 0.0);
     --alive;
+  }
+
+  std::size_t LinkSet::broken() const
+  {
+    std::size_t found = 0;
+    for (std::size_t l = 0; logs_breaks && l < count; ++l)
+      found += is_alive(l) && is_broken(l);
+    return found;
+  }
+
+  void LinkSet::get_history(const std::size_t link, std::vector<double> &row) const
+  {
+    row.resize(history.size());
+    for (std::size_t c = 0; c < history.size(); ++c)
+      row[c] = history[c][link];
+  }
+
+  void LinkSet::set_history(const std::size_t link, const std::vector<double> &row)
+  {
+    for (std::size_t c = 0; c < history.size(); ++c)
+      history[c][link] = row[c];
   }
 
   void LinkSet::compact(const std::size_t particles)
   {
-    LinkSet kept;
-    kept.shear_components = shear_components;
-    kept.periodic         = periodic;
-    kept.several_laws     = several_laws;
-    kept.alive            = alive;
-    kept.resize(alive, particles, !total_shear[0].empty());
+    LinkSet kept = empty_like();
+    kept.alive   = alive;
+    kept.resize(alive, particles);
     std::size_t to = 0;
     for (std::size_t l = 0; l < count; ++l)
       if (is_alive(l))
         kept.copy_line(*this, l, to++);
     for (const auto &account : accounts)
       {
-        kept.accounts[0].plastic_work += account.plastic_work;
-        kept.accounts[0].damage_work += account.damage_work;
+        kept.accounts[0].friction += account.friction;
+        kept.accounts[0].damage += account.damage;
+        kept.accounts[0].released += account.released;
       }
     kept.tabulate(particles);
     *this = std::move(kept);
@@ -144,13 +184,12 @@ namespace dem
                   const std::vector<NeighbourPair> &pairs,
                   Particles                        &particles,
                   const ParticleShape              &shape,
-                  const bool                        with_total_shear)
+                  const LinkLaw                    &law)
   {
-    links.shear_components = shape.dimension == 3 ? 3 : 1;
-    links.periodic         = particles.cell.repeats();
-    links.several_laws     = !particles.material.empty();
-    links.alive            = pairs.size();
-    links.resize(pairs.size(), particles.count, with_total_shear);
+    links.shape_for(law, particles.cell.repeats(), !particles.material.empty());
+    links.alive = pairs.size();
+    links.resize(pairs.size(), particles.count);
+    std::vector<double> row(links.history.size());
     for (std::size_t l = 0; l < pairs.size(); ++l)
       {
         const auto [J, K, shift] = pairs[l];
@@ -159,9 +198,19 @@ namespace dem
         if (links.periodic)
           links.image[l] = particles.cell.enter(shift);
         if (links.several_laws)
-          links.law[l] = CpmTable::pair(particles.material[J], particles.material[K]);
-        links.reference_length[l] = branch_of(particles, links, l).norm();
-        links.area[l]             = shape.link_area(particles.radius_of(J), particles.radius_of(K));
+          links.law[l] = material_pair(particles.material[J], particles.material[K]);
+        NewLink fresh;
+        fresh.distance      = branch_of(particles, links, l).norm();
+        fresh.first_radius  = particles.radius_of(J);
+        fresh.second_radius = particles.radius_of(K);
+        fresh.area          = shape.link_area(fresh.first_radius, fresh.second_radius);
+        fresh.thickness     = shape.dimension == 3 ? 0 : shape.thickness;
+
+        links.reference_length[l] = law.reference_length(fresh);
+        links.area[l]             = fresh.area;
+        std::fill(row.begin(), row.end(), 0.0);
+        law.begin(links.law_of(l), fresh, row.data());
+        links.set_history(l, row);
       }
     links.tabulate(particles.count);
   }
@@ -181,28 +230,28 @@ namespace dem
       visitor.column(name + "/law", law);
     visitor.column(name + "/reference_length", reference_length);
     visitor.column(name + "/area", area);
-    visitor.column(name + "/kappa", kappa);
-    visitor.column(name + "/damage", damage);
-    for (int i = 0; i < shear_components; ++i)
-      {
-        visitor.column(name + "/elastic_shear_" + std::to_string(i), elastic_shear[i]);
-        if (!total_shear[i].empty())
-          visitor.column(name + "/total_shear_" + std::to_string(i), total_shear[i]);
-      }
+    if (logs_breaks)
+      visitor.column(name + "/noted", noted);
+    for (std::size_t c = 0; c < history.size(); ++c)
+      visitor.column(name + "/" + quantities[c].name, history[c]);
     visitor.column(name + "/force", force);
+    if (has_moment)
+      visitor.column(name + "/moment", moment);
 
-    Column sums(2 * accounts.size());
+    Column sums(3 * accounts.size());
     for (std::size_t b = 0; b < accounts.size(); ++b)
       {
-        sums[2 * b]     = accounts[b].plastic_work;
-        sums[2 * b + 1] = accounts[b].damage_work;
+        sums[3 * b]     = accounts[b].friction;
+        sums[3 * b + 1] = accounts[b].damage;
+        sums[3 * b + 2] = accounts[b].released;
       }
     visitor.column(name + "/sums", sums);
-    accounts.resize(sums.size() / 2);
+    accounts.resize(sums.size() / 3);
     for (std::size_t b = 0; b < accounts.size(); ++b)
       {
-        accounts[b].plastic_work = sums[2 * b];
-        accounts[b].damage_work  = sums[2 * b + 1];
+        accounts[b].friction = sums[3 * b];
+        accounts[b].damage   = sums[3 * b + 1];
+        accounts[b].released = sums[3 * b + 2];
       }
     if (periodic)
       stress_moments.assign(stress_record * accounts.size(), 0.0); // of the step to come

@@ -111,18 +111,19 @@ namespace dem
 
   Specimen::Implementation::Implementation(const Packing            &packing,
                                            const SpecimenParameters &p,
-                                           const CpmMaterials       &materials)
+                                           const LinkMaterials      &materials)
     : parameters(p)
-    , laws(materials)
     , shape{p.physics.dimension, p.density, p.thickness, materials.densities(p.density)}
     , particles(make_particles_in_cell(packing, shape, p, materials.several()))
     , equal_radii(std::all_of(
         packing.radius.begin(), packing.radius.end(), [&](const double r) { return r == packing.radius[0]; }))
+    , bond_law(materials.bonds(p.physics))
+    , contact_law(materials.contacts(p.physics))
     , start_margin(2.0 * *std::min_element(packing.radius.begin(), packing.radius.end()) *
                    std::max((1 - tie) * p.interaction_ratio - 1.0, 0.0))
     , search(particles, start_margin)
-    , bond_pass(select_bond_pass(p.physics, mixture(), shear_damages()))
-    , contact_pass(select_contact_pass(p.physics, mixture()))
+    , bond_pass(bond_law->pass(mixture(), p.physics.periodic))
+    , contact_pass(contact_law->pass(mixture(), p.physics.periodic))
     , accounts(particle_blocks(particles.count))
     , slot(particles.count)
   {
@@ -130,7 +131,7 @@ namespace dem
       slot[particles.number[i]] = static_cast<std::int32_t>(i);
     link();
     space_per_solid = volume_per_solid(particles, shape);
-    time_step       = parameters.step_factor * stable();
+    time_step       = parameters.step_factor * (bond_law->bonds() ? stable() : step_of_lone_particles());
     if (!std::isfinite(time_step))
       throw InputError("Interaction ratio = " + std::to_string(p.interaction_ratio) +
                        ": no two particles are near enough to be linked, nothing holds the specimen together. Raise "
@@ -156,22 +157,44 @@ namespace dem
     search = ContactSearch(particles, std::max(margin, 0.0));
   }
 
+  double Specimen::Implementation::step_of_lone_particles() const
+  {
+    constexpr double    neighbours = 12; // as many equal spheres touch one
+    std::vector<double> none(contact_law->columns().size(), 0.0);
+    double              smallest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < particles.count; ++i)
+      for (std::size_t pair = 0; pair < contact_law->pairs(); ++pair)
+        {
+          const double r = particles.radius_of(i), area = shape.link_area(r, r);
+          const double lever = parameters.physics.rotations ? particles.mass[i] * r * r / particles.inertia[i] : 0.0;
+          const LinkStiffnesses s = contact_law->stiffness(pair, {-1e-9, 2 * r, 2 * r, area}, none.data());
+          const double          k = neighbours * area / (2 * r) * std::max(s.normal, s.shear * (1 + lever));
+          smallest                = std::min(smallest, std::sqrt(2 * particles.mass[i] / k));
+        }
+    return smallest;
+  }
+
   void Specimen::Implementation::link()
   {
-    std::vector<NeighbourPair> pairs = particle_pairs(particles, parameters.interaction_ratio, 0.0);
-    leave_loose(pairs);
-    make_links(bonds, pairs, particles, shape, shear_damages());
+    std::vector<NeighbourPair> pairs;
+    if (bond_law->bonds())
+      {
+        pairs = particle_pairs(particles, parameters.interaction_ratio, 0.0);
+        leave_loose(pairs);
+      }
+    else
+      search = ContactSearch(particles, 0.0); // any two may be in contact from the start
+    make_links(bonds, pairs, particles, shape, *bond_law);
     made_links = pairs.size();
     for (const auto &pair : pairs)
       {
         ++particles.made_links[pair.first];
         ++particles.made_links[pair.second];
       }
-    contacts.shear_components = bonds.shear_components;
-    add_contacts(contacts, {}, particles, shape);
+    add_contacts(contacts, {}, particles, shape, *contact_law);
   }
 
-  Specimen::Specimen(const Packing &packing, const SpecimenParameters &parameters, const CpmMaterials &materials)
+  Specimen::Specimen(const Packing &packing, const SpecimenParameters &parameters, const LinkMaterials &materials)
   {
     check(parameters);
     check_packing(packing, "packing");
@@ -212,14 +235,14 @@ namespace dem
 
   double Specimen::critical_step() const
   {
-    return dem::critical_step(self->particles, self->bonds, &self->contacts, self->laws,
-                              self->parameters.physics.rotations);
+    return dem::critical_step(self->particles, self->all_links(), self->parameters.physics.rotations);
   }
 
   Counts Specimen::counts() const
   {
-    return {self->particles.count, self->bonds.alive, self->contacts.alive, self->crack_log.size() / 2,
-            self->search.searches()};
+    const std::size_t in_place = self->bonds.broken();
+    return {self->particles.count, self->bonds.alive - in_place, self->contacts.alive + in_place,
+            self->crack_log.size() / 2, self->search.searches()};
   }
 
   std::size_t Specimen::bytes() const { return self->particles.bytes() + self->bonds.bytes() + self->contacts.bytes(); }
@@ -277,6 +300,12 @@ namespace dem
   {
     const auto &pull = self->grips.at(grip).pull;
     return {-pull[0], -pull[1], -pull[2]};
+  }
+
+  Eigen::Vector3d Specimen::reaction_moment(const std::size_t grip) const
+  {
+    const auto &pull = self->grips.at(grip).pull;
+    return {-pull[3], -pull[4], -pull[5]};
   }
 
   void Specimen::set_velocity(const std::size_t particle, const Eigen::Vector3d &velocity, const Eigen::Vector3d &spin)

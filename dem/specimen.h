@@ -2,10 +2,11 @@
 
 #include "dem/energy.h"
 #include "dem/initial_equilibrium.h"
-#include "dem/laws/cpm_table.h"
+#include "dem/laws/materials.h"
 #include "dem/measures/loads.h"
 #include "dem/measures/mandel.h"
 #include "dem/packing/packing.h"
+#include "dem/physics.h"
 #include "dem/state.h"
 
 #include <Eigen/Core>
@@ -18,18 +19,6 @@
 
 namespace dem
 {
-  /** What a scene models; everything that is off costs neither time nor memory. Chosen once, when the specimen is made. */
-  struct Physics
-  {
-    int  dimension = 3;    ///< 3: spheres; 2: discs in the plane z = 0, of the given thickness
-    bool rotations = true; ///< particles spin; off: they only translate
-    bool damage    = true; ///< links soften and break in tension; off: they stay as stiff as they were
-    bool friction  = true; ///< shear is limited by cohesion and friction; off: shear stays elastic
-    bool contacts  = true; ///< particles that meet after their link is gone (or never had one) touch with friction
-    bool periodic =
-      false; ///< the packing's periodic cell repeats and can be deformed; off: the packing is a body of its own
-  };
-
   /** How the specimen is made from a packing and integrated in time. */
   struct SpecimenParameters
   {
@@ -86,8 +75,12 @@ namespace dem
     std::vector<double>
       strength_damage;              ///< lost part of the strength, (6.6) of Stransky (2018); broken and contacts: 1
     std::vector<double> dissipated; ///< by the link's damage so far [J]; zero where shear damages (then only summed up)
-    std::vector<std::int32_t> law;  ///< of each, its number in the table of laws (CpmTable); empty: there is one
+    std::vector<std::int32_t> law;  ///< number of the pair of materials of each; empty: there is one
     std::vector<LinkLoad>     load; ///< force and geometry at t_n; of a broken link its last geometry without force
+
+    /** What the law of the bonds shows of what it remembers, in its own names; zero for contacts of another law and broken links. */
+    std::vector<LinkQuantity>        quantities;
+    std::vector<std::vector<double>> history; ///< one column per quantity
   };
 
   /** The periodic cell of a specimen. */
@@ -121,7 +114,7 @@ namespace dem
    * @throws InputError when nothing can be made of it: see check_packing(); when no two particles are near enough to be linked;
    *         when it is to be periodic and the packing is not; or when it has a material that is not among those given.
    */
-    Specimen(const Packing &packing, const SpecimenParameters &parameters, const CpmMaterials &materials);
+    Specimen(const Packing &packing, const SpecimenParameters &parameters, const LinkMaterials &materials);
     ~Specimen();
     Specimen(Specimen &&) noexcept;
     Specimen &operator=(Specimen &&) noexcept;
@@ -146,6 +139,8 @@ namespace dem
     void        set_grip_velocity(std::size_t grip, const Eigen::Vector3d &velocity, const Eigen::Vector3d &spin);
     /** Force that the grip exerts on its particles, at t_n of the last step [N]. */
     Eigen::Vector3d reaction(std::size_t grip) const;
+    /** Sum of the moments that the grip exerts on its particles about their own centres, likewise [N m]. */
+    Eigen::Vector3d reaction_moment(std::size_t grip) const;
 
     /**
    * Deform the periodic cell, and the particles with it, at velocity gradient G [1/s] from the next step on.

@@ -23,20 +23,21 @@ namespace dem
     }
 
     /** Sum of H^T C H over the links [N m]. */
-    Matrix6d stiffness_moment(const Particles &particles, const LinkSet &links, const CpmTable &laws)
+    Matrix6d stiffness_moment(const Particles &particles, const LinkSet &links, const LinkLaw &law)
     {
+      LinkReader reader(particles, links, law);
       Matrix6d sum = Matrix6d::Zero();
       for (std::size_t l = 0; l < links.count; ++l)
         {
           if (!links.is_alive(l))
             continue;
-          const CpmConstants   &law       = laws[links.law_of(l)];
-          const LinkView        view      = link_at(particles, links, l);
-          const double          normal    = view.strain > 0 ? (1.0 - links.damage[l]) * law.E : law.E;
+          reader.read(l);
+          const LinkView       &view      = reader.view();
+          const LinkStiffnesses moduli    = reader.damaged_stiffness();
           const auto            along     = view.direction * view.direction.transpose();
           const double          per_slip  = links.area[l] / links.reference_length[l];
           const auto            operation = strain_operator(view.length * view.direction);
-          const Eigen::Matrix3d stiffness = per_slip * (normal * along + law.G * (Eigen::Matrix3d::Identity() - along));
+          const Eigen::Matrix3d stiffness = per_slip * (moduli.normal * along + moduli.shear * (Eigen::Matrix3d::Identity() - along));
           sum += operation.transpose() * stiffness * operation;
         }
       return sum;
@@ -76,8 +77,8 @@ namespace dem
   Matrix6d Specimen::affine_stiffness() const
   {
     require_cell(self->particles, "affine stiffness");
-    return (stiffness_moment(self->particles, self->bonds, self->laws) +
-            stiffness_moment(self->particles, self->contacts, self->laws)) /
+    return (stiffness_moment(self->particles, self->bonds, *self->bond_law) +
+            stiffness_moment(self->particles, self->contacts, *self->contact_law)) /
            self->particles.cell.volume();
   }
 

@@ -28,8 +28,9 @@ namespace dem
     [[noreturn]] void refuse(const std::string &why) { throw InputError("Initial equilibrium: " + why); }
 
     /** The bonds as they are now, undamaged; particles by their number in the packing. */
-    ElasticNetwork network_of(const Particles &p, const LinkSet &bonds, const CpmTable &laws, const Physics &physics)
+    ElasticNetwork network_of(const Particles &p, const LinkSet &bonds, const LinkLaw &law, const Physics &physics)
     {
+      LinkReader     reader(p, bonds, law);
       ElasticNetwork network;
       network.dimension = physics.dimension;
       network.rotations = physics.rotations;
@@ -38,9 +39,10 @@ namespace dem
         network.centre[static_cast<std::size_t>(p.number[i])] = p.position_of(i);
       for (std::size_t l = 0; l < bonds.count; ++l)
         {
-          const CpmConstants &law = laws[bonds.law_of(l)];
-          const std::int32_t  J = bonds.first[l], K = bonds.second[l];
-          ElasticLink         link;
+          reader.read(l, Geometry::present);
+          const LinkStiffnesses moduli = reader.stiffness();
+          const std::int32_t    J = bonds.first[l], K = bonds.second[l];
+          ElasticLink           link;
           link.first                   = p.number[J];
           link.second                  = p.number[K];
           link.branch                  = branch_of(p, bonds, l);
@@ -50,9 +52,12 @@ namespace dem
           link.arm_first               = 0.5 * (length + p.radius_of(J) - p.radius_of(K));
           link.arm_second              = length - link.arm_first;
           link.area                    = bonds.area[l];
+          link.reference               = bonds.reference_length[l];
           const Eigen::Matrix3d normal = link.direction * link.direction.transpose();
           link.stiffness =
-            link.area / bonds.reference_length[l] * (law.E * normal + law.G * (Eigen::Matrix3d::Identity() - normal));
+            link.area / bonds.reference_length[l] *
+            (moduli.normal * normal + moduli.shear * (Eigen::Matrix3d::Identity() - normal));
+          link.turning = moduli.twist * normal + moduli.bending * (Eigen::Matrix3d::Identity() - normal);
           network.links.push_back(link);
         }
       return network;
@@ -91,17 +96,18 @@ namespace dem
     };
 
     Residual residual_of(
-      const ParticleMotions &force, const Particles &p, const LinkSet &bonds, const CpmTable &laws, const double arm)
+      const ParticleMotions &force, const Particles &p, const LinkSet &bonds, const LinkLaw &law, const double arm)
     {
+      LinkReader reader(p, bonds, law);
       double links = 0, noise = 0;
       for (std::size_t l = 0; l < bonds.count; ++l)
         {
-          const CpmConstants &law = laws[bonds.law_of(l)];
+          reader.read(l, Geometry::present);
           links += Eigen::Vector3d(&bonds.force[record_size * l]).squaredNorm();
           const double coordinate = std::max(p.position_of(bonds.first[l]).lpNorm<Eigen::Infinity>(),
                                              p.position_of(bonds.second[l]).lpNorm<Eigen::Infinity>());
           noise += std::pow(
-            std::numeric_limits<double>::epsilon() * coordinate * law.E * bonds.area[l] / bonds.reference_length[l], 2);
+            std::numeric_limits<double>::epsilon() * coordinate * reader.stiffness().normal * bonds.area[l] / bonds.reference_length[l], 2);
         }
       const double left = force.topRows<3>().squaredNorm() + force.bottomRows<3>().squaredNorm() / (arm * arm);
       if (links == 0)
@@ -134,24 +140,21 @@ namespace dem
     }
 
     /** Links that the law no longer takes as elastic. */
-    void refuse_onset(const Particles &p, const LinkSet &bonds, const CpmTable &laws, const Physics &physics)
+    void refuse_onset(const Particles &p, const LinkSet &bonds, const LinkLaw &law)
     {
-      const bool  slid    = physics.friction && plastic_dissipation(bonds) > 0;
+      const bool  slid    = plastic_dissipation(bonds) > 0;
       std::size_t damaged = 0, sliding = 0, worst = 0;
       double      strain = 0;
+      LinkReader  reader(p, bonds, law);
       for (std::size_t l = 0; l < bonds.count; ++l)
         {
-          const CpmConstants &law    = laws[bonds.law_of(l)];
-          const LinkView      view   = link_at(p, bonds, l);
-          const double        normal = view.force.dot(view.direction) / bonds.area[l],
-                       shear         = (view.force / bonds.area[l] - normal * view.direction).norm();
-          if (slid && shear > 0 && shear >= (1 - 1e-9) * (law.cohesion - law.friction * normal))
-            ++sliding;
-          if (physics.damage && bonds.kappa[l] > law.onset)
-            ++damaged;
-          if (physics.damage && bonds.kappa[l] / law.onset > strain)
+          reader.read(l);
+          const LinkExertion exertion = reader.exertion();
+          sliding += slid && exertion.sliding >= 1 - 1e-9;
+          damaged += exertion.damage > 1;
+          if (exertion.damage > strain)
             {
-              strain = bonds.kappa[l] / law.onset;
+              strain = exertion.damage;
               worst  = l;
             }
         }
@@ -229,9 +232,9 @@ namespace dem
 
   void Specimen::Implementation::find_forces()
   {
-    bond_pass(bonds, particles, laws);
+    bond_pass(bonds, particles, *bond_law);
     // A step of no length: forces are summed up, nothing moves, and the last motion is done with.
-    select_particle_pass(false, false, equal_radii, surroundings())(particles, bonds, nullptr, 0.0, 0.0,
+    select_particle_pass(false, false, equal_radii, moments(), surroundings())(particles, bonds, nullptr, 0.0, 0.0,
                                                                     parameters.gravity, accounts);
     sum_pulls();
   }
@@ -264,7 +267,7 @@ namespace dem
     if (left.isZero(0))
       return found;
     const std::vector<HeldMotions> still =
-      with_unsettled(network_of(particles, bonds, laws, parameters.physics), left, held, found);
+      with_unsettled(network_of(particles, bonds, *bond_law, parameters.physics), left, held, found);
     // What finds no equilibrium weighs nothing yet: held up, it would push the rest about.
     const auto unbalanced = [&] {
       ParticleMotions force = free_forces(particles, still);
@@ -277,7 +280,7 @@ namespace dem
     left = unbalanced();
     while (true)
       {
-        const ElasticNetwork network = network_of(particles, bonds, laws, parameters.physics);
+        const ElasticNetwork network = network_of(particles, bonds, *bond_law, parameters.physics);
         const RigidMotions   rigid(network, held, found.unsettled);
         if (found.solutions == 0 && rigid.loaded_by(left) > no_load)
           refuse("gravity acts along a motion of the whole specimen that no grip or support prevents. Hold it, or turn "
@@ -298,9 +301,9 @@ namespace dem
         rigid.remove_from(motion);
         displace(motion);
         find_forces();
-        refuse_onset(particles, bonds, laws, parameters.physics);
+        refuse_onset(particles, bonds, *bond_law);
         left                    = unbalanced();
-        const Residual residual = residual_of(left, particles, bonds, laws, mean_arm(network));
+        const Residual residual = residual_of(left, particles, bonds, *bond_law, mean_arm(network));
         const bool     stalls   = found.solutions > 1 && residual.ratio > 0.5 * found.unbalanced_ratio;
         found.unbalanced_ratio  = residual.ratio;
         found.rounding          = residual.rounding;
@@ -319,9 +322,13 @@ namespace dem
       if (particles.made_links[i] > 0)
         found.largest_displacement = std::max(
           found.largest_displacement, (particles.position_of(i) - Eigen::Vector3d(&particles.reference[3 * i])).norm());
+    LinkReader reader(particles, bonds, *bond_law);
     for (std::size_t l = 0; l < bonds.count; ++l)
-      found.largest_strain = std::max(found.largest_strain, bonds.kappa[l] / laws[bonds.law_of(l)].onset);
-    stored_at_start = elastic_energy(particles, bonds, laws);
+      {
+        reader.read(l);
+        found.largest_strain = std::max(found.largest_strain, reader.exertion().damage);
+      }
+    stored_at_start = elastic_energy(particles, bonds, *bond_law);
     if (parameters.physics.contacts)
       {
         accounts.front().fastest = found.largest_displacement * found.largest_displacement;

@@ -2,7 +2,8 @@
 
 #include "dem/contacts/contact_search.h"
 #include "dem/integrators/stable_step.h"
-#include "dem/kernels/link_pass.h"
+#include "dem/measures/link_measures.h"
+#include "dem/laws/materials.h"
 #include "dem/kernels/particle_pass.h"
 #include "dem/specimen.h"
 #include "dem/statics/rigid_motions.h"
@@ -37,11 +38,11 @@ namespace dem
   struct Specimen::Implementation
   {
     SpecimenParameters parameters;
-    CpmTable           laws;
     ParticleShape      shape;
     Particles          particles;
     bool               equal_radii;
     LinkSet            bonds, contacts;
+    std::shared_ptr<const LinkLaw> bond_law, contact_law;
     double             start_margin; ///< gap that the interaction ratio leaves between unlinked particles [m]
     ContactSearch      search;
     LinkPass           bond_pass, contact_pass;
@@ -63,16 +64,19 @@ namespace dem
     std::vector<std::int32_t> crack_log;                      ///< ends of the cohesive links deleted so far, flattened
     Column crack_geometry; ///< records: last branch (3) [m] | contact point (3) [m] | dissipated [J] | 0
 
-    Implementation(const Packing &packing, const SpecimenParameters &p, const CpmMaterials &materials);
-    bool    shear_damages() const { return parameters.physics.damage && laws.shear_damages(); }
+    Implementation(const Packing &packing, const SpecimenParameters &p, const LinkMaterials &materials);
     Mixture mixture() const
     {
-      return laws.several() ? Mixture::materials : equal_radii ? Mixture::equal : Mixture::radii;
+      return bond_law->several() ? Mixture::materials : equal_radii ? Mixture::equal : Mixture::radii;
     }
     void link();
     /** Take pairs with a loose particle out; they may be nearer than the ratio leaves others, and the search must know. */
     void   leave_loose(std::vector<NeighbourPair> &pairs);
-    double stable() const { return dem::stable_step(particles, bonds, &contacts, laws, parameters.physics.rotations); }
+    bool moments() const { return bonds.has_moment || contacts.has_moment; }
+    std::vector<LawfulLinks> all_links() const { return {{bonds, *bond_law}, {contacts, *contact_law}}; }
+    double stable() const { return dem::stable_step(particles, all_links(), parameters.physics.rotations); }
+    /** Stable step (5.1) of particles that have no links yet: for as many contacts as equal spheres can have at once [s]. */
+    double step_of_lone_particles() const;
     /** Particles' kinetic energy with the velocities as they are [J]. */
     double       kinetic_of_velocities() const;
     Surroundings surroundings() const
@@ -99,8 +103,10 @@ namespace dem
     void sum_stress();
     /** Sum up what blocks, grips and cell say of the step, in their order. */
     void account();
-    void delete_exhausted(LinkSet &links, bool cohesive);
-    void delete_link(LinkSet &links, std::size_t link, bool cohesive);
+    /** Look at the links that broke in this step, or are gone: enter broken bonds in the crack log, take out those that are gone. */
+    void settle_events(LinkSet &links, const LinkLaw &law);
+    void note_crack(const LinkReader &link, std::size_t number);
+    void delete_link(LinkSet &links, const LinkReader &link, std::size_t number);
     /** Make contacts of pairs that have begun to overlap, where motion can have made one. */
     void make_contacts();
     /** NaN and infinity spread to velocities within a step. */

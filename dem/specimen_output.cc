@@ -34,10 +34,11 @@ namespace dem
     else
       for (const auto &block : s.accounts)
         e.kinetic += block.kinetic;
-    e.elastic  = elastic_energy(s.particles, s.bonds, s.laws) + elastic_energy(s.particles, s.contacts, s.laws);
-    e.damage   = damage_dissipation(s.bonds, s.laws) + s.broken_damage;
+    e.elastic =
+      elastic_energy(s.particles, s.bonds, *s.bond_law) + elastic_energy(s.particles, s.contacts, *s.contact_law);
+    e.damage   = damage_dissipation(s.particles, s.bonds, *s.bond_law) + s.broken_damage;
     e.friction = plastic_dissipation(s.bonds) + plastic_dissipation(s.contacts);
-    e.released = s.released;
+    e.released = s.released + released_in_place(s.bonds);
     e.damping  = s.damped_before + s.damped_now;
     return e;
   }
@@ -51,9 +52,13 @@ namespace dem
   double Specimen::mean_damage() const
   {
     double sum = static_cast<double>(self->crack_log.size() / 2);
+    LinkReader reader(self->particles, self->bonds, *self->bond_law);
     for (std::size_t l = 0; l < self->bonds.count; ++l)
-      if (self->bonds.is_alive(l))
-        sum += self->bonds.damage[l];
+      if (self->bonds.is_alive(l) && !self->bonds.is_broken(l))
+        {
+          reader.read(l);
+          sum += reader.damage().stiffness;
+        }
     return sum / static_cast<double>(self->made_links);
   }
 
@@ -65,11 +70,13 @@ namespace dem
     std::vector<Eigen::Matrix3d> moments(n, Eigen::Matrix3d::Zero());
     add_stress_moments(p, self->bonds, moments);
     add_stress_moments(p, self->contacts, moments);
+    LinkReader reader(p, self->bonds, *self->bond_law);
     for (std::size_t l = 0; l < self->bonds.count; ++l)
-      if (self->bonds.is_alive(l))
+      if (self->bonds.is_alive(l) && !self->bonds.is_broken(l))
         {
-          damage[self->bonds.first[l]] += self->bonds.damage[l];
-          damage[self->bonds.second[l]] += self->bonds.damage[l];
+          reader.read(l);
+          damage[self->bonds.first[l]] += reader.damage().stiffness;
+          damage[self->bonds.second[l]] += reader.damage().stiffness;
         }
 
     ParticleOutput out;
@@ -115,31 +122,37 @@ namespace dem
     void append(LinkOutput            &out,
                 const Particles       &particles,
                 const LinkSet         &links,
-                const CpmTable        &laws,
-                const LinkOutput::Kind kind)
+                const LinkLaw         &law)
     {
+      LinkReader reader(particles, links, law);
       for (std::size_t l = 0; l < links.count; ++l)
         {
           if (!links.is_alive(l))
             continue;
-          const CpmConstants &law = laws[links.law_of(l)];
           if (links.several_laws)
             out.law.push_back(links.law[l]);
-          const LinkView view   = link_at(particles, links, l);
-          const double   normal = view.force.dot(view.direction), shear = (view.force - normal * view.direction).norm();
+          reader.read(l);
+          const LinkView &view     = reader.view();
+          const bool      cohesive = law.bonds() && !links.is_broken(l);
+          const double    normal   = view.force.dot(view.direction), shear = (view.force - normal * view.direction).norm();
           out.ends.push_back({static_cast<std::size_t>(particles.number[links.first[l]]),
                               static_cast<std::size_t>(particles.number[links.second[l]])});
-          out.kind.push_back(kind);
+          out.kind.push_back(cohesive ? LinkOutput::cohesive : LinkOutput::contact);
           out.normal_force.push_back(normal);
           out.shear_force.push_back(shear);
           out.normal_stress.push_back(normal / links.area[l]);
           out.shear_stress.push_back(shear / links.area[l]);
           out.normal_strain.push_back(view.strain);
-          const bool cohesive = kind == LinkOutput::cohesive;
-          out.damage.push_back(cohesive ? links.damage[l] : 1.0);
-          out.strength_damage.push_back(cohesive ? law.strength_damage(links.kappa[l], links.damage[l]) : 1.0);
-          out.dissipated.push_back(cohesive ? damage_dissipation(links, l, laws) : 0.0);
+          out.damage.push_back(reader.damage().stiffness);
+          out.strength_damage.push_back(reader.damage().strength);
+          out.dissipated.push_back(cohesive ? reader.damage_dissipation() : 0.0);
           out.load.push_back(load_at(particles, links, l));
+          std::size_t shown = 0;
+          for (std::size_t c = 0; c < links.quantities.size(); ++c)
+            if (law.bonds() && links.quantities[c].shown)
+              out.history[shown++].push_back(links.history[c][l]);
+          for (; shown < out.history.size(); ++shown)
+            out.history[shown].push_back(0.0);
         }
     }
   } // namespace
@@ -147,15 +160,19 @@ namespace dem
   LinkOutput Specimen::links() const
   {
     LinkOutput out;
-    append(out, self->particles, self->bonds, self->laws, LinkOutput::cohesive);
-    append(out, self->particles, self->contacts, self->laws, LinkOutput::contact);
+    for (const LinkQuantity &quantity : self->bond_law->columns())
+      if (quantity.shown && self->bond_law->bonds())
+        out.quantities.push_back(quantity);
+    out.history.resize(out.quantities.size());
+    append(out, self->particles, self->bonds, *self->bond_law);
+    append(out, self->particles, self->contacts, *self->contact_law);
     for (std::size_t i = 0; i < self->crack_log.size(); i += 2)
       {
         out.ends.push_back({static_cast<std::size_t>(self->particles.number[self->crack_log[i]]),
                             static_cast<std::size_t>(self->particles.number[self->crack_log[i + 1]])});
         out.kind.push_back(LinkOutput::broken);
-        if (self->laws.several())
-          out.law.push_back(CpmTable::pair(self->particles.material[self->crack_log[i]],
+        if (self->bond_law->several())
+          out.law.push_back(material_pair(self->particles.material[self->crack_log[i]],
                                            self->particles.material[self->crack_log[i + 1]]));
         out.damage.push_back(1.0);
         out.strength_damage.push_back(1.0);
@@ -165,6 +182,8 @@ namespace dem
                                   self->particles.radius_of(self->crack_log[i + 1]));
         out.dissipated.push_back(geometry[6]);
         out.load.push_back({contact - arm * branch.normalized(), branch, contact, {0, 0, 0}, {0, 0, 0}});
+        for (auto &column : out.history)
+          column.push_back(0.0);
         for (auto *column :
              {&out.normal_force, &out.shear_force, &out.normal_stress, &out.shear_stress, &out.normal_strain})
           column->push_back(0.0);

@@ -18,14 +18,14 @@ namespace dem
 
   void Specimen::Implementation::step()
   {
-    bond_pass(bonds, particles, laws);
+    bond_pass(bonds, particles, *bond_law);
     if (contacts.alive > 0)
-      contact_pass(contacts, particles, laws);
+      contact_pass(contacts, particles, *contact_law);
     if (parameters.physics.periodic)
       sum_stress();
-    delete_exhausted(bonds, true);
-    delete_exhausted(contacts, false);
-    select_particle_pass(contacts.alive > 0, parameters.damping > 0, equal_radii, surroundings())(
+    settle_events(bonds, *bond_law);
+    settle_events(contacts, *contact_law);
+    select_particle_pass(contacts.alive > 0, parameters.damping > 0, equal_radii, moments(), surroundings())(
       particles, bonds, &contacts, time_step, parameters.damping, parameters.gravity, accounts);
     account();
     if (parameters.physics.periodic)
@@ -91,46 +91,62 @@ namespace dem
       }
   }
 
-  void Specimen::Implementation::delete_exhausted(LinkSet &links, const bool cohesive)
+  void Specimen::Implementation::settle_events(LinkSet &links, const LinkLaw &law)
   {
     if (links.alive == 0)
       return;
+    LinkReader reader(particles, links, law);
     for (std::size_t b = 0; b < links.blocks(); ++b)
-      if (links.accounts[b].exhausted)
+      if (links.accounts[b].event)
         {
-          links.accounts[b].exhausted = false;
-          const std::size_t end       = std::min((b + 1) * links_per_block, links.count);
+          links.accounts[b].event = false;
+          const std::size_t end   = std::min((b + 1) * links_per_block, links.count);
           for (std::size_t l = b * links_per_block; l < end; ++l)
-            if (links.is_alive(l) && link_at(particles, links, l, Geometry::present).strain > 0 &&
-                (!cohesive || links.kappa[l] > laws[links.law_of(l)].kappa_broken))
-              delete_link(links, l, cohesive);
+            {
+              if (!links.is_alive(l))
+                continue;
+              reader.read(l, Geometry::present);
+              const LinkPhase phase = reader.phase();
+              if (phase == LinkPhase::whole)
+                continue;
+              const bool noted = links.logs_breaks && links.noted[l] != 0;
+              if (law.bonds() && !noted)
+                note_crack(reader, l);
+              if (phase == LinkPhase::gone)
+                delete_link(links, reader, l);
+              else if (links.logs_breaks)
+                links.noted[l] = 1;
+            }
         }
-    if (cohesive &&
+    if (law.bonds() &&
         static_cast<double>(links.count - links.alive) > idle_lines_allowed * static_cast<double>(links.count))
       links.compact(particles.count);
   }
 
-  void Specimen::Implementation::delete_link(LinkSet &links, const std::size_t l, const bool cohesive)
+  void Specimen::Implementation::note_crack(const LinkReader &link, const std::size_t l)
+  {
+    const std::int32_t    J = bonds.first[l], K = bonds.second[l];
+    const Eigen::Vector3d branch     = branch_of(particles, bonds, l);
+    const double          dissipated = link.damage_dissipation(), length = branch.norm();
+    const double          arm     = 0.5 * (length + particles.radius_of(J) - particles.radius_of(K));
+    const Eigen::Vector3d contact = particles.position_of(J) + arm / length * branch;
+    broken_damage += dissipated;
+    crack_geometry.insert(crack_geometry.end(), branch.data(), branch.data() + 3);
+    crack_geometry.insert(crack_geometry.end(), contact.data(), contact.data() + 3);
+    crack_geometry.insert(crack_geometry.end(), {dissipated, 0.0});
+    ++particles.broken_links[J];
+    ++particles.broken_links[K];
+    crack_log.push_back(J);
+    crack_log.push_back(K);
+  }
+
+  void Specimen::Implementation::delete_link(LinkSet &links, const LinkReader &link, const std::size_t l)
   {
     const std::int32_t    J = links.first[l], K = links.second[l];
     const Eigen::Vector3d branch = branch_of(particles, links, l);
     if (links.periodic)
       stress_moment -= branch * Eigen::RowVector3d(&links.force[record_size * l]);
-    released += elastic_energy(particles, links, l, laws, Geometry::present);
-    if (cohesive)
-      {
-        const double          dissipated = damage_dissipation(links, l, laws), length = branch.norm();
-        const double          arm     = 0.5 * (length + particles.radius_of(J) - particles.radius_of(K));
-        const Eigen::Vector3d contact = particles.position_of(J) + arm / length * branch;
-        broken_damage += dissipated;
-        crack_geometry.insert(crack_geometry.end(), branch.data(), branch.data() + 3);
-        crack_geometry.insert(crack_geometry.end(), contact.data(), contact.data() + 3);
-        crack_geometry.insert(crack_geometry.end(), {dissipated, 0.0});
-        ++particles.broken_links[J];
-        ++particles.broken_links[K];
-        crack_log.push_back(J);
-        crack_log.push_back(K);
-      }
+    released += link.stored();
     links.remove(l);
     if (parameters.physics.contacts)
       search.watch(particles, {J, K, links.periodic ? links.image[l] : 0});
@@ -146,11 +162,11 @@ namespace dem
     const auto born = search.look(particles, bonds, contacts);
     if (born.empty())
       return;
-    add_contacts(contacts, born, particles, shape);
+    add_contacts(contacts, born, particles, shape, *contact_law);
     // Links only soften, but contacts stiffen the particles they join: keep the factor on the present bound.
     for (const auto &pair : born)
       for (const std::int32_t i : {pair.first, pair.second})
-        time_step = std::min(time_step, parameters.step_factor * stable_step_of(particles, bonds, contacts, laws,
+        time_step = std::min(time_step, parameters.step_factor * stable_step_of(particles, all_links(),
                                                                                 parameters.physics.rotations, i));
   }
 

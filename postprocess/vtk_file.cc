@@ -105,6 +105,14 @@ namespace postprocess::vtk_file
       values->AddArray(array);
   }
 
+  void FieldWriter::add_own(const std::string &name, const std::string &unit, const std::vector<double> &values) const
+  {
+    const Array array = make_array(name, values);
+    if (!unit.empty() && unit != "-")
+      array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), unit.c_str());
+    data->GetCellData()->AddArray(array);
+  }
+
   Array make_numbering(const std::string &name, const std::size_t count)
   {
     auto array = make_empty<vtkIdTypeArray>(name, 1, count);

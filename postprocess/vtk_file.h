@@ -53,6 +53,9 @@ namespace postprocess::vtk_file
       add(make_array(name, values));
     }
 
+    /** Cell data that a link law or a material of its own declares, in its names. */
+    void add_own(const std::string &name, const std::string &unit, const std::vector<double> &values) const;
+
   private:
     const FieldFile &file;
     vtkDataSet      *data;

@@ -123,6 +123,8 @@ namespace postprocess
       values.add("material_pair", links.law);
     if (!images.empty())
       values.add("to_image", image_flags(images));
+    for (std::size_t c = 0; c < links.quantities.size(); ++c)
+      values.add_own(links.quantities[c].name, links.quantities[c].unit, links.history[c]);
     write(path, data, time);
   }
 } // namespace postprocess

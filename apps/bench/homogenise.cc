@@ -3,6 +3,7 @@
 #include "apps/drivers/homogenisation_report.h"
 #include "apps/drivers/specimen_packing.h"
 #include "apps/exit_status.h"
+#include "dem/laws/cpm.h"
 #include "dem/loading/periodic_cell.h"
 #include "dem/statics/dynamic_relaxation.h"
 #include "postprocess/atomic_file.h"

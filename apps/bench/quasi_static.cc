@@ -2,6 +2,7 @@
 
 #include "apps/drivers/specimen_packing.h"
 #include "apps/exit_status.h"
+#include "dem/laws/cpm.h"
 #include "dem/loading/uniaxial.h"
 #include "dem/statics/quasi_static_path.h"
 #include "postprocess/atomic_file.h"

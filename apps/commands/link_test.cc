@@ -2,6 +2,7 @@
 #include "apps/commands/scene_options.h"
 #include "apps/drivers/link_path.h"
 #include "apps/exit_status.h"
+#include "apps/scene/law_block.h"
 #include "apps/scene/nearest_name.h"
 #include "apps/scene/overrides.h"
 #include "apps/scene/reader.h"
@@ -39,6 +40,10 @@ namespace apps
         if (std::find(known.begin(), known.end(), name) == known.end())
           throw dem::InputError(file + ": column \"" + name + "\" is not known. " + did_you_mean(name, known) +
                                 " Columns: normal_strain, and as wanted shear_strain_1, shear_strain_2.");
+      for (const auto &column : table.columns)
+        for (const double strain : column)
+          if (strain < -1e3 || strain > 1e3)
+            throw dem::InputError(file + fmt::format(": a strain of {}: must be from -1e3 to 1e3.", strain));
       LinkPath path;
       path.normal = table.column(path_columns[0]);
       path.shear.resize(path.normal.size());
@@ -49,25 +54,27 @@ namespace apps
       return path;
     }
 
-    const DrivenLaw &law_named(const std::string &name)
+    const dem::LinkLawKind &law_named(const std::string &name)
     {
+      if (const dem::LinkLawKind *found = dem::find_link_law(name))
+        return *found;
       std::vector<std::string> names;
-      for (const DrivenLaw &law : driven_laws())
-        {
-          if (same_name(law.name, name))
-            return law;
-          names.push_back(law.name);
-        }
+      for (const auto &law : dem::link_laws())
+        names.push_back(law->name());
       throw dem::InputError("command line: law \"" + name + "\" is not known. " + did_you_mean(name, names));
     }
 
     int link_test(const LinkTestOptions &options)
     {
-      const DrivenLaw &law  = law_named(options.law);
-      const LinkPath   path = read_path(options.path);
-      Section          constants;
-      const auto       read = [&] { assign(constants, read_overrides(options.constants), "command line"); };
-      postprocess::write_text(options.output, law.drive(constants, read, path).as_csv());
+      const dem::LinkLawKind &law  = law_named(options.law);
+      const LinkPath          path = read_path(options.path);
+      Section                 block;
+      LawBlock                entries(block);
+      const auto              constants = law.constants();
+      constants->visit(entries);
+      assign(block, read_overrides(options.constants), "command line");
+      constants->check();
+      postprocess::write_text(options.output, drive(law, *constants, path).as_csv());
       return exit_success;
     }
   } // namespace
@@ -78,8 +85,8 @@ namespace apps
     CLI::App  &command =
       *program.add_subcommand("link-test", "Drive one link along a strain path and write its stresses and state");
     std::string laws;
-    for (const DrivenLaw &law : driven_laws())
-      laws += (laws.empty() ? "" : ", ") + law.name;
+    for (const auto &law : dem::link_laws())
+      laws += (laws.empty() ? "" : ", ") + law->name();
     command.add_option("--law", options->law, "Law of the link: " + laws)->required()->type_name("NAME");
     add_overrides(command, options->constants,
                   "Constant of the law, e.g. -s \"Normal modulus=25e9\"; repeatable; see \"breccia describe\"");

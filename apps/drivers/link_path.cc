@@ -1,7 +1,5 @@
 #include "apps/drivers/link_path.h"
 
-#include "apps/scene/law_block.h"
-#include "dem/laws/cpm.h"
 
 #include <fmt/format.h>
 
@@ -13,7 +11,7 @@ namespace apps
     class Recorder
     {
     public:
-      void operator()(const char *name, const char *unit, const double value)
+      void operator()(const std::string &name, const std::string &unit, const double value)
       {
         if (next == history.columns.size())
           history.columns.push_back({name, unit, {}});
@@ -28,103 +26,101 @@ namespace apps
     };
 
     /**
-     * One link of the cohesive particle model, in its reference configuration: given total strains in, stresses out.
+     * One link of any law, in its reference configuration: total strains in, stresses out. It is a link of unit length and unit
+     * section, so that forces are stresses and energies are per volume.
      */
-    class CpmLink
+    class DrivenLink
     {
     public:
-      explicit CpmLink(const dem::CpmParameters &parameters)
-        : constants(parameters)
+      explicit DrivenLink(std::shared_ptr<const dem::LinkLaw> of)
+        : law(std::move(of))
+        , columns(law->columns())
+        , history(columns.size(), 0.0)
       {
+        dem::NewLink fresh;
+        fresh.distance     = 1;
+        fresh.first_radius = fresh.second_radius = 0.5;
+        fresh.area                               = 1;
+        law->begin(0, fresh, history.data());
+        step.geometry.area = step.geometry.reference = 1;
+        step.direction                               = {1, 0, 0};
       }
 
       void advance(const double normal_strain, const std::array<double, 2> &shear_strain)
       {
-        normal = normal_strain;
-        for (int i = 0; i < 2; ++i)
-          {
-            state.elastic_shear[i] += shear_strain[i] - shear[i];
-            shear[i] = shear_strain[i];
-          }
-        if (!broken)
-          respond();
+        step.strain_before   = step.geometry.strain;
+        step.geometry.strain = normal_strain;
+        step.geometry.length = 1 + normal_strain;
+        step.shear_increment = {0, shear_strain[0] - shear[0], shear_strain[1] - shear[1]};
+        shear                = shear_strain;
+        if (gone)
+          return;
+        const std::vector<double> before = history;
+        answer                           = law->update(0, step, before.data(), history.data());
+        friction += answer.friction;
+        damage += answer.damage + answer.released;
+        if (law->phase(0, step.geometry, history.data()) == dem::LinkPhase::gone)
+          delete_link();
       }
 
       void record(Recorder &row) const
       {
-        row("normal_strain", "-", normal);
+        const dem::LinkLoss lost = law->damage(0, step.geometry, history.data());
+        row("normal_strain", "-", step.geometry.strain);
         row("shear_strain_1", "-", shear[0]);
         row("shear_strain_2", "-", shear[1]);
-        row("normal_stress", "Pa", response.normal_stress);
-        row("shear_stress_1", "Pa", response.shear_stress[0]);
-        row("shear_stress_2", "Pa", response.shear_stress[1]);
-        row("kappa", "-", state.kappa);
-        row("damage", "-", state.damage);
-        row("strength_damage", "-", broken ? 1.0 : constants.strength_damage(state.kappa, state.damage));
-        row("plastic_shear_strain_1", "-", shear[0] - state.elastic_shear[0]);
-        row("plastic_shear_strain_2", "-", shear[1] - state.elastic_shear[1]);
+        row("normal_stress", "Pa", answer.force[0]);
+        row("shear_stress_1", "Pa", answer.force[1]);
+        row("shear_stress_2", "Pa", answer.force[2]);
+        record_history(row);
+        row("strength_damage", "-", gone ? 1.0 : lost.strength);
+        const bool broken = gone || law->phase(0, step.geometry, history.data()) != dem::LinkPhase::whole;
         row("broken", "", broken ? 1.0 : 0.0);
-        row("elastic_energy", "J/m^3", elastic_energy());
-        row("dissipated_by_damage", "J/m^3", dissipated_by_damage());
-        row("dissipated_by_sliding", "J/m^3", sliding_work);
+        row("elastic_energy", "J/m^3", gone ? 0.0 : law->stored(0, step.geometry, history.data()));
+        row("dissipated_by_damage", "J/m^3", damage + law->damage_dissipation(0, step.geometry, history.data()));
+        row("dissipated_by_sliding", "J/m^3", friction);
         row.end_row();
       }
 
     private:
-      void respond()
+      /** Vectors by their components across the link; of elastic shear the plastic part, too. */
+      void record_history(Recorder &row) const
       {
-        const dem::Vec<double, 2> total{{shear[0], shear[1]}};
-        response = dem::Cpm<true, true>::update(constants, normal, dem::dot(total, total), state);
-        sliding_work += response.plastic_work;
-        damage_work += response.damage_work;
-        if (normal > 0 && state.kappa > constants.kappa_broken)
-          delete_link();
+        const auto ends_with = [](const std::string &text, const std::string &end) {
+          return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+        };
+        for (std::size_t c = 0; c < columns.size(); ++c)
+          if (!ends_with(columns[c].name, "_0")) // along the link, where they have no part
+            {
+              row(columns[c].name, columns[c].unit, history[c]);
+              if (columns[c].name == "elastic_shear_1" || columns[c].name == "elastic_shear_2")
+                {
+                  const std::size_t across = columns[c].name.back() == '1' ? 0 : 1;
+                  row("plastic_shear_strain_" + std::to_string(across + 1), "-", shear[across] - history[c]);
+                }
+            }
       }
 
       /** What the particle model does with a link that has no strength left (mesoscale specification 3.5). */
       void delete_link()
       {
-        broken              = true;
-        state.elastic_shear = {{0, 0}};
-        response            = {};
+        gone   = true;
+        answer = {};
+        for (std::size_t c = 0; c < columns.size(); ++c)
+          if (columns[c].name.compare(0, 13, "elastic_shear") == 0)
+            history[c] = 0;
       }
 
-      double elastic_energy() const
-      {
-        const double closed = normal > 0 ? 1 - state.damage : 1;
-        return broken ? 0.0 :
-                        0.5 * (closed * constants.E * normal * normal +
-                               constants.G * dem::dot(state.elastic_shear, state.elastic_shear));
-      }
-
-      double dissipated_by_damage() const
-      {
-        return constants.shear_weight > 0 ? damage_work : constants.dissipated_at(state.kappa, state.damage);
-      }
-
-      dem::CpmConstants           constants;
-      dem::CpmState<double, 2>    state{0, 0, {{0, 0}}};
-      dem::CpmResponse<double, 2> response     = {};
-      double                      normal       = 0;
-      std::array<double, 2>       shear        = {};
-      bool                        broken       = false;
-      double                      sliding_work = 0, damage_work = 0;
+      std::shared_ptr<const dem::LinkLaw> law;
+      std::vector<dem::LinkQuantity>      columns;
+      std::vector<double>                 history;
+      dem::LinkStep                       step;
+      dem::LinkAnswer                     answer;
+      std::array<double, 2>               shear = {};
+      bool                                gone  = false;
+      double                              friction = 0, damage = 0;
     };
 
-    LinkHistory drive_cpm(Section &section, const std::function<void()> &read, const LinkPath &path)
-    {
-      dem::CpmParameters parameters;
-      declare_law<dem::CpmDescription>(section, parameters);
-      read();
-      CpmLink  link(parameters);
-      Recorder recorder;
-      for (std::size_t row = 0; row < path.normal.size(); ++row)
-        {
-          link.advance(path.normal[row], path.shear[row]);
-          link.record(recorder);
-        }
-      return std::move(recorder.history);
-    }
   } // namespace
 
   std::string LinkHistory::as_csv() const
@@ -139,11 +135,15 @@ namespace apps
     return text;
   }
 
-  const std::vector<DrivenLaw> &driven_laws()
+  LinkHistory drive(const dem::LinkLawKind &law, const dem::LinkConstants &constants, const LinkPath &path)
   {
-    static const std::vector<DrivenLaw> laws = {
-      {dem::CpmDescription::name, drive_cpm},
-    };
-    return laws;
+    DrivenLink link(law.materials({{"", &constants, 0}}).bonds_in_space(dem::Physics()));
+    Recorder   recorder;
+    for (std::size_t row = 0; row < path.normal.size(); ++row)
+      {
+        link.advance(path.normal[row], path.shear[row]);
+        link.record(recorder);
+      }
+    return std::move(recorder.history);
   }
 } // namespace apps

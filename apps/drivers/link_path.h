@@ -1,7 +1,8 @@
 #pragma once
 
-#include "apps/scene/section.h"
+#include "dem/laws/registry.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -28,14 +29,6 @@ namespace apps
     std::string as_csv() const;
   };
 
-  /** A link law that can be driven alone: how its constants are declared, and how it answers a path. */
-  struct DrivenLaw
-  {
-    std::string name;
-    /** Declare the constants in the section, let `read` fill them, and drive one link along the path. */
-    LinkHistory (*drive)(Section &constants, const std::function<void()> &read, const LinkPath &path);
-  };
-
-  /** Every law of `breccia link-test`; a new one is one line in link_path.cc. */
-  const std::vector<DrivenLaw> &driven_laws();
+  /** Drive one link of the law along the path. */
+  LinkHistory drive(const dem::LinkLawKind &law, const dem::LinkConstants &constants, const LinkPath &path);
 } // namespace apps

@@ -1,6 +1,6 @@
 #include "apps/drivers/material_counts.h"
 
-#include "dem/laws/cpm_table.h"
+#include "dem/laws/cpm.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -31,7 +31,7 @@ namespace apps
     for (std::size_t one = 0; one < names.size(); ++one)
       for (std::size_t other = 0; other <= one; ++other)
         {
-          const auto number = dem::CpmTable::pair(static_cast<std::int32_t>(one), static_cast<std::int32_t>(other));
+          const auto number = dem::material_pair(static_cast<std::int32_t>(one), static_cast<std::int32_t>(other));
           use(number, names[other], names[one], links[static_cast<std::size_t>(number)]);
         }
   }

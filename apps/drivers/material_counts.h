@@ -12,7 +12,7 @@ namespace apps
   struct MaterialCounts
   {
     std::vector<std::string> names;            ///< of the materials, in the scene's order; empty: there is one
-    std::vector<std::size_t> particles, links; ///< of each material; of each pair, numbered as in dem::CpmTable
+    std::vector<std::size_t> particles, links; ///< of each material; of each pair, numbered as by dem::material_pair
 
     MaterialCounts() = default;
     /** @param material of each particle  @param law of each link */

@@ -12,12 +12,24 @@ namespace apps
 {
   void LinkLaw::declare(Section &section)
   {
-    section.choice("Law", law, {{dem::CpmDescription::name, dem::CpmDescription::name}}, Need::required)
+    const auto              &laws = dem::link_laws();
+    std::vector<std::string> names;
+    law = laws.front().get();
+    for (const auto &kind : laws)
+      names.push_back(kind->name());
+    section
+      .choice_of(
+        "Law", names, 0, [this, &laws](const std::size_t chosen) { law = laws.at(chosen).get(); },
+        Need::required)
       .means("Law of the links; the section of its name holds its constants");
-    Section &block = section.section(dem::CpmDescription::name,
-                                     "Cohesive particle model: damage in tension, cohesion and friction in shear");
-    block.only_if([this] { return law == dem::CpmDescription::name; }, section.path() + "/Law = CPM");
-    declare_law<dem::CpmDescription>(block, cpm);
+    for (const auto &kind : laws)
+      {
+        Section &block = section.section(kind->name(), kind->meaning());
+        block.only_if([this, kind] { return law == kind.get(); }, section.path() + "/Law = " + kind->name());
+        LawBlock entries(block);
+        constants[kind->name()] = kind->constants();
+        constants[kind->name()]->visit(entries);
+      }
   }
 
   void MaterialSection::declare(Section &root, const bool inertia)
@@ -64,7 +76,7 @@ namespace apps
         throw dem::InputError(where + ": " + dem::material_name_rule() + ".");
       try
         {
-          dem::CpmConstants{material.law.cpm};
+          material.law.chosen().check();
         }
       catch (const dem::InputError &refusal)
         {
@@ -78,7 +90,7 @@ namespace apps
     const Section &materials_section = *root.find_section("Materials"), &places = *root.find_section("Regions");
     if (named.empty())
       {
-        dem::CpmConstants{only.cpm};
+        only.chosen().check();
         if (!regions.empty())
           throw dem::InputError(places.sections().front()->place().text() + ": " + places.path() +
                                 ": the scene has no section Materials to take their materials from.");
@@ -88,10 +100,15 @@ namespace apps
     if (sets_anything(*root.find_section("Material")))
       throw dem::InputError(where + ": the scene has a section Material as well. Keep one of the two.");
     for (const NamedMaterial &material : named)
-      validate_material(material, *materials_section.find_section(material.name));
+      {
+        const Section &section = *materials_section.find_section(material.name);
+        validate_material(material, section);
+        if (material.law.law != named.front().law.law)
+          section.refuse("Law", "all materials of a scene must have the same, here " + named.front().law.law->name() + ".");
+      }
     try
       {
-        materials().pairs();
+        materials().bonds(dem::Physics());
       }
     catch (const dem::InputError &refusal)
       {
@@ -107,14 +124,14 @@ namespace apps
       }
   }
 
-  dem::CpmMaterials MaterialSection::materials() const
+  dem::LinkMaterials MaterialSection::materials() const
   {
     if (named.empty())
-      return only.cpm;
-    std::vector<dem::CpmMaterial> all;
+      return only.law->materials({{"", &only.chosen(), 0}});
+    std::vector<dem::NamedConstants> all;
     for (const NamedMaterial &material : named)
-      all.push_back({material.name, material.law.cpm, material.density});
-    return dem::CpmMaterials(std::move(all));
+      all.push_back({material.name, &material.law.chosen(), material.density});
+    return named.front().law.law->materials(all);
   }
 
   std::vector<std::string> MaterialSection::names() const

@@ -2,10 +2,12 @@
 
 #include "apps/scene/material_region.h"
 #include "apps/scene/section.h"
-#include "dem/laws/cpm_table.h"
+#include "dem/laws/registry.h"
 #include "dem/packing/packing.h"
 
 #include <list>
+#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -14,10 +16,12 @@ namespace apps
   /** What a link between two particles of one material obeys: law, and a block with the constants of every law there is. */
   struct LinkLaw
   {
-    std::string        law = dem::CpmDescription::name;
-    dem::CpmParameters cpm;
+    const dem::LinkLawKind                                *law = nullptr; ///< the chosen one
+    std::map<std::string, std::shared_ptr<dem::LinkConstants>> constants; ///< of every law, by its name
 
     void declare(Section &section);
+    /** Constants of the chosen law. */
+    const dem::LinkConstants &chosen() const { return *constants.at(law->name()); }
   };
 
   /** Sub-section of "Materials": one of several. */
@@ -43,7 +47,7 @@ namespace apps
     /** Rules between the constants of the selected laws, and between names. @throws dem::InputError. */
     void validate(const Section &root, int dimension) const;
 
-    dem::CpmMaterials        materials() const;
+    dem::LinkMaterials       materials() const;
     std::vector<std::string> names() const; ///< empty where there is one
 
     /**

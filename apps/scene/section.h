@@ -76,6 +76,16 @@ namespace apps
                    Words<typename std::common_type<Value>::type> words,
                    Need                                          need);
 
+    /** A choice whose words are known at run time only. @param initial the default's place among them; beyond: none */
+    Entry &choice_of(const std::string               &entry,
+                     const std::vector<std::string>  &words,
+                     std::size_t                      initial,
+                     std::function<void(std::size_t)> assign,
+                     Need                             need)
+    {
+      return add_choice(entry, words, initial, std::move(assign), need);
+    }
+
     /** A sub-section. */
     Section &section(const std::string &subsection, const std::string &subsection_meaning);
     /**

@@ -151,18 +151,16 @@ namespace dem
   void add_contacts(LinkSet                          &contacts,
                     const std::vector<NeighbourPair> &born,
                     Particles                        &particles,
-                    const ParticleShape              &shape)
+                    const ParticleShape              &shape,
+                    const LinkLaw                    &law)
   {
     LinkSet fresh;
-    make_links(fresh, born, particles, shape, false);
-    LinkSet merged;
-    merged.shear_components = contacts.shear_components;
-    merged.periodic         = particles.cell.repeats();
-    merged.several_laws     = !particles.material.empty();
-    merged.alive            = contacts.alive + born.size();
-    merged.resize(merged.alive, particles.count, false);
+    make_links(fresh, born, particles, shape, law);
+    LinkSet merged = fresh.empty_like();
+    merged.alive   = contacts.alive + born.size();
+    merged.resize(merged.alive, particles.count);
     for (const auto &account : contacts.accounts)
-      merged.accounts[0].plastic_work += account.plastic_work;
+      merged.accounts[0].friction += account.friction;
 
     const auto before = [](const LinkSet &a, const std::size_t i, const LinkSet &b, const std::size_t j) {
       return a.first[i] != b.first[j] ? a.first[i] < b.first[j] : a.second[i] < b.second[j];
@@ -177,7 +175,6 @@ namespace dem
         }
     while (next < fresh.count)
       merged.copy_line(fresh, next++, to++);
-    std::fill_n(merged.damage.begin(), merged.count, 1.0);
     merged.tabulate(particles.count);
     contacts = std::move(merged);
   }

@@ -73,5 +73,6 @@ namespace dem
   void add_contacts(LinkSet                          &contacts,
                     const std::vector<NeighbourPair> &born,
                     Particles                        &particles,
-                    const ParticleShape              &shape);
+                    const ParticleShape              &shape,
+                    const LinkLaw                    &law);
 } // namespace dem

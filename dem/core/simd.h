@@ -43,6 +43,9 @@ namespace dem
   BRECCIA_KERNEL double maximum(const double a, const double b) { return a > b ? a : b; }
   BRECCIA_KERNEL Pack   maximum(const Pack &a, const Pack &b) { return stdx::max(a, b); }
 
+  BRECCIA_KERNEL double minimum(const double a, const double b) { return a < b ? a : b; }
+  BRECCIA_KERNEL Pack   minimum(const Pack &a, const Pack &b) { return stdx::min(a, b); }
+
   BRECCIA_KERNEL double square_root(const double a) { return std::sqrt(a); }
   BRECCIA_KERNEL Pack   square_root(const Pack &a) { return stdx::sqrt(a); }
 

@@ -1,4 +1,5 @@
 #include "dem/integrators/stable_step.h"
+#include "dem/measures/link_measures.h"
 
 #include <Eigen/Geometry>
 
@@ -17,20 +18,15 @@ namespace dem
     public:
       using Scalar = double;
 
-      ScaledStiffness(const Particles &particles,
-                      const LinkSet   &bonds,
-                      const LinkSet   *contacts,
-                      const CpmTable  &laws,
-                      const bool       rotations)
+      ScaledStiffness(const Particles &particles, const std::vector<LawfulLinks> &all, const bool rotations)
         : p(particles)
         , root_inverse_mass(6 * particles.count)
       {
         for (std::size_t i = 0; i < p.count; ++i)
           for (int c = 0; c < 6; ++c)
             root_inverse_mass[6 * i + c] = c < 3 || rotations ? std::sqrt(p.inverse_mass[record_size * i + c]) : 0.0;
-        add(bonds, laws);
-        if (contacts)
-          add(*contacts, laws);
+        for (const LawfulLinks &of : all)
+          add(of.links, of.law);
       }
 
       Eigen::Index rows() const { return root_inverse_mass.size(); }
@@ -52,6 +48,12 @@ namespace dem
             f.segment<3>(6 * s.K) += force;
             f.segment<3>(6 * s.J + 3) += s.arm_J * twist;
             f.segment<3>(6 * s.K + 3) += s.arm_K * twist;
+            if (s.k_bending == 0 && s.k_twist == 0)
+              continue;
+            const Eigen::Vector3d turned = at(s.K, 1) - at(s.J, 1);
+            const Eigen::Vector3d moment = s.k_bending * turned + (s.k_twist - s.k_bending) * s.n.dot(turned) * s.n;
+            f.segment<3>(6 * s.J + 3) -= moment;
+            f.segment<3>(6 * s.K + 3) += moment;
           }
         Eigen::Map<Eigen::VectorXd>(out, rows()) = root_inverse_mass.cwiseProduct(f);
       }
@@ -61,17 +63,19 @@ namespace dem
       {
         std::int32_t    J, K;
         Eigen::Vector3d n;
-        double          arm_J, arm_K, k_N, k_T;
+        double          arm_J, arm_K, k_N, k_T, k_bending, k_twist;
       };
 
-      void add(const LinkSet &links, const CpmTable &laws)
+      void add(const LinkSet &links, const LinkLaw &law)
       {
+        LinkReader reader(p, links, law);
         for (std::size_t l = 0; l < links.count; ++l)
           {
             if (!links.is_alive(l))
               continue;
-            const CpmConstants &law = laws[links.law_of(l)];
-            Spring              s;
+            reader.read(l, Geometry::present);
+            const LinkStiffnesses moduli = reader.stiffness();
+            Spring                s;
             s.J                 = links.first[l];
             s.K                 = links.second[l];
             s.n                 = branch_of(p, links, l);
@@ -80,8 +84,10 @@ namespace dem
             s.n /= length;
             s.arm_J = 0.5 * (length + eccentric);
             s.arm_K = 0.5 * (length - eccentric);
-            s.k_N   = law.E * stiffness;
-            s.k_T   = law.G * stiffness;
+            s.k_N       = moduli.normal * stiffness;
+            s.k_T       = moduli.shear * stiffness;
+            s.k_bending = moduli.bending;
+            s.k_twist   = moduli.twist;
             springs.push_back(s);
           }
       }
@@ -92,13 +98,9 @@ namespace dem
     };
   } // namespace
 
-  double critical_step(const Particles &particles,
-                       const LinkSet   &bonds,
-                       const LinkSet   *contacts,
-                       const CpmTable  &laws,
-                       const bool       rotations)
+  double critical_step(const Particles &particles, const std::vector<LawfulLinks> &links, const bool rotations)
   {
-    ScaledStiffness operation(particles, bonds, contacts, laws, rotations);
+    ScaledStiffness operation(particles, links, rotations);
     // The spectrum of a random packing is dense at its upper end; 40 vectors between restarts converge in a few hundred products.
     const Eigen::Index                      vectors = std::min<Eigen::Index>(40, operation.rows());
     Spectra::SymEigsSolver<ScaledStiffness> solver(operation, 1, vectors);

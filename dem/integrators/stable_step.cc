@@ -1,5 +1,7 @@
 #include "dem/integrators/stable_step.h"
 
+#include "dem/measures/link_measures.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,58 +11,73 @@ namespace dem
 {
   namespace
   {
-    /** kappa_c of a link as the particle at its first or second end sees it [N/m]. */
-    double stiffness_seen(const Particles  &p,
-                          const LinkSet    &links,
-                          const std::size_t l,
-                          const bool        from_first,
-                          const CpmTable   &laws,
-                          const bool        rotations)
+    /** kappa_c of links as the particle at their first or second end sees them. */
+    class StiffnessSeen
     {
-      const std::int32_t J = links.first[l], K = links.second[l], i = from_first ? J : K;
-      const double       eccentric = (p.radius_of(J) - p.radius_of(K)) * (from_first ? 1 : -1),
-                   arm             = 0.5 * (branch_of(p, links, l).norm() + eccentric),
-                   lever           = rotations ? p.mass[i] * arm * arm / p.inertia[i] : 0.0;
-      const CpmConstants &law      = laws[links.law_of(l)];
-      return links.area[l] / links.reference_length[l] * std::max(law.E, law.G * (1.0 + lever));
-    }
+    public:
+      StiffnessSeen(const Particles &particles, const LawfulLinks &of, const bool particles_rotate)
+        : p(particles)
+        , links(of.links)
+        , rotations(particles_rotate)
+        , has_moment(of.law.has_moment())
+        , reader(particles, of.links, of.law)
+      {
+      }
 
-    void add_stiffness(
-      const Particles &p, const LinkSet &links, const CpmTable &laws, const bool rotations, std::vector<double> &sum)
-    {
-      for (std::size_t l = 0; l < links.count; ++l)
-        if (links.is_alive(l))
-          {
-            sum[links.first[l]] += stiffness_seen(p, links, l, true, laws, rotations);
-            sum[links.second[l]] += stiffness_seen(p, links, l, false, laws, rotations);
-          }
-    }
+      /** [N/m] */
+      double operator()(const std::size_t l, const bool from_first)
+      {
+        const std::int32_t J = links.first[l], K = links.second[l], i = from_first ? J : K;
+        const double       eccentric = (p.radius_of(J) - p.radius_of(K)) * (from_first ? 1 : -1),
+                     arm             = 0.5 * (branch_of(p, links, l).norm() + eccentric),
+                     lever           = rotations ? p.mass[i] * arm * arm / p.inertia[i] : 0.0;
+        reader.read(l, Geometry::present);
+        const LinkStiffnesses s = reader.closed_stiffness();
+        const double seen = links.area[l] / links.reference_length[l] * std::max(s.normal, s.shear * (1.0 + lever));
+        if (!has_moment)
+          return seen;
+        const double turning = p.mass[i] / p.inertia[i],
+                     across  = links.area[l] / links.reference_length[l] * s.shear * (1.0 + lever) + s.bending * turning;
+        return std::max({seen, across, s.twist * turning});
+      }
+
+    private:
+      const Particles &p;
+      const LinkSet   &links;
+      bool             rotations, has_moment;
+      LinkReader       reader;
+    };
 
     /** Sum of kappa_c over one particle's links [N/m]. */
-    double stiffness_around(
-      const Particles &p, const LinkSet &links, const CpmTable &laws, const bool rotations, const std::int32_t i)
+    double
+    stiffness_around(const Particles &p, const LawfulLinks &of, const bool rotations, const std::int32_t i)
     {
-      double sum = 0;
+      const LinkSet &links = of.links;
+      StiffnessSeen  seen(p, of, rotations);
+      double         sum = 0;
       for (std::int32_t l = links.own_begin[i]; l < links.own_begin[i + 1]; ++l)
         if (links.is_alive(l))
-          sum += stiffness_seen(p, links, l, true, laws, rotations);
+          sum += seen(l, true);
       for (std::int32_t o = links.other_begin[i]; o < links.other_begin[i + 1]; ++o)
         if (links.is_alive(links.others[o]))
-          sum += stiffness_seen(p, links, links.others[o], false, laws, rotations);
+          sum += seen(links.others[o], false);
       return sum;
     }
   } // namespace
 
-  double stable_step(const Particles &particles,
-                     const LinkSet   &bonds,
-                     const LinkSet   *contacts,
-                     const CpmTable  &laws,
-                     const bool       rotations)
+  double stable_step(const Particles &particles, const std::vector<LawfulLinks> &all, const bool rotations)
   {
     std::vector<double> sum(particles.count, 0.0);
-    add_stiffness(particles, bonds, laws, rotations, sum);
-    if (contacts)
-      add_stiffness(particles, *contacts, laws, rotations, sum);
+    for (const LawfulLinks &of : all)
+      {
+        StiffnessSeen seen(particles, of, rotations);
+        for (std::size_t l = 0; l < of.links.count; ++l)
+          if (of.links.is_alive(l))
+            {
+              sum[of.links.first[l]] += seen(l, true);
+              sum[of.links.second[l]] += seen(l, false);
+            }
+      }
     double smallest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < particles.count; ++i)
       if (sum[i] > 0)
@@ -68,15 +85,14 @@ namespace dem
     return std::sqrt(smallest);
   }
 
-  double stable_step_of(const Particles   &particles,
-                        const LinkSet     &bonds,
-                        const LinkSet     &contacts,
-                        const CpmTable    &laws,
-                        const bool         rotations,
-                        const std::int32_t particle)
+  double stable_step_of(const Particles                &particles,
+                        const std::vector<LawfulLinks> &all,
+                        const bool                      rotations,
+                        const std::int32_t              particle)
   {
-    const double sum = stiffness_around(particles, bonds, laws, rotations, particle) +
-                       stiffness_around(particles, contacts, laws, rotations, particle);
+    double sum = 0;
+    for (const LawfulLinks &of : all)
+      sum += stiffness_around(particles, of, rotations, particle);
     return std::sqrt(2.0 * particles.mass[particle] / sum);
   }
 } // namespace dem

@@ -1,32 +1,36 @@
 #pragma once
 
-#include "dem/laws/cpm_table.h"
+#include "dem/laws/link_law.h"
 #include "dem/links.h"
 #include "dem/particles.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace dem
 {
+  /** Links of one kind, and their law. */
+  struct LawfulLinks
+  {
+    const LinkSet &links;
+    const LinkLaw &law;
+  };
+
   /**
  * Stable step from per-particle stiffness, min over P of sqrt(2 m_P / sum_{c in P} kappa_c) [s], a rigorous lower bound of the
  * critical step (element eigenvalue theorem; mesoscale specification (5.1)).
  *
- * kappa_c = max(k_N, k_T (1 + m d^2/I)) of a link seen from the particle; links count with their undamaged stiffness, so the bound
- * stays valid while they soften. Infinite when no particle has a link.
- *
- * @param contacts may be null
+ * kappa_c = max(k_N, k_T (1 + m d^2/I) + k_bending m/I, k_twist m/I) of a link seen from the particle: stretching, twisting, and
+ * what turns it across the link are independent motions. Links count with their undamaged stiffness, so the bound stays valid while
+ * they soften. Infinite when no particle has a link.
  */
-  double stable_step(
-    const Particles &particles, const LinkSet &bonds, const LinkSet *contacts, const CpmTable &laws, bool rotations);
+  double stable_step(const Particles &particles, const std::vector<LawfulLinks> &links, bool rotations);
 
   /** The same bound of one particle alone [s], in time proportional to its links. @pre it has one */
-  double stable_step_of(const Particles &particles,
-                        const LinkSet   &bonds,
-                        const LinkSet   &contacts,
-                        const CpmTable  &laws,
-                        bool             rotations,
-                        std::int32_t     particle);
+  double stable_step_of(const Particles                &particles,
+                        const std::vector<LawfulLinks> &links,
+                        bool                            rotations,
+                        std::int32_t                    particle);
 
   /**
  * Sharp critical step 2/sqrt(largest eigenvalue of M^-1 K) of the undamaged links at the present positions [s], by Lanczos iteration
@@ -34,6 +38,5 @@ namespace dem
  *
  * @throws std::runtime_error if the iteration does not converge
  */
-  double critical_step(
-    const Particles &particles, const LinkSet &bonds, const LinkSet *contacts, const CpmTable &laws, bool rotations);
+  double critical_step(const Particles &particles, const std::vector<LawfulLinks> &links, bool rotations);
 } // namespace dem

@@ -76,6 +76,15 @@ namespace dem
     return v - factor * (a + b);
   }
 
+  /** A tangential vector at n0, carried to n1, and what the step adds to it there. */
+  template <typename T>
+  BRECCIA_KERNEL Vec<T, 3>
+                 carried(const Vec<T, 3> &n0, const Vec<T, 3> &n1, const Vec<T, 3> &vector, const Vec<T, 3> &added)
+  {
+    const Vec<T, 3> moved = transport(n0, n1, vector) + added;
+    return moved - dot(n1, moved) * n1; // round-off
+  }
+
   /** Motion of a pair of particles over one step, what the shear update needs. */
   template <typename T>
   struct PairMotion
@@ -92,29 +101,40 @@ namespace dem
   {
     Vec<T, 3> direction; ///< n1, from the first end to the second
     T         length;    ///< [m]
-    Vec<T, 3> increment; ///< of the tangential vectors in this step, added after they were turned
+    Vec<T, 3> increment; ///< of the shear vectors in this step, added after they were turned
+    T         twist;     ///< relative rotation about the link in this step, second less first; only if asked for
+    T         length_before; ///< at the start of the step [m]
+    Vec<T, 3> bent;          ///< of the bending vectors in this step, as `increment`; only where there are any
   };
 
   /**
  * Advance tangential link vectors by one step, exactly objective (mesoscale specification 2.3).
  *
- * Rotates each vector of `shear` with the pair and adds the tangential displacement of the contact point over the reference
- * length. Under any rigid motion of the pair the stored vectors turn with it and nothing is added, whatever the size of the step.
+ * Rotates each vector with the pair. To those of `shear` it adds the tangential displacement of the contact point over the reference
+ * length, to those of `bending` the relative rotation of the ends across the link. Under any rigid motion of the pair the stored
+ * vectors turn with it and nothing is added, whatever the size of the step.
  *
  * @param inverse_reference 1/L0 [1/m]
- * @param shear  in: at the start of the step, perpendicular to n0; out: at its end, perpendicular to n1
+ * @param turned   relative rotation of the step, second end less first [rad]; looked at only where there is bending
+ * @param shear    in: at the start of the step, perpendicular to n0; out: at its end, perpendicular to n1
+ * @param bending  likewise
  * @tparam rotations the particles spin; otherwise rotation vectors are not looked at
+ * @tparam bendings  how many of the vectors in `bending` there are
  */
-  template <bool rotations, typename T, int stored>
-  BRECCIA_KERNEL LinkFrame<T>
-                 advance_shear(const PairMotion<T> &m, const T &inverse_reference, Vec<T, 3> (&shear)[stored])
+  template <bool rotations, int bendings, typename T, int stored>
+  BRECCIA_KERNEL LinkFrame<T> advance_tangents(const PairMotion<T> &m,
+                                               const T             &inverse_reference,
+                                               const Vec<T, 3>     &turned,
+                                               Vec<T, 3> (&shear)[stored],
+                                               Vec<T, 3> *bending)
   {
     const Vec<T, 3> l0 = m.branch - m.increment;
     const Vec<T, 3> lm = m.branch - T(0.5) * m.increment;
     const T         L1 = square_root(dot(m.branch, m.branch));
     const Vec<T, 3> n1 = (T(1.0) / L1) * m.branch;
     const Vec<T, 3> nm = (T(1.0) / square_root(dot(lm, lm))) * lm;
-    Vec<T, 3>       n0 = (T(1.0) / square_root(dot(l0, l0))) * l0;
+    const T         L0 = square_root(dot(l0, l0));
+    Vec<T, 3>       n0 = (T(1.0) / L0) * l0;
     Vec<T, 3>       du = m.increment;
     if constexpr (rotations)
       {
@@ -122,16 +142,35 @@ namespace dem
         n0           = rotate(c, m.mean_rotation, n0);
         for (auto &vector : shear)
           vector = rotate(c, m.mean_rotation, vector);
+        for (int i = 0; i < bendings; ++i)
+          bending[i] = rotate(c, m.mean_rotation, bending[i]);
         du = du - cross(m.arm_rotation, lm);
       }
-    du               = du - dot(nm, du) * nm;
-    const auto added = inverse_reference * transport(nm, n1, du);
+    du                   = du - dot(nm, du) * nm;
+    const auto added     = inverse_reference * transport(nm, n1, du);
     for (auto &vector : shear)
+      vector = carried(n0, n1, vector, added);
+    T         twist(0.0);
+    Vec<T, 3> bent{{T(0.0), T(0.0), T(0.0)}};
+    if constexpr (bendings > 0)
       {
-        vector = transport(n0, n1, vector) + added;
-        vector = vector - dot(n1, vector) * n1; // round-off
+        if constexpr (rotations)
+          {
+            twist = dot(nm, turned);
+            bent  = transport(nm, n1, turned - twist * nm);
+          }
+        for (int i = 0; i < bendings; ++i)
+          bending[i] = carried(n0, n1, bending[i], bent);
       }
-    return {n1, L1, added};
+    return {n1, L1, added, twist, L0, bent};
+  }
+
+  /** The same of shear vectors alone. */
+  template <bool rotations, typename T, int stored>
+  BRECCIA_KERNEL LinkFrame<T>
+                 advance_shear(const PairMotion<T> &m, const T &inverse_reference, Vec<T, 3> (&shear)[stored])
+  {
+    return advance_tangents<rotations, 0>(m, inverse_reference, Vec<T, 3>{}, shear, static_cast<Vec<T, 3> *>(nullptr));
   }
 
   /** Motion of a pair of discs over one step. */
@@ -149,12 +188,21 @@ namespace dem
     Vec<T, 2> direction;
     T         length;
     Vec<T, 1> increment;
+    T         twist; ///< zero: for symmetry with space
+    T         length_before;
+    Vec<T, 1> bent;
   };
 
-  /** The same in the plane: shear is a number, positive along the direction turned by +90 degrees, and turns with the pair by itself. */
-  template <bool rotations, typename T, int stored>
-  BRECCIA_KERNEL PlaneLinkFrame<T>
-                 advance_shear(const PlanePairMotion<T> &m, const T &inverse_reference, Vec<T, 1> (&shear)[stored])
+  /**
+ * The same in the plane: shear is a number, positive along the direction turned by +90 degrees, bending one about z; both turn with
+ * the pair by themselves, and nothing twists.
+ */
+  template <bool rotations, int bendings, typename T, int stored>
+  BRECCIA_KERNEL PlaneLinkFrame<T> advance_tangents(const PlanePairMotion<T> &m,
+                                                    const T                  &inverse_reference,
+                                                    const T                  &turned,
+                                                    Vec<T, 1> (&shear)[stored],
+                                                    Vec<T, 1> *bending)
   {
     const Vec<T, 2> lm = m.branch - T(0.5) * m.increment;
     const T         L1 = square_root(dot(m.branch, m.branch)), Lm = square_root(dot(lm, lm));
@@ -164,6 +212,17 @@ namespace dem
     const Vec<T, 1> added{{inverse_reference * slip}};
     for (auto &value : shear)
       value = value + added;
-    return {(T(1.0) / L1) * m.branch, L1, added};
+    if constexpr (rotations)
+      for (int i = 0; i < bendings; ++i)
+        bending[i].c[0] = bending[i].c[0] + turned;
+    const Vec<T, 2> l0 = m.branch - m.increment;
+    return {(T(1.0) / L1) * m.branch, L1, added, T(0.0), square_root(dot(l0, l0)), {{turned}}};
+  }
+
+  template <bool rotations, typename T, int stored>
+  BRECCIA_KERNEL PlaneLinkFrame<T>
+                 advance_shear(const PlanePairMotion<T> &m, const T &inverse_reference, Vec<T, 1> (&shear)[stored])
+  {
+    return advance_tangents<rotations, 0>(m, inverse_reference, T(0.0), shear, static_cast<Vec<T, 1> *>(nullptr));
   }
 } // namespace dem

@@ -1,52 +1,45 @@
 #pragma once
 
 #include "dem/kernels/kinematics.h"
-#include "dem/kernels/link_pass.h"
+#include "dem/laws/link_law_of.h"
+#include "dem/links.h"
+#include "dem/particles.h"
 
 #include <algorithm>
 #include <type_traits>
 
 /**
- * The link pass itself, for every policy. Only the two files that compile it include this, one for each dimension: together they
- * take longer than any other, side by side half as long.
+ * The link pass itself, for every law and policy. Only the sources in which a law's passes are compiled include this; a law with many
+ * variants has one for each dimension, which side by side take half as long.
  */
 namespace dem::link_update
 {
-  enum class Damage
-  {
-    none,            ///< omega keeps its value
-    normal,          ///< driven by the normal strain
-    normal_and_shear ///< driven by normal and shear strain: the total shear strain is stored too
-  };
-
-  /** What the pass is compiled for. `contact`: no cohesion, deleted as soon as it opens. `periodic`: second ends are images. */
-  template <int     dimension_,
-            bool    rotations_,
-            Damage  damage_,
-            bool    sliding_,
-            Mixture mixture_,
-            bool    contact_,
-            bool    periodic_>
+  /**
+   * What the pass is compiled for, besides the law. `periodic`: second ends are images.
+   * @tparam Law_ see dem/laws/link_law_of.h
+   */
+  template <typename Law_, int dimension_, bool rotations_, Mixture mixture_, bool periodic_>
   struct Policy
   {
-    static constexpr int    dimension        = dimension_;
-    static constexpr bool   rotations        = rotations_;
-    static constexpr Damage damage           = damage_;
-    static constexpr bool   sliding          = sliding_;
-    static constexpr bool   equal_radii      = mixture_ == Mixture::equal;
-    static constexpr bool   several_laws     = mixture_ == Mixture::materials;
-    static constexpr bool   contact          = contact_;
-    static constexpr bool   periodic         = periodic_;
-    static constexpr int    shear_components = dimension == 3 ? 3 : 1;
-    static constexpr int    stored_shears    = damage == Damage::normal_and_shear ? 2 : 1; ///< elastic, total
-  };
+    using Law                              = Law_;
+    static constexpr int  dimension        = dimension_;
+    static constexpr bool rotations        = rotations_;
+    static constexpr bool equal_radii      = mixture_ == Mixture::equal;
+    static constexpr bool several_laws     = mixture_ == Mixture::materials;
+    static constexpr bool periodic         = periodic_;
+    static constexpr int  across           = dimension == 3 ? 3 : 1; ///< components of a vector across the link
+    static constexpr bool moment           = Law::moment && rotations;
 
+    template <typename T>
+    using State = typename Law::template State<T, across>;
+  };
   /** Differences and sums of the two ends' records of eight links, one pack per quantity. */
   struct Ends
   {
     Pack pose[8];       ///< branch (3) | sum of tau theta (3) | r_K - r_J | -
     Pack motion[8];     ///< branch increment (3) | sum of theta (3) | - -
     Pack half_twist[8]; ///< - - - | difference (first - second) of tau theta (3) | - -; unequal radii only
+    Pack turned[8];     ///< - - - | difference (second - first) of theta (3) | - -; laws with a moment only
   };
 
   inline const Pack difference_and_sum([](auto lane) { return lane < 3 || lane > 5 ? -1.0 : 1.0; });
@@ -64,6 +57,8 @@ namespace dem::link_update
         const Pack pose_J = load(pose + J), pose_K = load(pose + K);
         ends.pose[lane]   = pose_K + signs * pose_J;
         ends.motion[lane] = load(motion + K) + signs * load(motion + J);
+        if constexpr (P::moment)
+          ends.turned[lane] = load(motion + K) - load(motion + J);
         if constexpr (P::periodic)
           {
             const std::size_t image = record_size * static_cast<std::size_t>(links.image[l + lane]);
@@ -77,6 +72,8 @@ namespace dem::link_update
     transpose(ends.motion);
     if constexpr (P::rotations && !P::equal_radii)
       transpose(ends.half_twist);
+    if constexpr (P::moment)
+      transpose(ends.turned);
   }
 
   /** (r_J - r_K)/L, by which the contact point lies off the middle of the branch; arms are (1 +- this) L/2. */
@@ -121,16 +118,38 @@ namespace dem::link_update
         {{ends.pose[0], ends.pose[1]}}, {{ends.motion[0], ends.motion[1]}}, arm_rotation<P>(ends, 2, eccentric)};
   }
 
+  /** Relative rotation of the ends in the step, where the law wants it. */
+  template <typename P>
+  BRECCIA_KERNEL auto relative_rotation(const Ends &ends)
+  {
+    if constexpr (P::dimension == 3)
+      {
+        Vec<Pack, 3> turned;
+        for (int c = 0; c < 3; ++c)
+          turned[c] = P::moment ? ends.turned[3 + c] : Pack(0.0);
+        return turned;
+      }
+    else
+      return P::moment ? ends.turned[5] : Pack(0.0);
+  }
+
+  /** Eight packs, one per quantity, as the records of eight links. */
+  BRECCIA_KERNEL void put_records(Pack (&out)[8], double *record)
+  {
+    transpose(out);
+    for (int lane = 0; lane < pack_size; ++lane)
+      store(out[lane], record + record_size * lane);
+  }
+
   /**
        * Force on the first end, half branch x force, eccentricity: what a particle needs of its link, as records.
        * @return the force, z only in space
        */
   template <typename P, typename Frame>
-  BRECCIA_KERNEL Vec<Pack, 3> put_force(const Frame                                  &frame,
-                                        const CpmResponse<Pack, P::shear_components> &r,
-                                        const Pack                                   &area,
-                                        const Pack                                   &eccentric,
-                                        double                                       *record)
+  BRECCIA_KERNEL Vec<Pack, 3> put_force(const Frame                      &frame,
+                                        const LinkForce<Pack, P::across> &answer,
+                                        const Pack                       &eccentric,
+                                        double                           *record)
   {
     Pack out[8];
     for (auto &o : out)
@@ -138,9 +157,8 @@ namespace dem::link_update
     const Pack half_length = Pack(0.5) * frame.length;
     if constexpr (P::dimension == 3)
       {
-        const Vec<Pack, 3> shear  = area * r.shear_stress;
-        const Vec<Pack, 3> force  = (area * r.normal_stress) * frame.direction + shear;
-        const Vec<Pack, 3> couple = half_length * cross(frame.direction, shear);
+        const Vec<Pack, 3> force  = answer.normal * frame.direction + answer.shear;
+        const Vec<Pack, 3> couple = half_length * cross(frame.direction, answer.shear);
         for (int c = 0; c < 3; ++c)
           {
             out[c] = force[c];
@@ -150,26 +168,38 @@ namespace dem::link_update
       }
     else
       {
-        const Pack normal = area * r.normal_stress, shear = area * r.shear_stress[0];
-        out[0] = normal * frame.direction[0] - shear * frame.direction[1];
-        out[1] = normal * frame.direction[1] + shear * frame.direction[0];
+        out[0] = answer.normal * frame.direction[0] - answer.shear[0] * frame.direction[1];
+        out[1] = answer.normal * frame.direction[1] + answer.shear[0] * frame.direction[0];
         if constexpr (P::rotations)
-          out[5] = half_length * shear;
+          out[5] = half_length * answer.shear[0];
       }
     if constexpr (!P::equal_radii)
       out[6] = eccentric;
     const Vec<Pack, 3> force = {{out[0], out[1], out[2]}};
-    transpose(out);
-    for (int lane = 0; lane < pack_size; ++lane)
-      store(out[lane], record + record_size * lane);
+    put_records(out, record);
     return force;
+  }
+
+  /** Moment on the first end at the contact point, as records. */
+  template <typename P, typename Frame>
+  BRECCIA_KERNEL void put_moment(const Frame &frame, const LinkForce<Pack, P::across> &answer, double *record)
+  {
+    Pack out[8];
+    for (auto &o : out)
+      o = Pack(0.0);
+    if constexpr (P::dimension == 3)
+      for (int c = 0; c < 3; ++c)
+        out[3 + c] = answer.bending_moment[c] + answer.twisting_moment * frame.direction[c];
+    else
+      out[5] = answer.bending_moment[0];
+    put_records(out, record);
   }
 
   /** What a block sums up while it goes through its links. */
   struct BlockSums
   {
-    Pack     plastic_work{0.0}, damage_work{0.0};
-    PackMask exhausted{false};
+    LinkWork<Pack> work;
+    PackMask       event{false};
   };
 
   struct PeriodicBlockSums : BlockSums
@@ -181,99 +211,95 @@ namespace dem::link_update
   template <typename P>
   using Sums = std::conditional_t<P::periodic, PeriodicBlockSums, BlockSums>;
 
+  /** Where the columns of a law's history begin; looked up once per block. */
   template <typename P>
-  using State = CpmState<Pack, P::shear_components>;
+  struct HistoryColumns
+  {
+    using State = typename P::template State<Pack>;
+
+    double *column[State::columns > 0 ? State::columns : 1];
+
+    explicit HistoryColumns(LinkSet &links)
+    {
+      for (int c = 0; c < State::columns; ++c)
+        column[c] = links.history[static_cast<std::size_t>(c)].data();
+    }
+    static constexpr int shear_column(const int i) { return State::numbers + P::across * i; }
+    static constexpr int bending_column(const int i) { return shear_column(State::shears) + P::across * i; }
+  };
 
   template <typename P>
-  BRECCIA_KERNEL void load_state(const LinkSet    &links,
-                                 const std::size_t l,
-                                 State<P>         &state,
-                                 Vec<Pack, P::shear_components> (&shear)[P::stored_shears])
+  BRECCIA_KERNEL void
+  load_history(const HistoryColumns<P> &history, const std::size_t l, typename P::template State<Pack> &state)
   {
-    state.kappa  = load(&links.kappa[l]);
-    state.damage = P::contact ? Pack(1.0) : load(&links.damage[l]);
-    for (int c = 0; c < P::shear_components; ++c)
+    using H = HistoryColumns<P>;
+    using S = typename H::State;
+    for (int i = 0; i < S::numbers; ++i)
+      state.number[i] = load(history.column[i] + l);
+    for (int c = 0; c < P::across; ++c)
       {
-        shear[0][c] = load(&links.elastic_shear[c][l]);
-        if constexpr (P::stored_shears == 2)
-          shear[1][c] = load(&links.total_shear[c][l]);
+        for (int i = 0; i < S::shears; ++i)
+          state.shear[i][c] = load(history.column[H::shear_column(i) + c] + l);
+        for (int i = 0; i < S::bendings; ++i)
+          state.bending[i][c] = load(history.column[H::bending_column(i) + c] + l);
       }
   }
 
   template <typename P>
-  BRECCIA_KERNEL void store_state(LinkSet          &links,
-                                  const std::size_t l,
-                                  const State<P>   &state,
-                                  const State<P>   &before,
-                                  const Vec<Pack, P::shear_components> (&shear)[P::stored_shears])
+  BRECCIA_KERNEL void store_history(const HistoryColumns<P>                &history,
+                                    const std::size_t                       l,
+                                    const typename P::template State<Pack> &before,
+                                    const typename P::template State<Pack> &state)
   {
-    if constexpr (P::damage != Damage::none)
-      if (any(state.kappa > before.kappa))
-        {
-          store(state.kappa, &links.kappa[l]);
-          store(state.damage, &links.damage[l]);
-        }
-    for (int c = 0; c < P::shear_components; ++c)
+    using H = HistoryColumns<P>;
+    using S = typename H::State;
+    if (P::Law::changes_numbers(before, state))
+      for (int i = 0; i < S::numbers; ++i)
+        store(state.number[i], history.column[i] + l);
+    for (int c = 0; c < P::across; ++c)
       {
-        store(state.elastic_shear[c], &links.elastic_shear[c][l]);
-        if constexpr (P::stored_shears == 2)
-          store(shear[1][c], &links.total_shear[c][l]);
+        for (int i = 0; i < S::shears; ++i)
+          store(state.shear[i][c], history.column[H::shear_column(i) + c] + l);
+        for (int i = 0; i < S::bendings; ++i)
+          store(state.bending[i][c], history.column[H::bending_column(i) + c] + l);
       }
   }
 
-  /**
-       * What makes the law's sigma_T . d eps_p, with the stress after the return, into the same with the mean of the stresses before and
-       * after the step: then the account balances to second order in the step, as the leap-frog work of the link forces does.
-       */
-  template <typename Constants, int m>
-  BRECCIA_KERNEL Pack mean_stress_correction(const Constants    &law,
-                                             const Vec<Pack, m> &trial,
-                                             const Vec<Pack, m> &increment,
-                                             const Vec<Pack, m> &after)
+  /** Constants of eight links that may join other materials each. */
+  template <typename Law>
+  BRECCIA_KERNEL auto gather_constants(const LinkLawOf<Law> &laws, const LinkSet &links, const std::size_t l)
   {
-    const Vec<Pack, m> before = trial - increment;
-    return Pack(0.5 * law.G) * dot(before - after, trial - after);
-  }
-
-  /** Constants of eight links that may join other materials each. Of the second record only what the policy looks at. */
-  template <typename P>
-  BRECCIA_KERNEL CpmNumbers<Pack> gather_constants(const CpmTable &laws, const LinkSet &links, const std::size_t l)
-  {
-    Pack c[2][pack_size];
+    Pack c[Law::records][pack_size];
     for (int lane = 0; lane < pack_size; ++lane)
       {
         const double *record = laws.record_of(static_cast<std::size_t>(links.law[l + lane]));
-        c[0][lane]           = load(record);
-        if constexpr (P::damage != Damage::none)
-          c[1][lane] = load(record + pack_size);
+        for (int r = 0; r < Law::records; ++r)
+          c[r][lane] = load(record + pack_size * r);
       }
-    transpose(c[0]);
-    if constexpr (P::damage != Damage::none)
-      transpose(c[1]);
-    else
-      c[1][0] = c[1][1] = Pack(0.0);
-    return {c[0][0], c[0][1], c[0][2], c[0][7], c[0][3],    c[0][4],
-            c[0][5], c[1][0], c[1][1], c[0][6], laws[0].law}; // the shape of softening is one for all
+    for (int r = 0; r < Law::records; ++r)
+      transpose(c[r]);
+    return Law::gathered(c, laws.constants(0));
   }
 
-  /** Eight links: kinematics, law, force. @tparam Constants CpmConstants of all, or the numbers of each */
+  /** Eight links: kinematics, law, force. @tparam Constants of all, or the numbers of each */
   template <typename P, typename Constants>
-  BRECCIA_KERNEL void update_pack(LinkSet          &links,
-                                  const Particles  &particles,
-                                  const Constants  &law,
-                                  const Pack       &signs,
-                                  const std::size_t l,
-                                  Sums<P>          &sums)
+  BRECCIA_KERNEL void update_pack(LinkSet                 &links,
+                                  const HistoryColumns<P> &history,
+                                  const Particles         &particles,
+                                  const Constants         &law,
+                                  const Pack              &signs,
+                                  const std::size_t        l,
+                                  Sums<P>                 &sums)
   {
+    using State = typename P::template State<Pack>;
     Ends ends;
     gather<P>(particles, links, l, signs, ends);
 
-    State<P>                       state;
-    Vec<Pack, P::shear_components> shear[P::stored_shears];
-    load_state<P>(links, l, state, shear);
-    const State<P> before    = state;
-    const Pack     reference = load(&links.reference_length[l]), area = load(&links.area[l]);
-    const Pack     inverse_reference = Pack(1.0) / reference;
+    State state;
+    load_history<P>(history, l, state);
+    const State before       = state;
+    const Pack  reference    = load(&links.reference_length[l]), area = load(&links.area[l]);
+    const Pack  inverse_reference = Pack(1.0) / reference;
 
     const auto branch_length = [&] {
       Pack squared = ends.pose[0] * ends.pose[0] + ends.pose[1] * ends.pose[1];
@@ -282,37 +308,28 @@ namespace dem::link_update
       return square_root(squared);
     };
     const Pack eccentric = P::equal_radii ? Pack(0.0) : eccentricity<P>(ends, branch_length());
-    const auto frame     = advance_shear<P::rotations>(pair_motion<P>(ends, eccentric), inverse_reference, shear);
-    const Pack strain    = (frame.length - reference) * inverse_reference;
+    const auto frame     = advance_tangents<P::rotations, State::bendings>(
+      pair_motion<P>(ends, eccentric), inverse_reference, relative_rotation<P>(ends), state.shear, state.bending);
 
-    state.elastic_shear = shear[0];
-    const Pack total_squared =
-      P::stored_shears == 2 ? dot(shear[P::stored_shears - 1], shear[P::stored_shears - 1]) : Pack(0.0);
-    constexpr bool damages  = P::damage != Damage::none;
-    const auto     response = Cpm<damages, P::sliding>::update(law, strain, total_squared, state);
-    store_state<P>(links, l, state, before, shear);
-    const Vec<Pack, 3> force = put_force<P>(frame, response, area, eccentric, &links.force[record_size * l]);
+    LinkMotion<Pack, P::across> motion;
+    motion.strain          = (frame.length - reference) * inverse_reference;
+    motion.strain_before   = (frame.length_before - reference) * inverse_reference;
+    motion.length          = frame.length;
+    motion.reference       = reference;
+    motion.area            = area;
+    motion.shear_increment = frame.increment;
+    motion.bending_increment = frame.bent;
+    motion.twist_increment   = frame.twist;
+    const auto answer      = P::Law::update(law, motion, state, sums.work);
+    store_history<P>(history, l, before, state);
+    const Vec<Pack, 3> force = put_force<P>(frame, answer, eccentric, &links.force[record_size * l]);
+    if constexpr (P::moment)
+      put_moment<P>(frame, answer, &links.moment[record_size * l]);
     if constexpr (P::periodic)
       for (int i = 0; i < P::dimension; ++i)
         for (int j = 0; j < P::dimension; ++j)
           sums.stress_moment[3 * i + j] += ends.pose[i] * force[j];
-
-    const Pack volume = area * reference;
-    if constexpr (P::sliding)
-      if (any(response.slides))
-        {
-          const Pack work =
-            response.plastic_work + mean_stress_correction(law, shear[0], frame.increment, state.elastic_shear);
-          // Below zero where one step reverses the stress: energy that the step made, not the link. The balance shows it.
-          sums.plastic_work += volume * maximum(work, Pack(0.0));
-        }
-    if constexpr (P::damage == Damage::normal_and_shear)
-      sums.damage_work += volume * response.damage_work;
-    if constexpr (P::contact)
-      sums.exhausted = sums.exhausted || (strain > Pack(0.0) && area > Pack(0.0));
-    else if constexpr (damages)
-      sums.exhausted =
-        sums.exhausted || (state.kappa > Pack(law.kappa_broken) && strain > Pack(0.0) && area > Pack(0.0));
+    sums.event = sums.event || (answer.event && area > Pack(0.0));
   }
 
   /** Links ahead of the present one whose second ends are fetched: measured best between 64 and 128 on 10^6 particles. */
@@ -332,36 +349,40 @@ namespace dem::link_update
   }
 
   template <typename P>
-  void update_block(LinkSet &links, const Particles &particles, const CpmTable &laws, const std::size_t block)
+  void update_block(LinkSet                           &links,
+                    const Particles                   &particles,
+                    const LinkLawOf<typename P::Law>  &laws,
+                    const std::size_t                  block)
   {
-    Sums<P>             sums;
-    const Pack          signs = difference_and_sum;
-    const CpmConstants &only  = laws[0];
-    const std::size_t   begin = block * links_per_block, end = std::min(begin + links_per_block, links.first.size());
+    Sums<P>                 sums;
+    const HistoryColumns<P> history(links);
+    const Pack              signs = difference_and_sum;
+    const auto             &only  = laws.constants(0);
+    const std::size_t       begin = block * links_per_block, end = std::min(begin + links_per_block, links.first.size());
     for (std::size_t l = begin; l < end; l += pack_size)
       {
         prefetch_second_ends(links, particles, l + prefetch_distance);
         if constexpr (P::several_laws)
-          update_pack<P>(links, particles, gather_constants<P>(laws, links, l), signs, l, sums);
+          update_pack<P>(links, history, particles, gather_constants(laws, links, l), signs, l, sums);
         else
-          update_pack<P>(links, particles, only, signs, l, sums);
+          update_pack<P>(links, history, particles, only, signs, l, sums);
       }
 
     LinkBlockAccount &account = links.accounts[block];
-    if constexpr (P::sliding)
-      account.plastic_work += stdx::reduce(sums.plastic_work);
-    if constexpr (P::damage == Damage::normal_and_shear)
-      account.damage_work += stdx::reduce(sums.damage_work);
-    account.exhausted = any(sums.exhausted);
+    account.friction += stdx::reduce(sums.work.friction);
+    account.damage += stdx::reduce(sums.work.damage);
+    account.released += stdx::reduce(sums.work.released);
+    account.event = any(sums.event);
     if constexpr (P::periodic)
       for (int c = 0; c < 9; ++c)
         links.stress_moments[stress_record * block + c] = stdx::reduce(sums.stress_moment[c]);
   }
 
   template <typename P>
-  void link_pass(LinkSet &links, const Particles &particles, const CpmTable &laws)
+  void link_pass(LinkSet &links, const Particles &particles, const LinkLaw &law)
   {
-    const auto blocks = static_cast<std::ptrdiff_t>(links.blocks());
+    const auto &laws   = static_cast<const LinkLawOf<typename P::Law> &>(law);
+    const auto  blocks = static_cast<std::ptrdiff_t>(links.blocks());
 #pragma omp parallel for schedule(static)
     for (std::ptrdiff_t b = 0; b < blocks; ++b)
       update_block<P>(links, particles, laws, static_cast<std::size_t>(b));
@@ -384,32 +405,30 @@ namespace dem::link_update
                                        next(std::integral_constant<Mixture, Mixture::materials>{});
   }
 
-  template <int dimension, bool contact, Damage damage>
-  LinkPass select(const Physics &physics, const Mixture mixture)
+  template <typename Law, int dimension>
+  LinkPass select(const bool rotates, const Mixture mixture, const bool periodic)
   {
-    return choose(physics.rotations, [&](auto rotations) {
-      return choose(physics.friction, [&](auto sliding) {
-        return choose(mixture, [&](auto particles) {
-          return choose(physics.periodic, [&](auto periodic) -> LinkPass {
-            return link_pass<Policy<dimension, rotations, damage, sliding, particles, contact, periodic>>;
-          });
+    return choose(rotates, [&](auto rotations) {
+      return choose(mixture, [&](auto particles) {
+        return choose(periodic, [&](auto repeats) -> LinkPass {
+          return link_pass<Policy<Law, dimension, rotations, particles, repeats>>;
         });
       });
     });
   }
-
-  template <int dimension>
-  LinkPass select_bonds(const Physics &physics, const Mixture mixture, const bool shear_damages)
-  {
-    if (!physics.damage)
-      return select<dimension, false, Damage::none>(physics, mixture);
-    return shear_damages ? select<dimension, false, Damage::normal_and_shear>(physics, mixture) :
-                           select<dimension, false, Damage::normal>(physics, mixture);
-  }
-
-  template <int dimension>
-  LinkPass select_contacts(const Physics &physics, const Mixture mixture)
-  {
-    return select<dimension, true, Damage::none>(physics, mixture);
-  }
 } // namespace dem::link_update
+
+namespace dem
+{
+  template <typename Law>
+  LinkPass link_pass_in_plane(const bool rotations, const Mixture mixture, const bool periodic)
+  {
+    return link_update::select<Law, 2>(rotations, mixture, periodic);
+  }
+
+  template <typename Law>
+  LinkPass link_pass_in_space(const bool rotations, const Mixture mixture, const bool periodic)
+  {
+    return link_update::select<Law, 3>(rotations, mixture, periodic);
+  }
+} // namespace dem

@@ -125,7 +125,19 @@ namespace dem
         }
     }
 
-    template <bool with_contacts, bool damped, bool equal_radii, Surroundings surroundings>
+    /** Moments at contact points: what a link does to its first end, it does to its second the other way round. */
+    BRECCIA_KERNEL void add_moments(const LinkSet &links, const std::size_t i, Pack &sum)
+    {
+      if (!links.has_moment)
+        return;
+      const double *moment = links.moment.data();
+      for (std::int32_t l = links.own_begin[i]; l < links.own_begin[i + 1]; ++l)
+        sum += load(moment + record_size * static_cast<std::size_t>(l));
+      for (std::int32_t o = links.other_begin[i]; o < links.other_begin[i + 1]; ++o)
+        sum -= load(moment + record_size * static_cast<std::size_t>(links.others[o]));
+    }
+
+    template <bool with_contacts, bool damped, bool equal_radii, bool moments, Surroundings surroundings>
     void particle_pass(Particles                         &particles,
                        const LinkSet                     &bonds,
                        const LinkSet                     *contacts,
@@ -150,6 +162,12 @@ namespace dem
               add_links<equal_radii>(bonds, i, lanes, force);
               if constexpr (with_contacts)
                 add_links<equal_radii>(*contacts, i, lanes, force);
+              if constexpr (moments)
+                {
+                  add_moments(bonds, i, force);
+                  if constexpr (with_contacts)
+                    add_moments(*contacts, i, force);
+                }
               if constexpr (surroundings == Surroundings::weight)
                 force += Pack(particles.mass[i]) * fall;
               integrate<damped, surroundings == Surroundings::periodic>(particles, i, force, lanes, step, coefficient,
@@ -160,35 +178,41 @@ namespace dem
         }
     }
 
-    template <bool with_contacts, bool damped, bool equal_radii>
+    template <bool with_contacts, bool damped, bool equal_radii, bool moments>
     ParticlePass select_surroundings(const Surroundings surroundings)
     {
       switch (surroundings)
         {
         case Surroundings::weight:
-          return particle_pass<with_contacts, damped, equal_radii, Surroundings::weight>;
+          return particle_pass<with_contacts, damped, equal_radii, moments, Surroundings::weight>;
         case Surroundings::periodic:
-          return particle_pass<with_contacts, damped, equal_radii, Surroundings::periodic>;
+          return particle_pass<with_contacts, damped, equal_radii, moments, Surroundings::periodic>;
         default:
-          return particle_pass<with_contacts, damped, equal_radii, Surroundings::free>;
+          return particle_pass<with_contacts, damped, equal_radii, moments, Surroundings::free>;
         }
     }
 
     template <bool with_contacts, bool damped>
-    ParticlePass select_radii(const bool equal_radii, const Surroundings surroundings)
+    ParticlePass select_links(const bool equal_radii, const bool moments, const Surroundings surroundings)
     {
-      return equal_radii ? select_surroundings<with_contacts, damped, true>(surroundings) :
-                           select_surroundings<with_contacts, damped, false>(surroundings);
+      if (moments)
+        return equal_radii ? select_surroundings<with_contacts, damped, true, true>(surroundings) :
+                             select_surroundings<with_contacts, damped, false, true>(surroundings);
+      return equal_radii ? select_surroundings<with_contacts, damped, true, false>(surroundings) :
+                           select_surroundings<with_contacts, damped, false, false>(surroundings);
     }
   } // namespace
 
-  ParticlePass
-  select_particle_pass(const bool contacts, const bool damped, const bool equal_radii, const Surroundings surroundings)
+  ParticlePass select_particle_pass(const bool         contacts,
+                                    const bool         damped,
+                                    const bool         equal_radii,
+                                    const bool         moments,
+                                    const Surroundings surroundings)
   {
     if (contacts)
-      return damped ? select_radii<true, true>(equal_radii, surroundings) :
-                      select_radii<true, false>(equal_radii, surroundings);
-    return damped ? select_radii<false, true>(equal_radii, surroundings) :
-                    select_radii<false, false>(equal_radii, surroundings);
+      return damped ? select_links<true, true>(equal_radii, moments, surroundings) :
+                      select_links<true, false>(equal_radii, moments, surroundings);
+    return damped ? select_links<false, true>(equal_radii, moments, surroundings) :
+                    select_links<false, false>(equal_radii, moments, surroundings);
   }
 } // namespace dem

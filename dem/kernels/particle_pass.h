@@ -49,8 +49,8 @@ namespace dem
     periodic ///< in a cell, where nothing can weigh: it would fall for ever
   };
 
-  /** The pass compiled for what the specimen has. */
-  ParticlePass select_particle_pass(bool contacts, bool damped, bool equal_radii, Surroundings surroundings);
+  /** The pass compiled for what the specimen has. @param moments some links carry moments */
+  ParticlePass select_particle_pass(bool contacts, bool damped, bool equal_radii, bool moments, Surroundings surroundings);
 
   inline std::size_t particle_blocks(const std::size_t particles)
   {

@@ -1,11 +1,13 @@
 #pragma once
 
 #include "dem/laws/cpm.h"
+#include "dem/laws/linear_contact.h"
+#include "dem/laws/parallel_bond.h"
 
 #include <tuple>
 
 namespace dem
 {
-  /** The link laws that a scene can name; factory, error text and generic tests go through this list. */
-  using LinkLaws = std::tuple<CpmDescription>;
+  /** The link laws that a scene can name; scenes, help, link-test and generic tests go through this list. */
+  using LinkLaws = std::tuple<CpmLaw, LinearContactLaw, ParallelBondLaw>;
 } // namespace dem

@@ -1,6 +1,7 @@
 #include "dem/laws/cpm.h"
 
 #include "dem/core/errors.h"
+#include "dem/laws/cpm_links.h"
 
 #include <algorithm>
 #include <cmath>
@@ -101,5 +102,60 @@ namespace dem
         softened = 0.5 * E * onset * (reached - onset) * (1.0 + remaining);
       }
     return 0.5 * E * onset * onset + softened - 0.5 * (1.0 - omega) * E * kappa * kappa;
+  }
+
+  namespace
+  {
+    const char *name_of(const DamageLaw law) { return law == DamageLaw::exponential ? "exponential" : "linear"; }
+
+    template <typename Variant>
+    std::shared_ptr<const LinkLaw>
+    law_of(const std::vector<CpmParameters> &pairs, const Physics &physics, const int vector_dimension)
+    {
+      return std::make_shared<LinkLawOf<Variant>>(std::vector<CpmConstants>(pairs.begin(), pairs.end()),
+                                                  vector_dimension, physics.rotations);
+    }
+  } // namespace
+
+  CpmParameters mean_of(const CpmMaterial &one, const CpmMaterial &other)
+  {
+    const CpmParameters &a = one.parameters, &b = other.parameters;
+    if (a.damage_law != b.damage_law)
+      throw InputError("Damage law: material " + one.name + " has the " + name_of(a.damage_law) + " one, " +
+                       other.name + " the " + name_of(b.damage_law) +
+                       " one; links between them would have neither. Give both the same.");
+    CpmParameters between;
+    between.normal_modulus          = mean(a.normal_modulus, b.normal_modulus);
+    between.shear_ratio             = mean(a.shear_ratio, b.shear_ratio);
+    between.limit_elastic_strain    = mean(a.limit_elastic_strain, b.limit_elastic_strain);
+    between.relative_ductility      = mean(a.relative_ductility, b.relative_ductility);
+    between.cohesion                = mean(a.cohesion, b.cohesion);
+    between.friction_coefficient    = mean_friction(a.friction_coefficient, b.friction_coefficient);
+    between.damage_law              = a.damage_law;
+    between.shear_contribution      = mean(a.shear_contribution, b.shear_contribution);
+    between.residual_strength_limit = mean(a.residual_strength_limit, b.residual_strength_limit);
+    return between;
+  }
+
+  std::shared_ptr<const LinkLaw>
+  CpmLaw::bonds(const std::vector<CpmParameters> &pairs, const Physics &physics, const int vector_dimension)
+  {
+    const bool shear_damages = std::any_of(pairs.begin(), pairs.end(),
+                                           [](const CpmParameters &p) { return p.shear_contribution > 0; });
+    const auto choose        = [&](auto sliding) {
+      if (!physics.damage)
+        return law_of<CpmBond<DamageDriver::none, sliding>>(pairs, physics, vector_dimension);
+      return shear_damages ?
+                      law_of<CpmBond<DamageDriver::normal_and_shear, sliding>>(pairs, physics, vector_dimension) :
+                      law_of<CpmBond<DamageDriver::normal, sliding>>(pairs, physics, vector_dimension);
+    };
+    return physics.friction ? choose(std::true_type{}) : choose(std::false_type{});
+  }
+
+  std::shared_ptr<const LinkLaw>
+  CpmLaw::contacts(const std::vector<CpmParameters> &pairs, const Physics &physics, const int vector_dimension)
+  {
+    return physics.friction ? law_of<CpmContact<true>>(pairs, physics, vector_dimension) :
+                              law_of<CpmContact<false>>(pairs, physics, vector_dimension);
   }
 } // namespace dem

@@ -33,49 +33,47 @@ namespace dem
     load.branch  = view.length * view.direction;
     load.contact = load.first + arm * view.direction;
     load.force   = view.force;
+    if (links.has_moment)
+      load.couple = Eigen::Vector3d(&links.moment[record_size * link + 3]);
     return load;
   }
 
-  double elastic_energy(const Particles  &particles,
-                        const LinkSet    &links,
-                        const std::size_t link,
-                        const CpmTable   &laws,
-                        const Geometry    geometry)
+  void LinkReader::read(const std::size_t link, const Geometry at)
   {
-    const CpmConstants &law    = laws[links.law_of(link)];
-    const double        strain = link_at(particles, links, link, geometry).strain;
-    double              shear2 = 0;
-    for (int c = 0; c < links.shear_components; ++c)
-      shear2 += links.elastic_shear[c][link] * links.elastic_shear[c][link];
-    const double normal = strain > 0 ? (1.0 - links.damage[link]) * law.E : law.E;
-    return 0.5 * links.area[link] * links.reference_length[link] * (normal * strain * strain + law.G * shear2);
+    seen            = link_at(particles, links, link, at);
+    place.strain    = seen.strain;
+    place.length    = seen.length;
+    place.reference = links.reference_length[link];
+    place.area      = links.area[link];
+    number          = links.law_of(link);
+    links.get_history(link, row);
   }
 
-  double elastic_energy(const Particles &particles, const LinkSet &links, const CpmTable &laws)
+  double elastic_energy(const Particles &particles, const LinkSet &links, const LinkLaw &law)
   {
-    double sum = 0;
+    LinkReader reader(particles, links, law);
+    double     sum = 0;
     for (std::size_t l = 0; l < links.count; ++l)
       if (links.is_alive(l))
-        sum += elastic_energy(particles, links, l, laws);
+        {
+          reader.read(l);
+          sum += reader.stored();
+        }
     return sum;
   }
 
-  double damage_dissipation(const LinkSet &links, const std::size_t link, const CpmTable &laws)
+  double damage_dissipation(const Particles &particles, const LinkSet &links, const LinkLaw &law)
   {
-    const CpmConstants &law = laws[links.law_of(link)];
-    if (law.shear_weight > 0)
-      return 0.0;
-    return links.area[link] * links.reference_length[link] * law.dissipated_at(links.kappa[link], links.damage[link]);
-  }
-
-  double damage_dissipation(const LinkSet &links, const CpmTable &laws)
-  {
-    double sum = 0;
+    LinkReader reader(particles, links, law);
+    double     sum = 0;
     for (const auto &account : links.accounts)
-      sum += account.damage_work;
+      sum += account.damage;
     for (std::size_t l = 0; l < links.count; ++l)
       if (links.is_alive(l))
-        sum += damage_dissipation(links, l, laws);
+        {
+          reader.read(l);
+          sum += reader.damage_dissipation();
+        }
     return sum;
   }
 
@@ -83,7 +81,15 @@ namespace dem
   {
     double sum = 0;
     for (const auto &account : links.accounts)
-      sum += account.plastic_work;
+      sum += account.friction;
+    return sum;
+  }
+
+  double released_in_place(const LinkSet &links)
+  {
+    double sum = 0;
+    for (const auto &account : links.accounts)
+      sum += account.released;
     return sum;
   }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dem/laws/cpm_table.h"
+#include "dem/laws/link_law.h"
 #include "dem/links.h"
 #include "dem/measures/loads.h"
 #include "dem/particles.h"
@@ -31,25 +31,64 @@ namespace dem
   /** The same as what measures of stress and couple stress take. */
   LinkLoad load_at(const Particles &particles, const LinkSet &links, std::size_t link);
 
-  /** Energy stored in one link [J]; mesoscale specification 8. */
-  double elastic_energy(const Particles &particles,
-                        const LinkSet   &links,
-                        std::size_t      link,
-                        const CpmTable  &laws,
-                        Geometry         geometry = Geometry::before_motion);
+  /** One link after the other as its law wants it: geometry and history. */
+  class LinkReader
+  {
+  public:
+    LinkReader(const Particles &particles, const LinkSet &links, const LinkLaw &law)
+      : particles(particles)
+      , links(links)
+      , law(law)
+    {
+    }
+    LinkReader(Particles &&, const LinkSet &, const LinkLaw &) = delete;
 
-  /** Sum over all living links [J]. */
-  double elastic_energy(const Particles &particles, const LinkSet &links, const CpmTable &laws);
+    /** Go to a link. */
+    void read(std::size_t link, Geometry at = Geometry::before_motion);
 
-  /** Dissipated by damage of the living links [J]; by the closed form where only normal strain damages, plus what the pass
-   * has summed up where shear does too. */
-  double damage_dissipation(const LinkSet &links, const CpmTable &laws);
+    const LinkGeometry &geometry() const { return place; }
+    const LinkView     &view() const { return seen; }
+    const double       *history() const { return row.data(); }
 
-  /** Dissipated by damage of one living link [J]; zero where shear damages too (then the pass sums it up). */
-  double damage_dissipation(const LinkSet &links, std::size_t link, const CpmTable &laws);
+    /** What the law says of the link that was read last; see LinkLaw. */
+    double          stored() const { return law.stored(number, place, row.data()); }
+    double          damage_dissipation() const { return law.damage_dissipation(number, place, row.data()); }
+    LinkLoss      damage() const { return law.damage(number, place, row.data()); }
+    LinkPhase       phase() const { return law.phase(number, place, row.data()); }
+    LinkStiffnesses stiffness() const { return law.stiffness(number, place, row.data()); }
+    /** The largest that it can have: closed, if that makes a difference. */
+    LinkStiffnesses closed_stiffness() const
+    {
+      LinkGeometry closed = place;
+      closed.strain       = -1;
+      return law.stiffness(number, closed, row.data());
+    }
+    LinkStiffnesses damaged_stiffness() const { return law.damaged_stiffness(number, place, row.data()); }
+    LinkExertion    exertion() const
+    {
+      return law.exertion(number, place, seen.direction, seen.force, row.data());
+    }
+
+  private:
+    const Particles    &particles;
+    const LinkSet      &links;
+    const LinkLaw      &law;
+    LinkView            seen;
+    LinkGeometry        place;
+    std::size_t         number = 0; ///< of the pair of materials
+    std::vector<double> row;
+  };
+
+  /** Energy stored in all living links [J]. */
+  double elastic_energy(const Particles &particles, const LinkSet &links, const LinkLaw &law);
+
+  /** Dissipated by damage of the living links [J]: by the closed form of the law where it has one, and what the pass has summed up. */
+  double damage_dissipation(const Particles &particles, const LinkSet &links, const LinkLaw &law);
 
   /** Dissipated by sliding since the start [J]. */
   double plastic_dissipation(const LinkSet &links);
+  /** Set free since the start by bonds that broke in their place [J]. */
+  double released_in_place(const LinkSet &links);
 
   /**
  * Add each link's share to the particles' stress moments V_P sigma_P = sum (c - x_P) (x) f_on_P [N m], c the contact point (Love-Weber;

@@ -2,112 +2,156 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace dem
 {
   namespace
   {
-    Eigen::Vector3d vector(const Vec<double, 3> &v) { return {v[0], v[1], v[2]}; }
-    Vec<double, 3>  vector(const Eigen::Vector3d &v) { return {{v[0], v[1], v[2]}}; }
-
-    /** Write or read a number (three, for a vector) per link. */
-    template <typename Get>
-    void visit(StateVisitor &visitor, const char *name, const std::size_t links, const int numbers, const Get &get)
+    /** Write or read three numbers per link. */
+    void visit_vectors(StateVisitor &visitor, const char *name, std::vector<Eigen::Vector3d> &vectors)
     {
-      Column column(links * numbers);
-      for (std::size_t i = 0; i < links; ++i)
-        for (int c = 0; c < numbers; ++c)
-          column[i * numbers + c] = get(i, c);
+      Column column(3 * vectors.size());
+      for (std::size_t i = 0; i < vectors.size(); ++i)
+        std::copy_n(vectors[i].data(), 3, &column[3 * i]);
       visitor.column(name, column);
-      for (std::size_t i = 0; i < links; ++i)
-        for (int c = 0; c < numbers; ++c)
-          get(i, c) = column.at(i * numbers + c);
+      for (std::size_t i = 0; i < vectors.size(); ++i)
+        vectors[i] = Eigen::Vector3d(column.at(3 * i), column.at(3 * i + 1), column.at(3 * i + 2));
+    }
+
+    void visit_numbers(StateVisitor &visitor, const char *name, std::vector<double> &numbers)
+    {
+      Column column(numbers.begin(), numbers.end());
+      visitor.column(name, column);
+      numbers.assign(column.begin(), column.end());
+    }
+
+    Physics physics_of(const ElasticNetwork &network)
+    {
+      Physics physics;
+      physics.dimension = network.dimension;
+      physics.rotations = network.rotations;
+      return physics;
     }
   } // namespace
 
-  DamagingLinks::DamagingLinks(const LoadedNetwork &network, const CpmMaterials &materials)
+  DamagingLinks::DamagingLinks(const LoadedNetwork &network, const LinkMaterials &materials)
     : loaded(&network)
-    , laws(materials)
-    , state(network.network.links.size(), CpmState<double, 3>{})
-    , trial(state)
-    , shear(state.size(), Eigen::Vector3d::Zero())
+    , law(materials.bonds_in_space(physics_of(network.network)))
+    , columns(law->columns().size())
+    , state(columns * network.network.links.size(), 0.0)
+    , shear(network.network.links.size(), Eigen::Vector3d::Zero())
     , trial_shear(shear)
-    , unreturned(shear)
-    , strain(state.size(), 0.0)
-    , trial_strain(strain)
-    , response(state.size(), CpmResponse<double, 3>{})
+    , turn(shear)
+    , trial_turn(shear)
+    , strain(shear.size(), 0.0)
+    , answer(shear.size())
     , force(shear)
-    , grown(state.size(), 0)
+    , moment(law->has_moment() ? shear.size() : 0, Eigen::Vector3d::Zero())
+    , grown(shear.size(), 0)
     , slid(grown)
   {
+    for (std::size_t i = 0; i < size(); ++i)
+      {
+        law->begin(pair_of(i), network.network.links[i].made, &state[columns * i]);
+        strain[i] = geometry_of(network.network.links[i]).strain;
+      }
+    trial        = state;
+    trial_strain = strain;
+  }
+
+  LinkGeometry DamagingLinks::geometry(const std::size_t i, const double normal_strain) const
+  {
+    const ElasticLink &l = loaded->network.links[i];
+    return {normal_strain, l.reference * (1 + normal_strain), l.reference, l.area};
+  }
+
+  LinkStep DamagingLinks::step_of(const std::size_t i) const
+  {
+    const ElasticLink &l = loaded->network.links[i];
+    LinkStep           step;
+    step.geometry        = geometry(i, trial_strain[i]);
+    step.strain_before   = strain[i];
+    step.direction       = l.direction;
+    step.shear_increment = trial_shear[i] - shear[i];
+    if (law->has_moment())
+      {
+        const Eigen::Vector3d turned = trial_turn[i] - turn[i];
+        step.twist_increment         = l.direction.dot(turned);
+        step.bending_increment       = turned - step.twist_increment * l.direction;
+      }
+    return step;
   }
 
   void DamagingLinks::evaluate(const LoadedMotion &motion)
   {
-    const std::int64_t n = static_cast<std::int64_t>(state.size());
+    const std::int64_t n = static_cast<std::int64_t>(size());
 #pragma omp parallel for schedule(static)
     for (std::int64_t i = 0; i < n; ++i)
       {
         const ElasticLink    &l     = loaded->network.links[i];
-        const Eigen::Vector3d total = slip_of(*loaded, i, motion) / l.branch.norm();
-        trial_strain[i]             = l.direction.dot(total);
-        trial_shear[i]              = total - trial_strain[i] * l.direction;
-        unreturned[i]               = vector(state[i].elastic_shear) + trial_shear[i] - shear[i];
-        trial[i]                    = state[i];
-        trial[i].elastic_shear      = vector(unreturned[i]);
-        response[i] = Cpm<true, true>::update(law_of(i), trial_strain[i], trial_shear[i].squaredNorm(), trial[i]);
-        force[i]    = l.area * (response[i].normal_stress * l.direction + vector(response[i].shear_stress));
+        const Eigen::Vector3d total = slip_of(*loaded, i, motion) / l.reference;
+        const double          along = l.direction.dot(total);
+        trial_strain[i]             = geometry_of(l).strain + along;
+        trial_shear[i]              = total - along * l.direction;
+        if (law->has_moment())
+          trial_turn[i] = turn_of(*loaded, i, motion);
+        answer[i] = law->update(pair_of(i), step_of(i), row(state, i), &trial[columns * i]);
+        force[i]  = answer[i].force;
+        if (law->has_moment())
+          moment[i] = answer[i].moment;
       }
   }
 
-  CpmUpdate DamagingLinks::update_of(const std::size_t i) const
+  double DamagingLinks::growth(const std::size_t i) const
   {
-    return {trial_strain[i],   trial_shear[i],  unreturned[i],
-            trial[i].kappa,    trial[i].damage, trial[i].kappa > reached(i),
-            response[i].slides};
+    const double before = reached(i);
+    return std::isinf(before) ? 0.0 : (law->damaging_strain(pair_of(i), row(trial, i)) - before) / before;
   }
 
-  std::vector<Eigen::Matrix3d> DamagingLinks::stiffness(const LinkStiffness kind) const
+  std::vector<Matrix6> DamagingLinks::stiffness(const LinkStiffness kind) const
   {
     // In equilibrium a damaging link stands exactly on its envelope, a sliding one at its strength; rounding must not guess which
     // way they will go.
-    constexpr double             on_the_envelope = 1e-9;
-    std::vector<Eigen::Matrix3d> result(state.size());
-    const std::int64_t           n = static_cast<std::int64_t>(state.size());
+    constexpr double     on_the_envelope = 1e-9;
+    std::vector<Matrix6> result(size());
+    const std::int64_t   n = static_cast<std::int64_t>(size());
 #pragma omp parallel for schedule(static)
     for (std::int64_t i = 0; i < n; ++i)
       {
         const ElasticLink &l = loaded->network.links[i];
-        CpmUpdate          u = update_of(i);
-        if (kind == LinkStiffness::onward && grown[i] && trial_strain[i] >= (1 - on_the_envelope) * reached(i))
-          u.grows = true;
+        LinkTangent        wanted;
+        wanted.secant  = kind == LinkStiffness::secant;
+        wanted.damages = growth(i) > 0;
+        wanted.slides  = answer[i].slides;
         if (kind == LinkStiffness::onward)
-          u.slides = slid[i] != 0;
-        result[i] = l.area / l.branch.norm() *
-                    (kind == LinkStiffness::secant ? cpm_secant(law_of(i), l.direction, u) :
-                                                     cpm_tangent(law_of(i), l.direction, u));
+          {
+            wanted.damages = wanted.damages || (grown[i] && trial_strain[i] >= (1 - on_the_envelope) * reached(i));
+            wanted.slides  = slid[i] != 0;
+          }
+        result[i] = law->tangent(pair_of(i), step_of(i), row(state, i), row(trial, i), wanted);
+        result[i].topRows<3>() *= l.area;
+        result[i].leftCols<3>() /= l.reference;
       }
     return result;
   }
 
   void DamagingLinks::commit()
   {
-    for (std::size_t i = 0; i < state.size(); ++i)
+    for (std::size_t i = 0; i < size(); ++i)
       {
-        const CpmConstants &law    = law_of(i);
-        const ElasticLink  &l      = loaded->network.links[i];
-        const double        volume = l.area * l.branch.norm();
-        lost_by_sliding += volume * response[i].plastic_work;
-        lost_by_damage += volume * response[i].damage_work;
-        if (law.shear_weight == 0) // then the pass does not sum up what damage takes; the closed form does
-          lost_by_damage += volume * (law.dissipated_at(trial[i].kappa, trial[i].damage) -
-                                      law.dissipated_at(state[i].kappa, state[i].damage));
-        if (trial[i].kappa > reached(i))
+        lost_by_sliding += answer[i].friction;
+        // What the law sums up in its updates, and what it knows by the closed form.
+        lost_by_damage += answer[i].damage + answer[i].released;
+        lost_by_damage += law->damage_dissipation(pair_of(i), geometry(i, trial_strain[i]), row(trial, i)) -
+                          law->damage_dissipation(pair_of(i), geometry(i, strain[i]), row(state, i));
+        if (growth(i) > 0)
           grown[i] = 1;
-        slid[i] = response[i].slides;
+        slid[i] = answer[i].slides;
       }
     state  = trial;
     shear  = trial_shear;
+    turn   = trial_turn;
     strain = trial_strain;
   }
 
@@ -116,53 +160,50 @@ namespace dem
   double DamagingLinks::largest_growth() const
   {
     double largest = 0;
-    for (std::size_t i = 0; i < state.size(); ++i)
+    for (std::size_t i = 0; i < size(); ++i)
       largest = std::max(largest, growth(i));
     return largest;
   }
 
-  double DamagingLinks::strength_damage_of(const std::size_t i) const
+  LinkLoss DamagingLinks::damage_of(const std::size_t i) const
   {
-    return law_of(i).strength_damage(state[i].kappa, state[i].damage);
+    return law->damage(pair_of(i), geometry(i, strain[i]), row(state, i));
   }
 
   double DamagingLinks::damage_work_of(const std::size_t i) const
   {
-    const CpmConstants &law = law_of(i);
-    const ElasticLink  &l   = loaded->network.links[i];
-    return law.shear_weight == 0 ? l.area * l.branch.norm() * law.dissipated_at(state[i].kappa, state[i].damage) : 0.0;
+    return law->damage_dissipation(pair_of(i), geometry(i, strain[i]), row(state, i));
+  }
+
+  // A closed link may open again: what counts is whether it would carry tension.
+  bool DamagingLinks::is_exhausted(const std::size_t i) const
+  {
+    const double opened = std::max(strain[i], std::numeric_limits<double>::min());
+    return law->phase(pair_of(i), geometry(i, opened), row(state, i)) != LinkPhase::whole;
   }
 
   double DamagingLinks::mean_damage() const
   {
     double sum = 0;
-    for (const auto &s : state)
-      sum += s.damage;
-    return sum / static_cast<double>(state.size());
+    for (std::size_t i = 0; i < size(); ++i)
+      sum += damage_of(i).stiffness;
+    return sum / static_cast<double>(size());
   }
 
   double DamagingLinks::stored() const
   {
     double sum = 0;
-    for (std::size_t i = 0; i < state.size(); ++i)
-      {
-        const CpmConstants &law          = law_of(i);
-        const double        open         = std::max(strain[i], 0.0);
-        const double        shear_energy = law.G * vector(state[i].elastic_shear).squaredNorm();
-        sum += 0.5 * loaded->network.links[i].area * loaded->network.links[i].branch.norm() *
-               (law.E * (strain[i] * strain[i] - state[i].damage * open * open) + shear_energy);
-      }
+    for (std::size_t i = 0; i < size(); ++i)
+      sum += law->stored(pair_of(i), geometry(i, strain[i]), row(state, i));
     return sum;
   }
 
   void DamagingLinks::visit_state(StateVisitor &visitor)
   {
-    const std::size_t n = state.size();
-    visit(visitor, "kappa", n, 1, [&](std::size_t i, int) -> double & { return state[i].kappa; });
-    visit(visitor, "damage", n, 1, [&](std::size_t i, int) -> double & { return state[i].damage; });
-    visit(visitor, "elastic_shear", n, 3, [&](std::size_t i, int c) -> double & { return state[i].elastic_shear[c]; });
-    visit(visitor, "shear", n, 3, [&](std::size_t i, int c) -> double & { return shear[i][c]; });
-    visit(visitor, "strain", n, 1, [&](std::size_t i, int) -> double & { return strain[i]; });
+    visit_numbers(visitor, "history", state);
+    visit_vectors(visitor, "shear", shear);
+    visit_vectors(visitor, "turn", turn);
+    visit_numbers(visitor, "strain", strain);
     visitor.column("grown", grown);
     visitor.column("slid", slid);
     visitor.scalar("lost_by_damage", lost_by_damage);

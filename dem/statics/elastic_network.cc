@@ -21,17 +21,30 @@ namespace dem
         throw InputError(std::string(entry) + " = " + std::to_string(value) + ": " + rule);
     }
 
-    void check(const NetworkParameters &p)
+    void check_links(const NetworkParameters &p)
     {
       require(p.dimension == 2 || p.dimension == 3, "Dimension", p.dimension, "must be 2 or 3.");
       require(p.interaction_ratio >= 1 && p.interaction_ratio <= 10, "Interaction ratio", p.interaction_ratio,
               "must be from 1, the ratio at which touching particles link, to 10.");
+      require(p.dimension == 3 || (p.thickness > 0 && std::isfinite(p.thickness)), "Thickness", p.thickness,
+              "discs must be thicker than 0 m.");
+    }
+
+    void check(const NetworkParameters &p)
+    {
+      check_links(p);
       require(p.normal_modulus > 0 && std::isfinite(p.normal_modulus), "Normal modulus", p.normal_modulus,
               "must be above 0 Pa.");
       require(p.shear_ratio > 0 && std::isfinite(p.shear_ratio), "Shear ratio", p.shear_ratio,
               "must be above 0: without shear stiffness a particle spins freely.");
-      require(p.dimension == 3 || (p.thickness > 0 && std::isfinite(p.thickness)), "Thickness", p.thickness,
-              "discs must be thicker than 0 m.");
+    }
+
+    Physics physics_of(const NetworkParameters &p)
+    {
+      Physics physics;
+      physics.dimension = p.dimension;
+      physics.rotations = p.rotations;
+      return physics;
     }
 
     /** In the plane nothing repeats along z. */
@@ -45,18 +58,20 @@ namespace dem
       return H;
     }
 
-    /** What makes a link stiff. */
-    struct LinkModuli
+    /** Stiffness by the moduli of the law. */
+    void put_stiffness(ElasticLink &link, const LinkStiffnesses &moduli)
     {
-      double       normal, shear_ratio; ///< [Pa], [-]
-      std::int32_t law;
-    };
+      const double          per_strain = link.area / link.reference;
+      const Eigen::Matrix3d nn         = link.direction * link.direction.transpose();
+      const Eigen::Matrix3d across     = Eigen::Matrix3d::Identity() - nn;
+      link.stiffness                   = per_strain * (moduli.normal * nn + moduli.shear * across);
+      link.turning                     = moduli.twist * nn + moduli.bending * across;
+    }
 
     ElasticLink make_link(const CellPacking       &packing,
                           const NeighbourPair     &pair,
                           const Eigen::Matrix3d   &H,
-                          const NetworkParameters &p,
-                          const LinkModuli        &moduli)
+                          const NetworkParameters &p)
     {
       const std::size_t J = pair.first, K = pair.second;
       const double      r_J = packing.radius[J], r_K = packing.radius[K];
@@ -78,20 +93,18 @@ namespace dem
       shape.dimension           = p.dimension;
       shape.thickness           = p.thickness;
       link.area                 = shape.link_area(r_J, r_K);
-      const double          k_N = moduli.normal * link.area / length;
-      const Eigen::Matrix3d nn  = link.direction * link.direction.transpose();
-      link.stiffness            = k_N * (nn + moduli.shear_ratio * (Eigen::Matrix3d::Identity() - nn));
-      link.law                  = moduli.law;
+      link.reference            = length;
+      link.made                 = {length, r_J, r_K, link.area, p.dimension == 2 ? p.thickness : 0.0};
       return link;
     }
 
-    /** @tparam ModuliOf LinkModuli of two particles */
-    template <typename ModuliOf>
+    /** @param finish what gives a link of two particles its stiffness */
+    template <typename Finish>
     ElasticNetwork link_up(const CellPacking                &packing,
                            const std::vector<NeighbourPair> &pairs,
                            const Eigen::Matrix3d            &H,
                            const NetworkParameters          &p,
-                           const ModuliOf                   &moduli_of)
+                           const Finish                     &finish)
     {
       if (pairs.empty())
         throw InputError("Interaction ratio = " + std::to_string(p.interaction_ratio) +
@@ -102,21 +115,25 @@ namespace dem
       network.centre    = packing.centre;
       network.links.reserve(pairs.size());
       for (const NeighbourPair &pair : pairs)
-        network.links.push_back(make_link(packing, pair, H, p, moduli_of(pair.first, pair.second)));
+        {
+          network.links.push_back(make_link(packing, pair, H, p));
+          finish(network.links.back());
+        }
       return network;
     }
 
     /** Links that are all alike. */
     auto only_moduli(const NetworkParameters &p)
     {
-      return [&p](const std::int32_t, const std::int32_t) { return LinkModuli{p.normal_modulus, p.shear_ratio, 0}; };
+      return [&p](ElasticLink &link) {
+        put_stiffness(link, {p.normal_modulus, p.shear_ratio * p.normal_modulus, 0, 0});
+      };
     }
 
     /** Links of a free packing, or one with an upright cell. */
-    template <typename ModuliOf>
-    ElasticNetwork network_of(const Packing &packing, const NetworkParameters &p, const ModuliOf &moduli_of)
+    template <typename Finish>
+    ElasticNetwork network_of(const Packing &packing, const NetworkParameters &p, const Finish &finish)
     {
-      check(p);
       check_packing(packing, "packing");
       CellPacking                    general{packing.centre, packing.radius, Eigen::Matrix3d::Zero()};
       std::optional<Eigen::Vector3d> cell = packing.periodic_cell;
@@ -126,12 +143,26 @@ namespace dem
         general.cell = cell->asDiagonal();
       ElasticNetwork network =
         link_up(general, find_pairs(packing.centre, packing.radius, p.interaction_ratio, 0.0, cell), general.cell, p,
-                moduli_of);
+                finish);
       if (cell)
         network.volume = (*cell)[0] * (*cell)[1] * (p.dimension == 2 ? p.thickness : (*cell)[2]);
       return network;
     }
   } // namespace
+
+  LinkGeometry geometry_of(const ElasticLink &link)
+  {
+    const double length = link.branch.norm();
+    return {(length - link.reference) / link.reference, length, link.reference, link.area};
+  }
+
+  Matrix6 undamaged_stiffness(const ElasticLink &link)
+  {
+    Matrix6 all                   = Matrix6::Zero();
+    all.topLeftCorner<3, 3>()     = link.stiffness;
+    all.bottomRightCorner<3, 3>() = link.turning;
+    return all;
+  }
 
   bool ElasticNetwork::moves(const int component) const
   {
@@ -142,26 +173,29 @@ namespace dem
 
   ElasticNetwork make_network(const Packing &packing, const NetworkParameters &p)
   {
+    check(p);
     return network_of(packing, p, only_moduli(p));
   }
 
-  ElasticNetwork make_network(const Packing &packing, const NetworkParameters &asked, const CpmMaterials &materials)
+  ElasticNetwork make_network(const Packing &packing, const NetworkParameters &p, const LinkMaterials &materials)
   {
+    check_links(p);
     check_materials(packing, materials);
-    const std::vector<CpmParameters> pairs = materials.pairs();
-    NetworkParameters                p     = asked;
-    p.normal_modulus                       = pairs.at(0).normal_modulus;
-    p.shear_ratio                          = pairs.at(0).shear_ratio;
-    if (!materials.several())
-      return make_network(packing, p);
-    const std::vector<std::int32_t> material =
-      packing.material.empty() ? std::vector<std::int32_t>(packing.size(), 0) : packing.material;
-    ElasticNetwork network = network_of(packing, p, [&](const std::int32_t J, const std::int32_t K) {
-      const std::int32_t   law  = CpmTable::pair(material[J], material[K]);
-      const CpmParameters &both = pairs[law];
-      return LinkModuli{both.normal_modulus, both.shear_ratio, law};
+    const std::shared_ptr<const LinkLaw> law      = materials.bonds_in_space(physics_of(p));
+    std::vector<std::int32_t>            material = packing.material;
+    if (materials.several())
+      material.resize(packing.size(), 0);
+    std::vector<double> history(law->columns().size());
+    ElasticNetwork      network = network_of(packing, p, [&](ElasticLink &link) {
+      if (materials.several())
+        link.law = material_pair(material[link.first], material[link.second]);
+      std::fill(history.begin(), history.end(), 0.0);
+      law->begin(link.law, link.made, history.data());
+      link.reference = law->reference_length(link.made);
+      put_stiffness(link, law->stiffness(link.law, geometry_of(link), history.data()));
     });
-    network.material       = material;
+    if (materials.several())
+      network.material = material;
     return network;
   }
 

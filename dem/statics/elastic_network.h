@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dem/laws/cpm_table.h"
+#include "dem/laws/materials.h"
 #include "dem/packing/packing.h"
 
 #include <Eigen/Core>
@@ -26,9 +26,19 @@ namespace dem
     Eigen::Vector3d shift;                 ///< H k, what of the branch is cell [m]
     double          arm_first, arm_second; ///< a_J, a_K: from either centre to the contact point, a_J + a_K = |l| [m]
     double          area;                  ///< A [m^2]
+    double          reference;             ///< length that strains are measured against [m]
     Eigen::Matrix3d stiffness;             ///< C, symmetric [N/m]
-    std::int32_t    law = 0;               ///< number in the table of laws
+    /** Moment over relative rotation phi_K - phi_J, symmetric [N m]; zero where the law has no moment. */
+    Eigen::Matrix3d turning = Eigen::Matrix3d::Zero();
+    std::int32_t    law     = 0; ///< number of the pair of materials
+    NewLink         made;        ///< as the law saw it when it was made
   };
+
+  /** A link where it lies, as its law sees it. */
+  LinkGeometry geometry_of(const ElasticLink &link);
+
+  /** Force and moment on the first end per slip and relative rotation, as the link was made. */
+  Matrix6 undamaged_stiffness(const ElasticLink &link);
 
   /** Particles joined by linear links, in the configuration whose small motions are asked for. */
   struct ElasticNetwork
@@ -81,5 +91,5 @@ namespace dem
    * @throws also for a material of the packing that is not among those given
    */
   ElasticNetwork
-  make_network(const Packing &packing, const NetworkParameters &parameters, const CpmMaterials &materials);
+  make_network(const Packing &packing, const NetworkParameters &parameters, const LinkMaterials &materials);
 } // namespace dem

@@ -85,7 +85,10 @@ namespace dem
             for (int p = 0; p < 6; ++p)
               if (!loaded.free[p])
                 B.col(12 + p).setZero();
-            const Eigen::Matrix<double, 18, 1> rows = (B.transpose() * l.stiffness * B).cwiseAbs().rowwise().sum();
+            Eigen::Matrix<double, 18, 1> rows = (B.transpose() * l.stiffness * B).cwiseAbs().rowwise().sum();
+            if (!l.turning.isZero(0)) // of relative rotation: half of a row is of the other end
+              for (const int end : {3, 9})
+                rows.segment<3>(end) += 2 * l.turning.cwiseAbs().rowwise().sum() / (scale * scale);
             mass.particles.col(l.first) += rows.segment<6>(0);
             mass.particles.col(l.second) += rows.segment<6>(6);
             mass.loads += rows.segment<6>(12);
@@ -121,7 +124,7 @@ namespace dem
       {
         links.evaluate(motion);
         links.commit();
-        const Unbalanced unbalanced = unbalanced_of(loaded, links.forces(), scale);
+        const Unbalanced unbalanced = unbalanced_of(loaded, links.forces(), links.moments(), scale);
         report.residual             = unbalanced.residual;
         if (!std::isfinite(report.residual))
           throw NumericalError("quasi-static loading: a force is no longer a number after " +

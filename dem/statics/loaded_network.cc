@@ -124,7 +124,16 @@ namespace dem
     return K.head<3>() - J.head<3>() + l.direction.cross(spin) + loaded.load_slip[link] * motion.loads;
   }
 
-  Unbalanced unbalanced_of(const LoadedNetwork &loaded, const std::vector<Eigen::Vector3d> &force, const double scale)
+  Eigen::Vector3d turn_of(const LoadedNetwork &loaded, const std::size_t link, const LoadedMotion &motion)
+  {
+    const ElasticLink &l = loaded.network.links[link];
+    return motion.particles.col(l.second).tail<3>() - motion.particles.col(l.first).tail<3>();
+  }
+
+  Unbalanced unbalanced_of(const LoadedNetwork                &loaded,
+                           const std::vector<Eigen::Vector3d> &force,
+                           const std::vector<Eigen::Vector3d> &moments,
+                           const double                        scale)
   {
     Unbalanced u;
     u.particles.setZero(6, static_cast<Eigen::Index>(loaded.network.particles()));
@@ -139,6 +148,11 @@ namespace dem
         u.particles.col(l.second).head<3>() -= force[i];
         u.particles.col(l.first).tail<3>() += l.arm_first * moment;
         u.particles.col(l.second).tail<3>() += l.arm_second * moment;
+        if (!moments.empty())
+          {
+            u.particles.col(l.first).tail<3>() += moments[i];
+            u.particles.col(l.second).tail<3>() -= moments[i];
+          }
         u.loads += loaded.load_slip[i].transpose() * force[i];
         squares += force[i].squaredNorm();
         reach += loaded.load_slip[i].colwise().squaredNorm().transpose();

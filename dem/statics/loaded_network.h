@@ -75,6 +75,9 @@ namespace dem
   /** Relative displacement of the two ends at the contact point of a link [m]; homogenisation specification 3.1. */
   Eigen::Vector3d slip_of(const LoadedNetwork &loaded, std::size_t link, const LoadedMotion &motion);
 
+  /** Relative rotation of the two ends of a link, second less first [rad]. */
+  Eigen::Vector3d turn_of(const LoadedNetwork &loaded, std::size_t link, const LoadedMotion &motion);
+
   /** What link forces leave over. */
   struct Unbalanced
   {
@@ -84,8 +87,15 @@ namespace dem
       0; ///< of the forces on particles, and of free parameters; over link forces, both as root of sums of squares
   };
 
-  /** @param force of each link on its first end [N]  @param scale length that makes forces of moments [m] */
-  Unbalanced unbalanced_of(const LoadedNetwork &loaded, const std::vector<Eigen::Vector3d> &force, double scale);
+  /**
+   * @param force of each link on its first end [N]
+   * @param moment likewise at the contact point [N m]; empty: there are none
+   * @param scale length that makes forces of moments [m]
+   */
+  Unbalanced unbalanced_of(const LoadedNetwork                &loaded,
+                           const std::vector<Eigen::Vector3d> &force,
+                           const std::vector<Eigen::Vector3d> &moment,
+                           double                              scale);
 
   /** Mean arm of the links: the length that makes forces of moments [m]. */
   double mean_arm(const ElasticNetwork &network);

@@ -67,7 +67,7 @@ namespace dem
         for (const auto &[i, arm] : {std::pair{link.first, link.arm_first}, std::pair{link.second, link.arm_second}})
           {
             ++ends[i];
-            out.damage[i] += links.damage_of(l);
+            out.damage[i] += links.damage_of(l).stiffness;
             out.broken_links[i] += links.is_exhausted(l);
             out.stress[i] += arm * moment / out.volume[i];
           }
@@ -97,13 +97,14 @@ namespace dem
         out.normal_stress.push_back(normal / link.area);
         out.shear_stress.push_back(shear / link.area);
         out.normal_strain.push_back(links.normal_strain(l));
-        out.damage.push_back(links.damage_of(l));
-        out.strength_damage.push_back(links.strength_damage_of(l));
+        out.damage.push_back(links.damage_of(l).stiffness);
+        out.strength_damage.push_back(links.damage_of(l).strength);
         out.dissipated.push_back(links.damage_work_of(l));
         const Eigen::Vector3d first = loaded.network.centre[link.first] + u[link.first];
         const Eigen::Vector3d branch =
           link.branch + path.links().normal_strain(l) * link.branch.norm() * link.direction;
-        out.load.push_back({first, branch, first + link.arm_first * link.direction, f, {0, 0, 0}});
+        out.load.push_back({first, branch, first + link.arm_first * link.direction, f,
+                            links.moments().empty() ? Eigen::Vector3d(0, 0, 0) : links.moments()[l]});
       }
     return out;
   }

@@ -62,7 +62,7 @@ namespace dem
   }
 
   QuasiStaticPath::QuasiStaticPath(const LoadedNetwork         &network,
-                                   const CpmMaterials          &materials,
+                                   const LinkMaterials          &materials,
                                    const QuasiStaticParameters &asked)
     : loaded(&network)
     , parameters(asked)
@@ -110,7 +110,7 @@ namespace dem
   {
     now = earlier;
     bonds.evaluate(now);
-    unbalanced = unbalanced_of(*loaded, bonds.forces(), system.length_scale());
+    unbalanced = unbalanced_of(*loaded, bonds.forces(), bonds.moments(), system.length_scale());
   }
 
   bool QuasiStaticPath::attempt(const LinkStiffness stiffness, const double of_step)
@@ -128,7 +128,7 @@ namespace dem
           {
             move(now, answer, target.strain - led());
             restore(now);
-            done = iterate(stiffness == LinkStiffness::onward ? LinkStiffness::tangent : stiffness, target);
+            done = iterate(stiffness == LinkStiffness::onward ? LinkStiffness::consistent : stiffness, target);
           }
       }
     // What damage may grow at most holds for strain control as well: beyond, a step may have jumped over a peak.
@@ -145,7 +145,7 @@ namespace dem
     for (std::size_t i = 0; i < bonds.size(); ++i)
       {
         const ElasticLink    &l    = loaded->network.links[i];
-        const Eigen::Vector3d unit = l.direction / l.branch.norm();
+        const Eigen::Vector3d unit = l.direction / l.reference;
         const double          rate = unit.dot(slip_of(*loaded, i, answer.per_step));
         const double          way =
           (1 + growth) * bonds.reached(i) - bonds.normal_strain(i) - unit.dot(slip_of(*loaded, i, answer.constant));
@@ -164,7 +164,7 @@ namespace dem
     for (std::size_t i = 0; i < bonds.size(); ++i)
       if (bonds.grew(i))
         onward += loaded->network.links[i].direction.dot(slip_of(*loaded, i, answer.per_step)) /
-                  (loaded->network.links[i].branch.norm() * bonds.reached(i));
+                  (loaded->network.links[i].reference * bonds.reached(i));
     const auto   steps     = steps_to(growth, answer);
     const double direction = onward == 0 ? parameters.sign : std::copysign(1.0, onward);
     const double step      = direction > 0 ? steps.second : steps.first;

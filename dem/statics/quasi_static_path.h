@@ -59,7 +59,7 @@ namespace dem
   };
 
   /**
-   * Equilibrium path of CPM links under a growing led strain, past the peak (homogenisation specification 3.4).
+   * Equilibrium path of a network of links of any law under a growing led strain, past the peak (homogenisation specification 3.4).
    *
    * Newton's method with the consistent tangent, the secant where it fails. Steps are controlled by the strain as long as damage
    * grows slowly, and otherwise indirectly (de Borst, 1987, Comput. Struct. 25, 211) by the largest growth of a crack opening in the
@@ -74,7 +74,7 @@ namespace dem
   public:
     /** @throws InputError for parameters out of range. */
     QuasiStaticPath(const LoadedNetwork         &loaded,
-                    const CpmMaterials          &materials,
+                    const LinkMaterials         &materials,
                     const QuasiStaticParameters &parameters);
 
     /** One point further. @throws NumericalError if even the relaxation finds no equilibrium. */

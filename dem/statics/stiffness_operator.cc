@@ -52,6 +52,14 @@ namespace dem
       }
     };
 
+    /** Symmetric stiffness times a vector. */
+    template <typename Record>
+    BRECCIA_KERNEL Vec<Pack, 3> product(const Record &l, const Vec<Pack, 3> &s)
+    {
+      return {{l.c11 * s[0] + l.c12 * s[1] + l.c31 * s[2], l.c12 * s[0] + l.c22 * s[1] + l.c23 * s[2],
+               l.c31 * s[0] + l.c23 * s[1] + l.c33 * s[2]}};
+    }
+
     Eigen::Matrix3d cross_matrix(const Eigen::Vector3d &v)
     {
       Eigen::Matrix3d m;
@@ -110,6 +118,14 @@ namespace dem
       return std::minmax(a.first, a.second) < std::minmax(b.first, b.second);
     });
 
+    const auto carries_moment = [](const ElasticLink &l) { return !l.turning.isZero(0); };
+    if (std::any_of(network.links.begin(), network.links.end(), carries_moment))
+      for (const Record &r : records)
+        {
+          turning.push_back(r);
+          turning.back().set_stiffness(network.links[r.number].turning / (scale * scale));
+        }
+
     for (const Record &r : records)
       {
         ++begin[r.first + 1];
@@ -130,13 +146,20 @@ namespace dem
     c11 = C(0, 0), c22 = C(1, 1), c33 = C(2, 2), c23 = C(1, 2), c31 = C(2, 0), c12 = C(0, 1);
   }
 
+  Eigen::Matrix3d StiffnessOperator::Record::stiffness() const
+  {
+    Eigen::Matrix3d C;
+    C << c11, c12, c31, c12, c22, c23, c31, c23, c33;
+    return C;
+  }
+
   void StiffnessOperator::set_stiffness(const std::vector<Eigen::Matrix3d> &stiffness)
   {
     for (Record &r : records)
       r.set_stiffness(stiffness[r.number]);
   }
 
-  template <bool strained>
+  template <bool strained, bool with_turning>
   void StiffnessOperator::gather(const Fields &x, const LaneStrains &strain, Fields &y) const
   {
     const StrainPacks   E(strain);
@@ -158,12 +181,12 @@ namespace dem
             Vec<Pack, 3> slip = load3(K) - load3(J) + cross(a, spin);
             if constexpr (strained)
               slip = slip + E * l.macro;
-            const Vec<Pack, 3> f = {{l.c11 * slip[0] + l.c12 * slip[1] + l.c31 * slip[2],
-                                     l.c12 * slip[0] + l.c22 * slip[1] + l.c23 * slip[2],
-                                     l.c31 * slip[0] + l.c23 * slip[1] + l.c33 * slip[2]}};
+            const Vec<Pack, 3> f = product(l, slip);
             const Pack         sign(second ? 1.0 : -1.0), arm(second ? l.arm_second : l.arm_first);
             force  = force + sign * f;
             moment = moment - arm * cross(a, f);
+            if constexpr (with_turning)
+              moment = moment + sign * product(turning[entries[e].link], load3(K + 3 * load_lanes) - load3(J + 3 * load_lanes));
           }
         double *const out = y.data() + stride * i;
         for (int c = 0; c < 3; ++c)
@@ -174,11 +197,20 @@ namespace dem
       }
   }
 
-  void StiffnessOperator::apply(const Fields &x, Fields &y) const { gather<false>(x, LaneStrains(), y); }
+  void StiffnessOperator::apply(const Fields &x, Fields &y) const
+  {
+    if (turning.empty())
+      gather<false, false>(x, LaneStrains(), y);
+    else
+      gather<false, true>(x, LaneStrains(), y);
+  }
 
   void StiffnessOperator::apply(const Fields &x, const LaneStrains &strain, Fields &y) const
   {
-    gather<true>(x, strain, y);
+    if (turning.empty())
+      gather<true, false>(x, strain, y);
+    else
+      gather<true, true>(x, strain, y);
   }
 
   void StiffnessOperator::mask(Fields &x) const
@@ -203,6 +235,15 @@ namespace dem
     return s;
   }
 
+  Eigen::Matrix<double, 3, 6> StiffnessOperator::turns(const Record &l, const Fields &x) const
+  {
+    using Columns   = Eigen::Map<const Eigen::Matrix<double, 3, load_lanes, Eigen::RowMajor>>;
+    const auto spin = [&](const std::int32_t i) {
+      return Columns(&x[stride * i + 3 * load_lanes]).leftCols<6>();
+    };
+    return spin(l.second) - spin(l.first);
+  }
+
   std::array<double, load_lanes> StiffnessOperator::link_force_norm(const Fields &x, const LaneStrains &strain) const
   {
     const StrainPacks E(strain);
@@ -214,8 +255,7 @@ namespace dem
         const Vec<Pack, 3>  spin =
           Pack(l.arm_first) * load3(J + 3 * load_lanes) + Pack(l.arm_second) * load3(K + 3 * load_lanes);
         const Vec<Pack, 3> s = load3(K) - load3(J) + cross(broadcast(l.n), spin) + E * l.macro;
-        const Vec<Pack, 3> f = {{l.c11 * s[0] + l.c12 * s[1] + l.c31 * s[2], l.c12 * s[0] + l.c22 * s[1] + l.c23 * s[2],
-                                 l.c31 * s[0] + l.c23 * s[1] + l.c33 * s[2]}};
+        const Vec<Pack, 3> f = product(l, s);
         sum += dot(f, f);
       }
     std::array<double, load_lanes> norm;
@@ -229,19 +269,21 @@ namespace dem
     Eigen::Matrix<double, 6, 6> sum = Eigen::Matrix<double, 6, 6>::Zero();
     for (const Record &l : records)
       {
-        Eigen::Matrix3d C;
-        C << l.c11, l.c12, l.c31, l.c12, l.c22, l.c23, l.c31, l.c23, l.c33;
         const Eigen::Matrix<double, 3, 6> s = slips(l, x, strain);
-        sum.noalias() += s.transpose() * (C * s);
+        sum.noalias() += s.transpose() * (l.stiffness() * s);
+      }
+    for (const Record &l : turning)
+      {
+        const Eigen::Matrix<double, 3, 6> t = turns(l, x);
+        sum.noalias() += t.transpose() * (l.stiffness() * t);
       }
     return 0.5 * (sum + sum.transpose());
   }
 
   StiffnessOperator::LinkBlocks StiffnessOperator::link_blocks(const std::size_t link) const
   {
-    const Record   &l = records[link];
-    Eigen::Matrix3d C;
-    C << l.c11, l.c12, l.c31, l.c12, l.c22, l.c23, l.c31, l.c23, l.c33;
+    const Record         &l = records[link];
+    const Eigen::Matrix3d C = l.stiffness();
     // B = [B_J B_K] with slip = B (u_J, phi_J, u_K, phi_K), (3.1)
     Eigen::Matrix<double, 3, 6> B_J, B_K;
     B_J << -Eigen::Matrix3d::Identity(), l.arm_first * cross_matrix(l.n);
@@ -253,6 +295,13 @@ namespace dem
     blocks.JJ     = B_J.transpose() * (C * B_J);
     blocks.JK     = B_J.transpose() * C_K;
     blocks.KK     = B_K.transpose() * C_K;
+    if (!turning.empty())
+      {
+        const Eigen::Matrix3d T = turning[link].stiffness();
+        blocks.JJ.bottomRightCorner<3, 3>() += T;
+        blocks.JK.bottomRightCorner<3, 3>() -= T;
+        blocks.KK.bottomRightCorner<3, 3>() += T;
+      }
     return blocks;
   }
 

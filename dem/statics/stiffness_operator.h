@@ -104,18 +104,21 @@ namespace dem
       double          c11, c22, c33, c23, c31, c12;
       std::int32_t    number; ///< of the link in the network
 
-      void set_stiffness(const Eigen::Matrix3d &C);
+      void            set_stiffness(const Eigen::Matrix3d &C);
+      Eigen::Matrix3d stiffness() const;
     };
     struct Entry
     {
       std::int32_t link, side;
     };
 
-    template <bool strained>
+    template <bool strained, bool turning>
     void                        gather(const Fields &x, const LaneStrains &strain, Fields &y) const;
     Eigen::Matrix<double, 3, 6> slips(const Record &link, const Fields &x, const LaneStrains &strain) const;
+    Eigen::Matrix<double, 3, 6> turns(const Record &link, const Fields &x) const;
 
     std::vector<Record>       records;
+    std::vector<Record>       turning; ///< of each record its moment over relative rotation, over the scale squared; or empty
     std::vector<std::int64_t> begin; ///< entries of particle i: begin[i] .. begin[i + 1]
     std::vector<Entry>        entries;
     std::vector<HeldMotions>  masks;

@@ -17,8 +17,8 @@ namespace dem
   namespace
   {
     using Sparse = Eigen::SparseMatrix<double>;
-    /** Slip of a link per motion of its first (then second) end, rotations as lengths. */
-    using SlipOf = Eigen::Matrix<double, 3, motions>;
+    /** Slip and relative rotation of a link's ends per motion of its first (then second) end, rotations as lengths. */
+    using SlipOf = Eigen::Matrix<double, 6, motions>;
 
     constexpr double added_to_diagonal = 1e-9;
 
@@ -33,9 +33,10 @@ namespace dem
     std::pair<SlipOf, SlipOf> slip_matrices(const ElasticLink &l, const double scale)
     {
       const Eigen::Matrix3d turn = cross_matrix(l.direction) / scale;
+      const Eigen::Matrix3d unit = Eigen::Matrix3d::Identity(), none = Eigen::Matrix3d::Zero();
       SlipOf                J, K;
-      J << -Eigen::Matrix3d::Identity(), l.arm_first * turn;
-      K << Eigen::Matrix3d::Identity(), l.arm_second * turn;
+      J << -unit, l.arm_first * turn, none, -unit / scale;
+      K << unit, l.arm_second * turn, none, unit / scale;
       return {J, K};
     }
   } // namespace
@@ -127,7 +128,7 @@ namespace dem
         }
     }
 
-    void assemble(const std::vector<Eigen::Matrix3d> &stiffness)
+    void assemble(const std::vector<Matrix6> &stiffness)
     {
       std::fill_n(matrix.valuePtr(), matrix.nonZeros(), 0.0);
       for (std::size_t i = 0; i < stiffness.size(); ++i)
@@ -149,9 +150,9 @@ namespace dem
     Eigen::VectorXd undamaged_diagonal()
     {
       weak_diagonal = Eigen::VectorXd::Zero(count);
-      std::vector<Eigen::Matrix3d> stiffness;
+      std::vector<Matrix6> stiffness;
       for (const ElasticLink &l : loaded.network.links)
-        stiffness.push_back(l.stiffness);
+        stiffness.push_back(undamaged_stiffness(l));
       assemble(stiffness);
       const Eigen::VectorXd diagonal = matrix.diagonal();
       const double          mean = std::accumulate(diagonal.begin(), diagonal.end(), 0.0) / static_cast<double>(count);
@@ -159,14 +160,14 @@ namespace dem
     }
 
     /** Force on every unknown per unit of the moving parameters, from links of the given stiffness. */
-    Eigen::MatrixXd load_columns(const std::vector<Eigen::Matrix3d> &stiffness) const
+    Eigen::MatrixXd load_columns(const std::vector<Matrix6> &stiffness) const
     {
       Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(count, static_cast<Eigen::Index>(moving.size()));
       for (std::size_t i = 0; i < stiffness.size(); ++i)
         {
           const ElasticLink &l                   = loaded.network.links[i];
           const auto [J, K]                      = slip_matrices(l, scale);
-          const Eigen::Matrix<double, 3, 6> f    = stiffness[i] * loaded.load_slip[i];
+          const Matrix6                     f    = stiffness[i].leftCols<3>() * loaded.load_slip[i];
           const Block                       on_J = J.transpose() * f, on_K = K.transpose() * f;
           for (int c = 0; c < motions; ++c)
             for (std::size_t p = 0; p < moving.size(); ++p)
@@ -191,17 +192,21 @@ namespace dem
     }
 
     /** Change of the parameters' forces under a motion. */
-    Vector6 load_forces(const std::vector<Eigen::Matrix3d> &stiffness, const LoadedMotion &motion) const
+    Vector6 load_forces(const std::vector<Matrix6> &stiffness, const LoadedMotion &motion) const
     {
       Vector6 sum = Vector6::Zero();
       for (std::size_t i = 0; i < stiffness.size(); ++i)
-        sum += loaded.load_slip[i].transpose() * (stiffness[i] * slip_of(loaded, i, motion));
+        {
+          Vector6 strained;
+          strained << slip_of(loaded, i, motion), turn_of(loaded, i, motion);
+          sum += loaded.load_slip[i].transpose() * (stiffness[i].topRows<3>() * strained);
+        }
       return sum;
     }
 
     /** Let the free parameters take out their force; `left` of each is there to begin with. */
     void release(std::vector<LoadedMotion>          &answers,
-                 const std::vector<Eigen::Matrix3d> &stiffness,
+                 const std::vector<Matrix6> &stiffness,
                  const Vector6                      &left) const
     {
       // A row per parameter: its force vanishes; of the led one and of those that stay zero, the step itself is given.
@@ -256,7 +261,7 @@ namespace dem
 
   double TangentSystem::length_scale() const { return self->scale; }
 
-  bool TangentSystem::solve(const std::vector<Eigen::Matrix3d> &stiffness, const Unbalanced &unbalanced, Answer &answer)
+  bool TangentSystem::solve(const std::vector<Matrix6> &stiffness, const Unbalanced &unbalanced, Answer &answer)
   {
     Implementation &s = *self;
     s.assemble(stiffness);

@@ -34,10 +34,10 @@ namespace dem
 
     /**
      * Free parameters move so that their forces vanish.
-     * @param stiffness of each link, force per slip [N/m]
+     * @param stiffness of each link, force and moment per slip and relative rotation [N/m], [N m]
      * @return false if the linearisation is singular
      */
-    bool solve(const std::vector<Eigen::Matrix3d> &stiffness, const Unbalanced &unbalanced, Answer &answer);
+    bool solve(const std::vector<Matrix6> &stiffness, const Unbalanced &unbalanced, Answer &answer);
 
   private:
     struct Implementation;

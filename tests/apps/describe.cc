@@ -32,7 +32,7 @@ namespace
   {
     std::set<std::string> keys;
     dem::CpmParameters    parameters;
-    dem::CpmDescription::describe(
+    dem::CpmLaw::describe(
       parameters, [&](const char *key, auto &&...) { keys.insert(key); }, KeyOfChoice{keys});
     return keys;
   }

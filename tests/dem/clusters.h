@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dem/core/uniform_random.h"
+#include "dem/laws/cpm.h"
 #include "dem/packing/packing.h"
 #include "dem/specimen.h"
 

@@ -226,7 +226,11 @@ TEST_CASE("CPM with shear contribution accounts for the energy that damage takes
   const double before     = (1 - state.damage) * stored;
   double       dissipated = 0;
   for (const double shear : {1e-4, 2e-4, 5e-4})
-    dissipated += Law::update(k, e, shear * shear, state).damage_work;
+    {
+      const double damage = state.damage;
+      Law::update(k, e, shear * shear, state);
+      dissipated += Law::damage_work(k, e, e, state.damage - damage);
+    }
   CHECK(dissipated == Approx(before - (1 - state.damage) * stored).epsilon(1e-13));
 }
 
@@ -291,7 +295,7 @@ namespace
       const auto                         r = Law::update(k, load(strain), load(shear2), state);
       std::vector<std::array<double, 8>> rows;
       for (const dem::Pack &p :
-           {r.normal_stress, r.shear_stress[0], r.shear_stress[1], r.shear_stress[2], r.plastic_work, r.damage_work,
+           {r.normal_stress, r.shear_stress[0], r.shear_stress[1], r.shear_stress[2], r.plastic_work,
             state.kappa, state.damage, state.elastic_shear[0], state.elastic_shear[1], state.elastic_shear[2]})
         {
           rows.emplace_back();
@@ -301,13 +305,12 @@ namespace
       return rows;
     }
 
-    std::array<double, 11> update_alone(const CpmConstants &k, const int lane) const
+    std::array<double, 10> update_alone(const CpmConstants &k, const int lane) const
     {
       State      state = {kappa[lane], damage[lane], {{shear[0][lane], shear[1][lane], shear[2][lane]}}};
       const auto r     = Law::update(k, strain[lane], shear2[lane], state);
-      return {r.normal_stress,        r.shear_stress[0],      r.shear_stress[1],     r.shear_stress[2],
-              r.plastic_work,         r.damage_work,          state.kappa,           state.damage,
-              state.elastic_shear[0], state.elastic_shear[1], state.elastic_shear[2]};
+      return {r.normal_stress, r.shear_stress[0], r.shear_stress[1],      r.shear_stress[2],      r.plastic_work,
+              state.kappa,     state.damage,      state.elastic_shear[0], state.elastic_shear[1], state.elastic_shear[2]};
     }
   };
 
@@ -349,7 +352,7 @@ TEST_CASE("CPM of a pack agrees with the single link to round-off", "[dem]")
       {
         const auto alone = links.update_alone(k, lane);
         // Stresses relative to E and G times the largest strain, works to the product, damage and strains to one and to 1e-3.
-        const double scale[11] = {6e5, 7e5, 7e5, 7e5, 2e3, 2e2, 6e-4, 1, 3.5e-3, 3.5e-3, 3.5e-3};
+        const double scale[10] = {6e5, 7e5, 7e5, 7e5, 2e3, 6e-4, 1, 3.5e-3, 3.5e-3, 3.5e-3};
         for (std::size_t row = 0; row < pack.size(); ++row)
           largest = std::max(largest, std::abs(pack[row][lane] - alone[row]) / scale[row]);
       }
@@ -389,7 +392,7 @@ TEST_CASE("CPM block declares every parameter once, material constants without d
   CpmParameters               p;
   std::map<std::string, bool> required;
   double                      next = 1;
-  dem::CpmDescription::describe(
+  dem::CpmLaw::describe(
     p,
     [&](const std::string &key, double &member, const std::string &, const std::string &, double, double, bool needed) {
       CHECK(required.emplace(key, needed).second);

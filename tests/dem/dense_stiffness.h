@@ -1,7 +1,7 @@
 #pragma once
 
-#include "dem/laws/cpm_table.h"
 #include "dem/links.h"
+#include "dem/measures/link_measures.h"
 #include "dem/particles.h"
 
 #include <Eigen/Dense>
@@ -39,22 +39,24 @@ namespace dense
   /** Critical step 2/sqrt(largest eigenvalue) of the links of a set, from the dense generalised eigenvalue problem. */
   inline double critical_step(const dem::Particles &particles,
                               const dem::LinkSet   &links,
-                              const dem::CpmTable  &laws,
+                              const dem::LinkLaw   &law,
                               const bool            rotations)
   {
     const auto      n         = static_cast<Eigen::Index>(particles.count);
     Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(6 * n, 6 * n);
+    dem::LinkReader reader(particles, links, law);
     for (std::size_t l = 0; l < links.count; ++l)
       {
-        const dem::CpmConstants &law = laws[links.law_of(l)];
-        Spring                   c;
+        reader.read(l, dem::Geometry::present);
+        const dem::LinkStiffnesses moduli = reader.stiffness();
+        Spring                     c;
         c.J            = static_cast<std::size_t>(links.first[l]);
         c.K            = static_cast<std::size_t>(links.second[l]);
         c.branch       = particles.position_of(c.K) - particles.position_of(c.J);
         const double L = c.branch.norm();
         c.first_arm    = particles.radius_of(c.J) + 0.5 * (L - particles.radius_of(c.J) - particles.radius_of(c.K));
-        c.k_N          = law.E * links.area[l] / links.reference_length[l];
-        c.k_T          = law.G * links.area[l] / links.reference_length[l];
+        c.k_N          = moduli.normal * links.area[l] / links.reference_length[l];
+        c.k_T          = moduli.shear * links.area[l] / links.reference_length[l];
         add(stiffness, c);
       }
     Eigen::VectorXd scale(6 * n);

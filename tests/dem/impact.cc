@@ -1,3 +1,4 @@
+#include "dem/laws/cpm.h"
 #include "dem/loading/impact.h"
 
 #include "dem/core/errors.h"

@@ -1,6 +1,6 @@
 // Constants of links between particles of different materials, mesoscale specification 3.6.
 #include "dem/core/errors.h"
-#include "dem/laws/cpm_table.h"
+#include "dem/laws/cpm.h"
 #include "dem/packing/tiling.h"
 #include "two_materials.h"
 
@@ -55,13 +55,12 @@ TEST_CASE("link between two materials has the means of their constants, and of t
   CHECK(between.friction_coefficient ==
         Approx(std::sqrt(2.0) - 1).epsilon(1e-14)); // tan 22.5 degrees; mean of tan: 0.5
 
-  const dem::CpmTable laws(dem::CpmMaterials({soft(), hard()}));
-  const auto         &mean = laws[dem::CpmTable::pair(1, 0)];
+  const std::vector<dem::CpmParameters> pairs = dem::CpmMaterials({soft(), hard()}).pairs();
+  const dem::CpmConstants mean(pairs[dem::material_pair(1, 0)]);
   CHECK(mean.G == Approx(0.3 * 40e9).epsilon(1e-15));        // not the mean of 4e9 and 24e9
   CHECK(mean.softening == Approx(20 * 2e-4).epsilon(1e-15)); // not the mean of 3e-3 and 3e-3
-  CHECK(laws[dem::CpmTable::pair(0, 0)].E == 20e9);
-  CHECK(laws[dem::CpmTable::pair(1, 1)].E == 60e9);
-  CHECK(laws.shear_damages());
+  CHECK(pairs[dem::material_pair(0, 0)].normal_modulus == 20e9);
+  CHECK(pairs[dem::material_pair(1, 1)].normal_modulus == 60e9);
   CHECK(dem::mean_of(hard(), soft()).friction_coefficient == between.friction_coefficient);
 }
 
@@ -87,8 +86,8 @@ TEST_CASE("pairs of materials are numbered without gaps, whichever comes first",
   for (std::int32_t a = 0; a < materials; ++a)
     for (std::int32_t b = 0; b <= a; ++b)
       {
-        CHECK(dem::CpmTable::pair(a, b) == dem::CpmTable::pair(b, a));
-        seen.insert(dem::CpmTable::pair(a, b));
+        CHECK(dem::material_pair(a, b) == dem::material_pair(b, a));
+        seen.insert(dem::material_pair(a, b));
       }
   CHECK(seen.size() == materials * (materials + 1) / 2);
   CHECK(*seen.begin() == 0);
@@ -99,9 +98,9 @@ TEST_CASE("materials whose damage laws differ are refused, both named", "[dem]")
 {
   dem::CpmMaterial linear      = hard();
   linear.parameters.damage_law = dem::DamageLaw::linear;
-  CHECK_THROWS_WITH(dem::CpmTable(dem::CpmMaterials({soft(), linear})), Contains("Damage law") &&
-                                                                          Contains("soft has the exponential one") &&
-                                                                          Contains("hard the linear one"));
+  CHECK_THROWS_WITH(dem::LinkMaterials(dem::CpmMaterials({soft(), linear})).bonds(dem::Physics()),
+                    Contains("Damage law") && Contains("soft has the exponential one") &&
+                      Contains("hard the linear one"));
   CHECK_THROWS_AS(dem::mean_of(soft(), linear), dem::InputError);
 }
 

@@ -1,6 +1,7 @@
 // Quasi-static paths of CPM links, past the peak: cells and gripped specimens.
 #include "dem/homogenisation/isotropy.h"
 #include "dem/homogenisation/relaxed_stiffness.h"
+#include "dem/laws/cpm.h"
 #include "dem/packing/lattice.h"
 #include "dem/specimen.h"
 #include "dem/statics/quasi_static_path.h"

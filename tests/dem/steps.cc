@@ -77,7 +77,7 @@ TEST_CASE("critical step of random clusters is that of their dense eigenvalues",
       for (std::uint64_t seed = 71; seed < 75; ++seed)
         {
           const dem::ParticleShape shape{3, density, 0};
-          const dem::CpmConstants  law(with_shear_ratio(ratio));
+          const auto               law       = dem::LinkMaterials(with_shear_ratio(ratio)).bonds(dem::Physics());
           const dem::Packing       packing   = cluster::random_cluster(seed, 25, seed % 2 ? r : 0.3 * r, r);
           dem::Particles           particles = dem::make_particles(packing, shape, rotations);
           dem::LinkSet             links;
@@ -88,10 +88,10 @@ TEST_CASE("critical step of random clusters is that of their dense eigenvalues",
               ordered.radius[i] = particles.radius_of(i);
             }
           dem::make_links(links, dem::find_pairs(ordered.centre, ordered.radius, 1.5, 0.0, std::nullopt), particles,
-                          shape, false);
-          const double exact = dense::critical_step(particles, links, law, rotations);
-          CHECK(dem::critical_step(particles, links, nullptr, law, rotations) == Approx(exact).epsilon(1e-9));
-          CHECK(dem::stable_step(particles, links, nullptr, law, rotations) <= exact);
+                          shape, *law);
+          const double exact = dense::critical_step(particles, links, *law, rotations);
+          CHECK(dem::critical_step(particles, {{links, *law}}, rotations) == Approx(exact).epsilon(1e-9));
+          CHECK(dem::stable_step(particles, {{links, *law}}, rotations) <= exact);
         }
 }
 

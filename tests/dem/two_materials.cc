@@ -192,7 +192,7 @@ TEST_CASE("per-particle step stays below the critical one at a stiffness contras
       for (std::uint64_t seed = 71; seed < 75; ++seed)
         {
           const dem::ParticleShape shape{3, density, 0};
-          const dem::CpmTable      laws(of_moduli(E, contrast * E));
+          const auto               law = dem::LinkMaterials(of_moduli(E, contrast * E)).bonds(dem::Physics());
           const dem::Packing       packing =
             cluster::mixed(cluster::random_cluster(seed, 25, seed % 2 ? r : 0.3 * r, r), seed);
           dem::Particles        particles = dem::make_particles(packing, shape, rotations);
@@ -204,10 +204,10 @@ TEST_CASE("per-particle step stays below the critical one at a stiffness contras
               centre.push_back(particles.position_of(i));
               radius.push_back(particles.radius_of(i));
             }
-          dem::make_links(links, dem::find_pairs(centre, radius, 1.5, 0.0, std::nullopt), particles, shape, false);
-          const double exact = dense::critical_step(particles, links, laws, rotations);
-          CHECK(dem::critical_step(particles, links, nullptr, laws, rotations) == Approx(exact).epsilon(1e-9));
-          const double bound = dem::stable_step(particles, links, nullptr, laws, rotations);
+          dem::make_links(links, dem::find_pairs(centre, radius, 1.5, 0.0, std::nullopt), particles, shape, *law);
+          const double exact = dense::critical_step(particles, links, *law, rotations);
+          CHECK(dem::critical_step(particles, {{links, *law}}, rotations) == Approx(exact).epsilon(1e-9));
+          const double bound = dem::stable_step(particles, {{links, *law}}, rotations);
           CHECK(bound <= exact);
           CHECK(bound > 0.4 * exact); // and is of use
         }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "clusters.h"
-#include "dem/laws/cpm_table.h"
+#include "dem/laws/cpm.h"
 
 /** Specimens of two materials for tests. */
 namespace cluster

@@ -5,6 +5,7 @@
 //
 // Whole steps of dem::Specimen are timed: link pass, particle pass, accounts, search for contacts. Rotations, damage, friction,
 // contacts and the exactly objective shear update are on.
+#include "dem/laws/cpm.h"
 #include "dem/packing/compaction.h"
 #include "dem/packing/tiling.h"
 #include "dem/specimen.h"

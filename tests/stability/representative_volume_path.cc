@@ -109,7 +109,7 @@ TEST_CASE("S17: at small strain, as statics has it, a closed elastic path of 100
       before = corner;
     }
   REQUIRE(around.damage_work() + around.sliding_work() == 0);
-  const auto          end   = dem::unbalanced_of(loaded, around.forces(), dem::mean_arm(loaded.network));
+  const auto          end   = dem::unbalanced_of(loaded, around.forces(), around.moments(), dem::mean_arm(loaded.network));
   const dem::Vector6d exact = relaxed.stiffness * (0.5 * way);
   CHECK(end.residual < 1e-8);
   CHECK((end.loads / loaded.volume - exact).norm() < 1e-8 * exact.norm());

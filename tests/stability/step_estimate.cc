@@ -17,7 +17,7 @@ TEST_CASE("per-particle step is within a factor of two below the critical step o
   for (std::uint64_t seed = 121; seed < 141; ++seed)
     {
       const dem::ParticleShape shape{3, 4800, 0};
-      const dem::CpmConstants  law(cluster::concrete());
+      const auto               law       = dem::LinkMaterials(cluster::concrete()).bonds(dem::Physics());
       dem::Particles particles = dem::make_particles(cluster::random_cluster(seed, 150, 0.2e-3, 2e-3), shape, true);
       std::vector<Eigen::Vector3d> centre;
       std::vector<double>          radius;
@@ -27,12 +27,12 @@ TEST_CASE("per-particle step is within a factor of two below the critical step o
           radius.push_back(particles.radius_of(i));
         }
       dem::LinkSet links;
-      dem::make_links(links, dem::find_pairs(centre, radius, 1.5, 0.0, std::nullopt), particles, shape, false);
+      dem::make_links(links, dem::find_pairs(centre, radius, 1.5, 0.0, std::nullopt), particles, shape, *law);
       dem::UniformRandom random(seed);
       for (std::size_t l = 0; l < links.count; ++l)
         links.area[l] *= std::pow(1000.0, -random());
-      const double quality = dem::stable_step(particles, links, nullptr, law, true) /
-                             dem::critical_step(particles, links, nullptr, law, true);
+      const double quality = dem::stable_step(particles, {{links, *law}}, true) /
+                             dem::critical_step(particles, {{links, *law}}, true);
       INFO("seed " << seed << ", " << links.count << " links");
       CHECK(quality > 0.5);
       CHECK(quality <= 1 + 1e-9);

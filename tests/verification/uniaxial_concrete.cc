@@ -1,5 +1,6 @@
 // The uniaxial scene of the mesoscale specification 9.3 against an independent program on the same packing and against published
 // values; its similarity rules 3.9.
+#include "dem/laws/cpm.h"
 #include "dem/loading/uniaxial.h"
 #include "dem/measures/crack.h"
 #include "dem/neighbours/cell_list.h"

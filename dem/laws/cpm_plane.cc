@@ -1,0 +1,15 @@
+// Passes of the cohesive particle model in the plane.
+#include "dem/kernels/link_update.h"
+#include "dem/laws/cpm_links.h"
+
+namespace dem
+{
+  template LinkPass link_pass_in_plane<CpmBond<DamageDriver::none, false>>(bool, Mixture, bool);
+  template LinkPass link_pass_in_plane<CpmBond<DamageDriver::none, true>>(bool, Mixture, bool);
+  template LinkPass link_pass_in_plane<CpmBond<DamageDriver::normal, false>>(bool, Mixture, bool);
+  template LinkPass link_pass_in_plane<CpmBond<DamageDriver::normal, true>>(bool, Mixture, bool);
+  template LinkPass link_pass_in_plane<CpmBond<DamageDriver::normal_and_shear, false>>(bool, Mixture, bool);
+  template LinkPass link_pass_in_plane<CpmBond<DamageDriver::normal_and_shear, true>>(bool, Mixture, bool);
+  template LinkPass link_pass_in_plane<CpmContact<false>>(bool, Mixture, bool);
+  template LinkPass link_pass_in_plane<CpmContact<true>>(bool, Mixture, bool);
+} // namespace dem

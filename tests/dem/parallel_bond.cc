@@ -1,0 +1,423 @@
+// Linear contact and linear parallel bond against closed forms: doc/theory/bonded-laws.md; names T1 to T10 are those of its list.
+#include "clusters.h"
+#include "dem/laws/parallel_bond.h"
+#include "dem/specimen.h"
+#include "dem/statics/elastic_network.h"
+#include "dem/statics/linear_solver.h"
+#include "memory_state.h"
+
+#include <catch2/catch.hpp>
+
+#include <omp.h>
+
+#include <cmath>
+#include <string>
+
+using Eigen::Vector3d;
+
+namespace
+{
+  constexpr double pi = 3.14159265358979323846;
+  constexpr double R = 1e-3, thickness = 1;
+
+  constexpr std::array<bool, 6> all = {true, true, true, true, true, true};
+
+  dem::ParallelBondParameters mortar()
+  {
+    dem::ParallelBondParameters p;
+    p.effective_modulus    = 10.38e9;
+    p.stiffness_ratio      = 2.5;
+    p.friction_coefficient = 0.21;
+    p.tensile_strength     = 0.29e6;
+    p.cohesion             = 1.98e6;
+    p.friction_angle       = 20.7;
+    return p;
+  }
+
+  dem::SpecimenParameters in(const int dimension)
+  {
+    dem::SpecimenParameters p = cluster::next_neighbours();
+    p.physics.dimension       = dimension;
+    p.thickness               = dimension == 2 ? thickness : 0;
+    p.density                 = 2500;
+    return p;
+  }
+
+  double section(const int dimension) { return dimension == 2 ? 2 * R * thickness : pi * R * R; }
+  double second_moment(const int dimension)
+  {
+    return dimension == 2 ? 2.0 / 3 * thickness * R * R * R : pi * R * R * R * R / 4;
+  }
+
+  /** Two touching particles, both held: the second is led, the first turns against it. */
+  struct HeldPair
+  {
+    HeldPair(const int dimension, const dem::ParallelBondParameters &law, const double direction_angle = 0)
+      : specimen(turned(direction_angle), in(dimension), law)
+      , along(std::cos(direction_angle), std::sin(direction_angle), 0)
+    {
+      for (const std::size_t i : {0, 1})
+        {
+          dem::Grip grip;
+          grip.particles  = {i};
+          grip.prescribed = all;
+          specimen.add_grip(grip);
+        }
+    }
+
+    static dem::Packing turned(const double angle)
+    {
+      dem::Packing packing = cluster::pair_of_spheres(R, R, 2 * R);
+      packing.centre[1]    = 2 * R * Vector3d(std::cos(angle), std::sin(angle), 0);
+      return packing;
+    }
+
+    /** Lead the pair so that it would open (slip, bend) by so much in that many steps. */
+    void lead(const double opening, const double slip, const double bend, const int steps)
+    {
+      const double   time = steps * specimen.time_step();
+      const Vector3d across(-along.y(), along.x(), 0);
+      specimen.set_grip_velocity(0, Vector3d::Zero(), Vector3d(0, 0, -0.5 * bend / time));
+      specimen.set_grip_velocity(1, (opening * along + slip * across) / time, Vector3d(0, 0, 0.5 * bend / time));
+    }
+
+    double pull() const { return specimen.reaction(1).dot(along); }
+    double moment() const { return specimen.reaction_moment(1).z(); }
+    double intact() const { return static_cast<double>(specimen.counts().links); }
+
+    dem::Specimen specimen;
+    Vector3d      along;
+  };
+
+  /** Largest pull and moment until the bond breaks. */
+  struct Peak
+  {
+    double pull = 0, moment = 0;
+  };
+
+  Peak break_it(HeldPair &pair, const int most_steps)
+  {
+    Peak peak;
+    for (int i = 0; i < most_steps && pair.intact() > 0; ++i)
+      {
+        pair.specimen.advance(1);
+        if (pair.intact() > 0)
+          peak = {pair.pull(), std::abs(pair.moment())};
+      }
+    REQUIRE(pair.intact() == 0);
+    return peak;
+  }
+} // namespace
+
+TEST_CASE("parallel bond in tension breaks at its strength and then carries nothing (T1)", "[dem][laws]")
+{
+  for (const int dimension : {2, 3})
+    for (const double angle : {0.0, 0.7})
+      {
+        const auto   law      = mortar();
+        const double strength = law.tensile_strength * section(dimension);
+        const double opening  = law.tensile_strength * 2 * R / law.effective_modulus; // 5.58767e-8 m
+        HeldPair     pair(dimension, law, angle);
+        const int    steps = 1000;
+        pair.lead(opening, 0, 0, steps);
+        pair.specimen.advance(steps / 2 + 1); // forces are those of where the step began
+        // The linear contact does not pull: the bond alone, E* A / l.
+        CHECK(pair.pull() == Approx(0.5 * strength).epsilon(1e-7));
+        const Peak peak = break_it(pair, steps);
+        CHECK(peak.pull <= strength * (1 + 1e-9));
+        CHECK(peak.pull >= strength * (1 - 2.0 / steps));
+        CHECK(pair.specimen.counts().broken == 1);
+        CHECK(pair.pull() == 0);
+        const dem::EnergyAccount energy = pair.specimen.energy();
+        CHECK(energy.released == Approx(0.5 * strength * opening).epsilon(3.0 / steps));
+        CHECK(energy.balance_error() < 1e-6);
+      }
+  CHECK(mortar().tensile_strength * section(2) == Approx(580));
+}
+
+TEST_CASE("parallel bond in bending breaks at sigma_c I/R, without moment contribution never (T3)", "[dem][laws]")
+{
+  for (const int dimension : {2, 3})
+    {
+      const auto   law    = mortar();
+      const double moment = law.tensile_strength * second_moment(dimension) / R;
+      const double angle  = law.tensile_strength * 2 * R / law.effective_modulus / R;
+      HeldPair     pair(dimension, law, 0.4);
+      pair.lead(0, 0, angle, 1000);
+      const Peak peak = break_it(pair, 1100);
+      CHECK(peak.moment <= moment * (1 + 1e-6));
+      CHECK(peak.moment >= moment * (1 - 2e-3));
+      CHECK(std::abs(peak.pull) < 1e-6 * law.tensile_strength * section(dimension));
+      CHECK(pair.moment() == 0);
+
+      auto blind                = law;
+      blind.moment_contribution = 0;
+      HeldPair unbreakable(dimension, blind);
+      unbreakable.lead(0, 0, 3 * angle, 1000);
+      unbreakable.specimen.advance(1000);
+      CHECK(unbreakable.intact() == 1);
+      CHECK(std::abs(unbreakable.moment()) == Approx(3 * moment).epsilon(2e-3));
+    }
+  CHECK(mortar().tensile_strength * second_moment(2) / R == Approx(0.193333).epsilon(1e-5));
+}
+
+TEST_CASE("parallel bond twisted breaks at the cohesion on its rim, J = 2 I", "[dem][laws]")
+{
+  const auto   law   = mortar();
+  const double shear = law.effective_modulus / law.stiffness_ratio;
+  const double angle = law.cohesion * 2 * R / shear / R, moment = law.cohesion * 2 * second_moment(3) / R;
+  HeldPair     pair(3, law);
+  const double time = 1000 * pair.specimen.time_step();
+  pair.specimen.set_grip_velocity(0, Vector3d::Zero(), Vector3d(-0.5 * angle / time, 0, 0));
+  pair.specimen.set_grip_velocity(1, Vector3d::Zero(), Vector3d(0.5 * angle / time, 0, 0));
+  pair.specimen.advance(501);
+  CHECK(std::abs(pair.specimen.reaction_moment(1).x()) == Approx(0.5 * moment).epsilon(1e-6));
+  break_it(pair, 600);
+}
+
+TEST_CASE("parallel bond in shear breaks at c - sigma tan phi and then slides at mu |F_n|", "[dem][laws]")
+{
+  for (const double pressure : {0.0, 1e6, 5e6})
+    {
+      const auto law = mortar();
+      HeldPair   pair(2, law);
+      // Press first: bond and linear contact share the approach, equally stiff.
+      if (pressure > 0)
+        {
+          pair.lead(-pressure * 2 * R / law.effective_modulus, 0, 0, 1000);
+          pair.specimen.advance(1000);
+        }
+      const double limit = law.cohesion + pressure * std::tan(law.friction_angle * pi / 180);
+      pair.lead(0, 1.2 * limit * 2 * R / (law.effective_modulus / law.stiffness_ratio), 0, 2000);
+      double peak = 0, normal = 0;
+      for (int i = 0; i < 2000 && pair.intact() > 0; ++i)
+        {
+          pair.specimen.advance(1);
+          if (pair.intact() > 0)
+            {
+              peak   = pair.specimen.links().shear_force.at(0);
+              normal = pair.specimen.links().normal_force.at(0);
+            }
+        }
+      REQUIRE(pair.intact() == 0);
+      // Bond and linear contact share the normal force; beside the bond the contact holds what friction allows it.
+      const double area = section(2), share = -0.5 * normal / area;
+      CHECK(share == Approx(pressure).epsilon(5e-3).margin(1e3));
+      CHECK(peak == Approx(area * (law.cohesion + share * std::tan(law.friction_angle * pi / 180) +
+                                   law.friction_coefficient * share))
+                      .epsilon(1.5e-3));
+      pair.specimen.advance(1);
+      if (pressure > 0)
+        {
+          const dem::LinkOutput links = pair.specimen.links();
+          CHECK(links.normal_force.at(0) == Approx(0.5 * normal).epsilon(2e-3)); // it pushes on without a jump
+          CHECK(links.shear_force.at(0) == Approx(-law.friction_coefficient * links.normal_force.at(0)).epsilon(1e-9));
+          CHECK(links.kind.at(0) == dem::LinkOutput::contact);
+        }
+    }
+}
+
+TEST_CASE("parallel bond under eccentric tension breaks at sigma_c A/(1 + 3 e/R), in space 4 e/R (T6)", "[dem][laws]")
+{
+  auto law             = mortar();
+  law.tensile_strength = 10e6;
+  law.cohesion         = 1e9;
+  const double e       = 0.5e-3;
+  for (const int dimension : {2, 3})
+    {
+      const double factor = dimension == 2 ? 3 : 4, load = 10e6 * section(dimension) / (1 + factor * e / R);
+      // M = P e: bend/opening = e A/I
+      const double opening = load / section(dimension) * 2 * R / law.effective_modulus;
+      HeldPair     pair(dimension, law);
+      pair.lead(opening, 0, opening * e * section(dimension) / second_moment(dimension), 2000);
+      const Peak peak = break_it(pair, 2100);
+      CHECK(peak.pull <= load * (1 + 1e-4)); // the branch turns a little with the bond
+      CHECK(peak.pull >= load * (1 - 2e-3));
+      CHECK(peak.moment == Approx(peak.pull * e).epsilon(1e-4));
+    }
+}
+
+TEST_CASE("static cantilever of parallel bonds deflects as n shear and bending springs in a row (T7)", "[dem][laws][statics]")
+{
+  auto law                 = mortar();
+  law.effective_modulus    = 10e9;
+  const int    n           = 10;
+  const double F           = 1;
+  dem::Packing chain       = cluster::cubic_lattice(n + 1, 1, 1, R);
+  for (const int dimension : {2, 3})
+    {
+      dem::NetworkParameters links;
+      links.dimension         = dimension;
+      links.interaction_ratio = 1.1;
+      links.thickness         = thickness;
+      const dem::ElasticNetwork network = dem::make_network(chain, links, law);
+      REQUIRE(network.links.size() == std::size_t(n));
+      std::vector<dem::HeldMotions> held(n + 1, 0);
+      held[0] = dem::HeldMotions(~0u);
+      const dem::StiffnessOperator stiffness(network, held);
+      dem::Fields                  b(dem::motions * dem::load_lanes * (n + 1), 0.0), x(b);
+      std::size_t                  tip = 0;
+      while (stiffness.order()[tip] != n)
+        ++tip;
+      b[(dem::motions * tip + 1) * dem::load_lanes] = F;
+      dem::LaneStrains none;
+      none.fill(Eigen::Matrix<double, 6, 1>::Zero());
+      const dem::SolverReport report = dem::solve_linear(stiffness, b, x, none, false, {});
+      REQUIRE(report.converged);
+      const double k_s = law.effective_modulus / law.stiffness_ratio / (2 * R) * section(dimension);
+      const double k_b = law.effective_modulus / (2 * R) * second_moment(dimension);
+      const double deflection = F * n / k_s + F * 4 * R * R * n * (4.0 * n * n - 1) / (12 * k_b);
+      CHECK(x[(dem::motions * tip + 1) * dem::load_lanes] == Approx(deflection).epsilon(1e-8));
+      if (dimension == 2)
+        CHECK(deflection == Approx(4.0150e-7).epsilon(1e-4));
+    }
+}
+
+TEST_CASE("two balls in linear contact part after pi sqrt(m_eff/k_n) with the energy they had (T9)", "[dem][laws]")
+{
+  dem::LinearContactParameters law;
+  law.effective_modulus = 10e9;
+  for (const int dimension : {2, 3})
+    {
+      double error[2];
+      for (int refinement = 0; refinement < 2; ++refinement)
+        {
+          dem::SpecimenParameters p = in(dimension);
+          p.step_factor             = refinement == 0 ? 0.04 : 0.01;
+          dem::Specimen pair(cluster::pair_of_spheres(R, R, 2 * R + 1e-9), p, law);
+          const double  v = 1e-3;
+          pair.set_velocity(0, {v, 0, 0}, Vector3d::Zero());
+          pair.set_velocity(1, {-v, 0, 0}, Vector3d::Zero());
+          const double mass = dimension == 2 ? 2500 * pi * R * R * thickness : 2500 * 4.0 / 3 * pi * R * R * R;
+          const double k_n  = section(dimension) * law.effective_modulus / (2 * R);
+          const double duration = pi * std::sqrt(mass / 2 / k_n);
+          double       touched = -1, parted = -1;
+          for (int i = 0; i < 4000 && parted < 0; ++i)
+            {
+              pair.advance(1);
+              const std::size_t contacts = pair.counts().contacts;
+              if (contacts > 0 && touched < 0)
+                touched = pair.time();
+              if (contacts == 0 && touched >= 0)
+                parted = pair.time();
+            }
+          REQUIRE(parted > 0);
+          CHECK(parted - touched == Approx(duration).margin(2.5 * pair.time_step()));
+          const dem::EnergyAccount e = pair.energy();
+          error[refinement]          = std::abs(e.kinetic / e.initial - 1);
+          const dem::ParticleOutput out = pair.particles();
+          CHECK((out.velocity[0] + out.velocity[1]).norm() < 1e-12 * v);
+        }
+      CHECK(error[0] < 1e-3);
+      CHECK(error[1] < 1e-4); // of second order in the step: the contact begins and ends within one
+    }
+}
+
+TEST_CASE("local damping reduces the amplitude by sqrt((1 - D)/(1 + D)) per half cycle (T10)", "[dem][laws]")
+{
+  auto law             = mortar();
+  law.tensile_strength = law.cohesion = 1e12;
+  dem::SpecimenParameters p           = in(3);
+  p.damping                           = 0.7;
+  p.step_factor                       = 0.005;
+  p.physics.rotations                 = false;
+  dem::Specimen pair(cluster::pair_of_spheres(R, R, 2 * R), p, law);
+  dem::Grip     foot;
+  foot.particles  = {0};
+  foot.prescribed = all;
+  pair.add_grip(foot);
+  pair.set_velocity(1, {0, 1e-3, 0}, Vector3d::Zero()); // across: the same stiffness both ways
+  std::vector<double> extremes;
+  double              before = 0, last = 0;
+  for (int i = 0; i < 200000 && extremes.size() < 6; ++i)
+    {
+      pair.advance(1);
+      const double now = pair.particles().displacement[1].y();
+      if (i > 1 && (last - before) * (now - last) < 0)
+        extremes.push_back(std::abs(last));
+      before = last;
+      last   = now;
+    }
+  REQUIRE(extremes.size() == 6);
+  for (std::size_t i = 1; i < extremes.size(); ++i)
+    CHECK(extremes[i] / extremes[i - 1] == Approx(std::sqrt(0.3 / 1.7)).epsilon(0.01));
+}
+
+TEST_CASE("parallel-bonded body conserves energy and momentum, and turns with its axes", "[dem][laws]")
+{
+  auto law             = mortar();
+  law.tensile_strength = law.cohesion = 1e12;
+  for (const int dimension : {2, 3})
+    {
+      dem::Packing body = cluster::cubic_lattice(4, 3, dimension == 2 ? 1 : 3, R);
+      dem::SpecimenParameters p = in(dimension);
+      p.step_factor             = 0.3;
+      const auto run            = [&](const double angle) {
+        const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, Vector3d::UnitZ()).toRotationMatrix();
+        dem::Packing          placed = body;
+        for (auto &x : placed.centre)
+          x = turn * x;
+        dem::Specimen      specimen(placed, p, law);
+        dem::UniformRandom random(4);
+        for (std::size_t i = 0; i < body.size(); ++i)
+          {
+            Vector3d v = cluster::random_vector(random), w = 100 * cluster::random_vector(random);
+            if (dimension == 2)
+              v.z() = w.x() = w.y() = 0;
+            specimen.set_velocity(i, turn * (1e-3 * v), turn * w);
+          }
+        specimen.advance(2000);
+        return specimen;
+      };
+      const dem::Specimen straight = run(0), turned = run(0.9);
+      CHECK(straight.energy().balance_error() < 2e-3);
+      CHECK(straight.energy().elastic > 0.005 * straight.energy().initial);
+      const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.9, Vector3d::UnitZ()).toRotationMatrix();
+      const auto            a = straight.particles(), b = turned.particles();
+      double                difference = 0, size = 0;
+      for (std::size_t i = 0; i < a.displacement.size(); ++i)
+        {
+          difference = std::max(difference, (turn * a.displacement[i] - b.displacement[i]).norm());
+          size       = std::max(size, a.displacement[i].norm());
+        }
+      CHECK(difference < 1e-8 * size);
+    }
+}
+
+TEST_CASE("parallel-bonded body that breaks has the same bits with 1, 2 and 4 threads, and after a restart", "[dem][laws]")
+{
+  const dem::Packing      body = cluster::random_cluster(11, 200, 0.7 * R, R);
+  dem::SpecimenParameters p    = cluster::bonded(1.2);
+  const auto              made = [&] {
+    dem::Specimen specimen(body, p, mortar());
+    for (std::size_t i = 0; i < body.size(); ++i)
+      specimen.set_velocity(i, 40.0 * body.centre[i], Vector3d(30, -20, 10));
+    return specimen;
+  };
+  const auto state_of = [](dem::Specimen &specimen) {
+    MemoryState         memory;
+    MemoryState::Writer writer(memory);
+    specimen.visit_state(writer);
+    return memory;
+  };
+  omp_set_num_threads(1);
+  dem::Specimen one = made();
+  one.advance(300);
+  MemoryState half = state_of(one);
+  one.advance(300);
+  REQUIRE(one.counts().broken > 10);
+  const MemoryState end = state_of(one);
+  for (const int threads : {2, 4})
+    {
+      omp_set_num_threads(threads);
+      dem::Specimen several = made();
+      several.advance(600);
+      CHECK(state_of(several) == end);
+    }
+  omp_set_num_threads(1);
+  dem::Specimen       resumed = made();
+  MemoryState::Reader reader(half);
+  resumed.visit_state(reader);
+  resumed.advance(300);
+  CHECK(state_of(resumed) == end);
+}
