@@ -3,6 +3,7 @@
 #include "postprocess/errors.h"
 #include "postprocess/file_descriptor.h"
 
+#include <cstdio>
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -67,6 +68,13 @@ namespace postprocess
 
   void write_text(const fs::path &destination, const std::string_view text)
   {
+    // By its name alone: where a shell sends it into a file, that file must be written on, not replaced.
+    if (destination == "/dev/stdout")
+      {
+        if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+          throw OutputError("standard output: cannot be written: " + system_reason() + ".");
+        return;
+      }
     if (is_device_or_pipe(destination))
       {
         FileDescriptor(destination, O_WRONLY).write(text);

@@ -1,10 +1,12 @@
 #include "postprocess/csv_table.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scratch_folder.h"
+#include "tests/places.h"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <cstdlib>
 
 using namespace apps_tests;
 using Catch::Contains;
@@ -112,4 +114,36 @@ TEST_CASE("link-test refuses a bad path or constant with its place", "[apps][S14
     run(folder.path(), {"link-test", "--law", "CPM", "--path", "path.csv", "-s", "Normal modulos=1e9"});
   CHECK_THAT(unknown.err, Contains("\"Normal modulos\" is not known. Did you mean \"Normal modulus\"?"));
   CHECK(run(folder.path(), {"link-test", "--law", "CPM", "--path", "none.csv"}).status == 2);
+}
+
+TEST_CASE("link-test sent into a file by the shell is written after what stands there", "[apps]")
+{
+  const ScratchFolder folder;
+  folder.file("path.csv", "normal_strain\n1e-4\n");
+  const std::string log     = folder.file("log.txt", "kept\n");
+  const std::string command = places::program + " link-test --law linear --path " + (folder / "path.csv").string() +
+                              " -s \"Effective modulus=1e9\" >> " + log;
+  REQUIRE(std::system(command.c_str()) == 0);
+  CHECK_THAT(content_of(log), Catch::StartsWith("kept\nnormal_strain"));
+}
+
+TEST_CASE("link-test drives every law there is, whatever the case of its name", "[apps]")
+{
+  const ScratchFolder folder;
+  folder.file("path.csv", "normal_strain,shear_strain_1\n-1e-4,0\n-1e-4,1e-4\n2e-4,1e-4\n");
+  const auto of = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"link-test", "--path", "path.csv", "-o", "out.csv", "--law"});
+    const Outcome outcome = run(folder.path(), words);
+    INFO(outcome.err);
+    REQUIRE(outcome.status == 0);
+    return postprocess::read_csv_table(folder / "out.csv");
+  };
+  const auto linear = of({"Linear", "-s", "Effective modulus=1e9", "-s", "Friction coefficient=0.5"});
+  CHECK(linear.column("normal_stress")[0] == Approx(-1e5)); // E* times the strain
+  CHECK(linear.column("shear_stress_1")[1] == Approx(4e4)); // E*/2.5, below 0.5 of the pressure
+  CHECK(linear.column("normal_stress")[2] == 0);
+  const auto bond = of({"parallel-bond", "-s", "Effective modulus=1e9", "-s", "Tensile strength=1.5e5", "-s", "Cohesion=1e6"});
+  CHECK(bond.column("normal_stress")[0] == Approx(-2e5)); // bond and contact
+  CHECK(bond.column("broken") == std::vector<double>{0, 0, 1});
+  CHECK(bond.column("normal_stress")[2] == 0);
 }
