@@ -1,4 +1,4 @@
-// Linear contact and linear parallel bond against closed forms: doc/theory/bonded-laws.md; names T1 to T10 are those of its list.
+// Linear contact and linear parallel bond against closed forms: doc/theory/parallel-bond.md, doc/theory/linear-contact.md; names T1 to T10 are those of its list.
 #include "clusters.h"
 #include "dem/laws/parallel_bond.h"
 #include "dem/specimen.h"
