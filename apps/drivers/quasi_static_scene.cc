@@ -1,5 +1,6 @@
 #include "apps/drivers/quasi_static_scene.h"
 
+#include "apps/drivers/link_failure.h"
 #include "apps/drivers/duration.h"
 #include "apps/drivers/quasi_static_run.h"
 #include "apps/drivers/specimen_packing.h"
@@ -148,9 +149,11 @@ namespace apps
     double expected_seconds(const QuasiStaticModel &model, const dem::Packing &packing, const UniaxialLoad load)
     {
       constexpr double enough = 0.5, solutions_when_cracking = 6, rounds_of_cracks = 4;
-      double           growth = 0; // of a link's damaging strain until it carries nothing
-      for (const dem::CpmParameters &one : model.material.materials().pairs())
-        growth = std::max(growth, std::log(5 * one.relative_ductility));
+      dem::Physics physics;
+      physics.dimension         = model.dimension;
+      const LinkFailure failure = failure_in_tension(*model.material.materials().bonds_in_space(physics));
+      // Of a link's damaging strain until it carries nothing.
+      const double growth = failure.softening > 0 ? std::log(5 * failure.softening / failure.onset) : 0.0;
       const Stopwatch   watch;
       QuasiStaticResult result;
       const auto        loaded = model.load(packing);

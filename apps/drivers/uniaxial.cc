@@ -1,5 +1,6 @@
 #include "apps/drivers/uniaxial.h"
 
+#include "apps/drivers/link_failure.h"
 #include "apps/drivers/duration.h"
 #include "apps/drivers/material_counts.h"
 #include "apps/drivers/specimen_packing.h"
@@ -66,12 +67,10 @@ namespace apps
       const dem::UniaxialParameters test = asked.loading.parameters(load);
       if (!asked.specimen.physics.damage)
         return test.stop_strain;
-      double onset = 0, softening = 0;
-      for (const dem::CpmParameters &one : asked.material.materials().pairs())
-        {
-          onset     = std::max(onset, one.limit_elastic_strain);
-          softening = std::max(softening, one.softening_strain());
-        }
+      const auto [onset, softening] =
+        failure_in_tension(*asked.material.materials().bonds_in_space(asked.specimen.physics));
+      if (onset == 0)
+        return test.stop_strain;
       const auto [low, high] =
         std::minmax_element(packing.centre.begin(), packing.centre.end(),
                             [axis = test.axis](const auto &a, const auto &b) { return a[axis] < b[axis]; });

@@ -245,11 +245,13 @@ TEST_CASE("a law of one's own is followed by the static solver along its nonline
   dem::ElasticNetwork network = dem::make_network(row(5), links, band());
   CHECK(network.links[0].stiffness(0, 0) == Approx(E * M_PI * r * r / (2 * r)));
   dem::GripPair grips;
-  grips.axis           = 0;
-  grips.layers.low     = {0};
-  grips.layers.high    = {4};
-  grips.layers.length  = 8 * r;
-  grips.layers.section = M_PI * r * r;
+  grips.axis                = 0;
+  grips.layers.low          = {0};
+  grips.layers.high         = {4};
+  grips.layers.high_face    = 8 * r;
+  grips.layers.distance     = 8 * r;
+  grips.layers.gauge_length = 8 * r;
+  grips.layers.section      = M_PI * r * r;
   grips.lateral_blocked = grips.spin_blocked = true;
   const dem::LoadedNetwork   loaded = dem::load_grips(std::move(network), grips);
   dem::QuasiStaticParameters p;
