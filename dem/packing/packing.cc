@@ -41,10 +41,7 @@ namespace dem
                  ": more than 1e9 radii from the origin, too far to tell places there apart. Move the packing "
                  "to the origin, or check the units: metres.");
       for (int d = 0; d < 3 && packing.periodic_cell; ++d)
-        if (packing.radius[i] > 5 * (*packing.periodic_cell)[d])
-          refuse(origin, i,
-                 "its radius is more than 5 edges of the periodic cell: it would touch hundreds of its own images.");
-        else if (std::abs(x[d]) > farthest_cell * (*packing.periodic_cell)[d])
+        if (std::abs(x[d]) > farthest_cell * (*packing.periodic_cell)[d])
           refuse(origin, i,
                  "centre = " + place(x) +
                    ": more than 60 periodic cells from the origin. Bring it back into the cell.");

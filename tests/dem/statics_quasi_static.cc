@@ -101,7 +101,7 @@ namespace
     packing.radius.assign(spheres, 1e-3);
     dem::GripPair grips;
     grips.axis   = 0;
-    grips.layers = cluster_grips(packing, 0, 1.1e-3);
+    grips.layers = cluster_grips(packing, 0, 0.5e-3);
     return dem::load_grips(network_of(packing, 1.05, law), grips);
   }
 
