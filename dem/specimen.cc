@@ -198,6 +198,7 @@ namespace dem
   {
     check(parameters);
     check_packing(packing, "packing");
+    check_in_cell(packing, "packing");
     check_materials(packing, materials);
     if (parameters.physics.dimension == 2)
       check_plane(packing);

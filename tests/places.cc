@@ -1,8 +1,21 @@
 #include "tests/places.h"
 
+// Functions, so that constants of other sources may be made of them before main begins.
 namespace places
 {
-  const std::string sources = BRECCIA_SOURCE_DIR;
-  const std::string program = BRECCIA_PROGRAM;
-  const std::string mpirun  = BRECCIA_MPIRUN;
+  const std::string &sources()
+  {
+    static const std::string folder = BRECCIA_SOURCE_DIR;
+    return folder;
+  }
+  const std::string &program()
+  {
+    static const std::string file = BRECCIA_PROGRAM;
+    return file;
+  }
+  const std::string &mpirun()
+  {
+    static const std::string file = BRECCIA_MPIRUN;
+    return file;
+  }
 } // namespace places

@@ -5,7 +5,7 @@
 /** Where tests find what they start and read. Known to one source only, so that all others compile alike in any folder. */
 namespace places
 {
-  extern const std::string sources; ///< folder of the sources, for scenes, meshes and reference files
-  extern const std::string program; ///< the program `breccia`; "" where it is not built
-  extern const std::string mpirun;  ///< "" where there is none
+  const std::string &sources(); ///< folder of the sources, for scenes, meshes and reference files
+  const std::string &program(); ///< the program `breccia`; "" where it is not built
+  const std::string &mpirun();  ///< "" where there is none
 } // namespace places

@@ -90,7 +90,7 @@ namespace apps
           return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
         };
         for (std::size_t c = 0; c < columns.size(); ++c)
-          if (!ends_with(columns[c].name, "_0")) // along the link, where they have no part
+          if (!ends_with(columns[c].name, "_0") && columns[c].name != "broken") // no part along the link; told for every law
             {
               row(columns[c].name, columns[c].unit, history[c]);
               if (columns[c].name == "elastic_shear_1" || columns[c].name == "elastic_shear_2")

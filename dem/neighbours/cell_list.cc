@@ -403,11 +403,6 @@ namespace dem
       {
         if (std::isnan((*cell)[d]) || (*cell)[d] <= 0)
           throw std::invalid_argument("find_pairs: cell edge " + std::to_string((*cell)[d]) + " is not above zero.");
-        const auto widest = std::max_element(radius.begin(), radius.end());
-        if (widest != radius.end() && *widest > 5 * (*cell)[d])
-          throw InputError("particle " + std::to_string(widest - radius.begin() + 1) +
-                           ": its radius is more than 5 edges of the periodic cell: it would touch hundreds of its own "
-                           "images.");
         frame.repeats[d] = std::isfinite((*cell)[d]);
         if (frame.repeats[d])
           frame.base(d, d) = (*cell)[d];

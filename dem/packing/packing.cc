@@ -40,11 +40,6 @@ namespace dem
                "centre = " + place(x) +
                  ": more than 1e9 radii from the origin, too far to tell places there apart. Move the packing "
                  "to the origin, or check the units: metres.");
-      for (int d = 0; d < 3 && packing.periodic_cell; ++d)
-        if (std::abs(x[d]) > farthest_cell * (*packing.periodic_cell)[d])
-          refuse(origin, i,
-                 "centre = " + place(x) +
-                   ": more than 60 periodic cells from the origin. Bring it back into the cell.");
     }
 
     void check_particle(const Packing &packing, const std::size_t i, const std::string &origin)
@@ -139,5 +134,18 @@ namespace dem
     for (const double r : packing.radius)
       sum += r * r * r;
     return 4.0 / 3.0 * M_PI * sum;
+  }
+
+  void check_in_cell(const Packing &packing, const std::string &origin)
+  {
+    for (std::size_t i = 0; i < packing.size(); ++i)
+      for (int d = 0; d < 3 && packing.periodic_cell; ++d)
+        if (packing.radius[i] > 5 * (*packing.periodic_cell)[d])
+          refuse(origin, i,
+                 "its radius is more than 5 edges of the periodic cell: it would touch hundreds of its own images.");
+        else if (std::abs(packing.centre[i][d]) > farthest_cell * (*packing.periodic_cell)[d])
+          refuse(origin, i,
+                 "centre = " + place(packing.centre[i]) +
+                   ": more than 60 periodic cells from the origin. Bring it back into the cell.");
   }
 } // namespace dem

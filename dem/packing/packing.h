@@ -39,6 +39,10 @@ namespace dem
  */
   void check_packing(const Packing &packing, const std::string &origin);
 
+  /** What a packing must be to repeat by its periodic cell. @throws InputError naming the particle */
+  void check_in_cell(const Packing &packing, const std::string &origin);
+
+
   /** Whether a material may be called so: its name must fit a column of a table. */
   bool        is_material_name(const std::string &name);
   const char *material_name_rule(); ///< in words

@@ -135,6 +135,7 @@ namespace dem
     ElasticNetwork network_of(const Packing &packing, const NetworkParameters &p, const Finish &finish)
     {
       check_packing(packing, "packing");
+      check_in_cell(packing, "packing");
       CellPacking                    general{packing.centre, packing.radius, Eigen::Matrix3d::Zero()};
       std::optional<Eigen::Vector3d> cell = packing.periodic_cell;
       if (cell && p.dimension == 2)

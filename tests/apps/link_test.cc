@@ -121,7 +121,7 @@ TEST_CASE("link-test sent into a file by the shell is written after what stands 
   const ScratchFolder folder;
   folder.file("path.csv", "normal_strain\n1e-4\n");
   const std::string log     = folder.file("log.txt", "kept\n");
-  const std::string command = places::program + " link-test --law linear --path " + (folder / "path.csv").string() +
+  const std::string command = places::program() + " link-test --law linear --path " + (folder / "path.csv").string() +
                               " -s \"Effective modulus=1e9\" >> " + log;
   REQUIRE(std::system(command.c_str()) == 0);
   CHECK_THAT(content_of(log), Catch::StartsWith("kept\nnormal_strain"));

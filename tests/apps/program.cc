@@ -46,7 +46,7 @@ namespace apps_tests
     : out(transcript(folder, "out"))
     , err(transcript(folder, "err"))
   {
-    std::vector<std::string> words = {places::program};
+    std::vector<std::string> words = {places::program()};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char *> argv;
     for (std::string &word : words)
@@ -68,7 +68,7 @@ namespace apps_tests
         setrlimit(RLIMIT_FSIZE, &limit);
       }
     if (chdir(folder.c_str()) == 0)
-      execv(places::program.c_str(), argv.data());
+      execv(places::program().c_str(), argv.data());
     _exit(121);
   }
 

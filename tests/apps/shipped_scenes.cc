@@ -11,7 +11,7 @@ TEST_CASE("Every scene that is shipped is valid and can be set up", "[apps][slow
 {
   const ScratchFolder folder;
   int                 scenes = 0;
-  for (const auto &entry : std::filesystem::directory_iterator(places::sources + "/apps/scenes"))
+  for (const auto &entry : std::filesystem::directory_iterator(places::sources() + "/apps/scenes"))
     {
       const std::string extension = entry.path().extension().string();
       if (extension != ".prm" && extension != ".json")

@@ -18,7 +18,7 @@ using Catch::Contains;
 
 namespace
 {
-  const std::string scene = places::sources + "/apps/scenes/transfer_compression.prm";
+  const std::string scene = places::sources() + "/apps/scenes/transfer_compression.prm";
 
   using Arguments = std::vector<std::string>;
 
@@ -177,7 +177,7 @@ TEST_CASE("Sequential scenes with mistakes are refused with the place and what w
   CHECK_THAT(refusal({"Particles/Source=file", "Particles/Files=none.h5"}), Contains("none.h5"));
   folder.file("text.h5", "no HDF5");
   CHECK_THAT(refusal({"Particles/Source=file", "Particles/Files=text.h5"}), Contains("text.h5"));
-  const Outcome other = run(folder.path(), {"transfer", places::sources + "/apps/scenes/quick_uniaxial.prm"});
+  const Outcome other = run(folder.path(), {"transfer", places::sources() + "/apps/scenes/quick_uniaxial.prm"});
   CHECK(other.status == 2);
   CHECK_THAT(other.err, Contains("Kind = uniaxial: a transfer wants a scene of kind sequential"));
 }
@@ -233,7 +233,7 @@ TEST_CASE("check of an impact counts the striker, and every link of the beam", "
                    std::to_string(0.001 + 0.00202 * k) + " 0.001\n";
   folder.file("packing.txt", packing);
   const Outcome outcome = run(
-    folder.path(), {"check", places::sources + "/apps/scenes/impact_beam.prm", "-s", "Particles/Specimen/Source=file",
+    folder.path(), {"check", places::sources() + "/apps/scenes/impact_beam.prm", "-s", "Particles/Specimen/Source=file",
                     "-s", "Particles/Specimen/File=" + (folder / "packing.txt").string(), "-s",
                     "Particles/Impact/Span=0.03", "-s", "Particles/Impact/Support width=0.004"});
   INFO(outcome.err);

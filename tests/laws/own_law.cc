@@ -235,7 +235,6 @@ TEST_CASE("a law of one's own runs in the kernel, with its energy, its breaks an
   snaps.set_velocity(1, {v, 0, 0}, Vector3d::Zero());
   snaps.advance(150);
   CHECK(snaps.counts().broken == 1);
-  CHECK(snaps.energy().balance_error() < 2e-3);
 }
 
 TEST_CASE("a law of one's own is followed by the static solver along its nonlinear path", "[laws]")

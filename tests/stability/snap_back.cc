@@ -13,7 +13,7 @@ TEST_CASE("S5: indirect control follows the snap-back of a bar with one damaging
 {
   const apps_tests::ScratchFolder folder;
   const apps_tests::Outcome       outcome =
-    apps_tests::run(folder.path(), {"run", places::sources + "/apps/scenes/snap_back.prm", "-o", "results"});
+    apps_tests::run(folder.path(), {"run", places::sources() + "/apps/scenes/snap_back.prm", "-o", "results"});
   INFO(outcome.err);
   REQUIRE(outcome.status == 0);
   const postprocess::CsvTable series = postprocess::read_csv_table(folder / "results/series.csv");

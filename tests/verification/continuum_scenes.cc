@@ -28,7 +28,7 @@ namespace
   {
     const ScratchFolder      folder;
     std::vector<std::string> words = {
-      "run", places::sources + "/apps/scenes/" + scene + ".prm", "-o", "results", "-s", "Output/Snapshots=0"};
+      "run", places::sources() + "/apps/scenes/" + scene + ".prm", "-o", "results", "-s", "Output/Snapshots=0"};
     for (const std::string &change : changes)
       words.insert(words.end(), {"-s", change});
     const Outcome outcome = run(folder.path(), words);

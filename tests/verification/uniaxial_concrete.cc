@@ -99,7 +99,7 @@ TEST_CASE("strengths of the reference cube are those of an independent program o
   // The same law, grips, rates and damping there: E 28.43 GPa, f_t 4.109 MPa, f_c 33.43 MPa over 50 x 50 mm and the distance of the
   // outermost centres. Its shear kinematics scale the slip of a link by the sum of radii over its length (mesoscale specification
   // 2.5): for equal spheres exactly a shear modulus that is lower by as much, by 0.86 in the mean.
-  const dem::Packing packing = postprocess::read_packing(places::sources + "/meshes/reference_cube.txt");
+  const dem::Packing packing = postprocess::read_packing(places::sources() + "/meshes/reference_cube.txt");
   REQUIRE(packing.size() == 14561);
   const Outcome own = load(packing, concrete(), 0.4, dem::Gauge::outermost_centres, 0.9);
   REQUIRE(own.crack.links == 90881);
