@@ -77,9 +77,9 @@ TEST_CASE("what no specimen can be made of is refused by file and particle", "[d
   {
     packing.periodic_cell = Eigen::Vector3d(0.01, 0.01, 0.01);
     packing.centre[1][2]  = -0.59;
-    REQUIRE_NOTHROW(refusal());
+    REQUIRE_NOTHROW(dem::check_in_cell(packing, "a.txt"));
     packing.centre[1][2] = -0.61;
-    REQUIRE_THROWS_WITH(refusal(), Contains("a.txt: particle 2: ") && Contains("more than 60 periodic cells"));
+    REQUIRE_THROWS_WITH(dem::check_in_cell(packing, "a.txt"), Contains("a.txt: particle 2: ") && Contains("more than 60 periodic cells"));
   }
   SECTION("radii whose volume is not a number or vanishes")
   {
