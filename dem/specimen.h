@@ -151,7 +151,7 @@ namespace dem
 
     /**
    * Stiffness of the cell if every particle followed its strain without turning, of the links as damaged as they are (secant; closed
-   * links whole) [Pa]: engineering shears, order 11 22 33 23 31 12. An upper bound of the true one (homogenisation specification 2).
+   * links whole) [Pa]: engineering shears, order 11 22 33 23 31 12. An upper bound of the true one (doc/theory/homogenisation.md, 2).
    */
     Matrix6d affine_stiffness() const;
     /** Mean |force on a particle| over mean |link or contact force| at t_n; how far from equilibrium. Prescribed particles do not count. */

@@ -244,7 +244,7 @@ namespace apps
       if (!of_seeds)
         return;
       postprocess::PlotSeries level;
-      // Scatter falls as the root of the number of spheres (homogenisation specification 6).
+      // Scatter falls as the root of the number of spheres (doc/theory/homogenisation.md).
       const double scatter =
         of_seeds->error * std::sqrt(static_cast<double>(of_seeds->particles) / static_cast<double>(particles));
       level.name  = "scatter of such cells";

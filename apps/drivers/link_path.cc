@@ -101,7 +101,7 @@ namespace apps
             }
       }
 
-      /** What the particle model does with a link that has no strength left (mesoscale specification 3.5). */
+      /** What the particle model does with a link that has no strength left (doc/theory/cpm.md, 4). */
       void delete_link()
       {
         gone   = true;

@@ -6,7 +6,7 @@
 
 namespace apps
 {
-  /** Section "Transfer" of a sequential scene: how particle states become continuum states (coupling specification 6). */
+  /** Section "Transfer" of a sequential scene: how particle states become continuum states (doc/theory/sequential-transfer.md). */
   struct TransferSection
   {
     coupling::FieldOptions    field;

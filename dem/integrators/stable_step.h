@@ -18,7 +18,7 @@ namespace dem
 
   /**
  * Stable step from per-particle stiffness, min over P of sqrt(2 m_P / sum_{c in P} kappa_c) [s], a rigorous lower bound of the
- * critical step (element eigenvalue theorem; mesoscale specification (5.1)).
+ * critical step (element eigenvalue theorem; doc/theory/integration.md, 3).
  *
  * kappa_c = max(k_N, k_T (1 + m d^2/I) + k_bending m/I, k_twist m/I) of a link seen from the particle: stretching, twisting, and
  * what turns it across the link are independent motions. Links count with their undamaged stiffness, so the bound stays valid while

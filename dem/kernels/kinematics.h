@@ -108,7 +108,7 @@ namespace dem
   };
 
   /**
- * Advance tangential link vectors by one step, exactly objective (mesoscale specification 2.3).
+ * Advance tangential link vectors by one step, exactly objective (doc/theory/shear-kinematics.md, 1).
  *
  * Rotates each vector with the pair. To those of `shear` it adds the tangential displacement of the contact point over the reference
  * length, to those of `bending` the relative rotation of the ends across the link. Under any rigid motion of the pair the stored

@@ -24,10 +24,10 @@ namespace dem
 
   /**
  * Second of the two passes: every particle adds up its links in a fixed order (its own, then those of which it is the second end,
- * then contacts the same way) and its weight, and takes a leap-frog step with local damping (mesoscale specification 4 and 5.1).
+ * then contacts the same way) and its weight, and takes a leap-frog step with local damping (doc/theory/integration.md, 1).
  *
- * In a periodic cell the velocity is the fluctuation u = v - G x, and the step is u += dt a, x += dt (G x + u). This is the
- * specification's section 6 in other variables: v += (G_new - G_old) x_n + dt G_old v_(n-1/2) + dt a leaves u_(n+1/2) =
+ * In a periodic cell the velocity is the fluctuation u = v - G x, and the step is u += dt a, x += dt (G x + u). In the
+ * velocities themselves (doc/theory/periodic-cell.md, 1): v += (G_new - G_old) x_n + dt G_old v_(n-1/2) + dt a leaves u_(n+1/2) =
  * u_(n-1/2) + dt a exactly. Damping and kinetic energy are those of u.
  *
  * @param contacts may be null: there are none

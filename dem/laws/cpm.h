@@ -11,7 +11,7 @@
 
 namespace dem
 {
-  /** Shape of the softening branch (mesoscale specification 3.3). */
+  /** Shape of the softening branch (doc/theory/cpm.md, 3). */
   enum class DamageLaw
   {
     exponential, ///< softening strain = decay length: the initial tangent of softening meets zero at eps_0 + eps_f
@@ -128,7 +128,7 @@ namespace dem
 
     /**
    * Dissipated by the damage of an update where shear damages too, 1/2 E <eps_N>^2 d omega with the mean of <eps_N>^2 before and
-   * after: of second order in the step (mesoscale specification 8); zero where only opening damages, which has a closed form [J/m^3].
+   * after: of second order in the step (doc/theory/energy.md, 2); zero where only opening damages, which has a closed form [J/m^3].
    */
     template <typename Constants, typename T>
     BRECCIA_KERNEL static T damage_work(const Constants &k, const T &strain_before, const T &strain, const T &growth)
@@ -175,7 +175,7 @@ namespace dem
 
   /**
    * Constants of a link between particles of two materials: arithmetic means of modulus, shear ratio, limit strain, ductility,
-   * cohesion, shear contribution, residual strength limit, and of the friction ANGLE (mesoscale specification 3.6). So G is mean
+   * cohesion, shear contribution, residual strength limit, and of the friction ANGLE (doc/theory/links.md, 3). So G is mean
    * ratio times mean modulus, and eps_f mean eps_0 times mean ductility. Equal materials give their own constants, to the last bit.
    *
    * @throws InputError if their damage laws differ; the message names both materials

@@ -45,7 +45,7 @@ namespace dem
       return {k.E, k.G, 0, 0};
     }
 
-    /** 1/2 A L0 ((1 - omega) E eps_N^2 + G |eps_T|^2), omega where the link is open; mesoscale specification 8. */
+    /** 1/2 A L0 ((1 - omega) E eps_N^2 + G |eps_T|^2), omega where the link is open; doc/theory/energy.md, 2. */
     template <int m>
     static double stored_with(const CpmConstants      &k,
                               const LinkGeometry      &link,

@@ -92,7 +92,7 @@ namespace dem
 
   /**
  * Add each link's share to the particles' stress moments V_P sigma_P = sum (c - x_P) (x) f_on_P [N m], c the contact point (Love-Weber;
- * mesoscale specification 7.1). Particle order is that of `particles`.
+ * doc/theory/stress-and-fabric.md, 1). Particle order is that of `particles`.
  */
   void add_stress_moments(const Particles &particles, const LinkSet &links, std::vector<Eigen::Matrix3d> &moments);
 } // namespace dem

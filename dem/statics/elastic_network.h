@@ -16,7 +16,7 @@ namespace dem
    *
    *   slip = u_K - u_J + n x (a_J phi_J + a_K phi_K)
    *
-   * the relative displacement at the contact point (homogenisation specification 3.1).
+   * the relative displacement at the contact point (doc/theory/statics.md, 1).
    */
   struct ElasticLink
   {

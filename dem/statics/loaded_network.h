@@ -72,7 +72,7 @@ namespace dem
     }
   };
 
-  /** Relative displacement of the two ends at the contact point of a link [m]; homogenisation specification 3.1. */
+  /** Relative displacement of the two ends at the contact point of a link [m]; doc/theory/statics.md, 1. */
   Eigen::Vector3d slip_of(const LoadedNetwork &loaded, std::size_t link, const LoadedMotion &motion);
 
   /** Relative rotation of the two ends of a link, second less first [rad]. */

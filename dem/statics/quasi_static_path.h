@@ -59,7 +59,7 @@ namespace dem
   };
 
   /**
-   * Equilibrium path of a network of links of any law under a growing led strain, past the peak (homogenisation specification 3.4).
+   * Equilibrium path of a network of links of any law under a growing led strain, past the peak (doc/theory/quasi-static-path.md).
    *
    * Newton's method with the consistent tangent, the secant where it fails. Steps are controlled by the strain as long as damage
    * grows slowly, and otherwise indirectly (de Borst, 1987, Comput. Struct. 25, 211) by the largest growth of a crack opening in the

@@ -14,7 +14,7 @@
 /** Small specimens for tests: particles placed by a few lines of arithmetic, a concrete-like link material. */
 namespace cluster
 {
-  /** Default material of the mesoscale specification, 3.1. */
+  /** The concrete of concrete_uniaxial.prm. */
   inline dem::CpmParameters concrete()
   {
     dem::CpmParameters p;

@@ -21,7 +21,7 @@ using dem::DamageLaw;
 
 namespace
 {
-  /** The material of the verification table, mesoscale specification 3.3. */
+  /** The material of the verification table, doc/theory/cpm.md, 3. */
   CpmParameters tabulated()
   {
     CpmParameters p;
@@ -72,7 +72,7 @@ TEST_CASE("CPM follows the published exponential envelope", "[dem]")
   {
     double kappa, damage, stress, strength_damage;
   };
-  // Mesoscale specification 3.3: published output of a law tester, with which formulas agree to 1e-9.
+  // doc/theory/cpm.md, 3: published output of a law tester, with which formulas agree to 1e-9.
   const Row rows[] = {{1.0e-4, 0, 100000, 0},
                       {1.1e-4, 0.149539104515, 93550.6985, 0.0644930150},
                       {1.5e-4, 0.522312459617, 71653.1311, 0.2834686894},
@@ -168,7 +168,7 @@ TEST_CASE("CPM shear strength is cohesion of what is undamaged plus friction", "
 
 TEST_CASE("CPM dissipates E eps_0 (eps_0/2 + eps_f) per volume in full tension", "[dem]")
 {
-  // 1e9 x 1e-4 (0.5e-4 + 1.5e-4) = 20 J/m^3, mesoscale specification 8.
+  // 1e9 x 1e-4 (0.5e-4 + 1.5e-4) = 20 J/m^3, doc/theory/cpm.md, 3.
   const CpmConstants k(tabulated());
   const double       to    = 1e-4 + 30 * 1.5e-4;
   State              state = virgin_link;

@@ -1,4 +1,4 @@
-// Constants of links between particles of different materials, mesoscale specification 3.6.
+// Constants of links between particles of different materials, doc/theory/links.md, 3.
 #include "dem/core/errors.h"
 #include "dem/laws/cpm.h"
 #include "dem/packing/tiling.h"

@@ -15,7 +15,7 @@
 /** Packings with known stiffness, and how their cells are loaded, for the tests of periodic cells. */
 namespace periodic_fixture
 {
-  /** Homogenisation specification 7.1: eight spheres in the unit cube; interaction ratio 1.5 reaches beyond half the cell. */
+  /** doc/theory/homogenisation.md, 5: eight spheres in the unit cube; interaction ratio 1.5 reaches beyond half the cell. */
   inline dem::Packing eight_spheres()
   {
     dem::Packing p;
@@ -39,7 +39,7 @@ namespace periodic_fixture
     return d;
   }
 
-  /** Homogenisation specification 7.2: six discs in the unit square. */
+  /** doc/theory/homogenisation.md, 5: six discs in the unit square. */
   inline dem::Packing six_discs()
   {
     dem::Packing p;
@@ -126,7 +126,7 @@ namespace periodic_fixture
     return s;
   }
 
-  /** The default concrete of the mesoscale specification 3.1, more brittle so that it breaks soon. */
+  /** The concrete of concrete_uniaxial.prm, more brittle so that it breaks soon. */
   inline dem::CpmParameters brittle_concrete()
   {
     dem::CpmParameters c;

@@ -126,7 +126,7 @@ TEST_CASE("quasi-static cell: a cubic lattice follows the envelope of its links"
   REQUIRE(path.size() > 20);
   for (const auto &point : path)
     {
-      const double exact = M_PI / 4 * envelope(law, point.strain[0]);     // homogenisation specification 2.3
+      const double exact = M_PI / 4 * envelope(law, point.strain[0]);     // doc/theory/homogenisation.md, 5
       CHECK(point.stress[0] == Approx(exact).epsilon(1e-9).margin(1e-3)); // rounding; margin: the first point is zero
       CHECK(std::fabs(point.stress[1]) <= 1e-9 * exact + 1e-3);
     }
@@ -146,7 +146,7 @@ TEST_CASE("quasi-static specimen: two gripped spheres follow the envelope of the
   CHECK(share == Approx(1).epsilon(0.02));
   for (const auto &point : path)
     CHECK(point.stress[0] == Approx(share * envelope(law, point.strain[0])).epsilon(1e-9).margin(1e-3));
-  // Area under the envelope less what is stored, mesoscale specification 3.3.
+  // Area under the envelope less what is stored, doc/theory/cpm.md, 3.
   const double kappa = path.back().strain[0];
   const double lost  = law.normal_modulus * 1e-4 * (0.5e-4 + 30e-4 * (1 - std::exp(-(kappa - 1e-4) / 30e-4))) -
                       0.5 * envelope(law, kappa) * kappa;

@@ -316,7 +316,7 @@ TEST_CASE("a periodic cell of two materials has the stress of its links, and its
   p.damping          = 0.3;
   dem::Specimen body(packing, p, of_moduli(E, 3 * E));
   // Affine: every link strained alike, so the mean of E, 2E, 3E, 2E; along x half of the layers are E, half 3 E.
-  const double lattice = M_PI / 4; // homogenisation specification 2.3
+  const double lattice = M_PI / 4; // doc/theory/homogenisation.md, 5
   CHECK(body.affine_stiffness()(2, 2) == Approx(lattice * 2 * E).epsilon(1e-12));
   CHECK(body.affine_stiffness()(0, 0) == Approx(lattice * 2 * E).epsilon(1e-12));
   Eigen::Matrix3d rate = Eigen::Matrix3d::Zero();

@@ -6,7 +6,7 @@
 /** Specimens of two materials for tests. */
 namespace cluster
 {
-  /** Mortar as the mesoscale specification's default, and aggregate with the factors of its section 10.3 and another friction. */
+  /** Mortar as the concrete of concrete_uniaxial.prm, aggregate 2.5 times as stiff and 5 times as strong, with another friction. */
   inline dem::CpmMaterials mortar_and_aggregate(const double aggregate_density = 0)
   {
     dem::CpmParameters aggregate = concrete();

@@ -59,8 +59,8 @@ TEST_CASE("S17: elastic paths that do not retrace themselves differ by finite st
 {
   // The shear strain of a link is the sum of its tangential increments. Around a closed path that encloses an area of the
   // strain space it does not return to zero but to the integral of -n dL/L0: of second order in strain, hence a difference in
-  // stress that is a small part of the strain itself. That is the definition, not an error of integration: the mesoscale
-  // specification (2.3, step 6) refers increments to the length at the start, and prints 0.0099998 = asinh(0.01) for a sideways
+  // stress that is a small part of the strain itself. That is the definition, not an error of integration: increments
+  // refer to the length at the start (doc/theory/shear-kinematics.md, 1), which gives 0.0099998 = asinh(0.01) for a sideways
   // way of 0.01; referred to the present length the loop would close to third order, but that way would give atan(0.01).
   double difference[2];
   int    k = 0;

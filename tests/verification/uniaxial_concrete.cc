@@ -1,5 +1,5 @@
-// The uniaxial scene of the mesoscale specification 9.3 against an independent program on the same packing and against published
-// values; its similarity rules 3.9.
+// The uniaxial scene (doc/theory/laboratory-test.md) against an independent program on the same packing and against published
+// values; its rules of similarity.
 #include "dem/laws/cpm.h"
 #include "dem/loading/uniaxial.h"
 #include "dem/measures/crack.h"
@@ -97,8 +97,8 @@ TEST_CASE("strengths of the reference cube are those of an independent program o
           "[verification][slow]")
 {
   // The same law, grips, rates and damping there: E 28.43 GPa, f_t 4.109 MPa, f_c 33.43 MPa over 50 x 50 mm and the distance of the
-  // outermost centres. Its shear kinematics scale the slip of a link by the sum of radii over its length (mesoscale specification
-  // 2.5): for equal spheres exactly a shear modulus that is lower by as much, by 0.86 in the mean.
+  // outermost centres. Its shear kinematics scale the slip of a link by the sum of radii over its length
+  // (doc/theory/shear-kinematics.md, 3): for equal spheres exactly a shear modulus that is lower by as much, by 0.86 in the mean.
   const dem::Packing packing = postprocess::read_packing(places::sources() + "/meshes/reference_cube.txt");
   REQUIRE(packing.size() == 14561);
   const Outcome own = load(packing, concrete(), 0.4, dem::Gauge::outermost_centres, 0.9);
@@ -164,7 +164,7 @@ TEST_CASE("50 mm cubes of three seeds have the reference modulus and strengths, 
       const double       ratio       = compression.figures.strength / tension.figures.strength;
       CAPTURE(packing.size(), tension.figures.young_modulus, tension.figures.strength, compression.figures.strength,
               ratio);
-      // Reference cube (above); the bands of specification 9.3 allow for another random packing and the exactly objective shear
+      // Reference cube (above); the bands allow for another random packing and the exactly objective shear
       // update. Its published strength of 3.47 MPa was met as long as grips held half a layer and the section was a convex hull.
       CHECK(tension.figures.young_modulus == Approx(28.43e9).epsilon(0.1));
       CHECK(tension.figures.strength == Approx(4.109e6).epsilon(0.15));
@@ -189,7 +189,7 @@ TEST_CASE("doubling modulus and cohesion at constant limit strain doubles modulu
       CAPTURE(rate);
       const dem::UniaxialFigures once  = load(packing, concrete(), rate).figures,
                                  twice = load(packing, doubled, rate).figures;
-      // 3 %: specification 9.3; inertia does not scale with the modulus at a given rate.
+      // 3 %: inertia does not scale with the modulus at a given rate.
       CHECK(twice.young_modulus == Approx(2 * once.young_modulus).epsilon(0.03));
       CHECK(twice.strength == Approx(2 * once.strength).epsilon(0.03));
       CHECK(twice.strain_at_peak == Approx(once.strain_at_peak).epsilon(0.1)); // a flat peak: its place is less sharp
