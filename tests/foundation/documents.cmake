@@ -35,6 +35,16 @@ foreach(page IN LISTS pages)
     endif()
   endforeach()
 
+  # Code: a path of the house between back ticks.
+  string(REGEX MATCHALL "`(apps|coupling|dem|fem|meshes|postprocess|tests)/[a-z0-9_./]+`" places "${text}")
+  foreach(place IN LISTS places)
+    string(REPLACE "`" "" place "${place}")
+    file(GLOB found "${ROOT}/${place}.*")
+    if(NOT found AND NOT EXISTS "${ROOT}/${place}")
+      list(APPEND faults "${page}: names ${place}, which is not there")
+    endif()
+  endforeach()
+
   # Proofs: | `tests/file.cc` | name of the test |
   string(REGEX MATCHALL "\n\\| `tests/[^`]+` \\| [^\n]+ \\|" proofs "${text}")
   foreach(proof IN LISTS proofs)

@@ -25,6 +25,9 @@ expect(bad doc/other.md "[law](law.md)")
 expect(bad doc/tutorials/scene.md "![a picture](../picture.png)")
 expect(bad README.md "see [law](doc/theory/gone.md#1)")
 
+expect(good doc/other.md "Code: `dem/law.h`, `dem/law`, `tests/dem/`.")
+expect(bad doc/other.md "Code: `dem/gone.h`.")
+
 expect(good doc/other.md "| file | test |\n| `tests/dem/law.cc` | the law holds; [always] |")
 expect(bad doc/other.md "| `tests/dem/law.cc` | the law holds |")
 expect(bad doc/other.md "| `tests/dem/gone.cc` | the law holds |")
