@@ -29,13 +29,15 @@ namespace fem
     constexpr double sure_step  = 0.25; ///< longest of a walk whose end may be believed
     constexpr double leap       = 2.0;  ///< lands on another answer
 
+    constexpr double lost = 0.999; ///< damage beyond which strains that answer to stresses are not determined
+
     constexpr int finest = 1024; ///< steps of a walk
 
     /// Change of the answer with half as many steps that counts as none: long walks gather more error.
     constexpr double settled(const int steps) { return steps < 128 ? 2.5e-3 : 1e-3; }
 
     /// Difference of two answers to one target: stresses over the larger one, strains over the increment. Strains of what has
-    /// lost its stiffness are not determined.
+    /// lost its stiffness do not count.
     template <typename Law>
     double difference(const Law &law, const MixedSolution<Law> &a, const MixedSolution<Law> &b, const double increment)
     {
@@ -43,7 +45,7 @@ namespace fem
       const double stress =
         std::fmax(b.response.stress.cwiseAbs().maxCoeff(), 0.01 * crack * law.elastic_stiffness()(0, 0));
       const double d = (a.response.stress - b.response.stress).cwiseAbs().maxCoeff() / stress;
-      if (b.response.trial.damage > 0.999)
+      if (b.response.trial.damage > lost)
         return d;
       return std::fmax(d, (a.strain - b.strain).cwiseAbs().maxCoeff() / std::fmax(increment, 0.01 * crack));
     }
@@ -97,11 +99,16 @@ namespace fem
                 break;
               continue;
             }
-          if (n < 2 || !walks[n - 2].complete() || now.longest > sure_step * crack)
+          if (n < 2 || !walks[n - 2].complete())
             continue;
-          // Where the longest part does not shrink with the others, the path has a gap.
-          if (now.longest > 0.75 * walks[n - 2].longest)
-            continue;
+          if (committed.damage <= lost)
+            {
+              if (now.longest > sure_step * crack)
+                continue;
+              // Where the longest part does not shrink with the others, the path has a gap.
+              if (now.longest > 0.75 * walks[n - 2].longest)
+                continue;
+            }
           const double change = difference(law, walks[n - 2].end, now.end, path.increment_to(now.end.strain));
           // A point that has left its reference size in one of the steps moves by leaps when steps are divided.
           const int needed = now.end.response.trial.localised_at != committed.localised_at ? 2 : 1;

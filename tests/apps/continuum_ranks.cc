@@ -93,7 +93,7 @@ TEST_CASE("A run on two ranks that is interrupted past the peak goes on to the s
                   "[ ! -e results/running/solid/solid_000002.pvtu ]; }; do sleep 0.01; done; kill -INT $!; wait $!");
   INFO(content_of(folder / "said"));
   REQUIRE_FALSE(std::filesystem::exists(folder / "results/summary.json"));
-  CHECK_THAT(content_of(folder / "said"), Contains("interrupted, state saved"));
+  CHECK_THAT(content_of(folder / "said"), Contains("interrupted in equilibrium, state saved"));
   const int resumed = shell(folder, "RUN -o results --resume" + slowly);
   INFO(content_of(folder / "said"));
   REQUIRE(resumed == 0);

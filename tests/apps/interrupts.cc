@@ -13,16 +13,15 @@ using Catch::Contains;
 
 namespace
 {
-  /** Start the scene and, as soon as there is a checkpoint and some rows of the series, signal it. */
+  /** Start the scene and, as soon as there is a checkpoint and the second snapshot of its links, signal it. */
   Outcome interrupted_run(const ScratchFolder &folder, const std::vector<std::string> &arguments, const int signal)
   {
     Program program(folder.path(), arguments);
     while (program.running())
       {
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
-        std::error_code not_yet;
-        const auto      rows = std::filesystem::file_size(folder / "results/running/series.csv", not_yet);
-        if (!not_yet && rows > 1000 && std::filesystem::exists(folder / "results/running/checkpoint.h5"))
+        const auto there = [&](const char *name) { return std::filesystem::exists(folder / "results/running" / name); };
+        if (there("tension_links/tension_links_000001.vtp") && there("checkpoint.h5"))
           {
             program.send(signal);
             return program.wait();

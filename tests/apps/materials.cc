@@ -126,12 +126,14 @@ TEST_CASE("One material told as a list of two equal ones gives the figures of on
   REQUIRE(run(folder.path(), {"run", "two.prm", "-o", "two"}).status == 0);
   const auto summary = nlohmann::json::parse(content_of(folder / "one/summary.json")),
              twice   = nlohmann::json::parse(content_of(folder / "two/summary.json"));
-  // Another kernel, whose roundings differ; they grow while the specimen breaks.
+  // Another kernel, whose roundings differ: nothing to see while the specimen is elastic, and more while it breaks.
   for (const auto &[name, figure] : summary["figures"].items())
     if (name != "strength_ratio")
       {
         INFO(name);
-        CHECK(twice["figures"][name]["value"].get<double>() == Approx(figure["value"].get<double>()).epsilon(1e-6));
+        const bool is_strength = name.find("strength") != std::string::npos;
+        CHECK(twice["figures"][name]["value"].get<double>() ==
+              Approx(figure["value"].get<double>()).epsilon(is_strength ? 1e-3 : 1e-9));
       }
   CHECK_FALSE(summary.contains("materials"));
   CHECK_FALSE(summary.contains("material_pairs"));

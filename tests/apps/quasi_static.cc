@@ -85,16 +85,34 @@ TEST_CASE("a quasi-static run pulls and crushes a specimen, and closes its energ
   const ScratchFolder folder;
   folder.file("packing.txt", small_heap());
   folder.file("x.prm", quasi_static_scene());
-  const Outcome outcome = run(folder.path(), {"run", "x.prm", "-o", "out"});
+  const auto    past_peak = std::string("Loading/Compression/Stop strain=2e-3");
+  const Outcome outcome   = run(folder.path(), {"run", "x.prm", "-o", "out", "-s", past_peak});
   INFO(outcome.err);
   REQUIRE(outcome.status == 0);
   const auto summary = nlohmann::json::parse(content_of(folder / "out/summary.json"));
+  REQUIRE(summary["figures"]["strength_ratio"]["value"].is_number());
   CHECK(summary["figures"]["strength_ratio"]["value"].get<double>() > 1);
   for (const auto &test : summary["tests"])
     {
       CHECK(test["points"]["strain"].get<int>() + test["points"]["opening"].get<int>() > 10);
       CHECK(test["energy"]["balance_error"].get<double>() < 0.05);
     }
+}
+
+TEST_CASE("a quasi-static test that ends before its peak has no strength, and says so", "[apps]")
+{
+  const ScratchFolder folder;
+  folder.file("packing.txt", small_heap());
+  folder.file("x.prm", quasi_static_scene());
+  REQUIRE(run(folder.path(), {"run", "x.prm", "-o", "out"}).status == 0);
+  const auto figures = nlohmann::json::parse(content_of(folder / "out/summary.json"))["figures"];
+  for (const char *name : {"compressive_strength", "strength_ratio"})
+    {
+      INFO(name);
+      CHECK(figures[name]["value"].is_null());
+      CHECK_FALSE(figures[name]["not_determined"].get<std::string>().empty());
+    }
+  CHECK(figures["tensile_strength"]["value"].is_number());
 }
 
 TEST_CASE("an interrupted quasi-static run goes on to the same bits", "[apps][slow][S13]")
