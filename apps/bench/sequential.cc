@@ -138,16 +138,16 @@ namespace apps
       };
       try
         {
-          const auto field = coupling::particle_field(outcome.state, model.transfer.field);
-          if (continue_from(request, model.continuum, field, model.transfer.chosen()).status != exit_success)
+          const auto                field   = coupling::particle_field(outcome.state, model.transfer.field);
+          coupling::TransferOptions options = model.transfer.chosen();
+          options.strength                  = model.tensile_strength();
+          if (continue_from(request, model.continuum, field, options, [](const TransferredState &) {}) != exit_success)
             return row;
-          compare(folder);
+          compare(folder); // what was found, if it broke off
         }
-      catch (const dem::NumericalError &failure) // what was found until then is compared
+      catch (const dem::NumericalError &failure)
         {
           fmt::print(stderr, "{}, {}: {}\n", variant.name, outcome.name, failure.what());
-          if (std::filesystem::exists(folder / "running" / "series.csv"))
-            compare(folder / "running");
         }
       catch (const dem::InputError &refusal) // past the limits of the transfer
         {
@@ -218,7 +218,7 @@ namespace apps
     ResultFolder           folder(bench.folder, ResultFolder::Start::afresh);
     ParticleCases          particles(model.particles, folder.running(),
                                      completed_scene(*base.root, Completed::what_decides_results));
-    if (!particles.complete())
+    if (!particles.complete(stage_packing(model.particles)))
       return exit_interrupted;
     std::vector<Row>     rows;
     const auto           instants = model.particles.instants_asked();

@@ -22,6 +22,8 @@ namespace apps
       std::vector<std::string> overrides = options.overrides;
       if (!options.output_folder.empty())
         overrides.push_back("Output folder=" + options.output_folder);
+      if (options.identify)
+        overrides.push_back("Transfer/Mapping law/Law=identify");
       const LoadedScene scene      = load_scene(options.scene, overrides);
       const auto       *sequential = dynamic_cast<const SequentialScene *>(scene.scene.get());
       if (!sequential)
@@ -52,7 +54,8 @@ namespace apps
       ->type_name("DIR");
     command.add_flag("--resume", options->resume, "Go on from what an interrupted transfer left in the folder");
     command.add_flag("--identify", options->identify,
-                     "Fit the constants of the mapping law to the particle run and to one continuum element instead");
+                     "Only find the constants of the mapping law: strain the scene's particles to past their peak, and "
+                     "compare with one element of its concrete");
     command
       .add_flag("--restart", options->restart,
                 "Start afresh where an interrupted run left a checkpoint, which is thrown away")

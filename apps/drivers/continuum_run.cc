@@ -231,19 +231,28 @@ namespace apps
   template <int dim>
   void ContinuumRun<dim>::advance(const Record &record)
   {
-    in_words_of_a_run([&] {
-      if (!analysis->advance())
-        return;
-      record(row());
-      snapshot_if_due();
-    });
+    try
+      {
+        in_words_of_a_run([&] {
+          if (!analysis->advance())
+            return;
+          record(row());
+          snapshot_if_due();
+        });
+      }
+    catch (const StoppedShort &stop)
+      {
+        if (!failure_is_an_end)
+          throw;
+        failure = stop.what();
+      }
   }
 
   template <int dim>
   std::string ContinuumRun<dim>::finish(const std::filesystem::path &folder, const double wall_seconds)
   {
     // The way to the end asks for a snapshot there; a run that stopped early shows where.
-    if (was_stopped || snapshots_due < model.output.snapshots)
+    if (was_stopped || !failure.empty() || snapshots_due < model.output.snapshots)
       snapshot();
     ContinuumSize size;
     size.elements             = static_cast<double>(solid->mesh().triangulation->n_global_active_cells());
@@ -264,9 +273,10 @@ namespace apps
                                    horizontal,
                                    vertical,
                                    model.is_static(),
-                                   was_stopped ? "stop fraction" :
-                                   at_end      ? "end" :
-                                                 "steps at most"};
+                                   !failure.empty() ? no_equilibrium + failure :
+                                   was_stopped      ? "stop fraction" :
+                                   at_end           ? "end" :
+                                                      "steps at most"};
       report.write(folder);
       words = report.text();
     });

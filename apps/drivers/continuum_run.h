@@ -33,26 +33,30 @@ namespace apps
                  const Prepare        &prepare = {},
                  const Settle         &settle  = {});
 
+    /** Where there is no equilibrium any more is an end like others, which the summary tells; otherwise execute() throws. */
+    void end_where_it_fails() { failure_is_an_end = true; }
+
     /** @return exit status: 0, or 130 after an interrupt. Throws as Scene::run(). */
     int execute();
 
     const fem::Solid<dim>        &body() const { return *solid; }
     const ContinuumAnalysis<dim> &computation() const { return *analysis; }
 
-  private:
-    void                                   prepare() override {} ///< the constructor has refused what is to be refused
-    void                                   begin(const std::filesystem::path &folder, const Record &record) override;
-    void                                   reopen(const std::filesystem::path &folder) override;
-    void                                   visit_state(RunState &state) override;
     std::vector<postprocess::SeriesColumn> series_columns() const override;
-    std::string                            size() const override;
-    std::string                            stage() const override;
-    double                                 done() const override;
-    std::string                            details() const override { return analysis->details(); }
-    bool                                   finished() const override { return was_stopped || analysis->finished(); }
-    void                                   advance(const Record &record) override;
-    void                                   leave_last_state() override { snapshot(); }
-    std::string                            finish(const std::filesystem::path &folder, double wall_seconds) override;
+
+  private:
+    void        prepare() override {} ///< the constructor has refused what is to be refused
+    void        begin(const std::filesystem::path &folder, const Record &record) override;
+    void        reopen(const std::filesystem::path &folder) override;
+    void        visit_state(RunState &state) override;
+    std::string size() const override;
+    std::string stage() const override;
+    double      done() const override;
+    std::string details() const override { return analysis->details(); }
+    bool        finished() const override { return was_stopped || !failure.empty() || analysis->finished(); }
+    void        advance(const Record &record) override;
+    void        leave_last_state() override { snapshot(); }
+    std::string finish(const std::filesystem::path &folder, double wall_seconds) override;
 
     void      open(const std::filesystem::path &folder);
     SeriesRow row();
@@ -76,6 +80,7 @@ namespace apps
     double       peak           = 0; ///< of the vertical column, in magnitude
     std::int64_t snapshot_count = 0; ///< taken so far
     std::int64_t snapshots_due  = 0; ///< on the way to the end
-    bool         was_stopped    = false;
+    bool         was_stopped = false, failure_is_an_end = false;
+    std::string  failure; ///< that was the end; "": none
   };
 } // namespace apps

@@ -15,6 +15,9 @@ namespace apps
     double elements = 0, unknowns = 0, points = 0;
   };
 
+  /** How the words begin of a run that ended where there was no equilibrium any more. */
+  inline const std::string no_equilibrium = "no equilibrium: ";
+
   /** What a continuum run found and took: summary.json, curve.png and the words for the terminal. */
   struct ContinuumReport
   {
@@ -26,7 +29,7 @@ namespace apps
     double                        wall_seconds;
     std::string                   horizontal, vertical; ///< columns of the curve
     bool                          is_static;
-    std::string                   ended_by; ///< "end", "stop fraction" or "steps at most"
+    std::string                   ended_by; ///< "end", "stop fraction", "steps at most", or no_equilibrium and why
 
     /** summary.json and curve.png. @throws postprocess::OutputError. */
     void write(const std::filesystem::path &folder) const;

@@ -103,18 +103,6 @@ namespace apps
       double         seconds = 0, worst_balance = 0;
     };
 
-    dem::UniaxialParameters uniaxial_parameters(const ParticleStageSection &stage, const double furthest)
-    {
-      dem::UniaxialParameters p;
-      p.axis            = stage.axis;
-      p.strain_rate     = std::copysign(stage.strain_rate, furthest);
-      p.grips           = stage.grips.parameters();
-      p.lateral_blocked = stage.lateral_blocked;
-      p.spin_blocked    = stage.spin_blocked;
-      p.stop_strain     = std::numeric_limits<double>::infinity(); // the case counts its steps itself
-      return p;
-    }
-
     class UniaxialCase : public ParticleCase
     {
     public:
@@ -244,10 +232,23 @@ namespace apps
     };
   } // namespace
 
+  dem::UniaxialParameters uniaxial_parameters(const ParticleStageSection &stage, const double furthest)
+  {
+    dem::UniaxialParameters p;
+    p.axis            = stage.axis;
+    p.strain_rate     = std::copysign(stage.strain_rate, furthest);
+    p.grips           = stage.grips.parameters();
+    p.lateral_blocked = stage.lateral_blocked;
+    p.spin_blocked    = stage.spin_blocked;
+    p.stop_strain     = std::numeric_limits<double>::infinity(); // the case counts its steps itself
+    return p;
+  }
+
   void ParticleStageSection::declare(Section &root)
   {
     const auto computed = [this] { return source != Source::file; };
     const auto strained = [this] { return source == Source::uniaxial; };
+    const auto gripped  = [this, strained] { return strained() || (strained_too && strained_too()); };
     const auto hit      = [this] { return source == Source::impact; };
     Section   &s = root.section("Particles", "The event that is simulated with particles, and when it is handed over");
     s.choice("Source", source, {{"file", Source::file}, {"uniaxial", Source::uniaxial}, {"impact", Source::impact}},
@@ -269,7 +270,7 @@ namespace apps
                 "Particles/Source is not file, and there is no section Particles/Materials");
 
     Section &u = s.section("Uniaxial", "Between two gripped layers");
-    u.only_if(strained, "Particles/Source = uniaxial");
+    u.only_if(gripped, "Particles/Source = uniaxial, or Transfer/Mapping law/Law = identify");
     u.choice("Axis", axis, {{"x", 0}, {"y", 1}, {"z", 2}}, Need::optional).means("Direction of loading");
     u.number("Strain rate", strain_rate, "1/s", Range::positive(), Need::required)
       .means("Magnitude, on the way forward");
@@ -280,9 +281,11 @@ namespace apps
     u.text("Instants", instants, Need::required)
       .means(
         "Strains at which the state is handed over, separated by commas, all of one sign; \"a > b\": strained to a and "
-        "then led back to b");
+        "then led back to b")
+      .only_if(strained, "Particles/Source = uniaxial");
     u.number("End strain", end_strain, "-", Range(), Need::optional)
-      .means("To which an all-particle run goes on, to compare with; 0: none");
+      .means("To which an all-particle run goes on, to compare with; 0: none")
+      .only_if(strained, "Particles/Source = uniaxial");
 
     Section &i = s.section(
       "Impact", "A beam along x on two supports, hit at mid-span from above by a sphere of its own (first) material");

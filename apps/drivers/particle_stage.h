@@ -9,6 +9,7 @@
 #include "dem/loading/uniaxial.h"
 #include "dem/measures/discrete_state.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -52,6 +53,8 @@ namespace apps
     dem::ImpactParameters impact;
     std::string           velocities;
 
+    std::function<bool()> strained_too; ///< its specimen is also strained between grips, whatever the source
+
     void declare(Section &root);
     void validate(const Section &root) const;
 
@@ -62,6 +65,9 @@ namespace apps
     std::size_t              cases() const;
     bool compresses() const { return source == Source::uniaxial && instants_asked().front().forward < 0; }
   };
+
+  /** The test that strains the stage's specimen to that strain. */
+  dem::UniaxialParameters uniaxial_parameters(const ParticleStageSection &stage, double furthest);
 
   /** What a particle run hands over, and what it was like. */
   struct ParticleOutcome

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/drivers/continuum_model.h"
+#include "apps/drivers/law_identification.h"
 #include "apps/drivers/particle_stage.h"
 #include "apps/drivers/transfer_section.h"
 #include "apps/scene/scene.h"
@@ -18,10 +19,25 @@ namespace apps
       double      sign = 1;             ///< with which they are taken
     };
 
-    ParticleStageSection particles;
-    TransferSection      transfer;
-    ContinuumModel       continuum;
-    Study                study;
+    ParticleStageSection  particles;
+    TransferSection       transfer;
+    IdentificationSection identification;
+    ContinuumModel        continuum;
+    Study                 study;
+
+    /** Of the weakest concrete [Pa]. */
+    double tensile_strength() const;
+  };
+
+  /** See SequentialScene::groundwork(). */
+  struct SequentialGroundwork
+  {
+    dem::Packing             packing;
+    double                   element_size = 0; ///< mean of the mesh [m]
+    std::size_t              elements = 0, unknowns = 0;
+    std::string              horizontal_unit, vertical_unit; ///< of what the study compares
+    LawOrigin                origin;
+    std::vector<std::string> doubts; ///< warnings
   };
 
   /**
@@ -38,12 +54,19 @@ namespace apps
 
     /** The particle stage and the transfer alone: what `breccia transfer` does. @return exit status as run(). */
     int transfer_only(const RunRequest &request) const;
-    /** Fit the mapping law to the particle run and to one continuum element. @return exit status. */
+    /** Find the mapping law alone, see LawIdentification. @return exit status. */
     int identify(const RunRequest &request) const;
 
     const SequentialModel &parameters() const { return model; }
 
+    /**
+     * What is known before anything runs: particles and solid fit each other and the study, and what there is to be doubted.
+     * @throws dem::InputError where they do not fit
+     */
+    SequentialGroundwork groundwork() const;
+
   private:
     SequentialModel model;
+    const Section  *root = nullptr; ///< of the scene, which outlives it
   };
 } // namespace apps

@@ -26,12 +26,12 @@ namespace apps
     }
 
     template <int dim>
-    Continuation initialise(const ContinuumModel            &model,
-                            const coupling::ParticleField   &field,
-                            const coupling::TransferOptions &options,
-                            const std::filesystem::path     &folder)
+    TransferredState initialise(const ContinuumModel            &model,
+                                const coupling::ParticleField   &field,
+                                const coupling::TransferOptions &options,
+                                const std::filesystem::path     &folder)
     {
-      Continuation                           done;
+      TransferredState                       done;
       const std::unique_ptr<fem::Solid<dim>> solid = make_solid<dim>(model);
       as_input_error([&] { done.report = coupling::transfer(field, options, *solid); });
       const auto analysis  = make_static_analysis(*solid, model);
@@ -49,39 +49,52 @@ namespace apps
     }
 
     template <int dim>
-    Continuation run(const RunRequest                &request,
-                     const ContinuumModel            &model,
-                     const coupling::ParticleField   &field,
-                     const coupling::TransferOptions &options)
+    int run(const RunRequest                &request,
+            const ContinuumModel            &model,
+            const coupling::ParticleField   &field,
+            const coupling::TransferOptions &options,
+            const TransferObserver          &observe)
     {
-      Continuation done;
-      const auto   prepare = [&](fem::Solid<dim> &solid) {
+      TransferredState done;
+      const auto       prepare = [&](fem::Solid<dim> &solid) {
         as_input_error([&] { done.report = coupling::transfer(field, options, solid); });
       };
       const auto settle = [&](fem::Solid<dim> &solid, ContinuumAnalysis<dim> &analysis) {
-        done.settled = coupling::equilibrate(solid, *analysis.static_solver(), options.limits);
+        try
+          {
+            done.settled = coupling::equilibrate(solid, *analysis.static_solver(), options.limits);
+          }
+        catch (const dem::NumericalError &)
+          {
+            observe(done);
+            throw;
+          }
+        observe(done);
       };
-      done.status = ContinuumRun<dim>(request, model, prepare, settle).execute();
-      return done;
+      ContinuumRun<dim> whole(request, model, prepare, settle);
+      whole.end_where_it_fails();
+      return whole.execute();
     }
   } // namespace
 
-  Continuation initialise_only(const ContinuumModel            &model,
-                               const coupling::ParticleField   &field,
-                               const coupling::TransferOptions &options,
-                               const std::filesystem::path     &mesh_folder)
+  TransferredState initialise_only(const ContinuumModel            &model,
+                                   const coupling::ParticleField   &field,
+                                   const coupling::TransferOptions &options,
+                                   const std::filesystem::path     &mesh_folder)
   {
     start_mpi();
     return model.solid.dimension == 2 ? initialise<2>(model, field, options, mesh_folder) :
                                         initialise<3>(model, field, options, mesh_folder);
   }
 
-  Continuation continue_from(const RunRequest                &request,
-                             const ContinuumModel            &model,
-                             const coupling::ParticleField   &field,
-                             const coupling::TransferOptions &options)
+  int continue_from(const RunRequest                &request,
+                    const ContinuumModel            &model,
+                    const coupling::ParticleField   &field,
+                    const coupling::TransferOptions &options,
+                    const TransferObserver          &observe)
   {
     start_mpi();
-    return model.solid.dimension == 2 ? run<2>(request, model, field, options) : run<3>(request, model, field, options);
+    return model.solid.dimension == 2 ? run<2>(request, model, field, options, observe) :
+                                        run<3>(request, model, field, options, observe);
   }
 } // namespace apps

@@ -6,30 +6,38 @@
 #include "coupling/sequential/transfer_report.h"
 
 #include <filesystem>
+#include <functional>
 
 namespace apps
 {
-  /** What the continuum made of a particle state. */
-  struct Continuation
+  /** A particle state as the start of a continuum: what was mapped, and how it came into equilibrium. */
+  struct TransferredState
   {
-    int                      status = 0; ///< exit status of the run; 130 when interrupted
     coupling::TransferReport report;
     coupling::Equilibration  settled;
-    std::string              mesh_file; ///< the initial state of the mesh for ParaView, absolute
+    std::string mesh_file; ///< the initial state of the mesh for ParaView, absolute; "" unless it was written
   };
 
   /**
    * Transfer a particle field to the solid of a model, bring it into equilibrium, and write the mesh as it then is to a folder.
    * @throws dem::InputError past the limits of the transfer; dem::NumericalError without equilibrium
    */
-  Continuation initialise_only(const ContinuumModel            &model,
-                               const coupling::ParticleField   &field,
-                               const coupling::TransferOptions &options,
-                               const std::filesystem::path     &mesh_folder);
+  TransferredState initialise_only(const ContinuumModel            &model,
+                                   const coupling::ParticleField   &field,
+                                   const coupling::TransferOptions &options,
+                                   const std::filesystem::path     &mesh_folder);
 
-  /** The same, and load it on to the end of the model's analysis; results of a continuum run in the request's folder. */
-  Continuation continue_from(const RunRequest                &request,
-                             const ContinuumModel            &model,
-                             const coupling::ParticleField   &field,
-                             const coupling::TransferOptions &options);
+  /** Told of the state once it is in equilibrium, or when there is none near it. */
+  using TransferObserver = std::function<void(const TransferredState &)>;
+
+  /**
+   * The same, and load it on to the end of the model's analysis, or to where there is no equilibrium any more; results of a continuum
+   * run in the request's folder. A run that is resumed has been observed before.
+   * @return exit status; 130 when interrupted
+   */
+  int continue_from(const RunRequest                &request,
+                    const ContinuumModel            &model,
+                    const coupling::ParticleField   &field,
+                    const coupling::TransferOptions &options,
+                    const TransferObserver          &observe);
 } // namespace apps

@@ -44,6 +44,45 @@ namespace apps
     }
   } // namespace
 
+  bool run_particles(ParticleCase                &particles,
+                     const std::string           &name,
+                     const std::filesystem::path &folder,
+                     const std::string           &deciding_text)
+  {
+    const auto        under_way = folder / "under_way.h5";
+    const std::string belongs   = deciding_text + "\n# " + name;
+    if (std::filesystem::exists(under_way))
+      {
+        postprocess::CheckpointReader reader(under_way, belongs);
+        reader.group("particles");
+        particles.visit_state(reader);
+        reader.finish();
+      }
+    const auto write = [&] {
+      postprocess::CheckpointWriter writer(under_way, belongs);
+      writer.group("particles");
+      particles.visit_state(writer);
+      writer.commit();
+    };
+    CheckpointClock clock(checkpoint_interval);
+    Progress        progress(name);
+    while (!particles.finished())
+      {
+        particles.advance();
+        progress.update(particles.done(), "");
+        if (interrupted())
+          {
+            const AnsweringInterrupt answering;
+            write();
+            return false;
+          }
+        if (clock.is_due())
+          clock.save(write);
+      }
+    std::filesystem::remove(under_way);
+    return true;
+  }
+
   ParticleCases::ParticleCases(const ParticleStageSection &what, std::filesystem::path where, std::string text)
     : stage(what)
     , folder(std::move(where) / "states")
@@ -55,17 +94,16 @@ namespace apps
       throw postprocess::OutputError(folder.string() + ": the folder cannot be made: " + error.message() + ".");
   }
 
-  bool ParticleCases::complete()
+  bool ParticleCases::complete(const dem::Packing &packing)
   {
-    const dem::Packing packing = stage_packing(stage);
-    bool               goes_on = true;
+    bool goes_on = true;
     for (std::size_t number = 0; number < stage.cases() && goes_on; ++number)
       load_or_run(number, packing, goes_on);
     if (!goes_on)
       return false;
     if (const auto reference = make_reference_case(stage, packing))
       {
-        if (!run(*reference, "all particles"))
+        if (!run_particles(*reference, "all particles", folder, deciding_text))
           return false;
         all_particles = reference->outcome();
         write_curve(*all_particles, folder / "all_particles.csv");
@@ -89,7 +127,8 @@ namespace apps
         finished.push_back(std::move(outcome));
         return;
       }
-    goes_on = run(*particles, fmt::format("particles {} of {}", number + 1, stage.cases()));
+    goes_on =
+      run_particles(*particles, fmt::format("particles {} of {}", number + 1, stage.cases()), folder, deciding_text);
     if (!goes_on)
       return;
     ParticleOutcome outcome = particles->outcome();
@@ -100,41 +139,5 @@ namespace apps
     visit_figures(writer, outcome);
     writer.commit();
     finished.push_back(std::move(outcome));
-  }
-
-  bool ParticleCases::run(ParticleCase &particles, const std::string &name)
-  {
-    const auto        under_way = folder / "under_way.h5";
-    const std::string text      = deciding_text + "\n# " + name;
-    if (std::filesystem::exists(under_way))
-      {
-        postprocess::CheckpointReader reader(under_way, text);
-        reader.group("particles");
-        particles.visit_state(reader);
-        reader.finish();
-      }
-    const auto write = [&] {
-      postprocess::CheckpointWriter writer(under_way, text);
-      writer.group("particles");
-      particles.visit_state(writer);
-      writer.commit();
-    };
-    CheckpointClock clock(checkpoint_interval);
-    Progress        progress(name);
-    while (!particles.finished())
-      {
-        particles.advance();
-        progress.update(particles.done(), "");
-        if (interrupted())
-          {
-            const AnsweringInterrupt answering;
-            write();
-            return false;
-          }
-        if (clock.is_due())
-          clock.save(write);
-      }
-    std::filesystem::remove(under_way);
-    return true;
   }
 } // namespace apps

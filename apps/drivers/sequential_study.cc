@@ -1,5 +1,6 @@
 #include "apps/drivers/sequential_study.h"
 
+#include "apps/drivers/continuum_summary.h"
 #include "postprocess/csv_table.h"
 #include "postprocess/plot.h"
 #include "postprocess/summary.h"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <limits>
 
 namespace apps
@@ -33,14 +35,14 @@ namespace apps
       return values;
     }
 
-    nlohmann::json quantity(const double value, const char *unit) { return {{"value", value}, {"unit", unit}}; }
+    nlohmann::json quantity(const double value, const std::string &unit) { return {{"value", value}, {"unit", unit}}; }
   } // namespace
 
   double ContinuationCurve::peak() const
   {
-    double largest = 0;
+    double largest = std::nan("");
     for (const double v : vertical)
-      largest = std::max(largest, std::abs(v));
+      largest = std::fmax(largest, std::abs(v));
     return largest;
   }
 
@@ -48,16 +50,28 @@ namespace apps
   {
     const auto at =
       std::max_element(vertical.begin(), vertical.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
-    return vertical.empty() ? 0 : horizontal[static_cast<std::size_t>(at - vertical.begin())];
+    return vertical.empty() ? std::nan("") : horizontal[static_cast<std::size_t>(at - vertical.begin())];
   }
+
+  double ContinuationCurve::furthest() const { return horizontal.empty() ? std::nan("") : horizontal.back(); }
+
+  double ContinuationCurve::energy() const { return dissipated.empty() ? std::nan("") : dissipated.back(); }
+
+  bool ContinuationCurve::broke_off() const { return ended_by.rfind(no_equilibrium, 0) == 0; }
 
   ContinuationCurve read_continuation(const SequentialModel::Study &study, const std::filesystem::path &folder)
   {
+    std::ifstream        stream(folder / "summary.json");
+    const nlohmann::json summary = nlohmann::json::parse(stream);
+    ContinuationCurve    curve;
+    curve.ended_by = summary.at("ended_by");
+    curve.seconds  = summary.at("cost").at("wall_seconds");
+    if (!std::filesystem::exists(folder / "series.csv")) // no equilibrium at the hand-over
+      return curve;
     const postprocess::CsvTable table = postprocess::read_csv_table(folder / "series.csv", true);
-    ContinuationCurve           curve;
-    curve.horizontal = scaled(table.column(study.horizontal), study.sign / study.length);
-    curve.vertical   = scaled(table.column(study.vertical), study.sign / study.area);
-    curve.dissipated = table.column("energy_dissipated");
+    curve.horizontal                  = scaled(table.column(study.horizontal), study.sign / study.length);
+    curve.vertical                    = scaled(table.column(study.vertical), study.sign / study.area);
+    curve.dissipated                  = table.column("energy_dissipated");
     return curve;
   }
 
@@ -83,16 +97,19 @@ namespace apps
 
   std::string StudyReport::csv() const
   {
-    std::string text =
-      "case,event,severity,absorbed [J],particle_stress [Pa],particle_seconds,balance_error,peak,horizontal_at_peak,"
-      "dissipated [J],continuum_seconds,error_against_all_particles\n";
+    const std::string h = " [" + units.horizontal + "]", v = " [" + units.vertical + "]";
+    std::string       text = "case,event,severity [" + severity_unit() +
+                       "],absorbed [J],particle_stress [Pa],particle_seconds [s],balance_error [-],peak" + v +
+                       ",horizontal_at_peak" + h + ",furthest" + h +
+                       ",dissipated [J],continuum_seconds [s],broke_off,error_against_all_particles [-]\n";
     for (std::size_t k = 0; k < curves.size(); ++k)
       {
         const ContinuationCurve &c = curves[k];
         const ParticleOutcome   &p = particles[k];
-        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", k, p.name, p.severity, p.absorbed, p.stress,
-                            p.seconds, p.balance_error, c.peak(), c.horizontal_at_peak(), c.energy(), c.seconds,
-                            all_particles ? error_against(c, *all_particles) : std::nan(""));
+        text +=
+          fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", k, p.name, p.severity, p.absorbed, p.stress,
+                      p.seconds, p.balance_error, c.peak(), c.horizontal_at_peak(), c.furthest(), c.energy(), c.seconds,
+                      c.broke_off() ? 1 : 0, all_particles ? error_against(c, *all_particles) : std::nan(""));
       }
     return text;
   }
@@ -157,6 +174,8 @@ namespace apps
     left.style = postprocess::PlotSeries::Style::line_and_points;
     for (std::size_t k = 0; k < curves.size(); ++k)
       {
+        if (!std::isfinite(curves[k].peak()))
+          continue;
         left.x.push_back(stresses ? up * 1e3 * particles[k].severity : particles[k].severity);
         left.y.push_back((stresses ? 1e-6 : 1.0) * curves[k].peak());
       }
@@ -178,8 +197,10 @@ namespace apps
         nlohmann::json one = {{"event", particles[k].name},
                               {"severity", particles[k].severity},
                               {"particle_balance_error", particles[k].balance_error},
-                              {"peak", curves[k].peak()},
-                              {"horizontal_at_peak", curves[k].horizontal_at_peak()},
+                              {"ended_by", curves[k].ended_by},
+                              {"peak", quantity(curves[k].peak(), units.vertical)},
+                              {"horizontal_at_peak", quantity(curves[k].horizontal_at_peak(), units.horizontal)},
+                              {"furthest", quantity(curves[k].furthest(), units.horizontal)},
                               {"dissipated", quantity(curves[k].energy(), "J")},
                               {"particle_seconds", particles[k].seconds},
                               {"continuum_seconds", curves[k].seconds}};
@@ -196,18 +217,32 @@ namespace apps
     return cases;
   }
 
+  std::string StudyReport::severity_unit() const
+  {
+    using Source = ParticleStageSection::Source;
+    return model.particles.source == Source::impact ? "J" : model.particles.source == Source::uniaxial ? "-" : "";
+  }
+
   std::string StudyReport::text() const
   {
-    std::string text = fmt::format("{:<22} {:>12} {:>14} {:>14}{}\n", "event", "peak", "at", "dissipated [J]",
-                                   all_particles ? "  error against all particles" : "");
+    const std::string h = " [" + units.horizontal + "]", v = " [" + units.vertical + "]";
+    std::string text = fmt::format("{:<22} {:>13} {:>13} {:>15} {:>8}{}  ended by\n", "event", "peak" + v, "at" + h,
+                                   "dissipated [J]", "time [s]", all_particles ? "  error [-]" : "");
+    std::string failures;
     for (std::size_t k = 0; k < curves.size(); ++k)
       {
-        text += fmt::format("{:<22} {:>12.4g} {:>14.4g} {:>14.4g}", particles[k].name, curves[k].peak(),
-                            curves[k].horizontal_at_peak(), curves[k].energy());
+        const ContinuationCurve &c = curves[k];
+        text += fmt::format("{:<22} {:>13.4g} {:>13.4g} {:>15.4g} {:>8.2f}", particles[k].name, c.peak(),
+                            c.horizontal_at_peak(), c.energy(), c.seconds);
         if (all_particles)
-          text += fmt::format("  {:.3f}", error_against(curves[k], *all_particles));
-        text += '\n';
+          text += fmt::format("  {:>9.3f}", error_against(c, *all_particles));
+        text +=
+          c.broke_off() ? fmt::format("  no equilibrium beyond {:.4g}{}\n", c.furthest(), h) : "  " + c.ended_by + "\n";
+        if (c.broke_off())
+          failures += fmt::format("  {}: {}\n", particles[k].name, c.ended_by);
       }
-    return text;
+    if (all_particles)
+      text += "error: mean |stress - stress of all particles| over the mean of the latter, past the hand-over\n";
+    return failures.empty() ? text : text + "continuations that broke off:\n" + failures;
   }
 } // namespace apps

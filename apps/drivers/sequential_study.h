@@ -17,16 +17,17 @@ namespace apps
     double              offset   = 0; ///< strain at which the continuum's zero lies on the particles' axis
     std::vector<double> horizontal, vertical, dissipated;
     double              seconds = 0; ///< wall clock of the continuum stage
+    std::string         ended_by;    ///< see ContinuumReport
 
+    // Of a continuation without any state nothing is known: NaN.
     double peak() const; ///< largest magnitude of the vertical values
     double horizontal_at_peak() const;
-    double energy() const
-    {
-      return dissipated.empty() ? 0 : dissipated.back();
-    } ///< dissipated from the transfer on [J]
+    double furthest() const;  ///< last of the horizontal values
+    double energy() const;    ///< dissipated from the transfer on [J]
+    bool   broke_off() const; ///< there was no equilibrium any more before its end
   };
 
-  /** Read a finished continuation of a study from its folder. @throws dem::InputError for a column that is not there. */
+  /** Read a finished continuation of a study from its folder: the files of a continuum run. */
   ContinuationCurve read_continuation(const SequentialModel::Study &study, const std::filesystem::path &folder);
 
   /**
@@ -35,10 +36,17 @@ namespace apps
    */
   double error_against(const ContinuationCurve &curve, const ParticleOutcome &all_particles);
 
+  /** Units of what a study compares: "-" and "Pa", or those of the columns. */
+  struct StudyUnits
+  {
+    std::string horizontal, vertical;
+  };
+
   /** Table, pictures and figures of a whole study. */
   struct StudyReport
   {
     const SequentialModel                &model;
+    StudyUnits                            units;
     const std::vector<ParticleOutcome>   &particles;
     const ParticleOutcome                *all_particles; ///< nullptr: none
     const std::vector<ContinuationCurve> &curves;
@@ -48,5 +56,8 @@ namespace apps
     std::string    draw(const std::filesystem::path &file) const;
     nlohmann::json json() const;
     std::string    text() const;
+
+  private:
+    std::string severity_unit() const;
   };
 } // namespace apps

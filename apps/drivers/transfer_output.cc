@@ -13,17 +13,6 @@ namespace apps
 {
   namespace
   {
-    double worst(const CutComparison &cuts, Eigen::Vector3d coupling::SectionForce::*what)
-    {
-      double difference = 0, size = 0;
-      for (std::size_t s = 0; s < cuts.points.size(); ++s)
-        {
-          difference = std::max(difference, (cuts.points[s].*what - cuts.particles[s].*what).norm());
-          size       = std::max({size, (cuts.points[s].*what).norm(), (cuts.particles[s].*what).norm()});
-        }
-      return size > 0 ? difference / size : 0;
-    }
-
     postprocess::PointCloud
     cloud_of(const coupling::ParticleField &field, const coupling::TransferOptions &options, const double element_size)
     {
@@ -79,6 +68,10 @@ namespace apps
       return cloud;
     }
 
+    /** Relative to the output folder. */
+    std::string particles_file(const std::size_t number) { return fmt::format("transfer/particles_{:03}.vtp", number); }
+    std::string points_file(const std::size_t number) { return fmt::format("transfer/points_{:03}.vtp", number); }
+
     double mean_size(const coupling::TransferReport &report)
     {
       double sum = 0;
@@ -87,41 +80,6 @@ namespace apps
       return report.points.empty() ? 0 : sum / static_cast<double>(report.points.size());
     }
   } // namespace
-
-  double CutComparison::force_error() const { return worst(*this, &coupling::SectionForce::force); }
-  double CutComparison::moment_error() const { return worst(*this, &coupling::SectionForce::moment); }
-
-  CutComparison compare_cuts(const coupling::ParticleField &field, const coupling::TransferReport &report)
-  {
-    if (report.points.empty())
-      return {};
-    Eigen::Vector3d              low = report.points.front().place, high = low;
-    std::vector<Eigen::Vector3d> place;
-    std::vector<double>          volume;
-    std::vector<Eigen::Matrix3d> stress;
-    for (const coupling::MappedPoint &p : report.points)
-      {
-        low  = low.cwiseMin(p.place);
-        high = high.cwiseMax(p.place);
-        place.push_back(p.place);
-        volume.push_back(p.volume);
-        stress.push_back(p.average.stress);
-      }
-    coupling::Sections sections;
-    (high - low).maxCoeff(&sections.axis);
-    for (const Eigen::Vector3d &x : field.place)
-      {
-        low  = low.cwiseMin(x);
-        high = high.cwiseMax(x);
-      }
-    sections.low        = low[sections.axis];
-    sections.high       = high[sections.axis];
-    sections.centre     = 0.5 * (low + high);
-    const double layers = (sections.high - sections.low) / std::max(mean_size(report), 1e-300);
-    sections.count      = static_cast<int>(std::clamp(std::floor(layers), 1.0, 20.0));
-    return {coupling::section_forces(sections, field.place, field.volume, field.stress),
-            coupling::section_forces(sections, place, volume, stress)};
-  }
 
   TransferPicture::TransferPicture(const std::filesystem::path &folder)
     : output(folder)
@@ -133,68 +91,84 @@ namespace apps
                                      ": the folder cannot be made: " + error.message() + ".");
   }
 
-  void TransferPicture::add(const std::size_t                number,
-                            const coupling::ParticleField   &field,
-                            const coupling::TransferOptions &options,
-                            const coupling::TransferReport  &report,
-                            const std::string               &mesh_file)
+  void TransferPicture::write(const std::size_t                number,
+                              const coupling::ParticleField   &field,
+                              const coupling::TransferOptions &options,
+                              const coupling::TransferReport  &report) const
   {
-    const auto        time      = static_cast<double>(number);
-    const std::string particles = fmt::format("transfer/particles_{:03}.vtp", number),
-                      points    = fmt::format("transfer/points_{:03}.vtp", number);
-    postprocess::write_vtk_points(output / particles, postprocess::field_file("transferred particles"),
+    const auto time = static_cast<double>(number);
+    postprocess::write_vtk_points(output / particles_file(number), postprocess::field_file("transferred particles"),
                                   cloud_of(field, options, mean_size(report)), time);
-    postprocess::write_vtk_points(output / points, postprocess::field_file("integration points"), cloud_of(report),
-                                  time);
-    parts.push_back({time, 0, "particles", particles});
-    parts.push_back({time, 1, "integration points", points});
+    postprocess::write_vtk_points(output / points_file(number), postprocess::field_file("integration points"),
+                                  cloud_of(report), time);
+  }
+
+  void TransferPicture::show(const std::size_t number, const std::string &mesh_file)
+  {
+    const auto time = static_cast<double>(number);
+    parts.push_back({time, 0, "particles", particles_file(number)});
+    parts.push_back({time, 1, "integration points", points_file(number)});
     if (!mesh_file.empty())
       parts.push_back({time, 2, "mesh", mesh_file});
     postprocess::write_pvd(output / "transfer.pvd", parts);
   }
 
-  nlohmann::json
-  json_of(const coupling::TransferReport &report, const CutComparison &cuts, const coupling::Equilibration &settled)
+  nlohmann::json json_of(const coupling::TransferReport &report, const coupling::Equilibration &settled)
   {
     const coupling::TransferCount &c         = report.count;
     const auto                     imbalance = [](const coupling::Imbalance &i) {
       return nlohmann::json{{"largest", i.largest}, {"relative", i.relative()}, {"unit", "N"}};
     };
     nlohmann::json json;
-    json["points"]         = {{"all", c.points},          {"elastic", c.elastic},
-                              {"empty", c.empty},         {"sparse", c.sparse},
-                              {"boundary", c.boundary},   {"averaged_instead_of_fitted", c.averaged},
-                              {"damaged", c.damaged},     {"fully_damaged", c.fully_damaged},
-                              {"at_switch", c.at_switch}, {"returned_to_yield_surface", c.returned}};
+    json["points"]         = {{"all", c.points},
+                              {"elastic", c.elastic},
+                              {"empty", c.empty},
+                              {"sparse", c.sparse},
+                              {"boundary", c.boundary},
+                              {"averaged_instead_of_fitted", c.averaged},
+                              {"damaged", c.damaged},
+                              {"fully_damaged", c.fully_damaged},
+                              {"at_switch", c.at_switch},
+                              {"returned_to_yield_surface", c.returned},
+                              {"far_outside_yield_surface", c.outside}};
     json["largest_return"] = {{"value", report.largest_return}, {"unit", "Pa"}};
     json["volume"]         = {
               {"particles", report.integrals.volume_particles}, {"points", report.integrals.volume_points}, {"unit", "m^3"}};
-    json["mean_stress_error"] = report.integrals.stress_error();
+    json["strength"] = {{"value", report.strength}, {"unit", "Pa"}}; // what the errors of small stresses relate to
+    json["mean_stress_error"] = report.integrals.stress_error(report.strength);
     json["mean_damage_error"] = report.integrals.damage_error();
-    json["cuts"]              = {
-                   {"count", cuts.points.size()}, {"force_error", cuts.force_error()}, {"moment_error", cuts.moment_error()}};
-    json["imbalance"]   = {{"before", imbalance(settled.before)}, {"after", imbalance(settled.after)}};
-    json["equilibrium"] = {{"iterations", settled.iterations},
-                           {"damped_steps", settled.relaxed},
-                           {"largest_displacement", {{"value", settled.largest_displacement}, {"unit", "m"}}},
-                           {"energy_released", {{"value", settled.released}, {"unit", "J"}}},
-                           {"energy_damped", {{"value", settled.damped}, {"unit", "J"}}}};
+    json["cuts"]              = {{"count", report.cuts.points.size()},
+                                 {"force_error", report.cuts.force_error(report.strength)},
+                                 {"moment_error", report.cuts.moment_error(report.strength)}};
+    json["imbalance"]         = {{"before", imbalance(settled.before)}, {"after", imbalance(settled.after)}};
+    json["equilibrium"]       = {{"iterations", settled.iterations},
+                                 {"damped_steps", settled.relaxed},
+                                 {"largest_displacement", {{"value", settled.largest_displacement}, {"unit", "m"}}},
+                                 {"energy_released", {{"value", settled.released}, {"unit", "J"}}},
+                                 {"energy_damped", {{"value", settled.damped}, {"unit", "J"}}}};
     return json;
   }
 
-  std::string
-  text_of(const coupling::TransferReport &report, const CutComparison &cuts, const coupling::Equilibration &settled)
+  std::string text_of(const coupling::TransferReport &report, const coupling::Equilibration &settled)
   {
-    const coupling::TransferCount &c = report.count;
-    std::string                    text =
-      fmt::format("  points       {} with history: {} damaged, {} fully, {} near the switch, {} outside the "
-                  "yield surface (by {:.2g} MPa at most)\n",
-                  c.points, c.damaged, c.fully_damaged, c.at_switch, c.returned, 1e-6 * report.largest_return);
+    const coupling::TransferCount &c       = report.count;
+    double                         largest = 0;
+    for (const coupling::MappedPoint &p : report.points)
+      largest = std::max(largest, p.mapped.damage);
+    std::string text =
+      fmt::format("  points       {} with history: {} damaged (up to {:.3g}), {} fully, {} near the switch\n", c.points,
+                  c.damaged, largest, c.fully_damaged, c.at_switch);
+    text += fmt::format(
+      "  yield        {} points outside the yield surface, {} of them far (stress lost: {:.2g} MPa at most)\n",
+      c.returned, c.outside, 1e-6 * report.largest_return);
     text += fmt::format("  averages     {} without particles, {} sparse, {} one-sided, {} not fitted\n", c.empty,
                         c.sparse, c.boundary, c.averaged);
     text += fmt::format(
-      "  conserved    mean stress within {:.1e}, mean damage {:.1e}, cut forces {:.1e}, moments {:.1e}\n",
-      report.integrals.stress_error(), report.integrals.damage_error(), cuts.force_error(), cuts.moment_error());
+      "  particles    points differ from them by {:.2g} % in mean stress, {:.2g} % in forces and {:.2g} % in "
+      "moments of cuts\n               (of the larger of what there is and what the tensile strength of "
+      "{:.3g} MPa makes), {:.2g} % in mean damage\n",
+      100 * report.integrals.stress_error(report.strength), 100 * report.cuts.force_error(report.strength),
+      100 * report.cuts.moment_error(report.strength), 1e-6 * report.strength, 100 * report.integrals.damage_error());
     text += fmt::format(
       "  imbalance    {:.2e} of the forces at hand before, {:.2e} after {} iterations{} that moved {:.2e} m\n",
       settled.before.relative(), settled.after.relative(), settled.iterations,

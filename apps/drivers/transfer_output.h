@@ -1,7 +1,6 @@
 #pragma once
 
 #include "coupling/sequential/particle_field.h"
-#include "coupling/sequential/section_forces.h"
 #include "coupling/sequential/transfer_report.h"
 #include "postprocess/pvd.h"
 
@@ -12,18 +11,6 @@
 
 namespace apps
 {
-  /** Forces over the cuts of a body, by its particles and by the mapped field. */
-  struct CutComparison
-  {
-    std::vector<coupling::SectionForce> particles, points;
-
-    /** Largest difference over the largest of either, in force and in moment. */
-    double force_error() const, moment_error() const;
-  };
-
-  /** Cuts across the longest direction of the points, each about an element thick. */
-  CutComparison compare_cuts(const coupling::ParticleField &field, const coupling::TransferReport &report);
-
   /**
    * What a transfer leaves for ParaView: OUTPUT/transfer.pvd shows, at the number of the case as time, the particles with their own
    * tensors, the mapped ones at their places and the difference (part 0), the integration points with what they were given (part
@@ -35,11 +22,14 @@ namespace apps
     /** Makes OUTPUT/transfer. @throws postprocess::OutputError. */
     explicit TransferPicture(const std::filesystem::path &output);
 
-    void add(std::size_t                      number,
-             const coupling::ParticleField   &field,
-             const coupling::TransferOptions &options,
-             const coupling::TransferReport  &report,
-             const std::string               &mesh_file); ///< relative to OUTPUT; "" without
+    /** Write particles and points of a case. */
+    void write(std::size_t                      number,
+               const coupling::ParticleField   &field,
+               const coupling::TransferOptions &options,
+               const coupling::TransferReport  &report) const;
+
+    /** Show a case that was written. @param mesh_file relative to OUTPUT; "" without */
+    void show(std::size_t number, const std::string &mesh_file);
 
   private:
     std::filesystem::path             output;
@@ -47,10 +37,8 @@ namespace apps
   };
 
   /** Counts, integrals, cuts and balance, for files. */
-  nlohmann::json
-  json_of(const coupling::TransferReport &report, const CutComparison &cuts, const coupling::Equilibration &settled);
+  nlohmann::json json_of(const coupling::TransferReport &report, const coupling::Equilibration &settled);
 
-  /** The same for the terminal: what is out of the ordinary. */
-  std::string
-  text_of(const coupling::TransferReport &report, const CutComparison &cuts, const coupling::Equilibration &settled);
+  /** The same for the terminal: what is out of the ordinary, and what the mapping keeps. */
+  std::string text_of(const coupling::TransferReport &report, const coupling::Equilibration &settled);
 } // namespace apps

@@ -1,5 +1,6 @@
 #include "apps/drivers/transfer_section.h"
 
+#include "apps/drivers/law_origin.h"
 #include "apps/scene/nearest_name.h"
 
 #include <algorithm>
@@ -8,7 +9,7 @@ namespace apps
 {
   namespace
   {
-    constexpr const char *own_law = "own";
+    constexpr const char *own_law = "own", *identified_law = "identify";
 
     std::vector<std::string> law_names()
     {
@@ -16,6 +17,7 @@ namespace apps
       for (const auto &named : coupling::mapping_laws())
         names.push_back(named.name);
       names.emplace_back(own_law);
+      names.emplace_back(identified_law);
       return names;
     }
   } // namespace
@@ -51,9 +53,11 @@ namespace apps
 
     Section &l = s.section("Mapping law", "From the damage tensor to the scalar damage of the continuum");
     l.text("Law", law, Need::optional)
-      .means("default, legacy12 (the published computation), refit, or own: the constants below, e.g. those of breccia "
-             "transfer --identify");
-    const auto  own  = [this] { return law == own_law; };
+      .means(
+        "identify: found for this scene's particles and concrete before anything is handed over; own: the constants "
+        "below, e.g. those of breccia transfer --identify; default, legacy12 (the published computation), refit: of "
+        "the published particles");
+    const auto  own  = [this] { return has_own(); };
     const char *when = "Law = own";
     l.vector("Weights", weights, "-", {}, Need::required)
       .means("c1, c2, c3 of the sorted eigenvalues")
@@ -76,14 +80,33 @@ namespace apps
     l.flag("Published factor", options.law.published_factor)
       .means("Take the tensor with 12/(2N) instead of 15/(2N)")
       .only_if(own, when);
+    l.text("Identified for", identified_for, Need::optional)
+      .means(
+        "Particles and concrete that the constants belong to, as breccia transfer --identify writes it; a run with "
+        "others warns")
+      .only_if(own, when);
 
-    Section &m = s.section("Limits", "Shares of the integration points past which the transfer is refused");
+    Section                  &m      = s.section("Limits", "Doubt past which the transfer is refused");
     coupling::TransferLimits &limits = options.limits;
-    m.number("Empty", limits.empty, "-", Range::between(0, 1), Need::optional).means("No particle within reach");
+    m.number("Empty", limits.empty, "-", Range::between(0, 1), Need::optional)
+      .means("Share of the points: no particle within reach");
     m.number("Sparse", limits.sparse, "-", Range::between(0, 1), Need::optional)
-      .means("Fewer particles than asked for");
+      .means("Share of the points: fewer particles than asked for");
     m.number("Fully damaged", limits.fully_damaged, "-", Range::between(0, 1), Need::optional)
-      .means("Damage at or past 1");
+      .means("Share of the points: damage at or past 1");
+    m.number("Outside yield surface", limits.outside, "-", Range::between(0, 1), Need::optional)
+      .means(
+        "Share of the points: so far outside that more than a tenth of the stress (of the tensile strength, if that is "
+        "larger) is lost");
+    m.number("Mean stress", limits.mean_stress, "-", Range::at_least(0), Need::optional)
+      .means("Difference of points and particles over the larger of mean stress and tensile strength");
+    m.number("Cut forces", limits.cut_force, "-", Range::at_least(0), Need::optional)
+      .means(
+        "Largest difference of the force over a cut, over the larger of what is there and what the tensile strength "
+        "makes");
+    m.number("Extents", extents, "-", Range::at_least(0), Need::optional)
+      .means("Difference of length between particles and mesh (beyond two particle radii), and of Study/Length and "
+             "Study/Area from the mesh");
     m.number("Imbalance", limits.imbalance, "-", Range::at_least(0), Need::optional)
       .means("Unbalanced force over the forces at hand before the equilibrium iteration (not a share)");
   }
@@ -94,14 +117,23 @@ namespace apps
     const auto     names = law_names();
     if (std::find(names.begin(), names.end(), law) == names.end())
       l.refuse("Law", "there is no such law. " + did_you_mean(law, names));
+    if (has_own() && !identified_for.empty() && !LawOrigin::read(identified_for))
+      l.refuse("Identified for", "expected the line that breccia transfer --identify writes, \"compression, particles "
+                                 "0123456789abcdef, concrete 0123456789abcdef\".");
     chosen().law.validate();
   }
+
+  bool TransferSection::identifies() const { return law == identified_law; }
+
+  bool TransferSection::has_own() const { return law == own_law; }
 
   coupling::TransferOptions TransferSection::chosen() const
   {
     coupling::TransferOptions all = options;
     all.averaging.fewest          = static_cast<std::size_t>(fewest);
     all.law.weights               = weights;
+    if (!has_own())
+      all.law = {};
     for (const auto &named : coupling::mapping_laws())
       if (named.name == law)
         all.law = named.law;

@@ -11,15 +11,20 @@ namespace apps
   {
     coupling::FieldOptions    field;
     coupling::TransferOptions options;
-    std::string               law = "default"; ///< a name of coupling::mapping_laws(), or "own"
+    std::string               law = "default"; ///< a name of coupling::mapping_laws(), "own" or "identify"
+    std::string               identified_for;  ///< of an own law: see LawOrigin
     std::array<double, 3>     weights{};
-    std::int64_t              fewest = 8;
+    std::int64_t              fewest  = 8;
+    double                    extents = 0.1; ///< see Limits/Extents
 
     void declare(Section &root);
     /** Rules between entries. @throws dem::InputError. */
     void validate(const Section &root) const;
 
-    /** With the law that is named, or the scene's own constants. */
+    bool identifies() const; ///< the law is found by the run itself
+    bool has_own() const;    ///< the scene gives the constants
+
+    /** With the law that is named, or the scene's own constants; a law that is yet to be identified: the published one. */
     coupling::TransferOptions chosen() const;
   };
 } // namespace apps

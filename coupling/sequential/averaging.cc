@@ -69,6 +69,11 @@ namespace coupling
     Eigen::Vector3d offset; ///< from the point, in widths
   };
 
+  double width_of(const AveragingOptions &options, const ParticleField &field, const double element_size)
+  {
+    return options.width > 0 ? options.width : std::max(0.5 * element_size, 3 * field.mean_radius);
+  }
+
   Averaging::Averaging(const ParticleField &field_, const AveragingOptions &options_)
     : field(&field_)
     , options(options_)
@@ -103,8 +108,8 @@ namespace coupling
 
   Average Averaging::at(const Eigen::Vector3d &place, const double element_size) const
   {
-    const double width = options.width > 0 ? options.width : std::max(0.5 * element_size, 3 * field->mean_radius);
-    const std::vector<Weighted> near = weigh(place, width);
+    const double                width = width_of(options, *field, element_size);
+    const std::vector<Weighted> near  = weigh(place, width);
 
     Average average;
     average.width          = width;

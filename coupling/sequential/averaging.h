@@ -38,6 +38,9 @@ namespace coupling
     bool   linear = false; ///< the linear fit was used; moving least squares falls back to the average where it cannot
   };
 
+  /** Width of the kernel in an element of that size, see AveragingOptions [m]. */
+  double width_of(const AveragingOptions &options, const ParticleField &field, double element_size);
+
   /** Averages a field at any number of points. The field must outlive it. */
   class Averaging
   {

@@ -155,8 +155,9 @@ namespace coupling
       else
         undamaged.push_back({o.damage_tensor, reference.hardening_at(o.relative_stress)});
     if (damaged.size() < 4)
-      throw dem::InputError("identify: " + std::to_string(damaged.size()) +
-                            " states after the peak; three constants need at least four. Ask for more instants.");
+      throw dem::InputError(
+        "identify: " + std::to_string(damaged.size()) +
+        " states after the peak; three constants need at least four. Strain the particles further.");
 
     Identification found;
     found.damaged = damaged.size();

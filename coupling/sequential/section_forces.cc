@@ -23,6 +23,7 @@ namespace coupling
         Eigen::Vector3d arm         = place[i] - sections.centre;
         arm[sections.axis]          = place[i][sections.axis] - slab.place;
         const Eigen::Vector3d force = volume[i] / thickness * stress[i].col(sections.axis);
+        slab.volume += volume[i];
         slab.force += force;
         slab.moment += arm.cross(force);
       }

@@ -10,6 +10,7 @@ namespace coupling
   struct SectionForce
   {
     double          place  = 0;                       ///< of the slab's middle along the axis [m]
+    double          volume = 0;                       ///< of what lies in the slab [m^3]
     Eigen::Vector3d force  = Eigen::Vector3d::Zero(); ///< [N]
     Eigen::Vector3d moment = Eigen::Vector3d::Zero(); ///< about the axis' parallel through the given centre [N m]
   };

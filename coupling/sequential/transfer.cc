@@ -17,8 +17,8 @@ namespace coupling
     /** An average whose weights' centre lies further off (in widths) is one-sided; a flat surface gives 0.8. */
     constexpr double one_sided = 0.4;
 
-    /** Share of the given stress that a point may lose at zero strain by rounding. */
-    constexpr double rounding = 1e-9;
+    /** Share of the given stress that a point may lose at zero strain by rounding, and one that is a loss. */
+    constexpr double rounding = 1e-9, loss = 0.1;
 
     template <int dim>
     Eigen::Vector3d place_of(const dealii::Point<dim> &x)
@@ -92,7 +92,7 @@ namespace coupling
       const auto     add = [&](auto &value) { value = dealii::Utilities::MPI::sum(value, communicator); };
       TransferCount &c   = report.count;
       for (std::size_t *n : {&c.points, &c.elastic, &c.empty, &c.sparse, &c.boundary, &c.averaged, &c.damaged,
-                             &c.fully_damaged, &c.at_switch, &c.returned})
+                             &c.fully_damaged, &c.at_switch, &c.returned, &c.outside})
         add(*n);
       add(report.integrals.volume_points);
       for (int i = 0; i < 9; ++i)
@@ -113,14 +113,34 @@ namespace coupling
       throw dem::InputError(message.str());
     }
 
-    void refuse_past_limits(const TransferCount &count, const TransferLimits &limits)
+    void refuse_difference(const char *what, const double found, const double strength, const double limit)
     {
+      if (found <= limit)
+        return;
+      std::ostringstream message;
+      message << "transfer: " << what << " of points and particles differ by " << found
+              << " of the larger of the stress there is and the tensile strength (" << strength
+              << " Pa); the scene allows " << limit << '.';
+      throw dem::InputError(message.str());
+    }
+
+    void refuse_past_limits(const TransferReport &report, const TransferLimits &limits)
+    {
+      const TransferCount &count = report.count;
       if (count.points == 0)
         throw dem::InputError(
           "transfer: no part of the solid has a history (all of it is elastic); nothing to transfer to.");
       refuse_past("have no particle within reach", count.empty, count.points, limits.empty);
       refuse_past("average fewer particles than asked for", count.sparse, count.points, limits.sparse);
       refuse_past("are fully damaged (omega at or past 1)", count.fully_damaged, count.points, limits.fully_damaged);
+      std::ostringstream outside;
+      outside << "have stresses so far outside the yield surface that more than a tenth of them is lost (up to "
+              << report.largest_return << " Pa)";
+      refuse_past(outside.str().c_str(), count.outside, count.points, limits.outside);
+      refuse_difference("the mean stresses", report.integrals.stress_error(report.strength), report.strength,
+                        limits.mean_stress);
+      refuse_difference("the forces over a cut", report.cuts.force_error(report.strength), report.strength,
+                        limits.cut_force);
     }
 
     void integrate_particles(const ParticleField &field, TransferIntegrals &integrals)
@@ -155,6 +175,7 @@ namespace coupling
     options.law.validate();
     const Averaging averaging(field, options.averaging);
     TransferReport  report;
+    report.strength = options.strength;
     integrate_particles(field, report.integrals);
 
     // Points are met element by element, as element_points() lists them.
@@ -188,10 +209,13 @@ namespace coupling
       const Eigen::Matrix3d given = point.average.stress;
       point.returned              = (fem::stress_tensor(view.stress) - given).norm();
       report.count.returned += point.returned > rounding * given.norm();
+      report.count.outside += point.returned > loss * std::max(given.norm(), options.strength);
       report.largest_return = std::max(report.largest_return, point.returned);
     });
     sum_over_ranks(report, solid.communicator());
-    refuse_past_limits(report.count, options.limits);
+    if (dealii::Utilities::MPI::n_mpi_processes(solid.communicator()) == 1)
+      report.cuts = compare_cuts(field, report.points);
+    refuse_past_limits(report, options.limits);
     return report;
   }
 

@@ -6,23 +6,32 @@ namespace coupling
 {
   namespace
   {
-    double mean_error(const Eigen::Matrix3d &a, const double volume_a, const Eigen::Matrix3d &b, const double volume_b)
+    Eigen::Matrix3d mean(const Eigen::Matrix3d &integral, const double volume)
     {
-      if (!(volume_a > 0 && volume_b > 0))
-        return 0;
-      const Eigen::Matrix3d mean_a = a / volume_a, mean_b = b / volume_b;
-      const double          size = std::max(mean_a.norm(), mean_b.norm());
-      return size > 0 ? (mean_a - mean_b).norm() / size : 0;
+      return volume > 0 ? Eigen::Matrix3d(integral / volume) : Eigen::Matrix3d::Zero();
+    }
+
+    double relative(const Eigen::Matrix3d &a, const Eigen::Matrix3d &b, const double least)
+    {
+      const double size = std::max({a.norm(), b.norm(), least});
+      return size > 0 ? (a - b).norm() / size : 0;
     }
   } // namespace
 
-  double TransferIntegrals::stress_error() const
+  Eigen::Matrix3d TransferIntegrals::mean_stress_of_particles() const
   {
-    return mean_error(stress_particles, volume_particles, stress_points, volume_points);
+    return mean(stress_particles, volume_particles);
+  }
+
+  Eigen::Matrix3d TransferIntegrals::mean_stress_of_points() const { return mean(stress_points, volume_points); }
+
+  double TransferIntegrals::stress_error(const double strength) const
+  {
+    return relative(mean_stress_of_particles(), mean_stress_of_points(), strength);
   }
 
   double TransferIntegrals::damage_error() const
   {
-    return mean_error(damage_particles, volume_particles, damage_points, volume_points);
+    return relative(mean(damage_particles, volume_particles), mean(damage_points, volume_points), 0);
   }
 } // namespace coupling

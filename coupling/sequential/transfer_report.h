@@ -1,19 +1,27 @@
 #pragma once
 
 #include "coupling/sequential/averaging.h"
+#include "coupling/sequential/cut_comparison.h"
 #include "coupling/sequential/mapping_law.h"
 
 #include <vector>
 
 namespace coupling
 {
-  /** How much of a mapping may be doubtful; shares of the points that have a history. Past a limit the transfer is refused. */
+  /** How much of a mapping may be doubtful. Past a limit the transfer is refused. */
   struct TransferLimits
   {
+    // Shares of the points that have a history.
     double empty         = 0;   ///< points without any particle
     double sparse        = 0.2; ///< averages of fewer particles than asked for
     double fully_damaged = 0.5; ///< omega at or past 1
-    double imbalance     = 2.0; ///< unbalanced force over the forces at hand, before the equilibrium iteration
+    double outside = 0.2; ///< points whose stress lies so far outside the yield surface that a tenth of it is lost
+
+    // Differences of points and particles, over the larger of the stress there is and the tensile strength.
+    double mean_stress = 0.25; ///< of the mean stress
+    double cut_force   = 0.5;  ///< of the force over any cut; moments are told only
+
+    double imbalance = 2.0; ///< unbalanced force over the forces at hand, before the equilibrium iteration
   };
 
   struct TransferOptions
@@ -21,6 +29,8 @@ namespace coupling
     AveragingOptions averaging;
     MappingLaw       law;
     TransferLimits   limits;
+    double           strength =
+      0; ///< tensile, of the weakest material with a history [Pa]: errors of smaller stresses relate to it
   };
 
   /** What one integration point was given. */
@@ -49,17 +59,20 @@ namespace coupling
     std::size_t fully_damaged = 0; ///< omega at or past 1: taken as 1 - 1e-6
     std::size_t at_switch     = 0; ///< raw damage within a factor of two of the switch, where kappa_P jumps
     std::size_t returned      = 0; ///< stress given lies outside the yield surface
+    std::size_t outside       = 0; ///< of these, so far that more than a tenth of it (or of the strength) is lost
   };
 
-  /** What is conserved of the mapped fields: integrals over the points against sums over the particles. */
+  /** What the mapping keeps of the particles' fields: integrals over the points against sums over the particles. */
   struct TransferIntegrals
   {
     double          volume_particles = 0, volume_points = 0;                                             ///< [m^3]
     Eigen::Matrix3d stress_particles = Eigen::Matrix3d::Zero(), stress_points = Eigen::Matrix3d::Zero(); ///< [Pa m^3]
     Eigen::Matrix3d damage_particles = Eigen::Matrix3d::Zero(), damage_points = Eigen::Matrix3d::Zero(); ///< [m^3]
 
-    /** |means differ| over the larger root mean square of the two; 0: the same mean. */
-    double stress_error() const;
+    Eigen::Matrix3d mean_stress_of_particles() const, mean_stress_of_points() const; ///< [Pa]
+    /** |mean stresses differ| over the largest of the two and the strength; 0: the same mean. */
+    double stress_error(double strength) const;
+    /** |mean damage tensors differ| over the larger of the two. */
     double damage_error() const;
   };
 
@@ -68,6 +81,8 @@ namespace coupling
     std::vector<MappedPoint> points; ///< of this rank, in the order of Solid::visit_points()
     TransferCount            count;
     TransferIntegrals        integrals;
+    CutComparison            cuts;               ///< on one rank only; empty on several
+    double                   strength       = 0; ///< that errors of small stresses relate to [Pa]
     double                   largest_return = 0; ///< [Pa]
   };
 

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "apps/scene/section.h"
+
+#include <optional>
+#include <string>
+
+namespace apps
+{
+  /**
+   * For whom a mapping law was identified: the test, and digests of what the particles and the concrete are made of. What leaves a law
+   * as it is does not count: the size of the specimen, the seed of its packing, densities, and the size of elements.
+   */
+  struct LawOrigin
+  {
+    std::string test;      ///< "compression" or "tension"
+    std::string particles; ///< 16 hexadecimal digits
+    std::string concrete;  ///< the same
+
+    /** "compression, particles 0123456789abcdef, concrete fedcba9876543210" */
+    std::string text() const;
+    /** Nothing if the text is no such. */
+    static std::optional<LawOrigin> read(const std::string &text);
+  };
+
+  struct TransferSection;
+
+  /**
+   * Why the mapping law of a scene may be wrong for it, in a sentence with a way out; "" where it was identified for it.
+   * @param here what the scene has; test "": of another kind than pulling and crushing, particles "": not known
+   */
+  std::string doubt_about_law(const TransferSection &transfer, const LawOrigin &here);
+
+  /** Of the sections Specimen, Material or Materials, Regions and Physics in a section. @throws dem::InputError for an unreadable packing */
+  std::string digest_of_particles(const Section &particles);
+
+  /** Of the section of the concrete law of one group of elements. */
+  std::string digest_of_concrete(const Section &law);
+} // namespace apps
