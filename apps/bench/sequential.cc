@@ -17,6 +17,7 @@
 #include <chrono>
 #include <cmath>
 #include <map>
+#include <optional>
 
 namespace apps
 {
@@ -109,11 +110,12 @@ namespace apps
     }
 
     /** The continuation of one instant by one variant, as far as it comes. */
-    Row measure(const SequentialBench       &bench,
-                const Variant               &variant,
-                const ParticleCases         &particles,
-                const std::size_t            instant,
-                const std::filesystem::path &folder)
+    Row measure(const SequentialBench                     &bench,
+                const Variant                             &variant,
+                const ParticleCases                       &particles,
+                const std::size_t                          instant,
+                const std::filesystem::path               &folder,
+                const std::optional<coupling::MappingLaw> &identified)
     {
       std::vector<std::string> overrides = bench.overrides;
       overrides.insert(overrides.end(), variant.overrides.begin(), variant.overrides.end());
@@ -141,6 +143,8 @@ namespace apps
           const auto                field   = coupling::particle_field(outcome.state, model.transfer.field);
           coupling::TransferOptions options = model.transfer.chosen();
           options.strength                  = model.tensile_strength();
+          if (identified)
+            options.law = *identified;
           if (continue_from(request, model.continuum, field, options, [](const TransferredState &) {}) != exit_success)
             return row;
           compare(folder); // what was found, if it broke off
@@ -213,13 +217,23 @@ namespace apps
 
   int run_sequential_bench(const SequentialBench &bench)
   {
-    const LoadedScene      base  = load_scene(bench.scene, bench.overrides);
-    const SequentialModel &model = sequential(base);
-    ResultFolder           folder(bench.folder, ResultFolder::Start::afresh);
-    ParticleCases          particles(model.particles, folder.running(),
-                                     completed_scene(*base.root, Completed::what_decides_results));
-    if (!particles.complete(stage_packing(model.particles)))
+    const LoadedScene          base  = load_scene(bench.scene, bench.overrides);
+    const SequentialModel     &model = sequential(base);
+    ResultFolder               folder(bench.folder, ResultFolder::Start::afresh);
+    ParticleCases              particles(model.particles, folder.running(),
+                                         completed_scene(*base.root, Completed::what_decides_results));
+    const SequentialGroundwork ground = dynamic_cast<const SequentialScene &>(*base.scene).groundwork();
+    if (!particles.complete(ground.packing))
       return exit_interrupted;
+    std::optional<coupling::MappingLaw> identified; // one for all variants: with the kernel of the scene
+    if (model.transfer.identifies())
+      {
+        LawIdentification identification(model, ground.origin, ground.element_size);
+        if (!identification.complete(ground.packing, folder.running(),
+                                     completed_scene(*base.root, Completed::what_decides_results)))
+          return exit_interrupted;
+        identified = identification.result().found.law;
+      }
     std::vector<Row>     rows;
     const auto           instants = model.particles.instants_asked();
     std::size_t          number   = 0;
@@ -231,7 +245,8 @@ namespace apps
         {
           if (instants[k].back) // the all-particle run does not unload
             continue;
-          rows.push_back(measure(bench, variant, particles, k, folder.running() / fmt::format("run_{:03}", number++)));
+          rows.push_back(
+            measure(bench, variant, particles, k, folder.running() / fmt::format("run_{:03}", number++), identified));
           if (interrupted())
             return exit_interrupted;
           std::filesystem::remove_all(folder.running() / fmt::format("run_{:03}", number - 1));
