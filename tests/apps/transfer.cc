@@ -63,7 +63,7 @@ TEST_CASE("A crushed specimen is handed over, carried on, and told in table, pic
 {
   const ScratchFolder folder;
   const Outcome       outcome =
-    run(folder.path(), small({"run", scene, "-o", "results"}, "-8e-4, -2.2e-3, -2.2e-3 > -1.5e-3"));
+    run(folder.path(), small({"run", scene, "-o", "results"}, "-4e-4, -2.2e-3, -2.2e-3 > -1.5e-3"));
   INFO(outcome.err);
   REQUIRE(outcome.status == 0);
   const auto results = folder / "results";
@@ -89,7 +89,7 @@ TEST_CASE("A crushed specimen is handed over, carried on, and told in table, pic
   for (const auto &one : cases)
     {
       CHECK(one["particle_balance_error"].get<double>() < 1e-3);
-      CHECK(one["ended_by"] == "stop fraction");
+      CHECK(one["ended_by"] == (one["event"] == "-0.0004" ? "end" : "stop fraction"));
     }
   CHECK_THAT(outcome.out, Contains("peak [Pa]") && Contains("at [-]") && Contains("time [s]") && Contains("ended by"));
   CHECK_THAT(content_of(results / "study.csv"), Contains(",peak [Pa],horizontal_at_peak [-],"));
@@ -347,21 +347,24 @@ TEST_CASE("bench sequential tells error and cost of every kernel and mesh", "[ap
   std::istringstream csv(content_of(folder / "bench/sequential.csv"));
   std::string        line;
   std::getline(csv, line);
-  int rows  = 0,
-      found = 0; // past its peak a field may find no way on over several elements: then there is no error to show
+  int rows = 0;
   while (std::getline(csv, line))
     {
+      INFO(line);
       ++rows;
       const auto fields = apps::comma_separated(line);
       REQUIRE(fields.size() == 8); // error over all that follows, and near the transfer
-      if (const auto error = apps::number_in(fields[4]))
-        {
-          ++found;
-          CHECK((*error > 0 && *error < 2));
-        }
+      const auto error = apps::number_in(fields[4]);
+      if (error)
+        CHECK((*error > 0 && *error < 2));
+      // Single particles, and the few within a narrow ball, are refused; past its peak a field may find no way on over several
+      // elements. Then there is no error to show.
+      const std::string &variant     = fields[1];
+      const bool         before_peak = fields[2] == "-0.001", may_fail = variant == "nearest" || variant == "ball 3 r";
+      if (before_peak && !may_fail)
+        CHECK(error);
     }
   CHECK(rows == 14); // five kernels and two meshes, two instants each
-  CHECK(found >= 7); // all that were handed over before the peak
   CHECK(std::filesystem::file_size(folder / "bench/sequential.png") > 0);
   CHECK_THAT(content_of(folder / "bench/sequential.md"), Contains("| kernel | moving least squares 3 r |"));
 }
