@@ -19,3 +19,16 @@ else()
   target_compile_definitions(breccia_dealii INTERFACE ${DEAL_II_USER_DEFINITIONS_DEBUG})
   target_link_libraries(breccia_dealii INTERFACE ${DEAL_II_TARGET_DEBUG})
 endif()
+
+# What most sources that include deal.II read of it, for PRECOMPILED.
+set(BRECCIA_DEALII_HEADERS
+    <deal.II/base/mpi.h>
+    <deal.II/distributed/tria.h>
+    <deal.II/dofs/dof_handler.h>
+    <deal.II/fe/fe_system.h>
+    <deal.II/fe/fe_values.h>
+    <deal.II/lac/affine_constraints.h>
+    <deal.II/lac/trilinos_sparse_matrix.h>
+    <deal.II/lac/trilinos_vector.h>
+    <deal.II/lac/la_parallel_vector.h>
+)

@@ -33,7 +33,9 @@ set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
 find_program(BRECCIA_CCACHE ccache)
 if(BRECCIA_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER "${BRECCIA_CCACHE}")
+  # What ccache must be allowed before it stores a compilation that reads a precompiled header.
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env CCACHE_SLOPPINESS=pch_defines,time_macros
+      "${BRECCIA_CCACHE}")
 endif()
 find_program(BRECCIA_MOLD mold)
 if(BRECCIA_MOLD)

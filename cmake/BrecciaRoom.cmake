@@ -1,9 +1,17 @@
-# breccia_room(NAME [SOURCES file...] [LIBRARIES target...] [PRIVATE_LIBRARIES target...] [NATIVE])
+# Headers of other packages that most sources of a target read, parsed once; each source still includes what it uses.
+option(BRECCIA_PRECOMPILE "Parse the headers of other packages once per library" ON)
+function(breccia_precompile target)
+  if(BRECCIA_PRECOMPILE)
+    target_precompile_headers(${target} PRIVATE ${ARGN})
+  endif()
+endfunction()
+
+# breccia_room(NAME [SOURCES file...] [LIBRARIES target...] [PRIVATE_LIBRARIES target...] [PRECOMPILED header...] [NATIVE])
 #
 # One library for the room NAME: sources sorted and listed one by one; LIBRARIES are those that its own
 # headers include. A room without a source is header-only. NATIVE: compiled for this processor (BRECCIA_NATIVE).
 function(breccia_room name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "NATIVE" "" "SOURCES;LIBRARIES;PRIVATE_LIBRARIES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "NATIVE" "" "SOURCES;LIBRARIES;PRIVATE_LIBRARIES;PRECOMPILED")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "breccia_room(${name}): unknown argument ${arg_UNPARSED_ARGUMENTS}")
   endif()
@@ -22,12 +30,20 @@ function(breccia_room name)
   if(arg_NATIVE)
     target_link_libraries(${name} PRIVATE breccia_native)
   endif()
+  if(arg_PRECOMPILED)
+    breccia_precompile(${name} ${arg_PRECOMPILED})
+  endif()
 endfunction()
 
 # Flags of the particle and link kernels. -fno-math-errno lets sqrt become one instruction; -ffast-math is
 # refused: it would reorder sums and drop NaN, and with them "the same bits" and "NaN stops the run".
 add_library(breccia_native INTERFACE)
 target_compile_options(breccia_native INTERFACE -fno-math-errno)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+  # GCC before 13 takes the deliberately undefined operands of its own AVX-512 header for a mistake, thousands of times
+  # (its bug 105593).
+  target_compile_options(breccia_native INTERFACE -Wno-maybe-uninitialized)
+endif()
 if(BRECCIA_NATIVE)
   # The same words mean other instructions on another machine: with the processor's name in the command, neither
   # ninja nor a compiler cache in a shared home folder takes an object file that was made elsewhere.

@@ -35,10 +35,10 @@ namespace dem
   class LinkReader
   {
   public:
-    LinkReader(const Particles &particles, const LinkSet &links, const LinkLaw &law)
-      : particles(particles)
-      , links(links)
-      , law(law)
+    LinkReader(const Particles &particles_, const LinkSet &links_, const LinkLaw &law_)
+      : particles(particles_)
+      , links(links_)
+      , law(law_)
     {
     }
     LinkReader(Particles &&, const LinkSet &, const LinkLaw &) = delete;
