@@ -5,6 +5,7 @@
 #include "apps/interrupt.h"
 #include "apps/results/life_cycle.h"
 #include "apps/results/warning.h"
+#include "dem/laws/first_order_shear.h"
 #include "postprocess/packing_io.h"
 #include "postprocess/summary.h"
 
@@ -18,7 +19,18 @@ namespace apps
   namespace
   {
     constexpr const char *packing_name = "packing.h5";
-  }
+
+    /** Of links whose shear force is not conjugate to their strain (doc/theory/shear-kinematics.md, 3). */
+    std::string left_out_of_balance(const dem::LinkLaw &law, const dem::Packing &packing)
+    {
+      const auto columns = law.columns();
+      if (std::none_of(columns.begin(), columns.end(), [](const auto &c) { return c.name == dem::surface_gap; }))
+        return "";
+      const auto [least, most] = std::minmax_element(packing.radius.begin(), packing.radius.end());
+      return std::string("first-order shear; what the sum of radii over the length has changed since the start") +
+             (*least < *most ? ", and the work of spins on links between unequal radii" : "");
+    }
+  } // namespace
 
   UniaxialRun::UniaxialRun(const RunRequest &asked, const UniaxialModel &what)
     : request(asked)
@@ -113,7 +125,9 @@ namespace apps
 
   std::string UniaxialRun::finish(const std::filesystem::path &folder, const double wall_seconds)
   {
-    const UniaxialReport report{request, complete, test->materials, wall_seconds};
+    const UniaxialReport report{
+      request, complete, test->materials, wall_seconds,
+      left_out_of_balance(*model.material.materials().bonds(model.specimen.physics), packing)};
     postprocess::write_json(folder / "summary.json", report.summary());
     warn_of_missing("curve.png", report.draw_curve(folder / "curve.png"));
     return report.text();

@@ -86,6 +86,8 @@ namespace apps
     const UniaxialResult &worst = worst_balanced(results);
     summary["energy"]           = energy(worst);
     summary["energy"]["test"]   = name_of(worst.load);
+    if (!not_in_balance.empty())
+      summary["energy"]["not_in_balance"] = not_in_balance;
     materials.put_into(summary);
     for (const UniaxialResult &result : results)
       summary["tests"].push_back(test_details(result));
@@ -120,6 +122,8 @@ namespace apps
     if (const StaticStart &start = results.front().start)
       text += fmt::format("start        {}\n", text_of(*start));
     text += fmt::format("energy       balance error {:.1e} at worst\n", worst_balanced(results).worst_balance_error);
+    if (!not_in_balance.empty())
+      text += fmt::format("             not in the balance: {}\n", not_in_balance);
     text += fmt::format("cost         {}, {:.1f} million link updates/s with {} threads\n", duration_text(wall_seconds),
                         1e-6 * updates_per_second(results), omp_get_max_threads());
     return text;

@@ -19,6 +19,7 @@ namespace apps
     const std::vector<UniaxialResult> &results; ///< in the order of the tests, at least one
     const MaterialCounts              &materials;
     double                             wall_seconds;
+    std::string                        not_in_balance; ///< what the energy balance leaves out; empty: nothing
 
     /** summary.json: figures, cost, energy, and the same for each test. */
     nlohmann::json summary() const;

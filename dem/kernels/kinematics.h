@@ -173,6 +173,30 @@ namespace dem
     return advance_tangents<rotations, 0>(m, inverse_reference, Vec<T, 3>{}, shear, static_cast<Vec<T, 3> *>(nullptr));
   }
 
+  /**
+ * Advance shear vectors by the first-order update in common use, with radii as arms (doc/theory/shear-kinematics.md, 3): only to
+ * compare with programs that do so. A rigid rotation leaves shear behind, and vectors drift off the plane across the link.
+ *
+ * @param arm_ratio (r_J + r_K)/L
+ * @pre arm_rotation of the motion is (r_J theta_J + r_K theta_K)/(r_J + r_K)
+ */
+  template <typename T, int stored>
+  BRECCIA_KERNEL LinkFrame<T> advance_shear_first_order(const PairMotion<T> &m,
+                                                        const T             &arm_ratio,
+                                                        const T             &inverse_reference,
+                                                        Vec<T, 3> (&shear)[stored])
+  {
+    const Vec<T, 3> l0 = m.branch - m.increment;
+    const T         L0 = square_root(dot(l0, l0)), L1 = square_root(dot(m.branch, m.branch));
+    const Vec<T, 3> n0 = (T(1.0) / L0) * l0, n1 = (T(1.0) / L1) * m.branch;
+    const Vec<T, 3> turn  = cross(n0, n1) + dot(n0, m.mean_rotation) * n0;
+    const Vec<T, 3> du    = arm_ratio * (m.increment - cross(m.arm_rotation, m.branch));
+    const Vec<T, 3> added = inverse_reference * (du - dot(n1, du) * n1);
+    for (auto &vector : shear)
+      vector = vector - cross(vector, turn) + added;
+    return {n1, L1, added, T(0.0), L0, {{T(0.0), T(0.0), T(0.0)}}};
+  }
+
   /** Motion of a pair of discs over one step. */
   template <typename T>
   struct PlanePairMotion

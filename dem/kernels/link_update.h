@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dem/kernels/kinematics.h"
+#include "dem/laws/first_order_shear.h"
 #include "dem/laws/link_law_of.h"
 #include "dem/links.h"
 #include "dem/particles.h"
@@ -29,6 +30,7 @@ namespace dem::link_update
     static constexpr bool periodic         = periodic_;
     static constexpr int  across           = dimension == 3 ? 3 : 1; ///< components of a vector across the link
     static constexpr bool moment           = Law::moment && rotations;
+    static constexpr bool first_order      = is_first_order_shear<Law>;
 
     template <typename T>
     using State = typename Law::template State<T, across>;
@@ -281,6 +283,34 @@ namespace dem::link_update
     return Law::gathered(c, laws.constants(0));
   }
 
+  template <typename P>
+  BRECCIA_KERNEL Pack branch_length(const Ends &ends)
+  {
+    Pack squared = ends.pose[0] * ends.pose[0] + ends.pose[1] * ends.pose[1];
+    if constexpr (P::dimension == 3)
+      squared = squared + ends.pose[2] * ends.pose[2];
+    return square_root(squared);
+  }
+
+  /** Where the links lie, and their shears and bendings at the end of the step. */
+  template <typename P>
+  BRECCIA_KERNEL auto advance(const Ends                       &ends,
+                              const Pack                       &eccentric,
+                              const Pack                       &reference,
+                              const Pack                       &inverse_reference,
+                              typename P::template State<Pack> &state)
+  {
+    if constexpr (P::first_order)
+      {
+        const Pack ratio = P::Law::arm_ratio(state) * reference / branch_length<P>(ends);
+        return advance_shear_first_order(pair_motion<P>(ends, eccentric / ratio), ratio, inverse_reference,
+                                         state.shear);
+      }
+    else
+      return advance_tangents<P::rotations, P::template State<Pack>::bendings>(
+        pair_motion<P>(ends, eccentric), inverse_reference, relative_rotation<P>(ends), state.shear, state.bending);
+  }
+
   /** Eight links: kinematics, law, force. @tparam Constants of all, or the numbers of each */
   template <typename P, typename Constants>
   BRECCIA_KERNEL void update_pack(LinkSet                 &links,
@@ -301,15 +331,8 @@ namespace dem::link_update
     const Pack  reference    = load(&links.reference_length[l]), area = load(&links.area[l]);
     const Pack  inverse_reference = Pack(1.0) / reference;
 
-    const auto branch_length = [&] {
-      Pack squared = ends.pose[0] * ends.pose[0] + ends.pose[1] * ends.pose[1];
-      if constexpr (P::dimension == 3)
-        squared = squared + ends.pose[2] * ends.pose[2];
-      return square_root(squared);
-    };
-    const Pack eccentric = P::equal_radii ? Pack(0.0) : eccentricity<P>(ends, branch_length());
-    const auto frame     = advance_tangents<P::rotations, State::bendings>(
-      pair_motion<P>(ends, eccentric), inverse_reference, relative_rotation<P>(ends), state.shear, state.bending);
+    const Pack eccentric = P::equal_radii ? Pack(0.0) : eccentricity<P>(ends, branch_length<P>(ends));
+    const auto frame     = advance<P>(ends, eccentric, reference, inverse_reference, state);
 
     LinkMotion<Pack, P::across> motion;
     motion.strain          = (frame.length - reference) * inverse_reference;

@@ -2,6 +2,7 @@
 
 #include "dem/core/errors.h"
 #include "dem/laws/cpm_links.h"
+#include "dem/laws/first_order_shear.h"
 
 #include <algorithm>
 #include <cmath>
@@ -107,6 +108,30 @@ namespace dem
   namespace
   {
     const char *name_of(const DamageLaw law) { return law == DamageLaw::exponential ? "exponential" : "linear"; }
+    const char *name_of(const ShearKinematics k) { return k == ShearKinematics::exact ? "exact" : "first-order"; }
+
+    bool first_order(const std::vector<CpmParameters> &pairs)
+    {
+      return pairs.front().shear_kinematics == ShearKinematics::first_order; // of all pairs, see mean_of()
+    }
+
+    /** What has been published with the first-order update, and is compiled. */
+    void check_first_order(const std::vector<CpmParameters> &pairs, const Physics &physics)
+    {
+      const auto refuse = [](const std::string &why) {
+        throw InputError("CPM/Shear kinematics = first-order: " + why +
+                         " It is there only to compare with programs that shear links so. Use exact.");
+      };
+      if (physics.dimension != 3)
+        refuse("not in the plane.");
+      if (physics.periodic)
+        refuse("not in a periodic cell.");
+      if (!physics.rotations || !physics.damage || !physics.friction)
+        refuse("not without Physics/Rotations, Damage and Friction.");
+      for (const CpmParameters &p : pairs)
+        if (p.shear_contribution > 0)
+          refuse("not with a Shear contribution.");
+    }
 
     template <typename Variant>
     std::shared_ptr<const LinkLaw>
@@ -124,6 +149,10 @@ namespace dem
       throw InputError("Damage law: material " + one.name + " has the " + name_of(a.damage_law) + " one, " +
                        other.name + " the " + name_of(b.damage_law) +
                        " one; links between them would have neither. Give both the same.");
+    if (a.shear_kinematics != b.shear_kinematics)
+      throw InputError("Shear kinematics: " + std::string(name_of(a.shear_kinematics)) + " of material " + one.name +
+                       ", " + name_of(b.shear_kinematics) + " of " + other.name +
+                       "; links between them would have neither. Give both the same.");
     CpmParameters between;
     between.normal_modulus          = mean(a.normal_modulus, b.normal_modulus);
     between.shear_ratio             = mean(a.shear_ratio, b.shear_ratio);
@@ -134,12 +163,18 @@ namespace dem
     between.damage_law              = a.damage_law;
     between.shear_contribution      = mean(a.shear_contribution, b.shear_contribution);
     between.residual_strength_limit = mean(a.residual_strength_limit, b.residual_strength_limit);
+    between.shear_kinematics        = a.shear_kinematics;
     return between;
   }
 
   std::shared_ptr<const LinkLaw>
   CpmLaw::bonds(const std::vector<CpmParameters> &pairs, const Physics &physics, const int vector_dimension)
   {
+    if (first_order(pairs))
+      {
+        check_first_order(pairs, physics);
+        return law_of<FirstOrderShear<CpmBond<DamageDriver::normal, true>>>(pairs, physics, vector_dimension);
+      }
     const bool shear_damages = std::any_of(pairs.begin(), pairs.end(),
                                            [](const CpmParameters &p) { return p.shear_contribution > 0; });
     const auto choose        = [&](auto sliding) {
@@ -155,6 +190,11 @@ namespace dem
   std::shared_ptr<const LinkLaw>
   CpmLaw::contacts(const std::vector<CpmParameters> &pairs, const Physics &physics, const int vector_dimension)
   {
+    if (first_order(pairs))
+      {
+        check_first_order(pairs, physics);
+        return law_of<FirstOrderShear<CpmContact<true>>>(pairs, physics, vector_dimension);
+      }
     return physics.friction ? law_of<CpmContact<true>>(pairs, physics, vector_dimension) :
                               law_of<CpmContact<false>>(pairs, physics, vector_dimension);
   }

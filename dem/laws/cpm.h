@@ -18,6 +18,13 @@ namespace dem
     linear       ///< softening strain = strain of zero stress
   };
 
+  /** How the slip of a link follows from the motion of its ends (doc/theory/shear-kinematics.md). */
+  enum class ShearKinematics
+  {
+    exact,      ///< of the contact point, without any error from rotation
+    first_order ///< with the radii as arms and the first-order update in common use: only to compare with others
+  };
+
   struct CpmLaw;
 
   /** Constants of one link material of the cohesive particle model; strains and ratios are pure numbers. */
@@ -32,9 +39,10 @@ namespace dem
     double cohesion             = 0; ///< c_0 [Pa]
     double friction_coefficient = 0; ///< tan(phi)
 
-    DamageLaw damage_law              = DamageLaw::exponential;
-    double    shear_contribution      = 0;    ///< xi: weight of the shear strain in the equivalent strain
-    double    residual_strength_limit = 1e-4; ///< a link in tension is deleted below this residual strength (3.5)
+    DamageLaw       damage_law              = DamageLaw::exponential;
+    double          shear_contribution      = 0;    ///< xi: weight of the shear strain in the equivalent strain
+    double          residual_strength_limit = 1e-4; ///< a link in tension is deleted below this residual strength (3.5)
+    ShearKinematics shear_kinematics        = ShearKinematics::exact;
 
     double shear_modulus() const { return shear_ratio * normal_modulus; }
     double softening_strain() const { return relative_ductility * limit_elastic_strain; }
@@ -178,7 +186,7 @@ namespace dem
    * cohesion, shear contribution, residual strength limit, and of the friction ANGLE (doc/theory/links.md, 3). So G is mean
    * ratio times mean modulus, and eps_f mean eps_0 times mean ductility. Equal materials give their own constants, to the last bit.
    *
-   * @throws InputError if their damage laws differ; the message names both materials
+   * @throws InputError if their damage laws or shear kinematics differ; the message names both materials
    */
   CpmParameters mean_of(const CpmMaterial &one, const CpmMaterial &other);
 
@@ -226,6 +234,10 @@ namespace dem
              "a link in tension is deleted when (1 - omega) kappa/eps_0 falls below this", smallest, 1.0, false);
       choice("Damage law", p.damage_law, {{"exponential", DamageLaw::exponential}, {"linear", DamageLaw::linear}},
              "shape of the softening branch");
+      choice("Shear kinematics", p.shear_kinematics,
+             {{"exact", ShearKinematics::exact}, {"first-order", ShearKinematics::first_order}},
+             "slip of a link: of the contact point, exact for any rotation; or by radii as arms and to first order, only "
+             "to compare with programs that do so");
     }
   };
 } // namespace dem

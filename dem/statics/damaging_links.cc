@@ -1,5 +1,7 @@
 #include "dem/statics/damaging_links.h"
 
+#include "dem/laws/first_order_shear.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -37,7 +39,7 @@ namespace dem
 
   DamagingLinks::DamagingLinks(const LoadedNetwork &network, const LinkMaterials &materials)
     : loaded(&network)
-    , law(materials.bonds_in_space(physics_of(network.network)))
+    , law(with_exact_shear(materials.bonds_in_space(physics_of(network.network))))
     , columns(law->columns().size())
     , state(columns * network.network.links.size(), 0.0)
     , shear(network.network.links.size(), Eigen::Vector3d::Zero())

@@ -1,6 +1,7 @@
 #include "dem/statics/elastic_network.h"
 
 #include "dem/core/errors.h"
+#include "dem/laws/first_order_shear.h"
 #include "dem/neighbours/cell_list.h"
 #include "dem/particles.h"
 
@@ -182,7 +183,7 @@ namespace dem
   {
     check_links(p);
     check_materials(packing, materials);
-    const std::shared_ptr<const LinkLaw> law      = materials.bonds_in_space(physics_of(p));
+    const std::shared_ptr<const LinkLaw> law      = with_exact_shear(materials.bonds_in_space(physics_of(p)));
     std::vector<std::int32_t>            material = packing.material;
     if (materials.several())
       material.resize(packing.size(), 0);
