@@ -20,15 +20,14 @@ namespace apps
   {
     constexpr const char *packing_name = "packing.h5";
 
-    /** Of links whose shear force is not conjugate to their strain (doc/theory/shear-kinematics.md, 3). */
+    /** Work on links whose shear force is not conjugate to their strain (doc/theory/shear-kinematics.md, 3). */
     std::string left_out_of_balance(const dem::LinkLaw &law, const dem::Packing &packing)
     {
-      const auto columns = law.columns();
-      if (std::none_of(columns.begin(), columns.end(), [](const auto &c) { return c.name == dem::surface_gap; }))
-        return "";
+      const auto columns       = law.columns();
+      const bool first_order   = std::any_of(columns.begin(), columns.end(),
+                                             [](const dem::LinkQuantity &c) { return c.name == dem::surface_gap; });
       const auto [least, most] = std::minmax_element(packing.radius.begin(), packing.radius.end());
-      return std::string("first-order shear; what the sum of radii over the length has changed since the start") +
-             (*least < *most ? ", and the work of spins on links between unequal radii" : "");
+      return first_order && *least < *most ? "work of spins on links between unequal radii (first-order shear)" : "";
     }
   } // namespace
 

@@ -83,7 +83,7 @@ TEST_CASE("first-order shear of equal spheres conserves momentum, and its energy
 {
   omp_set_num_threads(1);
   auto p        = cluster::bonded(1.5);
-  p.step_factor = 0.5;
+  p.step_factor = 0.125;
   for (const double speed : {0.01, 2.0}) // elastic; damaging and sliding
     {
       CAPTURE(speed);
@@ -92,7 +92,7 @@ TEST_CASE("first-order shear of equal spheres conserves momentum, and its energy
       const cluster::Momenta start = cluster::momenta(specimen);
       for (int n = 0; n < 40; ++n)
         {
-          specimen.advance(50);
+          specimen.advance(200);
           const cluster::Momenta now = cluster::momenta(specimen);
           CHECK((now.linear - start.linear).norm() < 1e-12 * now.linear_scale);
           CHECK((now.angular - start.angular).norm() < 1e-12 * now.angular_scale);
@@ -100,8 +100,7 @@ TEST_CASE("first-order shear of equal spheres conserves momentum, and its energy
       const dem::EnergyAccount energy = specimen.energy();
       CAPTURE(energy.initial, energy.elastic, energy.friction, specimen.counts().broken);
       CHECK((energy.friction > 0.01 * energy.initial) == (speed > 1));
-      // Links stretch by up to 3 % before they break, and with them the ratio of radii and length that the account takes.
-      CHECK(energy.balance_error() < (speed > 1 ? 1e-2 : 1e-4));
+      CHECK(energy.balance_error() < 1e-3); // of the step, as with exact shear
     }
 }
 
