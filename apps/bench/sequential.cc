@@ -81,18 +81,6 @@ namespace apps
       return all;
     }
 
-    /** The continuation as far as half the strain of the transfer again. */
-    ContinuationCurve near_the_transfer(ContinuationCurve curve)
-    {
-      const double      reach = 0.5 * std::abs(curve.offset);
-      const std::size_t end   = static_cast<std::size_t>(
-        std::find_if(curve.horizontal.begin(), curve.horizontal.end(), [&](double x) { return std::abs(x) > reach; }) -
-        curve.horizontal.begin());
-      curve.horizontal.resize(end);
-      curve.vertical.resize(end);
-      return curve;
-    }
-
     const SequentialModel &sequential(const LoadedScene &scene)
     {
       const auto *kind = dynamic_cast<const SequentialScene *>(scene.scene.get());
@@ -145,7 +133,8 @@ namespace apps
           options.strength                  = model.tensile_strength();
           if (identified)
             options.law = *identified;
-          if (continue_from(request, model.continuum, field, options, [](const TransferredState &) {}) != exit_success)
+          if (continue_from(request, model.continuum, field, options, model.study.least_force,
+                            [](const TransferredState &) {}) != exit_success)
             return row;
           compare(folder); // what was found, if it broke off
         }

@@ -182,6 +182,8 @@ namespace apps
     gauges->visit_state(state);
     state.group("analysis");
     analysis->visit_state(state);
+    if (least_left > 0)
+      watch.visit_state(state, *solid);
   }
 
   template <int dim>
@@ -215,6 +217,11 @@ namespace apps
     const double now = std::fabs(values[vertical_index]);
     peak             = std::max(peak, now);
     was_stopped      = now < model.control.stop_fraction * peak;
+    if (least_left > 0)
+      {
+        watch.look(*solid, now);
+        has_softened = watch.softens_everywhere() && now < least_left * peak;
+      }
     return {{}, values, {}};
   }
 
@@ -252,7 +259,7 @@ namespace apps
   std::string ContinuumRun<dim>::finish(const std::filesystem::path &folder, const double wall_seconds)
   {
     // The way to the end asks for a snapshot there; a run that stopped early shows where.
-    if (was_stopped || !failure.empty() || snapshots_due < model.output.snapshots)
+    if (was_stopped || has_softened || !failure.empty() || snapshots_due < model.output.snapshots)
       snapshot();
     ContinuumSize size;
     size.elements             = static_cast<double>(solid->mesh().triangulation->n_global_active_cells());
@@ -273,8 +280,10 @@ namespace apps
                                    horizontal,
                                    vertical,
                                    model.is_static(),
+                                   model.is_static() && !settle,
                                    !failure.empty() ? no_equilibrium + failure :
                                    was_stopped      ? "stop fraction" :
+                                   has_softened     ? softened :
                                    at_end           ? "end" :
                                                       "steps at most"};
       report.write(folder);

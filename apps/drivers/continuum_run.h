@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/drivers/continuum_analysis.h"
+#include "apps/drivers/softening_watch.h"
 #include "apps/results/run_work.h"
 #include "apps/scene/scene.h"
 #include "postprocess/pvd.h"
@@ -33,8 +34,16 @@ namespace apps
                  const Prepare        &prepare = {},
                  const Settle         &settle  = {});
 
-    /** Where there is no equilibrium any more is an end like others, which the summary tells; otherwise execute() throws. */
-    void end_where_it_fails() { failure_is_an_end = true; }
+    /**
+     * Two more ends, which the summary tells: no equilibrium any more (otherwise execute() throws), and softening everywhere with
+     * little force left (otherwise the run goes on).
+     * @param least_force share of the largest one in the vertical column of the curve
+     */
+    void end_where_little_is_left(const double least_force)
+    {
+      failure_is_an_end = true;
+      least_left        = least_force;
+    }
 
     /** @return exit status: 0, or 130 after an interrupt. Throws as Scene::run(). */
     int execute();
@@ -53,9 +62,9 @@ namespace apps
     std::string stage() const override;
     double      done() const override;
     std::string details() const override { return analysis->details(); }
-    bool        finished() const override { return was_stopped || !failure.empty() || analysis->finished(); }
-    void        advance(const Record &record) override;
-    void        leave_last_state() override { snapshot(); }
+    bool finished() const override { return was_stopped || has_softened || !failure.empty() || analysis->finished(); }
+    void advance(const Record &record) override;
+    void leave_last_state() override { snapshot(); }
     std::string finish(const std::filesystem::path &folder, double wall_seconds) override;
 
     void      open(const std::filesystem::path &folder);
@@ -74,13 +83,15 @@ namespace apps
     std::optional<postprocess::PvdCollection> snapshots;      ///< first rank only, as is the next
     dem::Column                               snapshot_times; ///< kept where a resumed run takes none
     std::filesystem::path                     location;       ///< where results grow
+    SofteningWatch<dim>                       watch;
     std::string                               horizontal, vertical;
     std::size_t                               vertical_index = 0;
 
     double       peak           = 0; ///< of the vertical column, in magnitude
     std::int64_t snapshot_count = 0; ///< taken so far
     std::int64_t snapshots_due  = 0; ///< on the way to the end
-    bool         was_stopped = false, failure_is_an_end = false;
-    std::string  failure; ///< that was the end; "": none
+    bool         was_stopped = false, has_softened = false, failure_is_an_end = false;
+    double       least_left = 0; ///< see end_where_little_is_left(); 0: not asked for
+    std::string  failure;        ///< that was the end; "": none
   };
 } // namespace apps

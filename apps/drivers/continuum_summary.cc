@@ -127,7 +127,7 @@ namespace apps
     curve.mark_peak = true;
     curve.x         = std::move(x.values);
     curve.y         = std::move(y.values);
-    if (is_static) // the state before the first step
+    if (from_rest) // the state before the first step
       {
         curve.x.insert(curve.x.begin(), 0.0);
         curve.y.insert(curve.y.begin(), 0.0);

@@ -18,6 +18,9 @@ namespace apps
   /** How the words begin of a run that ended where there was no equilibrium any more. */
   inline const std::string no_equilibrium = "no equilibrium: ";
 
+  /** The words of one that ended because all of the solid softens and little force is left. */
+  inline const std::string softened = "softens everywhere";
+
   /** What a continuum run found and took: summary.json, curve.png and the words for the terminal. */
   struct ContinuumReport
   {
@@ -29,7 +32,8 @@ namespace apps
     double                        wall_seconds;
     std::string                   horizontal, vertical; ///< columns of the curve
     bool                          is_static;
-    std::string                   ended_by; ///< "end", "stop fraction", "steps at most", or no_equilibrium and why
+    bool                          from_rest; ///< the state before the first row of the series is nothing at all
+    std::string ended_by; ///< "end", "stop fraction", "steps at most", softened, or no_equilibrium and why
 
     /** summary.json and curve.png. @throws postprocess::OutputError. */
     void write(const std::filesystem::path &folder) const;

@@ -167,9 +167,9 @@ namespace apps
   class LawIdentification::Test : public ParticleCase
   {
   public:
-    Test(const SequentialModel &model_, const dem::Packing &packing, const double element_size_)
+    Test(const SequentialModel &model_, const dem::Packing &packing, const double smoothed_size)
       : model(model_)
-      , element_size(element_size_)
+      , size(smoothed_size)
       , specimen(packing, specimen_parameters(model_.particles), model_.particles.material.materials())
       , test(specimen, parameters(model_))
     {
@@ -192,7 +192,7 @@ namespace apps
       const auto field = coupling::particle_field(dem::discrete_state(specimen), model.transfer.field);
       samples.push_back(
         {sample.strain, sample.stress,
-         coupling::observed_damage(field, model.transfer.options.averaging, model.particles.axis, element_size)});
+         coupling::observed_damage(field, model.transfer.options.averaging, model.particles.axis, size)});
     }
 
     ParticleOutcome outcome() const override
@@ -239,7 +239,7 @@ namespace apps
     }
 
     const SequentialModel &model;
-    double                 element_size;
+    double                 size;
     dem::Specimen          specimen;
     dem::UniaxialTest      test;
   };
@@ -262,7 +262,9 @@ namespace apps
         law = law_in(file);
         return true;
       }
-    Test test(model, packing, element_size);
+    const double smoothed =
+      std::max(element_size, concrete_of(model.continuum).nonlocal_length); // as points of a transfer
+    Test test(model, packing, smoothed);
     if (!run_particles(test, "identification", states, deciding_text))
       return false;
     fit(test.samples, folder);

@@ -39,6 +39,10 @@ namespace apps
     s.number("Sign", model.study.sign, "-", Range::between(-1, 1), Need::optional)
       .means("-1 turns both around")
       .housekeeping();
+    s.number("Least force", model.study.least_force, "-", Range::from_up_to(0, 1), Need::optional)
+      .means(
+        "A continuation of which every point softens, in ten steps in a row, ends when no more than this part of its "
+        "largest force (Output/Curve vertical) is left; 0: it goes on");
     s.text("Horizontal", model.study.horizontal, Need::required)
       .means("Column of the continuation's series.csv")
       .housekeeping();

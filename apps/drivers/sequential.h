@@ -16,7 +16,8 @@ namespace apps
     {
       double      length = 1, area = 1; ///< strain = displacement/length [m], stress = force/area [m^2]
       std::string horizontal, vertical; ///< columns of the continuation's series
-      double      sign = 1;             ///< with which they are taken
+      double      sign        = 1;      ///< with which they are taken
+      double      least_force = 0.05;   ///< see ContinuumRun::end_where_little_is_left()
     };
 
     ParticleStageSection  particles;

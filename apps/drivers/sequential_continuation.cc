@@ -44,7 +44,8 @@ namespace apps
       std::filesystem::create_directories(folder, error);
       if (error)
         throw postprocess::OutputError(folder.string() + ": the folder cannot be made: " + error.message() + ".");
-      done.mesh_file = (folder / write_solid(*solid, solver.displacement(), reaction, {folder, "solid", 0, 0})).string();
+      done.mesh_file =
+        (folder / write_solid(*solid, solver.displacement(), reaction, {folder, "solid", 0, 0})).string();
       return done;
     }
 
@@ -53,6 +54,7 @@ namespace apps
             const ContinuumModel            &model,
             const coupling::ParticleField   &field,
             const coupling::TransferOptions &options,
+            const double                     least_force,
             const TransferObserver          &observe)
     {
       TransferredState done;
@@ -72,7 +74,7 @@ namespace apps
         observe(done);
       };
       ContinuumRun<dim> whole(request, model, prepare, settle);
-      whole.end_where_it_fails();
+      whole.end_where_little_is_left(least_force);
       return whole.execute();
     }
   } // namespace
@@ -91,10 +93,11 @@ namespace apps
                     const ContinuumModel            &model,
                     const coupling::ParticleField   &field,
                     const coupling::TransferOptions &options,
+                    const double                     least_force,
                     const TransferObserver          &observe)
   {
     start_mpi();
-    return model.solid.dimension == 2 ? run<2>(request, model, field, options, observe) :
-                                        run<3>(request, model, field, options, observe);
+    return model.solid.dimension == 2 ? run<2>(request, model, field, options, least_force, observe) :
+                                        run<3>(request, model, field, options, least_force, observe);
   }
 } // namespace apps

@@ -31,13 +31,15 @@ namespace apps
   using TransferObserver = std::function<void(const TransferredState &)>;
 
   /**
-   * The same, and load it on to the end of the model's analysis, or to where there is no equilibrium any more; results of a continuum
-   * run in the request's folder. A run that is resumed has been observed before.
+   * The same, and load it on to the end of the model's analysis, or to where there is no equilibrium any more or little is left
+   * (ContinuumRun::end_where_little_is_left()); results of a continuum run in the request's folder. A run that is resumed has been
+   * observed before.
    * @return exit status; 130 when interrupted
    */
   int continue_from(const RunRequest                &request,
                     const ContinuumModel            &model,
                     const coupling::ParticleField   &field,
                     const coupling::TransferOptions &options,
+                    double                           least_force,
                     const TransferObserver          &observe);
 } // namespace apps

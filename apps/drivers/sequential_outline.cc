@@ -119,6 +119,21 @@ namespace apps
         }
     }
 
+    /** A section given in a number is that of the specimen, or of another one: hulls of cylinders fill a half of the box, or more. */
+    void refuse_specimen_area(const SequentialModel &model, const ParticleOutline &particles)
+    {
+      constexpr double     least = 0.5;
+      const double         area  = model.particles.grips.parameters().area;
+      const int            axis  = model.particles.axis;
+      const Eigen::Array3d size  = particles.high - particles.low;
+      const double         box   = size[(axis + 1) % 3] * size[(axis + 2) % 3];
+      if (model.particles.physics.dimension == 3 && area > 0 &&
+          (area < least * box || area > (1 + model.transfer.extents) * box))
+        throw dem::InputError(fmt::format("Particles/Uniaxial/Area = {:.4g}: across {} the box around the specimen has "
+                                          "{:.3g} m^2: expected a half of it at least, and not more.",
+                                          area, "xyz"[axis], box));
+    }
+
     bool near(const double value, const double wanted, const double tolerance)
     {
       return std::abs(value - wanted) <= tolerance * std::max(std::abs(value), std::abs(wanted));
@@ -195,6 +210,8 @@ namespace apps
 
     // Forces and displacements as they are need no length and no area; what is compared with stress and strain of particles does.
     const bool compared = model.particles.source == ParticleStageSection::Source::uniaxial;
+    if (compared)
+      refuse_specimen_area(model, particles.front());
     const auto along = axis_of(s.horizontal, "displacement_"), across = axis_of(s.vertical, "reaction_");
     for (const auto &[entry, axis] : {std::pair("Horizontal", along), std::pair("Vertical", across)})
       if (compared && axis && *axis != model.particles.axis)

@@ -160,8 +160,9 @@ namespace apps
     const auto start = std::chrono::steady_clock::now();
     try
       {
-        return in_case(outcome, [&] { return continue_from(part, model.continuum, field, options, tell); }) !=
-               exit_interrupted;
+        return in_case(outcome, [&] {
+                 return continue_from(part, model.continuum, field, options, model.study.least_force, tell);
+               }) != exit_interrupted;
       }
     catch (
       const dem::NumericalError &failure) // there is nothing to carry on: the study says so, and the other cases go on

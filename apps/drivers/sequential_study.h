@@ -36,6 +36,9 @@ namespace apps
    */
   double error_against(const ContinuationCurve &curve, const ParticleOutcome &all_particles);
 
+  /** The continuation as far as half the strain of the transfer again. */
+  ContinuationCurve near_the_transfer(ContinuationCurve curve);
+
   /** Units of what a study compares: "-" and "Pa", or those of the columns. */
   struct StudyUnits
   {
@@ -59,5 +62,6 @@ namespace apps
 
   private:
     std::string severity_unit() const;
+    std::string how_it_ended(const ContinuationCurve &curve) const;
   };
 } // namespace apps

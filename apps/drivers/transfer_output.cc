@@ -134,6 +134,7 @@ namespace apps
     json["largest_return"] = {{"value", report.largest_return}, {"unit", "Pa"}};
     json["volume"]         = {
               {"particles", report.integrals.volume_particles}, {"points", report.integrals.volume_points}, {"unit", "m^3"}};
+    json["volume"]["filled"] = report.cuts.filled;
     json["strength"] = {{"value", report.strength}, {"unit", "Pa"}}; // what the errors of small stresses relate to
     json["mean_stress_error"] = report.integrals.stress_error(report.strength);
     json["mean_damage_error"] = report.integrals.damage_error();
@@ -169,6 +170,11 @@ namespace apps
       "{:.3g} MPa makes), {:.2g} % in mean damage\n",
       100 * report.integrals.stress_error(report.strength), 100 * report.cuts.force_error(report.strength),
       100 * report.cuts.moment_error(report.strength), 1e-6 * report.strength, 100 * report.integrals.damage_error());
+    if (report.cuts.filled > 0)
+      text +=
+        fmt::format("  volume       particles (gripped ones too) fill {:.0f} % of the solid: at equal stress they bear "
+                    "about as much of its force\n",
+                    100 * report.cuts.filled);
     text += fmt::format(
       "  imbalance    {:.2e} of the forces at hand before, {:.2e} after {} iterations{} that moved {:.2e} m\n",
       settled.before.relative(), settled.after.relative(), settled.iterations,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace coupling
 {
@@ -76,7 +77,12 @@ namespace coupling
     const auto by_points    = section_forces(sections, place, volume, stress),
                by_particles = section_forces(sections, field.place, field.volume, field.stress);
 
+    const auto sum = [](const std::vector<double> &volumes) {
+      return std::accumulate(volumes.begin(), volumes.end(), 0.0);
+    };
+    const double  parts = static_cast<double>(field.size()), all = parts + static_cast<double>(field.left_out);
     CutComparison cuts;
+    cuts.filled = sum(field.volume) * all / parts / sum(volume);
     for (std::size_t s = 0; s < by_points.size(); ++s)
       if (by_points[s].volume > 0 && by_particles[s].volume > 0) // particles in grips are left out
         {

@@ -15,6 +15,7 @@ namespace coupling
   {
     std::vector<SectionForce> particles, points;
     double                    section = 0; ///< mean of the solid over the cuts [m^2]
+    double filled = 0; ///< volume of the particles, gripped ones like the others, over that of the solid
 
     /** Largest difference of force over the larger of the largest force and what the section bears at the strength [Pa]. */
     double force_error(double strength) const;

@@ -15,7 +15,7 @@ namespace fem
     constexpr double       stiffest   = 1e6;
     constexpr unsigned int most_steps = 300, easy_iterations = 6;
     constexpr double       softer = 0.5, stiffer = 4;
-    constexpr double       runaway = 0.1; // way over the size of the solid, far beyond what small strains are good for
+    constexpr double       runaway = 0.02; // way over the size of the solid, beyond what small strains are good for
 
     template <int dim>
     std::vector<double> histories_of(Solid<dim> &solid)

@@ -8,7 +8,9 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <sstream>
 #include <thread>
@@ -29,8 +31,8 @@ namespace
          {std::string("Particles/Specimen/Box size=0.011, 0.011, 0.018"),
           std::string("Particles/Specimen/Generator/Cell particles=100"),
           std::string("Particles/Uniaxial/Grip thickness=2.2e-3"), std::string("Particles/Uniaxial/Strain rate=8"),
-          std::string("Particles/Uniaxial/End strain=0"), "Particles/Uniaxial/Instants=" + instants,
-          std::string("Continuum/Mesh/Box/Size=0.011, 0.011, 0.018"),
+          std::string("Particles/Uniaxial/End strain=0"), std::string("Particles/Uniaxial/Area=nominal"),
+          "Particles/Uniaxial/Instants=" + instants, std::string("Continuum/Mesh/Box/Size=0.011, 0.011, 0.018"),
           std::string("Continuum/Boundary conditions/front/Displacement z=-0.018*t"),
           std::string("Continuum/Points/top/Position=0, 0, 0.018"), std::string("Study/Length=0.018"),
           std::string("Study/Area=1.21e-4")})
@@ -104,6 +106,60 @@ TEST_CASE("A crushed specimen is handed over, carried on, and told in table, pic
   // The mesh as handed over is the first snapshot of the continuation: nothing was transferred twice.
   CHECK_THAT(pvd, Contains("file=\"continuation_002/solid/"));
   CHECK_FALSE(std::filesystem::exists(results / "transfer/mesh_002"));
+}
+
+TEST_CASE("A continuation that softens everywhere ends when little force is left, and the table says so",
+          "[apps][slow]")
+{
+  const ScratchFolder folder;
+  const auto          carried_on = [&](const std::string &least) {
+    const Outcome outcome =
+      run(folder.path(), small({"run", scene, "-o", "results", "-s", "Continuum/Control/Stop fraction=0", "-s",
+                                "Continuum/Control/End=6e-3", "-s", "Study/Least force=" + least},
+                                        "-2.2e-3"));
+    INFO(outcome.err);
+    REQUIRE(outcome.status == 0);
+    return outcome.out;
+  };
+  CHECK_THAT(carried_on("0"), Contains("  end\n"));
+  const auto whole = postprocess::read_csv_table(folder / "results/continuation_000/series.csv", true);
+  CHECK_THAT(carried_on("0.05"), Contains("  softens everywhere, left at -0.0"));
+  const auto one = summary_of(folder / "results")["figures"]["cases"][0];
+  CHECK(one["ended_by"] == "softens everywhere");
+  CHECK(one["furthest"]["value"].get<double>() > -5e-3);
+  // What was computed is what the whole continuation begins with, down to the force at which it ends.
+  const auto part  = postprocess::read_csv_table(folder / "results/continuation_000/series.csv", true);
+  const auto force = part.column("reaction_front_z"), all = whole.column("reaction_front_z");
+  REQUIRE(force.size() < all.size());
+  CHECK(std::equal(force.begin(), force.end(), all.begin()));
+  const auto   stronger = [](double a, double b) { return std::abs(a) < std::abs(b); };
+  const double peak     = std::abs(*std::max_element(force.begin(), force.end(), stronger));
+  CHECK(std::abs(force.back()) < 0.05 * peak);
+  CHECK(std::abs(force[force.size() - 2]) >= 0.05 * peak);
+}
+
+TEST_CASE("Handed over at the peak and past it, many elements go on within a quarter of the particles' stress",
+          "[apps][slow]")
+{
+  const ScratchFolder folder;
+  const std::string   late    = places::sources() + "/apps/scenes/late_transfers.prm";
+  const Outcome       outcome = run(folder.path(), {"run", late, "-o", "results", "-s",
+                                                    "Particles/Uniaxial/Instants=-1.68655e-3, -2.10819e-3, -2.52982e-3"});
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  const auto summary = summary_of(folder / "results");
+  CHECK_FALSE(summary.contains("warnings"));
+  CHECK(summary["identification"]["damage_error"].get<double>() < 0.02);
+  for (const auto &one : summary["figures"]["cases"])
+    {
+      INFO(one.dump(1));
+      CHECK(one["ended_by"] == "end");
+      CHECK(one["error_near"].get<double>() < 0.25);
+    }
+  CHECK_THAT(outcome.out, Contains("near [-]"));
+  const double filled = summary["transfers"][0]["volume"]["filled"];
+  CHECK(filled > 0.7); // 1 mm spheres leave a rim of the box around them empty
+  CHECK(filled < 0.9);
 }
 
 TEST_CASE("A state that was saved is transferred as in the run that saved it", "[apps][slow]")
@@ -245,6 +301,8 @@ TEST_CASE("Mesh, length, area and columns that do not belong to the particles ar
                  Contains("Area = 4.41e-4: the mesh has a mean section of 0.000121 m^2 across z"));
     }
   CHECK_THAT(refusal("run", {"Study/Area=1"}), Contains("mean section of 0.000121 m^2"));
+  CHECK_THAT(refusal("run", {"Particles/Uniaxial/Area=3.82e-4"}),
+             Contains("Particles/Uniaxial/Area = 0.000382: across z the box around the specimen has"));
   CHECK_THAT(refusal("run", {"Study/Length=0.04"}), Contains("Length = 0.04: the mesh is 0.018 m long along z"));
   CHECK_THAT(refusal("run", {"Study/Horizontal=displacement_top_x"}), Contains("the particles are strained along z"));
   // A mesh of the size of another specimen: 50 MPa for a concrete of 40, with forces of one over the area of the other.
