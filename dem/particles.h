@@ -25,6 +25,7 @@ namespace dem
     Column
       velocity;   ///< v (3) [m/s] | w (3) [rad/s] | 0 0, at half steps; in a periodic cell v is the fluctuation v - G x
     Column force; ///< F (3) [N] | T (3) [N m] | 0 0, of links, contacts and weight, at the last step's start
+    Column pushed; ///< force (3) [N] | couple (3) [N m] | 0 0 from outside, where a force is to be added; empty: none
     Column inverse_mass; ///< 1/m (3) | 1/I (3) | 0 0; zero where motion is prescribed or not modelled
     Column reference;    ///< x y z at the start [m], three per particle
     Column mass;         ///< [kg]

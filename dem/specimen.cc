@@ -131,7 +131,7 @@ namespace dem
       slot[particles.number[i]] = static_cast<std::int32_t>(i);
     link();
     space_per_solid = volume_per_solid(particles, shape);
-    time_step       = parameters.step_factor * (bond_law->bonds() ? stable() : step_of_lone_particles());
+    longest_step = time_step = parameters.step_factor * (bond_law->bonds() ? stable() : step_of_lone_particles());
     if (!std::isfinite(time_step))
       throw InputError("Interaction ratio = " + std::to_string(p.interaction_ratio) +
                        ": no two particles are near enough to be linked, nothing holds the specimen together. Raise "
@@ -208,6 +208,16 @@ namespace dem
   Specimen::~Specimen()                               = default;
   Specimen::Specimen(Specimen &&) noexcept            = default;
   Specimen &Specimen::operator=(Specimen &&) noexcept = default;
+  Specimen::Specimen(const Specimen &other)
+    : self(std::make_unique<Implementation>(*other.self))
+  {
+  }
+  Specimen &Specimen::operator=(const Specimen &other)
+  {
+    if (this != &other)
+      *self = *other.self;
+    return *this;
+  }
 
   void Specimen::advance(const std::int64_t steps)
   {
@@ -254,9 +264,15 @@ namespace dem
       throw InputError("Grips: a periodic cell has no place for them; it is loaded by its deformation.");
     HeldGrip held;
     held.grip = grip;
-    for (const std::size_t number : grip.particles)
-      held.members.push_back(self->slot.at(number));
-    std::sort(held.members.begin(), held.members.end());
+    std::vector<std::pair<std::int32_t, std::size_t>> order;
+    for (std::size_t k = 0; k < grip.particles.size(); ++k)
+      order.emplace_back(self->slot.at(grip.particles[k]), k);
+    std::sort(order.begin(), order.end());
+    for (const auto &[member, given] : order)
+      {
+        held.members.push_back(member);
+        held.given.push_back(given);
+      }
     held.lost_velocity.assign(6 * held.members.size(), 0.0);
     for (const std::int32_t i : held.members)
       for (int c = 0; c < 6; ++c)
@@ -273,21 +289,10 @@ namespace dem
     HeldGrip &held     = self->grips.at(number);
     held.grip.velocity = velocity;
     held.grip.spin     = spin;
-    Particles &p       = self->particles;
+    held.own_rates.clear();
     for (std::size_t k = 0; k < held.members.size(); ++k)
       for (int c = 0; c < 6; ++c)
-        if (held.grip.prescribed[c])
-          {
-            const auto   i      = static_cast<std::size_t>(held.members[k]);
-            double      &v      = p.velocity[record_size * i + c];
-            const double before = v, mass = c < 3 ? p.mass[i] : p.inertia[i];
-            v = held.rate(c);
-            // A sudden change is an impulse; before the first step it belongs to the initial energy.
-            if (self->step_count == 0)
-              continue;
-            self->work_before += 0.5 * mass * (v * v - before * before);
-            held.lost_velocity[6 * k + c] += before - v;
-          }
+        self->set_rate(held, k, c);
   }
 
   void Specimen::set_damping(const double damping)
@@ -316,6 +321,28 @@ namespace dem
     std::copy_n(spin.data(), 3, v + 3);
   }
 
+  namespace
+  {
+    void visit_kicks(StateVisitor &visitor, std::vector<VelocityKick> &kicks)
+    {
+      std::vector<std::int32_t> particle;
+      Column                    change;
+      for (const VelocityKick &kick : kicks)
+        {
+          particle.push_back(kick.particle);
+          change.insert(change.end(), kick.change.begin(), kick.change.end());
+        }
+      visitor.column("kicks/particle", particle);
+      visitor.column("kicks/change", change);
+      kicks.resize(particle.size());
+      for (std::size_t k = 0; k < kicks.size(); ++k)
+        {
+          kicks[k].particle = particle[k];
+          std::copy_n(&change[6 * k], 6, kicks[k].change.begin());
+        }
+    }
+  } // namespace
+
   void Specimen::visit_state(StateVisitor &visitor)
   {
     auto &s = *self;
@@ -332,6 +359,8 @@ namespace dem
     for (const auto &[name, value] :
          std::initializer_list<std::pair<const char *, double *>>{{"time", &s.time},
                                                                   {"time_step", &s.time_step},
+                                                                  {"last_step", &s.last_step},
+                                                                  {"longest_step", &s.longest_step},
                                                                   {"damping", &s.parameters.damping},
                                                                   {"energy/initial", &s.initial},
                                                                   {"energy/stored_at_start", &s.stored_at_start},
@@ -356,7 +385,9 @@ namespace dem
             visitor.scalar(name + "/spin_" + std::to_string(c), s.grips[g].grip.spin[c]);
           }
         visitor.column(name + "/lost_velocity", s.grips[g].lost_velocity);
+        visitor.column(name + "/own_rates", s.grips[g].own_rates);
       }
+    visit_kicks(visitor, s.kicks);
     Column kinetic(s.accounts.size());
     for (std::size_t b = 0; b < kinetic.size(); ++b)
       kinetic[b] = s.accounts[b].kinetic;

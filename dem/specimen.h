@@ -41,6 +41,15 @@ namespace dem
     Eigen::Vector3d          spin       = {0, 0, 0}; ///< [rad/s], of the prescribed rotations
   };
 
+  /** One particle as it is now. */
+  struct ParticleState
+  {
+    Eigen::Vector3d position;       ///< [m]
+    Eigen::Vector3d velocity, spin; ///< half a step back [m/s, rad/s]; in a periodic cell about its motion
+    double          radius;         ///< [m]
+    double          mass, inertia;  ///< [kg, kg m^2]
+  };
+
   /** One particle as an observer sees it; tensors are row-major. Order: the packing's. */
   struct ParticleOutput
   {
@@ -103,7 +112,8 @@ namespace dem
   /**
  * A bonded-particle specimen: particles, cohesive links and contacts, advanced in time by leap-frog steps.
  *
- * Results are the same to the last bit for any number of OpenMP threads.
+ * Results are the same to the last bit for any number of OpenMP threads. A copy is whole: it goes on to the same bits, and neither
+ * knows of the other; going back to an earlier state is to take a copy back.
  */
   class Specimen
   {
@@ -118,6 +128,8 @@ namespace dem
     ~Specimen();
     Specimen(Specimen &&) noexcept;
     Specimen &operator=(Specimen &&) noexcept;
+    Specimen(const Specimen &);
+    Specimen &operator=(const Specimen &);
 
     /** Take the given number of steps. @throws NumericalError when the state is no longer a number. */
     void advance(std::int64_t steps);
@@ -129,6 +141,9 @@ namespace dem
     std::int64_t steps() const;       ///< taken since the start
     double       time() const;        ///< [s]
     double       time_step() const;   ///< [s], in use
+    double       longest_step() const; ///< that may be set: the step factor times the stable step of the stiffest state so far [s]
+    /** Steps of this length from now on [s]; contacts that are born may shorten it. @throws InputError beyond longest_step() */
+    void         set_time_step(double step);
     double       stable_step() const; ///< per-particle bound (5.1) of the present state [s]
     double critical_step() const; ///< sharp: 2/sqrt(largest eigenvalue) by Lanczos, of the undamaged elastic system [s]
     Counts counts() const;
@@ -137,10 +152,29 @@ namespace dem
     /** Prescribe motion of a group from now on. @return its number for reaction(). @throws InputError in a periodic cell */
     std::size_t add_grip(const Grip &grip);
     void        set_grip_velocity(std::size_t grip, const Eigen::Vector3d &velocity, const Eigen::Vector3d &spin);
+    /** The same for each of the grip's particles on its own, in the order of Grip::particles. @throws InputError for another number of them */
+    void        set_grip_velocities(std::size_t                         grip,
+                                    const std::vector<Eigen::Vector3d> &velocity,
+                                    const std::vector<Eigen::Vector3d> &spin);
     /** Force that the grip exerts on its particles, at t_n of the last step [N]. */
     Eigen::Vector3d reaction(std::size_t grip) const;
     /** Sum of the moments that the grip exerts on its particles about their own centres, likewise [N m]. */
     Eigen::Vector3d reaction_moment(std::size_t grip) const;
+    /** Moment of all that the grip exerts on its particles in prescribed directions, about a point [m], likewise [N m]. */
+    Eigen::Vector3d reaction_moment(std::size_t grip, const Eigen::Vector3d &about) const;
+
+    /**
+   * Push a particle from outside [N, N m], in every step until clear_forces(). Several add up; their work is external work. Not part of
+   * the state that visit_state() shows. @throws InputError in a periodic cell
+   */
+    void add_force(std::size_t particle, const Eigen::Vector3d &force, const Eigen::Vector3d &couple);
+    void clear_forces();
+
+    /**
+   * Change a particle's velocity at once, where it is not prescribed [m/s, rad/s]. The energy that this gives or takes is external work;
+   * before the first step it is initial energy.
+   */
+    void apply_impulse(std::size_t particle, const Eigen::Vector3d &change, const Eigen::Vector3d &spin);
 
     /**
    * Deform the periodic cell, and the particles with it, at velocity gradient G [1/s] from the next step on.
@@ -172,6 +206,7 @@ namespace dem
     void set_velocity(std::size_t particle, const Eigen::Vector3d &velocity, const Eigen::Vector3d &spin);
 
     EnergyAccount  energy() const;      ///< at t_n of the last step
+    ParticleState   particle(std::size_t number) const;       ///< by packing number
     Eigen::Vector3d displacement(std::size_t particle) const; ///< of a particle, by packing number, since the start [m]
     double         mean_damage() const; ///< of the links made at the start, broken ones count as 1 [-]
     ParticleOutput particles() const;

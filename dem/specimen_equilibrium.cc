@@ -234,7 +234,7 @@ namespace dem
   {
     bond_pass(bonds, particles, *bond_law);
     // A step of no length: forces are summed up, nothing moves, and the last motion is done with.
-    select_particle_pass(false, false, equal_radii, moments(), surroundings())(particles, bonds, nullptr, 0.0, 0.0,
+    select_particle_pass(false, false, equal_radii, moments(), surroundings())(particles, bonds, nullptr, {0.0, 0.0}, 0.0,
                                                                     parameters.gravity, accounts);
     sum_pulls();
   }

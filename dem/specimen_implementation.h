@@ -18,20 +18,36 @@ namespace dem
   {
     Grip                      grip;
     std::vector<std::int32_t> members;
+    std::vector<std::size_t>  given; ///< which of grip.particles each member is
     std::array<double, 6>     pull =
       {};                 ///< sum of the links' (and weight's) force and moment over the members, at t_n [N, N m]
+    Column own_rates;     ///< 6 of each member, where members move each on its own; empty: all alike
+    double own_power = 0; ///< that the grip puts in at these rates and the forces at t_n [W]
     Column lost_velocity; ///< of each member, 6 components: what set_grip_velocity took away since the last step
 
     double rate(const int c) const { return c < 3 ? grip.velocity[c] : grip.spin[c - 3]; }
+    double rate(const std::size_t member, const int c) const
+    {
+      return own_rates.empty() ? rate(c) : own_rates[6 * member + static_cast<std::size_t>(c)];
+    }
     /** Power that the grip puts into the specimen [W]. */
     double power() const
     {
+      if (!own_rates.empty())
+        return own_power;
       double sum = 0;
       for (int c = 0; c < 6; ++c)
         if (grip.prescribed[c])
           sum -= pull[c] * rate(c);
       return sum;
     }
+  };
+
+  /** A change of velocity that was given to a particle since the last step. */
+  struct VelocityKick
+  {
+    std::int32_t          particle;
+    std::array<double, 6> change; ///< [m/s, rad/s]
   };
 
   /** What a specimen holds, and how it takes a step; specimen.h says what it is for. */
@@ -55,8 +71,11 @@ namespace dem
 
     std::int64_t step_count = 0;
     double       time = 0, time_step = 0;
+    double       last_step    = 0; ///< the one that led here [s]
+    double       longest_step = 0; ///< that the present stiffness allows, with the factor [s]
+    std::vector<VelocityKick> kicks;
     double       initial = 0, work_before = 0, work_now = 0,
-           work_after             = 0; ///< by grips: before t_n's half step, it, the half after
+           work_after             = 0; ///< by grips and from outside: before t_n's half step, it, the half after
     double          damped_before = 0, damped_now = 0, damped_after = 0; ///< dissipated, likewise
     double          released = 0, broken_damage = 0;                     ///< of deleted links
     double          stored_at_start = 0, weight_at_start = 0; ///< energy in links, work of weight, of a static start
@@ -82,6 +101,7 @@ namespace dem
     Surroundings surroundings() const
     {
       return parameters.physics.periodic  ? Surroundings::periodic :
+             !particles.pushed.empty()    ? Surroundings::pushed :
              parameters.gravity.isZero(0) ? Surroundings::free :
                                             Surroundings::weight;
     }
@@ -101,8 +121,14 @@ namespace dem
     void step();
     /** Stress moment of all links and contacts as the link passes have left it. */
     void sum_stress();
-    /** Sum up what blocks, grips and cell say of the step, in their order. */
-    void account();
+    /** Sum up what blocks, kicks, grips and cell say of the step, in their order. */
+    void account(const StepHalves &halves);
+    /** Component of links and weight: the pass has counted the work of the push with the changed velocity already. */
+    double force_less_push(std::int32_t particle, int component) const;
+    /** Work of these forces at t_n on what kicks have changed of the velocity in the half step before [J]. */
+    double work_of_kicks(double half) const;
+    /** Let a prescribed component have another rate: an impulse, unless nothing has begun yet. */
+    void set_rate(HeldGrip &held, std::size_t member, int component);
     /** Look at the links that broke in this step, or are gone: enter broken bonds in the crack log, take out those that are gone. */
     void settle_events(LinkSet &links, const LinkLaw &law);
     void note_crack(const LinkReader &link, std::size_t number);

@@ -51,13 +51,15 @@ namespace dem
       sum_stress();
     settle_events(bonds, *bond_law);
     settle_events(contacts, *contact_law);
+    const StepHalves halves{0.5 * (step_count == 0 ? time_step : last_step), 0.5 * time_step};
     select_particle_pass(contacts.alive > 0, parameters.damping > 0, equal_radii, moments(), surroundings())(
-      particles, bonds, &contacts, time_step, parameters.damping, parameters.gravity, accounts);
-    account();
+      particles, bonds, &contacts, halves, parameters.damping, parameters.gravity, accounts);
+    account(halves);
     if (parameters.physics.periodic)
       particles.cell.advance(time_step);
     ++step_count;
     time += time_step;
+    last_step = time_step;
     if (parameters.physics.contacts)
       make_contacts();
     if (step_count % steps_between_checks == 0)
@@ -82,10 +84,33 @@ namespace dem
         for (const std::int32_t i : grip.members)
           for (int c = 0; c < 6; ++c)
             grip.pull[c] += particles.force[record_size * static_cast<std::size_t>(i) + c];
+        if (grip.own_rates.empty())
+          continue;
+        grip.own_power = 0;
+        for (std::size_t k = 0; k < grip.members.size(); ++k)
+          for (int c = 0; c < 6; ++c)
+            if (grip.grip.prescribed[c])
+              grip.own_power -=
+                particles.force[record_size * static_cast<std::size_t>(grip.members[k]) + c] * grip.rate(k, c);
       }
   }
 
-  void Specimen::Implementation::account()
+  double Specimen::Implementation::force_less_push(const std::int32_t i, const int c) const
+  {
+    const std::size_t at = record_size * static_cast<std::size_t>(i) + static_cast<std::size_t>(c);
+    return particles.pushed.empty() ? particles.force[at] : particles.force[at] - particles.pushed[at];
+  }
+
+  double Specimen::Implementation::work_of_kicks(const double half) const
+  {
+    double work = 0;
+    for (const VelocityKick &kick : kicks)
+      for (int c = 0; c < 6; ++c)
+        work += force_less_push(kick.particle, c) * kick.change[c];
+    return half * work;
+  }
+
+  void Specimen::Implementation::account(const StepHalves &halves)
   {
     damped_before += damped_now + damped_after;
     work_before += work_now + work_after;
@@ -94,18 +119,21 @@ namespace dem
       {
         damped_now -= block.damping_before;
         damped_after -= block.damping_after;
+        work_now += block.pushing_before;
+        work_after += block.pushing_after;
       }
+    work_now += work_of_kicks(halves.before);
+    kicks.clear();
     sum_pulls();
     for (auto &grip : grips)
       {
         double lost_power = 0; // in the half step before t_n members had the velocities of before the last change
         for (std::size_t k = 0; k < grip.members.size(); ++k)
           for (int c = 0; c < 6; ++c)
-            lost_power -= particles.force[record_size * static_cast<std::size_t>(grip.members[k]) + c] *
-                          grip.lost_velocity[6 * k + c];
+            lost_power -= force_less_push(grip.members[k], c) * grip.lost_velocity[6 * k + c];
         std::fill(grip.lost_velocity.begin(), grip.lost_velocity.end(), 0.0);
-        work_now += 0.5 * time_step * (grip.power() + lost_power);
-        work_after += 0.5 * time_step * grip.power();
+        work_now += halves.before * (grip.power() + lost_power);
+        work_after += halves.after * grip.power();
       }
     if (parameters.physics.periodic)
       {
@@ -193,8 +221,9 @@ namespace dem
     // Links only soften, but contacts stiffen the particles they join: keep the factor on the present bound.
     for (const auto &pair : born)
       for (const std::int32_t i : {pair.first, pair.second})
-        time_step = std::min(time_step, parameters.step_factor * stable_step_of(particles, all_links(),
-                                                                                parameters.physics.rotations, i));
+        longest_step = std::min(longest_step, parameters.step_factor * stable_step_of(particles, all_links(),
+                                                                                      parameters.physics.rotations, i));
+    time_step = std::min(time_step, longest_step);
   }
 
   void Specimen::Implementation::check_numbers() const

@@ -128,6 +128,8 @@ namespace apps
         visit_vector(visitor, "velocity", saved.velocity);
         visit_vector(visitor, "internal_force", saved.internal_force);
         visit_vector(visitor, "mean_velocity", saved.mean_velocity);
+        visit_vector(visitor, "last_motion", saved.last_motion);
+        visitor.scalar("last_length", saved.last_length);
         solver.restore(saved);
         visitor.scalar("steps", steps);
         visitor.scalar("stepping_seconds", seconds);

@@ -61,7 +61,7 @@ namespace dem
     /** Sums over a block, one lane per component. */
     struct Sums
     {
-      Pack damping_before{0.0}, damping_after{0.0}, kinetic{0.0}, fastest{0.0};
+      Pack damping_before{0.0}, damping_after{0.0}, pushing_before{0.0}, pushing_after{0.0}, kinetic{0.0}, fastest{0.0};
     };
 
     template <bool damped>
@@ -82,13 +82,27 @@ namespace dem
              Pack(x[2]) * load(rate + 2 * record_size);
     }
 
+    /** Constant packs of a step's length: half of the one before t_n, half of the one after, their sum, and the drift. */
+    struct Lengths
+    {
+      Pack half_before, half_after, kick, drift;
+
+      explicit Lengths(const StepHalves &step)
+        : half_before(step.before)
+        , half_after(step.after)
+        , kick(step.before + step.after)
+        , drift(2 * step.after)
+      {
+      }
+    };
+
     /** Leap-frog step of one particle, all components at once. */
-    template <bool damped, bool periodic>
+    template <bool damped, bool periodic, bool pushed>
     BRECCIA_KERNEL void integrate(Particles        &p,
                                   const std::size_t i,
                                   const Pack       &force,
                                   const Lanes      &lanes,
-                                  const Pack       &time_step,
+                                  const Lengths    &step,
                                   const Pack       &damping,
                                   Sums             &sums)
     {
@@ -97,16 +111,16 @@ namespace dem
       const Pack        inverse_mass = load(&p.inverse_mass[at]);
       const Pack        mass         = Pack(p.mass[i]) * lanes.translates + Pack(p.inertia[i]) * lanes.rotates;
       const Pack        free         = force * inverse_mass;
-      const Pack        acceleration = damp<damped>(free, velocity, Pack(0.5) * time_step, damping);
-      const Pack        next         = velocity + time_step * acceleration;
-      const Pack        displacement = time_step * next;
+      const Pack        acceleration = damp<damped>(free, velocity, step.half_before, damping);
+      const Pack        next         = velocity + step.kick * acceleration;
+      const Pack        displacement = step.drift * next;
 
       const double rotation[3] = {displacement[3], displacement[4], displacement[5]};
       const double stretch =
         arm_stretch(rotation[0] * rotation[0] + rotation[1] * rotation[1] + rotation[2] * rotation[2]);
       Pack moved = displacement;
       if constexpr (periodic)
-        moved += time_step * cell_velocity(p, at);
+        moved += step.drift * cell_velocity(p, at);
       const Pack pose =
         load(&p.pose[at]) * lanes.keep_pose + moved * (lanes.translates + Pack(stretch) * lanes.rotates);
       store(pose, &p.pose[at]);
@@ -118,10 +132,15 @@ namespace dem
       sums.kinetic = sums.kinetic + Pack(0.5) * mass * velocity * next;
       if constexpr (damped)
         {
-          const Pack half_impulse =
-            Pack(0.5) * time_step * mass * (acceleration - free); // zero where motion is prescribed
-          sums.damping_before = sums.damping_before + half_impulse * velocity;
-          sums.damping_after  = sums.damping_after + half_impulse * next;
+          const Pack slowed   = acceleration - free; // zero where motion is prescribed
+          sums.damping_before = sums.damping_before + step.half_before * mass * slowed * velocity;
+          sums.damping_after  = sums.damping_after + step.half_after * mass * slowed * next;
+        }
+      if constexpr (pushed)
+        {
+          const Pack push     = load(&p.pushed[at]);
+          sums.pushing_before = sums.pushing_before + step.half_before * push * velocity;
+          sums.pushing_after  = sums.pushing_after + step.half_after * push * next;
         }
     }
 
@@ -141,7 +160,7 @@ namespace dem
     void particle_pass(Particles                         &particles,
                        const LinkSet                     &bonds,
                        const LinkSet                     *contacts,
-                       const double                       time_step,
+                       const StepHalves                  &step,
                        const double                       damping,
                        const Eigen::Vector3d             &gravity,
                        std::vector<ParticleBlockAccount> &accounts)
@@ -151,7 +170,8 @@ namespace dem
       for (std::ptrdiff_t b = 0; b < blocks; ++b)
         {
           const Lanes       lanes;
-          const Pack        step(time_step), coefficient(damping);
+          const Lengths     lengths(step);
+          const Pack        coefficient(damping);
           const Pack        fall([&](auto lane) { return lane < 3 ? gravity[lane < 3 ? int(lane) : 0] : 0.0; });
           Sums              sums;
           const std::size_t begin = static_cast<std::size_t>(b) * particles_per_block,
@@ -168,13 +188,17 @@ namespace dem
                   if constexpr (with_contacts)
                     add_moments(*contacts, i, force);
                 }
-              if constexpr (surroundings == Surroundings::weight)
+              constexpr bool pushed = surroundings == Surroundings::pushed;
+              if constexpr (surroundings == Surroundings::weight || pushed)
                 force += Pack(particles.mass[i]) * fall;
-              integrate<damped, surroundings == Surroundings::periodic>(particles, i, force, lanes, step, coefficient,
-                                                                        sums);
+              if constexpr (pushed)
+                force += load(&particles.pushed[record_size * i]);
+              integrate<damped, surroundings == Surroundings::periodic, pushed>(particles, i, force, lanes, lengths,
+                                                                                coefficient, sums);
             }
           accounts[b] = {stdx::reduce(sums.damping_before), stdx::reduce(sums.damping_after),
-                         stdx::reduce(sums.kinetic), stdx::reduce(sums.fastest)};
+                         stdx::reduce(sums.kinetic), stdx::reduce(sums.pushing_before), stdx::reduce(sums.pushing_after),
+                         stdx::reduce(sums.fastest)};
         }
     }
 
@@ -185,6 +209,8 @@ namespace dem
         {
         case Surroundings::weight:
           return particle_pass<with_contacts, damped, equal_radii, moments, Surroundings::weight>;
+        case Surroundings::pushed:
+          return particle_pass<with_contacts, damped, equal_radii, moments, Surroundings::pushed>;
         case Surroundings::periodic:
           return particle_pass<with_contacts, damped, equal_radii, moments, Surroundings::periodic>;
         default:

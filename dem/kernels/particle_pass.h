@@ -18,25 +18,34 @@ namespace dem
     double damping_before = 0; ///< work of damping forces of this step over the half step before t_n, < 0 [J]
     double damping_after  = 0; ///< the same over the half step after t_n
     double kinetic        = 0; ///< 1/2 m v(n-1/2).v(n+1/2) + the same of rotation [J]; in a cell of the fluctuation
+    double pushing_before = 0; ///< work of forces from outside over the half step before t_n [J]
+    double pushing_after  = 0; ///< the same over the half step after t_n
     double fastest =
       0; ///< not below the largest squared displacement of the step (sum of the components' largest) [m^2]
   };
 
+  /** The halves of the steps that meet at t_n [s]; equal unless the length of the step has changed there. */
+  struct StepHalves
+  {
+    double before = 0, after = 0;
+  };
+
   /**
  * Second of the two passes: every particle adds up its links in a fixed order (its own, then those of which it is the second end,
- * then contacts the same way) and its weight, and takes a leap-frog step with local damping (doc/theory/integration.md, 1).
+ * then contacts the same way), its weight and what pushes it from outside, and takes a leap-frog step with local damping
+ * (doc/theory/integration.md, 1): a kick over both halves, a drift over twice the second.
  *
  * In a periodic cell the velocity is the fluctuation u = v - G x, and the step is u += dt a, x += dt (G x + u). In the
  * velocities themselves (doc/theory/periodic-cell.md, 1): v += (G_new - G_old) x_n + dt G_old v_(n-1/2) + dt a leaves u_(n+1/2) =
  * u_(n-1/2) + dt a exactly. Damping and kinetic energy are those of u.
  *
  * @param contacts may be null: there are none
- * @param gravity  acceleration [m/s^2]; looked at only by a pass with weight
+ * @param gravity  acceleration [m/s^2]; not looked at by a pass without weight
  */
   using ParticlePass = void (*)(Particles                         &particles,
                                 const LinkSet                     &bonds,
                                 const LinkSet                     *contacts,
-                                double                             time_step,
+                                const StepHalves                  &step,
                                 double                             damping,
                                 const Eigen::Vector3d             &gravity,
                                 std::vector<ParticleBlockAccount> &accounts);
@@ -46,6 +55,7 @@ namespace dem
   {
     free,
     weight,  ///< every particle weighs
+    pushed,  ///< every particle weighs, and forces from outside push some
     periodic ///< in a cell, where nothing can weigh: it would fall for ever
   };
 

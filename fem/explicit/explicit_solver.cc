@@ -187,29 +187,122 @@ namespace fem
   }
 
   template <int dim>
+  void ExplicitSolver<dim>::find_external_force()
+  {
+    solid.external_force(current_time, f_ext);
+    if (outside.force.size() > 0)
+      f_ext += outside.force;
+  }
+
+  template <int dim>
+  unsigned int ExplicitSolver<dim>::local(const types::global_dof_index dof) const
+  {
+    if (!v.in_local_range(dof))
+      throw std::invalid_argument("displacement " + std::to_string(dof) + ": belongs to another rank.");
+    return v.get_partitioner()->global_to_local(dof);
+  }
+
+  template <int dim>
+  void ExplicitSolver<dim>::add_force(const types::global_dof_index dof, const double force)
+  {
+    const unsigned int i = local(dof);
+    if (outside.force.size() == 0)
+      outside.force = solid.make_vector();
+    outside.force.local_element(i) += force;
+    f_ext.local_element(i) += force; // found anew at the first step
+    if (!started || held[i])
+      return;
+    // What this force adds to the half step before, which is in the account already.
+    const double m = lumped.local_element(i), behind = last_length * v.local_element(i);
+    const double faster = 0.5 * last_length * force / m / (1 + 0.5 * options.damping * last_length);
+    outside.work += 0.5 * force * behind;
+    outside.damped += options.damping * m * 0.5 * faster * behind;
+    mean.local_element(i) += faster;
+  }
+
+  template <int dim>
+  void ExplicitSolver<dim>::clear_forces()
+  {
+    if (outside.force.size() == 0)
+      return;
+    for (unsigned int i = 0; i < outside.force.locally_owned_size(); ++i)
+      if (outside.force.local_element(i) != 0)
+        add_force(v.get_partitioner()->local_to_global(i), -outside.force.local_element(i));
+    outside.force.reinit(0);
+  }
+
+  template <int dim>
+  void ExplicitSolver<dim>::apply_impulse(const types::global_dof_index dof, const double change)
+  {
+    const unsigned int i = local(dof);
+    if (held[i])
+      return;
+    const double m = lumped.local_element(i), old = v.local_element(i), now = old + change;
+    v.local_element(i) = now;
+    if (!started)
+      {
+        outside.start += 0.5 * m * (now * now - old * old);
+        return;
+      }
+    const double ahead = kicked(i, now, last_length);
+    outside.work += 0.5 * m * (now * ahead - old * kicked(i, old, last_length));
+    mean.local_element(i) = 0.5 * (now + ahead);
+  }
+
+  template <int dim>
+  void ExplicitSolver<dim>::prescribe(const types::global_dof_index dof, const double velocity)
+  {
+    const unsigned int i = local(dof);
+    if (solid.constraints().is_constrained(dof))
+      throw std::invalid_argument("displacement " + std::to_string(dof) +
+                                  ": is prescribed by the loads of the solid, and cannot be from outside as well.");
+    if (started && !held[i]) // kinetic energy of what is held is that of its velocity alone
+      {
+        const double now = v.local_element(i);
+        outside.work += 0.5 * lumped.local_element(i) * now * (now - kicked(i, now, last_length));
+      }
+    held[i]           = true;
+    outside.driven[i] = velocity;
+  }
+
+  template <int dim>
+  double ExplicitSolver<dim>::reaction(const types::global_dof_index dof) const
+  {
+    const unsigned int i = local(dof);
+    return f_int.local_element(i) - f_ext.local_element(i);
+  }
+
+  template <int dim>
   void ExplicitSolver<dim>::advance(const double length)
   {
     if (!started)
       {
         internal_force_at(u, f_int);
-        solid.external_force(current_time, f_ext);
+        find_external_force();
         mean = v;
       }
+    const double kick =
+      started ? 0.5 * (last_length + length) : 0.5 * length; // the first starts from the velocity at time zero
     solid.prescribed(current_time + length, target);
     double pushed = 0; // kinetic energy that the supports give to their own nodes
     for (unsigned int i = 0; i < u.locally_owned_size(); ++i)
       {
         const double old = v.local_element(i);
-        // The first step starts from the velocity at time zero: half a kick.
-        const double now       = held[i] ? (target.local_element(i) - u.local_element(i)) / length :
-                                              kicked(i, old, started ? length : 0.5 * length);
+        double       now = 0;
+        if (!held[i])
+          now = kicked(i, old, kick);
+        else if (const auto own = outside.driven.find(i); own != outside.driven.end())
+          now = own->second;
+        else
+          now = (target.local_element(i) - u.local_element(i)) / length;
         v.local_element(i)     = now;
         moved.local_element(i) = length * now;
         u.local_element(i) += moved.local_element(i);
         if (held[i])
           pushed += 0.5 * lumped.local_element(i) * (now * now - (started ? old * old : 0.0));
       }
-    started = true;
+    started     = true;
+    last_length = length;
     u.update_ghost_values();
 
     f_before.swap(f_int);
@@ -218,7 +311,7 @@ namespace fem
     if (!solid.linear())
       solid.commit();
     current_time += length;
-    solid.external_force(current_time, f_ext);
+    find_external_force();
     keep_account(length, pushed);
   }
 
@@ -226,7 +319,9 @@ namespace fem
   void ExplicitSolver<dim>::keep_account(const double length, const double pushed)
   {
     // Kinetic energy at whole steps is v(n-1/2) m v(n+1/2) / 2: with trapezoidal work its sum is exact for central differences.
-    double inner = 0, outer = pushed, kinetic = 0, damped = 0;
+    double       inner = 0, outer = pushed + outside.work, kinetic = 0, damped = outside.damped;
+    const double start = outside.start;
+    outside.work = outside.damped = outside.start = 0;
     for (unsigned int i = 0; i < u.locally_owned_size(); ++i)
       {
         const double m = lumped.local_element(i), now = v.local_element(i), d = moved.local_element(i);
@@ -247,6 +342,7 @@ namespace fem
         mean.local_element(i) = speed;
       }
     const auto comm = solid.communicator();
+    account.start += Utilities::MPI::sum(start, comm);
     account.internal += Utilities::MPI::sum(inner, comm);
     account.external += Utilities::MPI::sum(outer, comm);
     account.damped += Utilities::MPI::sum(damped, comm);
@@ -259,7 +355,7 @@ namespace fem
   template <int dim>
   ExplicitState ExplicitSolver<dim>::state() const
   {
-    return {current_time, started, account, u, v, f_int, mean};
+    return {current_time, started, last_length, account, u, v, f_int, mean, moved, outside};
   }
 
   template <int dim>
@@ -272,8 +368,15 @@ namespace fem
     v            = saved.velocity;
     f_int        = saved.internal_force;
     mean         = saved.mean_velocity;
+    moved        = saved.last_motion;
+    last_length  = saved.last_length;
+    for (const auto &now : outside.driven)
+      held[now.first] = false;
+    outside = saved.outside;
+    for (const auto &then : outside.driven)
+      held[then.first] = true;
     u.update_ghost_values();
-    solid.external_force(current_time, f_ext);
+    find_external_force();
   }
 
   template class ExplicitSolver<2>;

@@ -24,13 +24,24 @@ namespace fem
     double balance() const;
   };
 
+  /// What acts on a motion from outside, besides the solid's own loads.
+  struct ExplicitOutside
+  {
+    Vector                         force;   ///< [N]; empty: none
+    std::map<unsigned int, double> driven;  ///< velocity of prescribed displacements, by local number [m/s]
+    double work = 0, damped = 0, start = 0; ///< what changes since the last step add to the account, on this rank [J]
+  };
+
   /// All that a motion remembers besides the histories of its points.
   struct ExplicitState
   {
-    double         time    = 0;
-    bool           started = false;
-    ExplicitEnergy energy;
-    Vector         displacement, velocity, internal_force, mean_velocity;
+    double          time        = 0;
+    bool            started     = false;
+    double          last_length = 0; ///< of the step that led here [s]
+    ExplicitEnergy  energy;
+    Vector          displacement, velocity, internal_force, mean_velocity;
+    Vector          last_motion; ///< displacement in the last step [m]
+    ExplicitOutside outside;
   };
 
   /**
@@ -52,7 +63,7 @@ namespace fem
     /// Velocity at the start [m/s]; only before the first step.
     void set_velocity(const VectorOf<dim> &velocity);
 
-    /// One step of this length [s]. @throws MaterialFailure if a force is not a number.
+    /// One step of this length [s], which may differ from the last one's. @throws MaterialFailure if a force is not a number.
     void advance(double length);
 
     double                time() const { return current_time; }
@@ -64,6 +75,25 @@ namespace fem
     const ExplicitEnergy &energy() const { return account; }
     double                largest_element_eigenvalue() const { return 4 / (step_limit * step_limit); } ///< [1/s^2]
 
+    /**
+     * Push a locally owned displacement from outside [N], in every step until clear_forces(). Several add up; their work is external
+     * work.
+     */
+    void add_force(dealii::types::global_dof_index dof, double force);
+    void clear_forces();
+
+    /**
+     * Change the velocity of a locally owned displacement at once [m/s], unless it is prescribed. The energy that this gives or takes
+     * is external work, in the account after the next step; before the first step it is energy of the start.
+     */
+    void apply_impulse(dealii::types::global_dof_index dof, double change);
+
+    /// From now on a locally owned displacement moves at this velocity [m/s]. @throws std::invalid_argument where the solid's loads prescribe it
+    void prescribe(dealii::types::global_dof_index dof, double velocity);
+
+    /// Force that holds a prescribed displacement where it is, at the last whole step, inertia not counted [N].
+    double reaction(dealii::types::global_dof_index dof) const;
+
     /// Internal force of a displacement, by the kernel that the steps use (elastic parts), histories untouched until the next step.
     void internal_force_at(const Vector &displacement, Vector &force);
 
@@ -74,20 +104,24 @@ namespace fem
     void restore(const ExplicitState &saved);
 
   private:
-    void   lump_mass();
-    void   find_step();
-    double kicked(unsigned int i, double old, double kick) const; ///< velocity after a kick by the present forces
-    void   keep_account(double length, double pushed);
+    void         lump_mass();
+    void         find_step();
+    double       kicked(unsigned int i, double old, double kick) const; ///< velocity after a kick by the present forces
+    void         keep_account(double length, double pushed);
+    void         find_external_force();
+    unsigned int local(dealii::types::global_dof_index dof) const;
 
-    Solid<dim>                &solid;
-    ExplicitOptions            options;
+    Solid<dim>       &solid;
+    ExplicitOptions   options;
     std::vector<char> held; ///< whether each owned displacement is prescribed
+    ExplicitOutside   outside;
+    double            last_length = 0;
     Vector            u, v, f_int, f_ext, lumped;
-    Vector            mean; ///< velocity at the last whole step, for the damping work
+    Vector            mean;                              ///< velocity at the last whole step, for the damping work
     Vector            moved, target, f_before, e_before; ///< of a step
-    double         step_limit   = 0;
-    double         current_time = 0;
-    bool           started      = false;
-    ExplicitEnergy account;
+    double            step_limit   = 0;
+    double            current_time = 0;
+    bool              started      = false;
+    ExplicitEnergy    account;
   };
 }

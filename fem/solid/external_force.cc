@@ -1,4 +1,5 @@
 // Loads of a solid: surface, body and point forces.
+#include "fem/solid/point_search.h"
 #include "fem/solid/solid.h"
 
 #include <deal.II/base/mpi.h>
@@ -12,68 +13,32 @@ namespace fem
 {
   using namespace dealii;
 
-  namespace
+  template <int dim>
+  const PointSearch<dim> &Solid<dim>::point_search() const
   {
-    /// How far a unit point lies outside the reference element, 0 inside.
-    template <int dim>
-    double distance_outside(const Point<dim> &p, const ElementFamily family)
-    {
-      double outside = 0, sum = 0;
-      for (int d = 0; d < dim; ++d)
-        {
-          sum += p[d];
-          outside = std::max(outside, -p[d]);
-          if (family == ElementFamily::hypercube)
-            outside = std::max(outside, p[d] - 1);
-        }
-      return family == ElementFamily::simplex ? std::max(outside, sum - 1) : outside;
-    }
+    if (!search)
+      search = std::make_shared<const PointSearch<dim>>(*this);
+    return *search;
   }
 
   template <int dim>
   std::vector<std::pair<types::global_dof_index, double>> Solid<dim>::interpolation(const Point<dim>  &where,
                                                                                     const unsigned int component) const
   {
-    std::vector<std::pair<types::global_dof_index, double>> weights;
-    // Every element is tried: robust for all element shapes and ranks, and done once per point.
     const MPI_Comm     comm = communicator();
-    const unsigned int rank = Utilities::MPI::this_mpi_process(comm);
-    double             best = 1e-8; // how far outside, in the unit element, still counts as inside
-    Point<dim>         unit;
-    typename DoFHandler<dim>::active_cell_iterator home = dof_handler.end();
-    for (const auto &cell : dof_handler.active_cell_iterators())
-      if (cell->is_locally_owned() && cell->bounding_box().point_inside(where, 1e-8))
-        {
-          try
-            {
-              const Point<dim> p       = geometry->transform_real_to_unit_cell(cell, where);
-              const double     outside = distance_outside(p, grid.family);
-              if (outside < best)
-                {
-                  best = outside;
-                  unit = p;
-                  home = cell;
-                }
-            }
-          catch (const typename Mapping<dim>::ExcTransformationFailed &)
-            {
-            }
-        }
-    const unsigned int found_by =
-      Utilities::MPI::min(home != dof_handler.end() ? rank : Utilities::MPI::n_mpi_processes(comm), comm);
-    if (found_by == Utilities::MPI::n_mpi_processes(comm))
+    const unsigned int rank = Utilities::MPI::this_mpi_process(comm), none = Utilities::MPI::n_mpi_processes(comm);
+    const auto         place    = point_search().find(where);
+    const unsigned int found_by = Utilities::MPI::min(place ? rank : none, comm);
+    if (found_by == none)
       {
         std::ostringstream text;
         text << "point " << where << ": lies outside the solid. Move it onto or into the mesh.";
         throw std::invalid_argument(text.str());
       }
-    if (found_by != rank)
-      return weights;
-    std::vector<types::global_dof_index> indices(element->n_dofs_per_cell());
-    home->get_dof_indices(indices);
-    for (unsigned int i = 0; i < indices.size(); ++i)
-      if (element->system_to_component_index(i).first == component)
-        weights.emplace_back(indices[i], element->shape_value(i, unit));
+    std::vector<std::pair<types::global_dof_index, double>> weights;
+    if (found_by == rank)
+      for (std::size_t node = 0; node < place->nodes.size(); ++node)
+        weights.emplace_back(place->nodes[node][component], place->weights[node]);
     return weights;
   }
 
@@ -202,6 +167,8 @@ namespace fem
   template void                                                    Solid<3>::external_force(double, Vector &) const;
   template void                                                    Solid<2>::place_forces();
   template void                                                    Solid<3>::place_forces();
+  template const PointSearch<2>                                   &Solid<2>::point_search() const;
+  template const PointSearch<3>                                   &Solid<3>::point_search() const;
   template std::vector<std::pair<types::global_dof_index, double>> Solid<2>::interpolation(const Point<2> &,
                                                                                            unsigned int) const;
   template std::vector<std::pair<types::global_dof_index, double>> Solid<3>::interpolation(const Point<3> &,

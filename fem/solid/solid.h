@@ -51,6 +51,8 @@ namespace fem
 
   template <int dim>
   class NonlocalCoupling;
+  template <int dim>
+  class PointSearch;
 
   /// Mesh, degrees of freedom, supports, loads and the histories of the integration points of one continuum.
   template <int dim>
@@ -131,6 +133,9 @@ namespace fem
     /// Points of the locally owned elements, in the order of iteration over them.
     const std::vector<ElementPoints> &element_points() const { return elements; }
 
+    /// The search for elements around points; made when first asked for.
+    const PointSearch<dim> &point_search() const;
+
     /// Weights of the displacements of the element around a point: value = sum weight u[dof], for one component.
     /// Empty on all ranks but one. @throws std::invalid_argument if the point lies outside the solid.
     std::vector<std::pair<dealii::types::global_dof_index, double>> interpolation(const dealii::Point<dim> &where,
@@ -202,6 +207,7 @@ namespace fem
     std::map<std::string, std::unique_ptr<MaterialPoints>>     materials;
     std::map<dealii::types::material_id, MaterialPoints *>     material_of;
     mutable std::vector<ElementBlocks>                         element_blocks;
+    mutable std::shared_ptr<const PointSearch<dim>>            search;
     std::vector<ElementPoints>                                 elements;
     std::unique_ptr<NonlocalCoupling<dim>>                     nonlocal; // where damage is averaged over a length
     Loads<dim>                                                 loads;
