@@ -175,6 +175,8 @@ namespace apps
         fmt::format("  volume       particles (gripped ones too) fill {:.0f} % of the solid: at equal stress they bear "
                     "about as much of its force\n",
                     100 * report.cuts.filled);
+    if (settled.before.at_hand == 0) // found no equilibrium: the caller says why
+      return text;
     text += fmt::format(
       "  imbalance    {:.2e} of the forces at hand before, {:.2e} after {} iterations{} that moved {:.2e} m\n",
       settled.before.relative(), settled.after.relative(), settled.iterations,
