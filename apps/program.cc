@@ -14,6 +14,8 @@
 #include <CLI/Formatter.hpp>
 #include <fmt/format.h>
 
+#include <system_error>
+
 namespace apps
 {
   namespace
@@ -80,6 +82,9 @@ namespace apps
         }
       catch (const std::exception &error)
         {
+          const auto *system = dynamic_cast<const std::system_error *>(&error);
+          if (system && system->code() == std::errc::broken_pipe) // the reader, head for example, has enough
+            return exit_failure;
           return complain(fmt::format("unexpected error, a mistake in the program: {}", error.what()), exit_failure);
         }
     }

@@ -94,11 +94,20 @@ namespace apps
     Passage in_markdown(const Match &match, const std::string &kind)
     {
       const std::string path = match.section->path();
-      return {path.empty() ? "Outside all sections" : path, description_as_markdown(*match.section, match.entry), kind};
+      std::string       text = description_as_markdown(*match.section, match.entry);
+      // Each kind has itself as the default of Kind; but for that all of them say the same.
+      const std::string own = "| Kind |  | " + kind + " |";
+      if (const auto at = text.find(own); path.empty() && at != std::string::npos)
+        text.replace(at, own.size(), "| Kind |  | required |");
+      return {path.empty() ? "Outside all sections" : path, text, kind};
     }
 
-    void print_markdown(const std::vector<Passage> &passages)
+    void print_markdown(const std::vector<Passage> &passages, const bool whole)
     {
+      if (whole)
+        fmt::print(
+          "# Parameters of scenes\n\nWritten by `breccia describe --format md`. Numbers are in SI units; `-` marks "
+          "pure numbers.\n\n");
       for (std::size_t i = 0; i < passages.size(); ++i)
         fmt::print("{}## {}\n\n*Scenes of kind {}.* {}", i > 0 ? "\n" : "", passages[i].heading, passages[i].kinds,
                    passages[i].text);
@@ -159,7 +168,7 @@ namespace apps
         fmt::print("{}\n",
                    (objects.size() == 1 && !options.kind.empty() ? objects.front() : nlohmann::json(objects)).dump(2));
       else if (options.format == "md")
-        print_markdown(passages);
+        print_markdown(passages, options.wanted.empty() && options.kind.empty());
       else
         print_prm(passages);
       return exit_success;

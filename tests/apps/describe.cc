@@ -1,15 +1,18 @@
 #include "dem/laws/all.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scratch_folder.h"
+#include "tests/places.h"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include <cstdlib>
 #include <initializer_list>
 #include <set>
 #include <string>
 #include <utility>
 
+using apps_tests::content_of;
 using apps_tests::Outcome;
 using apps_tests::run;
 using apps_tests::ScratchFolder;
@@ -74,6 +77,24 @@ TEST_CASE("describe writes parameter files, tables and JSON of all sections", "[
     }
   CHECK_THAT(run(folder.path(), {"describe", "Time"}).out, Contains("set Step factor = 0.8"));
   CHECK_THAT(run(folder.path(), {"describe", "time", "--format", "md"}).out, Contains("| Step factor | - | 0.8 |"));
+}
+
+TEST_CASE("doc/parameters.md is what describe says", "[apps]")
+{
+  const ScratchFolder folder;
+  INFO("build/release/apps/breccia describe --format md > doc/parameters.md");
+  // Compared as a whole, not by CHECK: 1000 lines of difference would hide what to do about it.
+  const bool same =
+    run(folder.path(), {"describe", "--format", "md"}).out == content_of(places::sources() + "/doc/parameters.md");
+  CHECK(same);
+}
+
+TEST_CASE("describe stops without a word when its reader has read enough", "[apps]")
+{
+  const ScratchFolder folder;
+  const std::string   command = "trap '' PIPE; " + places::program() + " describe 2> said | head -n 1 > first";
+  REQUIRE(std::system(("cd '" + folder.path().string() + "' && " + command).c_str()) == 0);
+  CHECK(content_of(folder / "said").empty());
 }
 
 TEST_CASE("describe finds entries and sections by name wherever they are, and says once what kinds share", "[apps]")
