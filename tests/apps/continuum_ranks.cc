@@ -122,11 +122,11 @@ TEST_CASE("Interrupted under mpirun, a run says how to go on under mpirun, and d
   if (mpirun.empty())
     return;
   const ScratchFolder folder;
-  std::string         scene = replaced(impact_scene(), "set End time           = 1.9e-4", "set End time = 2e-2");
+  std::string         scene = replaced(impact_scene(), "set End time           = 1.9e-4", "set End time = 6e-2");
   folder.file("x.prm", replaced(scene, "subsection Output", "subsection Output\n  set Checkpoint interval = 0.01"));
   const int status =
     shell(folder, "RUN -o two & "
-                  "for i in $(seq 600); do test -e two/running/checkpoint.h5 && break; sleep 0.1; done; "
+                  "for i in $(seq 3000); do test -e two/running/checkpoint.h5 && break; sleep 0.02; done; "
                   "kill -TERM $!; wait $!");
   INFO(content_of(folder / "said"));
   CHECK(status != 0);
