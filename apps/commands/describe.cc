@@ -99,6 +99,8 @@ namespace apps
       const std::string own = "| Kind |  | " + kind + " |";
       if (const auto at = text.find(own); path.empty() && at != std::string::npos)
         text.replace(at, own.size(), "| Kind |  | required |");
+      if (path.empty())
+        text.insert(0, "\n"); // a table begins after an empty line
       return {path.empty() ? "Outside all sections" : path, text, kind};
     }
 
