@@ -3,6 +3,7 @@
 #include "apps/drivers/cell_scene.h"
 #include "apps/drivers/continuum.h"
 #include "apps/drivers/homogenisation_scene.h"
+#include "apps/drivers/particles/scene.h"
 #include "apps/drivers/quasi_static_scene.h"
 #include "apps/drivers/sequential.h"
 #include "apps/drivers/uniaxial.h"
@@ -25,6 +26,7 @@ namespace apps
       {"continuum", "a solid of finite elements, static past its peak or explicit", make<ContinuumScene>},
       {"homogenisation", "macroscopic stiffness of periodic packings, swept over link parameters",
        make<HomogenisationScene>},
+      {"particles", "specimens and loose particles, bonded or not, moved and thrown by formula", make<ParticlesScene>},
       {"quasi_static", "a bonded-particle specimen or periodic cell pulled and crushed without inertia",
        make<QuasiStaticScene>},
       {"sequential", "an event by particles, handed over to a continuum that carries on", make<SequentialScene>},

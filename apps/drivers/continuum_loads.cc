@@ -4,13 +4,6 @@ namespace apps
 {
   namespace
   {
-    void declare_components(
-      Section &s, const std::string &quantity, Expressions &members, const char *unit, const std::string &meaning)
-    {
-      for (std::size_t i = 0; i < 3; ++i)
-        s.expression(quantity + (quantity.empty() ? "" : " ") + "xyz"[i], members[i], unit).means(meaning);
-    }
-
     template <typename Named>
     Named &opened_in(std::vector<std::unique_ptr<Named>> &list, const Section &section)
     {

@@ -1,13 +1,11 @@
 #pragma once
 
-#include "apps/scene/section.h"
+#include "apps/scene/vector_formula.h"
 
 #include <memory>
 
 namespace apps
 {
-  using Expressions = std::array<Expression, 3>; ///< for x, y and z
-
   /** Sub-section of "Boundary conditions", named after a boundary of the mesh. */
   struct BoundaryCondition
   {

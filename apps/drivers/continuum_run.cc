@@ -3,11 +3,11 @@
 #include "apps/drivers/continuum_picture.h"
 #include "apps/drivers/continuum_solid.h"
 #include "apps/drivers/continuum_summary.h"
+#include "apps/drivers/drawn_curve.h"
 #include "apps/drivers/solid_snapshot.h"
 #include "apps/mpi_session.h"
 #include "apps/results/life_cycle.h"
 #include "apps/results/warning.h"
-#include "apps/scene/nearest_name.h"
 
 #include <fmt/format.h>
 
@@ -91,15 +91,10 @@ namespace apps
     const auto has = [&](const std::string &name) {
       return std::find(names.begin(), names.end(), name) != names.end();
     };
-    const auto chosen = [&](const std::string &asked, const char *entry, const std::string &otherwise) {
-      if (!asked.empty() && !has(asked))
-        throw dem::InputError(std::string("Output/") + entry + " = " + asked + ": series.csv has no such column. " +
-                              did_you_mean(asked, names));
-      return asked.empty() ? otherwise : asked;
-    };
     const std::string reaction = gauges->first_reaction();
-    horizontal     = chosen(model.output.horizontal, "Curve horizontal", has("opening") ? "opening" : names.front());
-    vertical       = chosen(model.output.vertical, "Curve vertical", reaction.empty() ? "energy_internal" : reaction);
+    horizontal = chosen_column(names, "Curve horizontal", model.output.horizontal, has("opening") ? "opening" : names.front());
+    vertical   = chosen_column(names, "Curve vertical", model.output.vertical,
+                               reaction.empty() ? "energy_internal" : reaction);
     vertical_index = static_cast<std::size_t>(std::find(names.begin(), names.end(), vertical) - names.begin());
   }
 

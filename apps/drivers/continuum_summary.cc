@@ -1,9 +1,9 @@
 #include "apps/drivers/continuum_summary.h"
 
+#include "apps/drivers/drawn_curve.h"
 #include "apps/mpi_session.h"
 #include "apps/progress.h"
 #include "apps/version.h"
-#include "postprocess/drawn_unit.h"
 #include "postprocess/plot.h"
 #include "postprocess/summary.h"
 
@@ -23,34 +23,6 @@ namespace apps
     nlohmann::json quantity(const double value, const std::string &unit)
     {
       return {{"value", value}, {"unit", unit.empty() ? "-" : unit}};
-    }
-
-    /** Row of the largest magnitude. */
-    std::size_t peak_row(const std::vector<double> &values)
-    {
-      const auto smaller = [](const double a, const double b) { return std::fabs(a) < std::fabs(b); };
-      return static_cast<std::size_t>(std::max_element(values.begin(), values.end(), smaller) - values.begin());
-    }
-
-    /** A column as it is drawn: upwards, that is with the sign of its peak, and in a unit that keeps its numbers short. */
-    struct DrawnColumn
-    {
-      std::vector<double> values;
-      std::string         label;
-    };
-
-    DrawnColumn drawn(const postprocess::CsvTable &series, const std::string &name)
-    {
-      const auto                 column = std::find(series.names.begin(), series.names.end(), name);
-      const std::vector<double> &values = series.column(name);
-      const double               peak = values[peak_row(values)], sign = peak < 0 ? -1 : 1;
-      const auto                 unit =
-        postprocess::drawn_unit(peak, series.units[static_cast<std::size_t>(column - series.names.begin())]);
-      DrawnColumn result;
-      for (const double value : values)
-        result.values.push_back(sign * unit.scale * value);
-      result.label = (sign < 0 ? "- " : "") + postprocess::readable(name) + unit.label;
-      return result;
     }
   } // namespace
 
@@ -116,23 +88,14 @@ namespace apps
   void ContinuumReport::write(const std::filesystem::path &folder) const
   {
     postprocess::write_json(folder / "summary.json", summary());
-    DrawnColumn             x = drawn(series, horizontal), y = drawn(series, vertical);
-    postprocess::PlotPanel  panel;
-    postprocess::PlotSeries curve;
-    panel.title     = std::filesystem::path(request.scene_file).stem().string();
-    panel.x_label   = x.label;
-    panel.y_label   = y.label;
-    curve.name      = postprocess::readable(vertical);
-    curve.style     = postprocess::PlotSeries::Style::line;
-    curve.mark_peak = true;
-    curve.x         = std::move(x.values);
-    curve.y         = std::move(y.values);
+    postprocess::PlotPanel panel =
+      drawn_curve(series, horizontal, vertical, std::filesystem::path(request.scene_file).stem().string());
     if (from_rest) // the state before the first step
       {
+        postprocess::PlotSeries &curve = panel.series.front();
         curve.x.insert(curve.x.begin(), 0.0);
         curve.y.insert(curve.y.begin(), 0.0);
       }
-    panel.series.push_back(std::move(curve));
     const std::string problem = postprocess::plot(folder / "curve.png", {panel});
     if (!problem.empty())
       fmt::print(stderr, "breccia: warning: no curve.png: {}\n", problem);

@@ -116,18 +116,29 @@ namespace apps
     }
   } // namespace
 
-  dem::Packing make_packing(const SpecimenSection &specimen, const MaterialSection &material, const int dimension)
+  std::string origin_of(const SpecimenSection &specimen)
+  {
+    return specimen.source == SpecimenSection::Source::file ? specimen.file : "generated packing";
+  }
+
+  dem::Packing specimen_particles(const SpecimenSection &specimen, const int dimension)
   {
     const bool        from_file = specimen.source == SpecimenSection::Source::file;
-    const std::string origin    = from_file ? specimen.file : "generated packing";
+    const std::string origin    = origin_of(specimen);
     dem::Packing      packing   = make_particles(specimen);
     if (from_file || specimen.body == SpecimenSection::Body::box)
       dem::check_packing(packing, origin);
     if (from_file)
       dem::check_overlaps(packing, origin, dimension);
-    if (specimen.body == SpecimenSection::Body::box)
+    if (specimen.body == SpecimenSection::Body::box && specimen.bonded)
       packing = in_one_piece(std::move(packing), specimen);
-    material.assign(packing, dimension, origin);
+    return packing;
+  }
+
+  dem::Packing make_packing(const SpecimenSection &specimen, const MaterialSection &material, const int dimension)
+  {
+    dem::Packing packing = specimen_particles(specimen, dimension);
+    material.assign(packing, dimension, origin_of(specimen));
     return packing;
   }
 } // namespace apps

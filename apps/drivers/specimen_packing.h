@@ -5,6 +5,8 @@
 #include "dem/packing/compaction.h"
 #include "dem/packing/packing.h"
 
+#include <string>
+
 namespace apps
 {
   /**
@@ -14,6 +16,11 @@ namespace apps
    * @throws dem::InputError; dem::CompactionCancelled when interrupted, dem::CompactionFailed.
    */
   dem::Packing make_packing(const SpecimenSection &specimen, const MaterialSection &material, int dimension);
+
+  /** The same without its material, which is still as the file has it. */
+  dem::Packing specimen_particles(const SpecimenSection &specimen, int dimension);
+  /** Where these come from, for messages. */
+  std::string origin_of(const SpecimenSection &specimen);
 
   /** dem::compact() with progress on the standard error, ended by an interrupt. */
   dem::CompactionResult compact_with_progress(const dem::CompactionParameters &parameters);

@@ -120,7 +120,7 @@ namespace apps
         const Section &section = *places.find_section(region.name);
         if (std::find(known.begin(), known.end(), region.material) == known.end())
           section.refuse("Material", "is not in section Materials. " + did_you_mean(region.material, known));
-        region.validate(section, dimension);
+        region.region.validate(section, dimension);
       }
   }
 
@@ -193,6 +193,12 @@ namespace apps
 
   void MaterialSection::assign(dem::Packing &packing, const int dimension, const std::string &origin) const
   {
+    number(packing, dimension, origin);
+    require_all(packing, origin);
+  }
+
+  void MaterialSection::number(dem::Packing &packing, const int dimension, const std::string &origin) const
+  {
     if (named.empty())
       {
         refuse_several(packing, origin);
@@ -207,14 +213,20 @@ namespace apps
         const auto number =
           static_cast<std::int32_t>(std::find(known.begin(), known.end(), region.material) - known.begin());
         for (std::size_t i = 0; i < packing.size(); ++i)
-          if (region.holds(packing.centre[i], dimension))
+          if (region.region.holds(packing.centre[i], dimension))
             numbers[i] = number;
       }
+    packing.material       = std::move(numbers);
+    packing.material_names = known;
+  }
+
+  void MaterialSection::require_all(const dem::Packing &packing, const std::string &origin) const
+  {
+    const std::vector<std::string> known   = names();
+    const auto                    &numbers = packing.material;
     for (std::size_t k = 0; k < known.size(); ++k)
       if (std::find(numbers.begin(), numbers.end(), static_cast<std::int32_t>(k)) == numbers.end())
         throw dem::InputError(origin + ": no particle is of the material \"" + known[k] +
                               "\". Take it out of section Materials, or check regions and units (metres).");
-    packing.material       = std::move(numbers);
-    packing.material_names = known;
   }
 } // namespace apps

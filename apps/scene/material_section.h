@@ -58,5 +58,10 @@ namespace apps
      * @throws dem::InputError for a material that the scene does not name, or that no particle is of
      */
     void assign(dem::Packing &packing, int dimension, const std::string &origin) const;
+
+    /** The same for a part of a packing, which need not have particles of every material. */
+    void number(dem::Packing &part, int dimension, const std::string &origin) const;
+    /** @throws dem::InputError for a material that no particle of a whole packing, numbered as above, is of */
+    void require_all(const dem::Packing &packing, const std::string &origin) const;
   };
 } // namespace apps

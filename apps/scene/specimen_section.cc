@@ -30,8 +30,15 @@ namespace apps
     const auto read      = [this] { return source == Source::file; };
 
     Section &section = root.section("Specimen", "The particles: where they come from, and what is made of them");
-    section.choice("Source", source, {{"generator", Source::generator}, {"file", Source::file}}, Need::required)
-      .means("generator: compact a random packing, tile and crop it; file: read a packing");
+    if (use.other_particles)
+      section
+        .choice("Source", source,
+                {{"generator", Source::generator}, {"file", Source::file}, {"none", Source::none}}, Need::required)
+        .means("generator: compact a random packing, tile and crop it; file: read a packing; none: there are only "
+               "those of section More particles");
+    else
+      section.choice("Source", source, {{"generator", Source::generator}, {"file", Source::file}}, Need::required)
+        .means("generator: compact a random packing, tile and crop it; file: read a packing");
     section.file("File", file)
       .means("Packing: HDF5, or text with a line \"x y z radius\" [m] per particle; from the scene's folder")
       .only_if(read, "Specimen/Source = file");
@@ -48,9 +55,16 @@ namespace apps
     if (use.inertia)
       section.number("Density", density, "kg/m^3", Range::positive(), Need::required)
         .means("Of the particles, not of the bulk: bulk density over packing fraction");
-    section.number("Interaction ratio", interaction_ratio, "-", Range::between(1, 10), Need::required)
-      .means("iota: particles closer than iota times the sum of their radii are linked; a constant of the material "
-             "model, about 1.5");
+    if (use.other_particles)
+      interaction_ratio = 1;
+    section
+      .number("Interaction ratio", interaction_ratio, "-", Range::between(1, 10),
+              use.other_particles ? Need::optional : Need::required)
+      .means(use.other_particles ?
+               "iota: particles closer than iota times the sum of their radii are linked, if the law bonds them; CPM "
+               "about 1.5. A law without bonds does not ask for it" :
+               "iota: particles closer than iota times the sum of their radii are linked; a constant of the material "
+               "model, about 1.5");
     if (use.box)
       section
         .choice("Loose pieces", loose_pieces,

@@ -13,7 +13,8 @@ namespace apps
     enum class Source
     {
       generator,
-      file
+      file,
+      none ///< all particles come from elsewhere
     };
 
     /**
@@ -47,6 +48,7 @@ namespace apps
     struct Use
     {
       bool inertia = true, box = true, cell = false;
+      bool other_particles = false; ///< the scene may have particles from elsewhere, and its law need not bond them
     };
 
     Source                source = Source::generator;
@@ -58,6 +60,7 @@ namespace apps
     double                interaction_ratio = 0;
     double                thickness         = 0; ///< [m], of discs
     LoosePieces           loose_pieces      = LoosePieces::refuse;
+    bool                  bonded            = true; ///< false: by its law no particle is linked, so that pieces mean nothing
 
     /** @param dimension chosen in section "Physics"; read only after reading. */
     void declare(Section &root, const int &dimension, const Use &use);

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "postprocess/csv_table.h"
+#include "postprocess/plot.h"
+
+#include <string>
+#include <vector>
+
+namespace apps
+{
+  /** Row of the largest magnitude. */
+  std::size_t peak_row(const std::vector<double> &values);
+
+  /**
+   * Two columns of a series over each other, each upwards (with the sign of its peak) and in a unit that keeps its numbers short.
+   * @param title of the panel
+   */
+  postprocess::PlotPanel drawn_curve(const postprocess::CsvTable &series,
+                                     const std::string           &horizontal,
+                                     const std::string           &vertical,
+                                     const std::string           &title);
+
+  /**
+   * The column that an entry of section Output asks for.
+   * @param otherwise where the entry is empty. @throws dem::InputError where there is no such column
+   */
+  std::string chosen_column(const std::vector<std::string> &columns,
+                            const char                     *entry,
+                            const std::string              &asked,
+                            const std::string              &otherwise);
+} // namespace apps

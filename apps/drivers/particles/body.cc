@@ -1,0 +1,57 @@
+#include "apps/drivers/particles/body.h"
+
+#include "apps/interrupt.h"
+
+#include <limits>
+
+namespace apps
+{
+  ParticlesBody::ParticlesBody(const ParticlesModel &what, const dem::Packing &particles)
+    : model(&what)
+    , packing(&particles)
+    , body(particles, what.parameters(), what.material.materials())
+    , groups(what.groups_in(particles))
+    , motion(body, what.motion, groups)
+  {
+  }
+
+  StaticStart ParticlesBody::start()
+  {
+    const StaticStart found = start_statically(body, model->gravity);
+    model->initial_velocity.give(body, *packing, groups);
+    motion.lead_next_step(); // what is held moves as prescribed from the start
+    return found;
+  }
+
+  void ParticlesBody::advance_to(const double time)
+  {
+    body.advance(std::numeric_limits<std::int64_t>::max(), [&] {
+      if (motion.varies())
+        motion.lead_next_step();
+      return body.time() < time && !interrupted();
+    });
+  }
+
+  void ParticlesBody::advance(const std::int64_t steps)
+  {
+    body.advance(steps, [&] {
+      if (motion.varies())
+        motion.lead_next_step();
+      return true;
+    });
+  }
+
+  std::vector<double> ParticlesBody::row() const
+  {
+    const dem::ParticleOutput particles = body.particles();
+    const ObservedSpecimen    seen{body, particles, motion, groups};
+    std::vector<double>       row = {body.time()};
+    for (const GaugeSection &gauge : model->gauges.gauges)
+      row.push_back(value_of(gauge, seen));
+    const dem::Counts counts = body.counts();
+    row.insert(row.end(), {static_cast<double>(counts.links), static_cast<double>(counts.broken),
+                           static_cast<double>(counts.contacts)});
+    body.energy().each([&](const std::string_view, const double value) { row.push_back(value); });
+    return row;
+  }
+} // namespace apps

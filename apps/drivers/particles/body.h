@@ -1,0 +1,42 @@
+#pragma once
+
+#include "apps/drivers/particles/model.h"
+#include "apps/drivers/static_start.h"
+#include "dem/specimen.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace apps
+{
+  /** The particles of a scene as they move: linked, held, led and measured as it says. */
+  class ParticlesBody
+  {
+  public:
+    /** @param packing as ParticlesModel::packing() makes it. @throws dem::InputError. */
+    ParticlesBody(const ParticlesModel &model, const dem::Packing &packing);
+    ParticlesBody(const ParticlesBody &)            = delete;
+    ParticlesBody &operator=(const ParticlesBody &) = delete;
+
+    /** Before the first step: the initial equilibrium, if the scene asks for one, and then initial velocities. @throws dem::InputError */
+    StaticStart start();
+
+    /** At least one step, up to this time; fewer when interrupted. */
+    void advance_to(double time);
+    /** So many steps, whatever the time. */
+    void advance(std::int64_t steps);
+
+    /** Numbers of the columns of the series, now. */
+    std::vector<double>  row() const;
+    const dem::Specimen &specimen() const { return body; }
+    /** A reader must have been made from the same model and packing. */
+    void visit_state(dem::StateVisitor &visitor) { body.visit_state(visitor); }
+
+  private:
+    const ParticlesModel *model;
+    const dem::Packing   *packing;
+    dem::Specimen         body;
+    ParticleGroups        groups;
+    PrescribedMotion      motion;
+  };
+} // namespace apps

@@ -1,0 +1,189 @@
+#include "apps/drivers/particles/gauges.h"
+
+#include "apps/scene/same_name.h"
+
+#include <algorithm>
+#include <cctype>
+#include <limits>
+
+namespace apps
+{
+  void GaugeSection::declare(Section &s)
+  {
+    s.choice("Quantity", quantity,
+             {{"position", Quantity::position},
+              {"displacement", Quantity::displacement},
+              {"velocity", Quantity::velocity},
+              {"distance", Quantity::distance},
+              {"reaction", Quantity::reaction},
+              {"reaction moment", Quantity::reaction_moment},
+              {"kinetic energy", Quantity::kinetic_energy},
+              {"broken links", Quantity::broken_links},
+              {"unbalanced ratio", Quantity::unbalanced_ratio}},
+             Need::required)
+      .means("position, displacement, velocity: of the centre of mass of the group; distance: from it to that of the "
+             "other group; reaction: force that the prescribed motion exerts on the group; reaction moment: sum of its "
+             "moments on the particles about their own centres; kinetic energy: of the group; broken links: that have "
+             "an end in it; unbalanced ratio: mean force on all free particles over mean force of links and contacts");
+    s.text("Group", group, Need::optional).means("What is measured");
+    s.text("Other group", other, Need::required)
+      .means("To which the distance is measured")
+      .only_if([this] { return quantity == Quantity::distance; }, "Quantity = distance");
+    s.choice("Component", component,
+             {{"x", Component::x}, {"y", Component::y}, {"z", Component::z}, {"size", Component::size}}, Need::optional)
+      .means("Of a vector; size: its length")
+      .only_if([this] { return is_vector(); }, "Quantity is a vector");
+  }
+
+  void GaugeSection::validate(const Section &section, const GroupNames &names, const MotionSection &motion) const
+  {
+    names.require(section, "Group", group);
+    if (quantity == Quantity::distance)
+      names.require(section, "Other group", other);
+    const bool held = std::any_of(motion.motions.begin(), motion.motions.end(),
+                                  [&](const MotionFormulas &m) { return same_name(m.group, group); });
+    if ((quantity == Quantity::reaction || quantity == Quantity::reaction_moment) && !held)
+      section.refuse("Group", "only a group of section Motion has a reaction.");
+  }
+
+  const char *GaugeSection::unit() const
+  {
+    switch (quantity)
+      {
+        case Quantity::velocity:
+          return "m/s";
+        case Quantity::reaction:
+          return "N";
+        case Quantity::reaction_moment:
+          return "N m";
+        case Quantity::kinetic_energy:
+          return "J";
+        case Quantity::broken_links:
+          return "";
+        case Quantity::unbalanced_ratio:
+          return "-";
+        default:
+          return "m";
+      }
+  }
+
+  void GaugesSection::declare(Section &root)
+  {
+    root.section("Gauges", "One sub-section per number that is measured; its name is that of a column of series.csv")
+      .named_sections("GAUGE", [this](Section &opened) {
+        GaugeSection &added = gauges.emplace_back();
+        added.name          = opened.name();
+        added.declare(opened);
+      });
+  }
+
+  namespace
+  {
+    /** The name of a gauge is that of a column. */
+    void refuse_name(const Section &gauge)
+    {
+      const std::string &name = gauge.name();
+      const auto fits = [](const unsigned char c) { return std::isalnum(c) || c == '_' || c == '-' || c == '.'; };
+      if (!std::all_of(name.begin(), name.end(), fits))
+        throw dem::InputError(gauge.place().text() + ": " + gauge.path() +
+                              ": the name of a gauge is that of a column: letters, digits and . _ - only.");
+      if (name == "time" || name == "links" || name == "broken_links" || name == "contacts" ||
+          name.rfind("energy_", 0) == 0)
+        throw dem::InputError(gauge.place().text() + ": " + gauge.path() +
+                              ": series.csv has a column of this name already. Choose another.");
+    }
+  } // namespace
+
+  void GaugesSection::validate(const Section &root, const GroupNames &names, const MotionSection &motion) const
+  {
+    for (const GaugeSection &gauge : gauges)
+      refuse_name(*root.find_section("Gauges")->find_section(gauge.name));
+    for (const GaugeSection &gauge : gauges)
+      gauge.validate(*root.find_section("Gauges")->find_section(gauge.name), names, motion);
+  }
+
+  namespace
+  {
+    using Quantity = GaugeSection::Quantity;
+    using Vectors  = std::vector<Eigen::Vector3d>;
+
+    Eigen::Vector3d
+    mean(const Vectors &of, const std::vector<std::size_t> &members, const dem::ParticleOutput &particles)
+    {
+      Eigen::Vector3d sum  = Eigen::Vector3d::Zero();
+      double          mass = 0;
+      for (const std::size_t i : members)
+        {
+          sum += particles.mass[i] * of[i];
+          mass += particles.mass[i];
+        }
+      return sum / mass;
+    }
+
+    /** Of translation and rotation, by the velocities half a step ago [J]. */
+    double kinetic_energy(const std::vector<std::size_t> &members, const ObservedSpecimen &seen)
+    {
+      const dem::ParticleOutput &p      = seen.particles;
+      const double               gyrate = seen.specimen.parameters().physics.dimension == 3 ? 2.0 / 5 : 1.0 / 2;
+      double                     sum    = 0;
+      for (const std::size_t i : members)
+        sum += 0.5 * p.mass[i] *
+               (p.velocity[i].squaredNorm() + gyrate * p.radius[i] * p.radius[i] * p.angular_velocity[i].squaredNorm());
+      return sum;
+    }
+
+    double broken_links(const std::vector<std::size_t> &members, const ObservedSpecimen &seen)
+    {
+      const dem::LinkOutput links = seen.specimen.links();
+      const auto            holds = [&](const std::size_t i) {
+        return std::binary_search(members.begin(), members.end(), i);
+      };
+      double count = 0;
+      for (std::size_t l = 0; l < links.ends.size(); ++l)
+        if (links.kind[l] == dem::LinkOutput::broken && (holds(links.ends[l][0]) || holds(links.ends[l][1])))
+          ++count;
+      return count;
+    }
+
+    /** Not a number where particles are joined by nothing. */
+    double unbalanced_ratio(const dem::Specimen &specimen)
+    {
+      const dem::Counts counts = specimen.counts();
+      return counts.links + counts.contacts > 0 ? specimen.unbalanced_ratio() :
+                                                  std::numeric_limits<double>::quiet_NaN();
+    }
+
+    Eigen::Vector3d vector_of(const GaugeSection &gauge, const ObservedSpecimen &seen)
+    {
+      const auto                &members = seen.groups.at(gauge.group);
+      const dem::ParticleOutput &p       = seen.particles;
+      switch (gauge.quantity)
+        {
+          case Quantity::displacement:
+            return mean(p.displacement, members, p);
+          case Quantity::velocity:
+            return mean(p.velocity, members, p);
+          case Quantity::distance:
+            return mean(p.position, seen.groups.at(gauge.other), p) - mean(p.position, members, p);
+          case Quantity::reaction:
+            return seen.motion.reaction(gauge.group);
+          case Quantity::reaction_moment:
+            return seen.motion.reaction_moment(gauge.group);
+          default:
+            return mean(p.position, members, p);
+        }
+    }
+  } // namespace
+
+  double value_of(const GaugeSection &gauge, const ObservedSpecimen &seen)
+  {
+    if (gauge.quantity == Quantity::kinetic_energy)
+      return kinetic_energy(seen.groups.at(gauge.group), seen);
+    if (gauge.quantity == Quantity::unbalanced_ratio)
+      return unbalanced_ratio(seen.specimen);
+    if (gauge.quantity == Quantity::broken_links)
+      return broken_links(seen.groups.at(gauge.group), seen);
+    const Eigen::Vector3d vector = vector_of(gauge, seen);
+    return gauge.component == GaugeSection::Component::size ? vector.norm() : vector[static_cast<int>(gauge.component)];
+  }
+} // namespace apps

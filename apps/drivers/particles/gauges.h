@@ -1,0 +1,68 @@
+#pragma once
+
+#include "apps/drivers/particles/motion.h"
+#include "dem/specimen.h"
+
+#include <list>
+#include <string>
+#include <vector>
+
+namespace apps
+{
+  /** Sub-section of "Gauges": one number that is measured at every sample. */
+  struct GaugeSection
+  {
+    enum class Quantity
+    {
+      position,
+      displacement,
+      velocity,
+      distance,
+      reaction,
+      reaction_moment,
+      kinetic_energy, // vectors until here, numbers from here on
+      broken_links,
+      unbalanced_ratio
+    };
+    enum class Component
+    {
+      x,
+      y,
+      z,
+      size
+    };
+
+    std::string name;
+    Quantity    quantity  = Quantity::displacement;
+    Component   component = Component::size;
+    std::string group     = GroupNames::all, other;
+
+    void declare(Section &section);
+    /** @throws dem::InputError. */
+    void validate(const Section &section, const GroupNames &names, const MotionSection &motion) const;
+    bool is_vector() const { return quantity < Quantity::kinetic_energy; }
+    const char *unit() const;
+  };
+
+  /** Section "Gauges". */
+  struct GaugesSection
+  {
+    std::list<GaugeSection> gauges;
+
+    void declare(Section &root);
+    /** @throws dem::InputError. */
+    void validate(const Section &root, const GroupNames &names, const MotionSection &motion) const;
+  };
+
+  /** What a specimen looks like at one moment, for all gauges. */
+  struct ObservedSpecimen
+  {
+    const dem::Specimen       &specimen;
+    const dem::ParticleOutput &particles;
+    const PrescribedMotion    &motion;
+    const ParticleGroups      &groups;
+  };
+
+  /** Value of a gauge. Means over a group are weighted by mass: they are those of its centre of mass. */
+  double value_of(const GaugeSection &gauge, const ObservedSpecimen &seen);
+} // namespace apps

@@ -1,0 +1,108 @@
+#include "apps/drivers/particles/groups.h"
+
+#include "apps/drivers/particles/particle_numbers.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <numeric>
+
+namespace apps
+{
+  void GroupSection::declare(Section &s)
+  {
+    const auto by = [this](const Members wanted) { return [this, wanted] { return members == wanted; }; };
+    s.choice("Members", members, {{"region", Members::region}, {"layer", Members::layer}, {"file", Members::file}},
+             Need::optional)
+      .means("region: particles whose centre lies in it; layer: those near the outermost centre along an axis; file: "
+             "those whose numbers it lists");
+    region.declare(s, by(Members::region), "Members = region");
+    s.choice("Axis", axis, {{"x", 0}, {"y", 1}, {"z", 2}}, Need::optional)
+      .means("Across which the layer lies")
+      .only_if(by(Members::layer), "Members = layer");
+    s.choice("Side", high, {{"low", false}, {"high", true}}, Need::optional)
+      .means("End of the axis, of the least or of the largest coordinates")
+      .only_if(by(Members::layer), "Members = layer");
+    s.number("Thickness", thickness, "m", Range::positive(), Need::required)
+      .means("The layer holds the centres within it of the outermost centre")
+      .only_if(by(Members::layer), "Members = layer");
+    s.file("File", file)
+      .means("Text with numbers of particles, counted from 1; from the scene's folder")
+      .only_if(by(Members::file), "Members = file");
+  }
+
+  void GroupSection::validate(const Section &section, const int dimension) const
+  {
+    if (members == Members::region)
+      region.validate(section, dimension);
+    if (members == Members::layer && axis >= dimension)
+      section.refuse("Axis", "in two dimensions the axes are x and y.");
+    if (members == Members::file && !std::filesystem::is_regular_file(file))
+      section.refuse("File", "there is no such file.");
+  }
+
+  std::vector<std::size_t> GroupSection::find(const dem::Packing &packing, const int dimension) const
+  {
+    if (members == Members::file)
+      return read_particle_numbers(file, packing.size());
+    double outermost = 0;
+    if (members == Members::layer)
+      {
+        const auto by_place = [this](const auto &a, const auto &b) { return a[axis] < b[axis]; };
+        const auto ends     = std::minmax_element(packing.centre.begin(), packing.centre.end(), by_place);
+        outermost           = high ? (*ends.second)[axis] : (*ends.first)[axis];
+      }
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < packing.size(); ++i)
+      if (members == Members::layer ? std::abs(packing.centre[i][axis] - outermost) <= thickness :
+                                      region.holds(packing.centre[i], dimension))
+        found.push_back(i);
+    return found;
+  }
+
+  void GroupsSection::declare(Section &root)
+  {
+    root.section("Groups", "One sub-section per group of particles; the group \"all\" is always there")
+      .named_sections("GROUP", [this](Section &opened) {
+        GroupSection &added = groups.emplace_back();
+        added.name          = opened.name();
+        added.declare(opened);
+      });
+  }
+
+  void GroupsSection::validate(const Section &root, const int dimension, GroupNames &names) const
+  {
+    for (const GroupSection &group : groups)
+      {
+        const Section &section = *root.find_section("Groups")->find_section(group.name);
+        if (names.knows(group.name))
+          throw dem::InputError(section.place().text() + ": " + section.path() +
+                                ": there is a group of this name already (all particles are \"all\", and each "
+                                "sub-section of More particles is a group). Choose another.");
+        group.validate(section, dimension);
+        names.names.push_back(group.name);
+      }
+  }
+
+  void GroupsSection::find(const dem::Packing &packing, const int dimension, ParticleGroups &found) const
+  {
+    for (const GroupSection &group : groups)
+      {
+        found[group.name] = group.find(packing, dimension);
+        if (found[group.name].empty())
+          throw dem::InputError("Groups/" + group.name +
+                                ": no particle's centre lies in it. Check its place and size against the packing "
+                                "(metres).");
+      }
+    auto &all = found[GroupNames::all];
+    all.resize(packing.size());
+    std::iota(all.begin(), all.end(), std::size_t(0));
+  }
+
+  std::string text_of(const ParticleGroups &groups)
+  {
+    std::string text;
+    for (const auto &[name, members] : groups)
+      text += (text.empty() ? "" : ", ") + name + " " + std::to_string(members.size());
+    return text;
+  }
+} // namespace apps

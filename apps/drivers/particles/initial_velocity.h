@@ -1,0 +1,18 @@
+#pragma once
+
+#include "apps/drivers/particles/motion.h"
+
+namespace apps
+{
+  /** Section "Initial velocity": of groups, at the start. */
+  struct InitialVelocitySection
+  {
+    std::list<MotionFormulas> velocities; ///< later ones win where groups overlap
+
+    void declare(Section &root);
+    /** @throws dem::InputError. */
+    void validate(const Section &root, const dem::Physics &physics, const GroupNames &names) const;
+    /** Set them, by the places of the particles, before the first step. */
+    void give(dem::Specimen &specimen, const dem::Packing &packing, const ParticleGroups &groups) const;
+  };
+} // namespace apps

@@ -1,0 +1,131 @@
+#include "apps/drivers/particles/model.h"
+
+#include "apps/drivers/drawn_curve.h"
+#include "apps/scene/physics_section.h"
+
+#include <algorithm>
+
+namespace apps
+{
+  namespace
+  {
+    void declare_output(Section &root, OutputSection &output, std::string &horizontal, std::string &vertical)
+    {
+      output.declare(root);
+      Section &section = *root.find_section("Output");
+      Entry   &samples = *section.find_entry("Samples");
+      samples.means("Rows of series.csv from the start to the end time, besides that of the start; stop conditions are "
+                    "looked at with each");
+      samples.decides = true; // when a stop condition is seen
+      section.find_entry("Snapshots")->means("ParaView files from the start to the end time, the first and last state "
+                                             "besides; 0: none at all");
+      section.text("Curve horizontal", horizontal, Need::optional)
+        .means("Column of series.csv for curve.png; empty: the time")
+        .housekeeping();
+      section.text("Curve vertical", vertical, Need::optional)
+        .means("Column of series.csv for curve.png; empty: the first gauge, or the kinetic energy")
+        .housekeeping();
+    }
+  } // namespace
+
+  void ParticlesModel::declare(Section &root)
+  {
+    SpecimenSection::Use use;
+    use.other_particles = true;
+    source.declare(root, physics.dimension, use);
+    more.declare(root);
+    material.declare(root);
+    declare_physics(root, physics);
+    time.declare(root);
+    root.find_section("Time")
+      ->number("End time", end_time, "s", Range::positive(), Need::required)
+      .means("When the run ends, unless a stop condition ends it before");
+    gravity.declare(root);
+    groups.declare(root);
+    motion.declare(root);
+    initial_velocity.declare(root);
+    gauges.declare(root);
+    stops.declare(root);
+    declare_output(root, output, horizontal, vertical);
+  }
+
+  void ParticlesModel::validate(const Section &root) const
+  {
+    source.validate(root, physics.dimension);
+    material.validate(root, physics.dimension);
+    gravity.validate(root, physics.dimension);
+    const Section &specimen = *root.find_section("Specimen");
+    if (bonded() && !specimen.find_entry("Interaction ratio")->set)
+      specimen.refuse("Interaction ratio", "the law links particles from the start: say up to which distance. CPM: "
+                                           "about 1.5; 1.05 links spheres that touch.");
+    if (source.source == SpecimenSection::Source::none && more.added.empty())
+      specimen.refuse("Source", "there is no particle at all. Give some in section More particles.");
+    GroupNames names;
+    more.validate(root, physics.dimension, material, names);
+    groups.validate(root, physics.dimension, names);
+    motion.validate(root, physics, names);
+    initial_velocity.validate(root, physics, names);
+    gauges.validate(root, names, motion);
+    stops.validate(root, column_names());
+    curve_horizontal();
+    curve_vertical();
+  }
+
+  dem::Packing ParticlesModel::packing() const
+  {
+    SpecimenSection specimen = source;
+    specimen.bonded          = bonded();
+    return more.compose(specimen, material, physics.dimension);
+  }
+
+  ParticleGroups ParticlesModel::groups_in(const dem::Packing &packing) const
+  {
+    ParticleGroups found = more.groups_in(packing.size());
+    groups.find(packing, physics.dimension, found);
+    return found;
+  }
+
+  dem::SpecimenParameters ParticlesModel::parameters() const
+  {
+    dem::SpecimenParameters made;
+    made.physics           = physics;
+    made.density           = source.density;
+    made.interaction_ratio = source.interaction_ratio;
+    made.thickness         = source.thickness;
+    made.loose             = more.loose();
+    made.step_factor       = time.step_factor;
+    made.damping           = time.damping;
+    made.gravity           = gravity.vector();
+    return made;
+  }
+
+  std::vector<postprocess::SeriesColumn> ParticlesModel::columns() const
+  {
+    std::vector<postprocess::SeriesColumn> all = {{"time", "s"}};
+    for (const GaugeSection &gauge : gauges.gauges)
+      all.push_back({gauge.name, gauge.unit()});
+    for (const char *count : {"links", "broken_links", "contacts"})
+      all.push_back({count, ""});
+    dem::EnergyAccount().each([&](const std::string &term, double) { all.push_back({"energy_" + term, "J"}); });
+    return all;
+  }
+
+  std::vector<std::string> ParticlesModel::column_names() const
+  {
+    std::vector<std::string> names;
+    for (const postprocess::SeriesColumn &column : columns())
+      names.push_back(column.name);
+    return names;
+  }
+
+  std::string ParticlesModel::curve_horizontal() const
+  {
+    return chosen_column(column_names(), "Curve horizontal", horizontal, "time");
+  }
+
+  std::string ParticlesModel::curve_vertical() const
+  {
+    return chosen_column(column_names(), "Curve vertical", vertical,
+                         gauges.gauges.empty() ? "energy_kinetic" : gauges.gauges.front().name);
+  }
+} // namespace apps

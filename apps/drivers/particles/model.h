@@ -1,0 +1,51 @@
+#pragma once
+
+#include "apps/drivers/particles/gauges.h"
+#include "apps/drivers/particles/initial_velocity.h"
+#include "apps/drivers/particles/more_particles.h"
+#include "apps/drivers/particles/stops.h"
+#include "apps/scene/gravity_section.h"
+#include "apps/scene/output_section.h"
+#include "apps/scene/time_section.h"
+#include "postprocess/series.h"
+
+namespace apps
+{
+  /** Everything that a scene of kind "particles" says. */
+  struct ParticlesModel
+  {
+    SpecimenSection        source;
+    MoreParticlesSection   more;
+    MaterialSection        material;
+    dem::Physics           physics;
+    TimeSection            time;
+    double                 end_time = 0; ///< [s]
+    GravitySection         gravity;
+    GroupsSection          groups;
+    MotionSection          motion;
+    InitialVelocitySection initial_velocity;
+    GaugesSection          gauges;
+    StopsSection           stops;
+    OutputSection          output;
+    std::string            horizontal, vertical; ///< columns of the curve, as the scene asks for them
+
+    void declare(Section &root);
+    /** @throws dem::InputError. */
+    void validate(const Section &root) const;
+
+    /** Whether the law links particles from the start. @pre validated */
+    bool bonded() const { return material.materials().bonds(physics)->bonds(); }
+    /** Particles and where the groups of them are. @throws dem::InputError, and as make_packing() */
+    dem::Packing packing() const;
+    /** @param packing as packing() makes it */
+    ParticleGroups          groups_in(const dem::Packing &packing) const;
+    dem::SpecimenParameters parameters() const;
+
+    /** Of series.csv; the first is the time. */
+    std::vector<postprocess::SeriesColumn> columns() const;
+    std::vector<std::string>               column_names() const;
+    /** Of the curve: what is over what. @throws dem::InputError. */
+    std::string curve_horizontal() const;
+    std::string curve_vertical() const;
+  };
+} // namespace apps

@@ -1,0 +1,159 @@
+#include "apps/drivers/particles/more_particles.h"
+
+#include "apps/drivers/specimen_packing.h"
+#include "apps/scene/nearest_name.h"
+#include "dem/packing/overlaps.h"
+#include "postprocess/packing_io.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <numeric>
+
+namespace apps
+{
+  void AddedParticles::declare(Section &s)
+  {
+    const auto read = [this] { return from_file; }, one = [this] { return !from_file; };
+    s.choice("Source", from_file, {{"sphere", false}, {"file", true}}, Need::optional)
+      .means("sphere: one, in two dimensions a disc; file: all of another packing");
+    s.file("File", file)
+      .means("Packing, as Specimen/File")
+      .only_if(read, "Source = file");
+    s.vector("Centre", centre, "m", Range(), Need::optional)
+      .means("Of the sphere; of a file, what is added to the places in it");
+    s.number("Radius", radius, "m", Range::positive(), Need::required)
+      .means("Of the sphere")
+      .only_if(one, "Source = sphere");
+    s.flag("Bonded", bonded)
+      .means("Linked to particles within the interaction ratio, as those of the specimen are; off: only touched");
+    s.text("Material", material, Need::optional)
+      .means("Name of a section in Materials; empty: as Regions say, or the file");
+  }
+
+  void AddedParticles::validate(const Section &section, const int dimension, const MaterialSection &materials) const
+  {
+    if (from_file && !std::filesystem::is_regular_file(file))
+      section.refuse("File", "there is no such file.");
+    if (dimension == 2 && centre[2] != 0)
+      section.refuse("Centre", "in two dimensions it lies in the plane: its z must be 0.");
+    const auto known = materials.names();
+    if (!material.empty() && std::find(known.begin(), known.end(), material) == known.end())
+      section.refuse("Material", "is not in section Materials. " + did_you_mean(material, known));
+  }
+
+  dem::Packing AddedParticles::particles() const
+  {
+    const Eigen::Vector3d place(centre[0], centre[1], centre[2]);
+    if (!from_file)
+      return {{place}, {radius}, {}};
+    dem::Packing packing = postprocess::read_packing(file);
+    packing.periodic_cell.reset(); // one body of it, as it is
+    for (Eigen::Vector3d &each : packing.centre)
+      each += place;
+    return packing;
+  }
+
+  void MoreParticlesSection::declare(Section &root)
+  {
+    root
+      .section("More particles", "One sub-section per sphere or packing beside the specimen; each is a group of its "
+                                 "name as well")
+      .named_sections("PARTICLES", [this](Section &opened) {
+        AddedParticles &one = added.emplace_back();
+        one.name            = opened.name();
+        one.declare(opened);
+      });
+  }
+
+  void MoreParticlesSection::validate(const Section         &root,
+                                      const int              dimension,
+                                      const MaterialSection &materials,
+                                      GroupNames            &names) const
+  {
+    for (const AddedParticles &one : added)
+      {
+        const Section &section = *root.find_section("More particles")->find_section(one.name);
+        if (names.knows(one.name))
+          throw dem::InputError(section.place().text() + ": " + section.path() +
+                                ": all particles are the group \"all\". Choose another name.");
+        one.validate(section, dimension, materials);
+        names.names.push_back(one.name);
+      }
+  }
+
+  namespace
+  {
+    void append(dem::Packing &whole, const dem::Packing &part)
+    {
+      whole.centre.insert(whole.centre.end(), part.centre.begin(), part.centre.end());
+      whole.radius.insert(whole.radius.end(), part.radius.begin(), part.radius.end());
+      whole.material.insert(whole.material.end(), part.material.begin(), part.material.end());
+      if (whole.material_names.empty())
+        whole.material_names = part.material_names;
+    }
+
+    dem::Packing numbered(const AddedParticles &one, const MaterialSection &materials, const int dimension)
+    {
+      dem::Packing part = one.particles();
+      materials.number(part, dimension, one.from_file ? one.file : "More particles/" + one.name);
+      if (one.material.empty())
+        return part;
+      const auto known = materials.names();
+      part.material.assign(
+        part.size(),
+        static_cast<std::int32_t>(std::find(known.begin(), known.end(), one.material) - known.begin()));
+      return part;
+    }
+  } // namespace
+
+  std::vector<const AddedParticles *> MoreParticlesSection::in_order() const
+  {
+    std::vector<const AddedParticles *> order;
+    for (const AddedParticles &one : added)
+      order.push_back(&one);
+    std::stable_partition(order.begin(), order.end(), [](const AddedParticles *one) { return one->bonded; });
+    return order;
+  }
+
+  dem::Packing MoreParticlesSection::compose(const SpecimenSection &specimen,
+                                             const MaterialSection &materials,
+                                             const int              dimension) const
+  {
+    dem::Packing whole;
+    if (specimen.source != SpecimenSection::Source::none)
+      {
+        whole = specimen_particles(specimen, dimension);
+        materials.number(whole, dimension, origin_of(specimen));
+      }
+    for (const AddedParticles *one : in_order())
+      append(whole, numbered(*one, materials, dimension));
+    const std::string origin = added.empty() ? origin_of(specimen) : "Specimen and More particles";
+    materials.require_all(whole, origin);
+    dem::check_packing(whole, origin);
+    dem::check_overlaps(whole, origin, dimension);
+    return whole;
+  }
+
+  std::size_t MoreParticlesSection::loose() const
+  {
+    std::size_t count = 0;
+    for (const AddedParticles &one : added)
+      count += one.bonded ? 0 : one.particles().size();
+    return count;
+  }
+
+  ParticleGroups MoreParticlesSection::groups_in(const std::size_t particles) const
+  {
+    ParticleGroups groups;
+    std::size_t    end = particles;
+    const auto     order = in_order();
+    for (auto one = order.rbegin(); one != order.rend(); ++one)
+      {
+        auto &members = groups[(*one)->name];
+        members.resize((*one)->particles().size());
+        end -= members.size();
+        std::iota(members.begin(), members.end(), end);
+      }
+    return groups;
+  }
+} // namespace apps

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "apps/drivers/particles/groups.h"
+#include "apps/scene/material_section.h"
+#include "apps/scene/specimen_section.h"
+
+#include <list>
+#include <string>
+
+namespace apps
+{
+  /** Sub-section of "More particles": one sphere, or those of another packing file. Its name is that of a group. */
+  struct AddedParticles
+  {
+    std::string           name;
+    bool                  from_file = false;
+    std::string           file;
+    std::array<double, 3> centre = {0, 0, 0}; ///< of the sphere, or what is added to the places of the file [m]
+    double                radius = 0;         ///< [m]
+    bool                  bonded = false;
+    std::string           material; ///< "": as Regions and file say
+
+    void         declare(Section &section);
+    void         validate(const Section &section, int dimension, const MaterialSection &materials) const;
+    dem::Packing particles() const;
+  };
+
+  /** Section "More particles": spheres beside those of the specimen. */
+  struct MoreParticlesSection
+  {
+    std::list<AddedParticles> added;
+
+    void declare(Section &root);
+    /** @param names takes theirs. @throws dem::InputError. */
+    void validate(const Section &root, int dimension, const MaterialSection &materials, GroupNames &names) const;
+    /** Specimen and added particles together, loose ones last, with their materials. @throws dem::InputError, and as make_packing() */
+    dem::Packing compose(const SpecimenSection &specimen, const MaterialSection &materials, int dimension) const;
+
+    std::size_t loose() const; ///< how many of the last particles are linked to nothing
+    /** Where those of each sub-section are. @param particles how many there are of all, in what compose() made */
+    ParticleGroups groups_in(std::size_t particles) const;
+
+  private:
+    std::vector<const AddedParticles *> in_order() const; ///< of numbers: bonded ones first
+  };
+} // namespace apps

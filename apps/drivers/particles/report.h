@@ -1,0 +1,37 @@
+#pragma once
+
+#include "apps/drivers/material_counts.h"
+#include "apps/drivers/particles/body.h"
+#include "apps/scene/scene.h"
+#include "postprocess/csv_table.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <filesystem>
+#include <string>
+
+namespace apps
+{
+  /** What a complete run of kind "particles" tells: for programs, for the eye, for the terminal. */
+  struct ParticlesReport
+  {
+    const RunRequest      &request;
+    const ParticlesModel  &model;
+    const dem::Specimen   &specimen;
+    const MaterialCounts  &materials;
+    const StaticStart     &start;
+    postprocess::CsvTable  series; ///< complete
+    double                 worst_balance_error;
+    double                 wall_seconds;
+
+    /** summary.json and curve.png. @throws postprocess::OutputError. */
+    void write(const std::filesystem::path &folder) const;
+    /** Last value of every gauge, what ended the run, energy balance and cost. */
+    std::string text() const;
+
+  private:
+    nlohmann::json figures() const;
+    nlohmann::json energy() const;
+    std::string    ended_by() const; ///< "end time", or the name of a stop condition
+  };
+} // namespace apps

@@ -1,0 +1,158 @@
+#include "apps/drivers/particles/run.h"
+
+#include "apps/drivers/duration.h"
+#include "apps/drivers/particles/report.h"
+#include "apps/interrupt.h"
+#include "apps/progress.h"
+#include "apps/results/life_cycle.h"
+#include "apps/results/warning.h"
+#include "dem/measures/discrete_state.h"
+#include "postprocess/discrete_state_hdf5.h"
+#include "postprocess/packing_io.h"
+#include "postprocess/specimen_picture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace apps
+{
+  namespace
+  {
+    constexpr const char *packing_name = "packing.h5";
+  }
+
+  ParticlesRun::ParticlesRun(const RunRequest &asked, const ParticlesModel &what)
+    : request(asked)
+    , model(what)
+  {
+  }
+
+  int ParticlesRun::execute() { return LifeCycle(request, model.output.checkpoint_interval, *this).execute(); }
+
+  void ParticlesRun::make_body()
+  {
+    const Progress progress("links");
+    body = std::make_unique<ParticlesBody>(model, packing);
+    if (packing.material_names.size() > 1)
+      materials = MaterialCounts(packing.material_names, body->specimen().particles().material,
+                                 body->specimen().links().law);
+  }
+
+  void ParticlesRun::prepare()
+  {
+    packing = model.packing();
+    make_body();
+    const Progress progress("initial state");
+    start = body->start();
+  }
+
+  void ParticlesRun::open(const std::filesystem::path &folder)
+  {
+    if (model.output.snapshots > 0)
+      snapshots.open(folder, "particles");
+  }
+
+  void ParticlesRun::begin(const std::filesystem::path &folder, const Record &record)
+  {
+    postprocess::write_packing(packing, folder / packing_name);
+    open(folder);
+    snapshots.take(body->specimen());
+    record({{}, body->row(), {}});
+  }
+
+  void ParticlesRun::reopen(const std::filesystem::path &folder)
+  {
+    packing = postprocess::read_packing(folder / packing_name);
+    make_body();
+    open(folder);
+  }
+
+  void ParticlesRun::visit_state(RunState &state)
+  {
+    state.group("particles");
+    apps::visit_state(state, start);
+    state.scalar("samples", samples);
+    state.scalar("stopped", stopped);
+    state.scalar("worst_balance_error", worst_balance_error);
+    state.group("specimen");
+    body->visit_state(state);
+    snapshots.visit_state(state);
+    steps_before = body->specimen().steps();
+  }
+
+  std::string ParticlesRun::size() const
+  {
+    const dem::Counts counts = body->specimen().counts();
+    return fmt::format("{} particles, {} links", counts.particles, counts.links);
+  }
+
+  double ParticlesRun::done() const { return std::min(1.0, body->specimen().time() / model.end_time); }
+
+  std::string ParticlesRun::details() const
+  {
+    const dem::Counts counts = body->specimen().counts();
+    return fmt::format("time {:.4g} s, {} contacts, {} links broken, {:.0f} steps/s", body->specimen().time(),
+                       counts.contacts, counts.broken,
+                       static_cast<double>(body->specimen().steps() - steps_before) / std::max(stepping_seconds, 1e-9));
+  }
+
+  bool ParticlesRun::finished() const { return stopped != 0 || samples == model.output.samples; }
+
+  double ParticlesRun::sample_time() const
+  {
+    return model.end_time * (static_cast<double>(samples + 1) / static_cast<double>(model.output.samples));
+  }
+
+  void ParticlesRun::advance(const Record &record)
+  {
+    const Stopwatch watch;
+    body->advance_to(sample_time());
+    stepping_seconds += watch.seconds();
+    if (body->specimen().time() < sample_time()) // interrupted on the way
+      return;
+    while (samples < model.output.samples && sample_time() <= body->specimen().time())
+      ++samples; // several of them may fall into one step
+    record_row(record);
+    const std::int64_t wanted = model.output.snapshots;
+    const auto         due    = [&](const std::int64_t at) { return at * wanted / model.output.samples; };
+    if (finished() || due(samples) > due(samples - 1))
+      snapshots.take(body->specimen());
+  }
+
+  void ParticlesRun::record_row(const Record &record)
+  {
+    const std::vector<double> row = body->row();
+    worst_balance_error           = std::max(worst_balance_error, body->specimen().energy().balance_error());
+    stopped                       = model.stops.fulfilled(model.column_names(), row).empty() ? 0 : 1;
+    record({{}, row, {}});
+  }
+
+  std::string ParticlesRun::draw_crack(const std::filesystem::path &file) const
+  {
+    postprocess::PictureSlab slab;
+    slab.axis      = model.physics.dimension == 2 ? 2 : 1;
+    slab.materials = packing.material_names;
+    return postprocess::picture_of_specimen(file, body->specimen().particles(), body->specimen().links(),
+                                            "At the end", slab);
+  }
+
+  std::string ParticlesRun::finish(const std::filesystem::path &folder, const double wall_seconds)
+  {
+    if (model.bonded())
+      {
+        postprocess::write_discrete_state(dem::discrete_state(body->specimen()), folder / "state.h5");
+        warn_of_missing("crack.png", draw_crack(folder / "crack.png"));
+      }
+    const ParticlesReport report{request,
+                                 model,
+                                 body->specimen(),
+                                 materials,
+                                 start,
+                                 postprocess::read_csv_table(folder / "series.csv", true),
+                                 worst_balance_error,
+                                 wall_seconds};
+    report.write(folder);
+    return report.text();
+  }
+} // namespace apps

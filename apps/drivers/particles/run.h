@@ -1,0 +1,62 @@
+#pragma once
+
+#include "apps/drivers/material_counts.h"
+#include "apps/drivers/particles/body.h"
+#include "apps/drivers/specimen_snapshots.h"
+#include "apps/results/run_work.h"
+#include "apps/scene/scene.h"
+
+#include <memory>
+#include <optional>
+
+namespace apps
+{
+  /**
+   * The work of a scene of kind "particles".
+   *
+   * In the result folder, besides what every run has (life_cycle.h): packing.h5, particles_particles.pvd and particles_links.pvd with
+   * their snapshots, and at the end summary.json and curve.png; of bonded particles crack.png and state.h5 as well.
+   */
+  class ParticlesRun : public RunWork
+  {
+  public:
+    ParticlesRun(const RunRequest &request, const ParticlesModel &model);
+
+    /** @return exit status: 0, or 130 after an interrupt. Throws as Scene::run(). */
+    int execute();
+
+  private:
+    void                                   prepare() override;
+    void                                   begin(const std::filesystem::path &folder, const Record &record) override;
+    void                                   reopen(const std::filesystem::path &folder) override;
+    void                                   visit_state(RunState &state) override;
+    std::vector<postprocess::SeriesColumn> series_columns() const override { return model.columns(); }
+    std::string                            size() const override;
+    std::string                            stage() const override { return "motion"; }
+    double                                 done() const override;
+    std::string                            details() const override;
+    bool                                   finished() const override;
+    void                                   advance(const Record &record) override;
+    std::string                            finish(const std::filesystem::path &folder, double wall_seconds) override;
+
+    void   make_body();
+    void   open(const std::filesystem::path &folder);
+    double sample_time() const; ///< of the next sample [s]
+    /** The row of now: recorded, and looked at by the stop conditions. */
+    void        record_row(const Record &record);
+    std::string draw_crack(const std::filesystem::path &file) const;
+
+    RunRequest                     request;
+    ParticlesModel                 model;
+    dem::Packing                   packing;
+    std::unique_ptr<ParticlesBody> body;
+    MaterialCounts                 materials; ///< before anything moves
+    StaticStart                    start;
+    SpecimenSnapshots              snapshots;
+    std::int64_t                   samples             = 0; ///< so far, without that of the start
+    std::int64_t                   stopped             = 0; ///< 1: a stop condition holds
+    double                         worst_balance_error = 0;
+    double                         stepping_seconds    = 0; ///< wall clock, since the run began or was resumed
+    std::int64_t                   steps_before        = 0; ///< when it did
+  };
+} // namespace apps

@@ -1,0 +1,38 @@
+#include "apps/drivers/particles/scene.h"
+
+#include "apps/drivers/duration.h"
+#include "apps/drivers/material_counts.h"
+#include "apps/drivers/particles/run.h"
+
+#include <fmt/format.h>
+
+namespace apps
+{
+  std::string ParticlesScene::forecast() const
+  {
+    const Stopwatch    set_up;
+    const dem::Packing packing = model.packing();
+    ParticlesBody      body(model, packing); // refuses what a run would refuse
+    const StaticStart  start          = body.start();
+    const double       set_up_seconds = set_up.seconds();
+    const auto        &specimen       = body.specimen();
+    const double       steps          = model.end_time / specimen.time_step();
+    std::string        text;
+    text += fmt::format("  particles    {}\n", specimen.counts().particles);
+    text += fmt::format("  links        {}\n", specimen.counts().links);
+    text += MaterialCounts(packing.material_names, specimen.particles().material, specimen.links().law).text();
+    text += fmt::format("  groups       {}\n", text_of(model.groups_in(packing)));
+    text += fmt::format("  time step    {:.4g} s = {} of the bound of its particles\n", specimen.time_step(),
+                        model.time.step_factor);
+    text += fmt::format("  memory       {:.1f} MB for particles and links\n",
+                        1e-6 * static_cast<double>(specimen.bytes()));
+    if (start)
+      text += fmt::format("  start        {}\n", text_of(*start));
+    text += fmt::format("  steps        {:.0f}{}\n", steps,
+                        model.stops.stops.empty() ? "" : ", fewer where a stop condition comes first");
+    const double cost = seconds_per_unit([&](const std::int64_t count) { body.advance(count); });
+    return text + duration_line(set_up_seconds + steps * cost);
+  }
+
+  int ParticlesScene::run(const RunRequest &request) const { return ParticlesRun(request, model).execute(); }
+} // namespace apps

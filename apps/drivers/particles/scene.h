@@ -1,0 +1,20 @@
+#pragma once
+
+#include "apps/drivers/particles/model.h"
+#include "apps/scene/scene.h"
+
+namespace apps
+{
+  /** Scene kind "particles": specimens and loose particles that are held, moved, thrown and measured as the scene says. */
+  class ParticlesScene : public Scene
+  {
+  public:
+    void        declare(Section &root) override { model.declare(root); }
+    void        validate(const Section &root) const override { model.validate(root); }
+    std::string forecast() const override;
+    int         run(const RunRequest &request) const override;
+
+  private:
+    ParticlesModel model;
+  };
+} // namespace apps

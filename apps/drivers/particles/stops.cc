@@ -1,0 +1,48 @@
+#include "apps/drivers/particles/stops.h"
+
+#include "apps/scene/nearest_name.h"
+
+#include <algorithm>
+
+namespace apps
+{
+  void StopSection::declare(Section &s)
+  {
+    s.text("Column", column, Need::required).means("Of series.csv: a gauge, or another number that it holds");
+    s.choice("When", above, {{"above", true}, {"below", false}}, Need::optional)
+      .means("The run ends when the column lies above the value, or below it");
+    s.number("Value", value, "", Range(), Need::required).means("In the unit of the column");
+    s.number("From time", from_time, "s", Range::at_least(0), Need::optional)
+      .means("Before it the condition is not looked at");
+  }
+
+  void StopsSection::declare(Section &root)
+  {
+    root.section("Stop", "One sub-section per condition that ends the run before the end time, looked at with every row "
+                         "of series.csv but the first")
+      .named_sections("CONDITION", [this](Section &opened) {
+        StopSection &added = stops.emplace_back();
+        added.name         = opened.name();
+        added.declare(opened);
+      });
+  }
+
+  void StopsSection::validate(const Section &root, const std::vector<std::string> &columns) const
+  {
+    for (const StopSection &stop : stops)
+      if (std::find(columns.begin(), columns.end(), stop.column) == columns.end())
+        root.find_section("Stop")->find_section(stop.name)->refuse("Column", "series.csv has no such column. " +
+                                                                               did_you_mean(stop.column, columns));
+  }
+
+  std::string StopsSection::fulfilled(const std::vector<std::string> &columns, const std::vector<double> &row) const
+  {
+    for (const StopSection &stop : stops)
+      {
+        const auto place = std::find(columns.begin(), columns.end(), stop.column) - columns.begin();
+        if (stop.holds(row.at(static_cast<std::size_t>(place)), row.front()))
+          return stop.name;
+      }
+    return "";
+  }
+} // namespace apps

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "apps/scene/section.h"
+
+#include <list>
+#include <string>
+#include <vector>
+
+namespace apps
+{
+  /** Sub-section of "Stop": a column of the series beyond a value ends the run. */
+  struct StopSection
+  {
+    std::string name, column;
+    bool        above     = true;
+    double      value     = 0;
+    double      from_time = 0; ///< [s]
+
+    void declare(Section &section);
+    bool holds(double present, double time) const
+    {
+      return time >= from_time && (above ? present > value : present < value);
+    }
+  };
+
+  /** Section "Stop". */
+  struct StopsSection
+  {
+    std::list<StopSection> stops;
+
+    void declare(Section &root);
+    /** @throws dem::InputError for a column that the series does not have */
+    void validate(const Section &root, const std::vector<std::string> &columns) const;
+    /** Name of the first condition that a row fulfils; "" if none does. @param row its first number is the time */
+    std::string fulfilled(const std::vector<std::string> &columns, const std::vector<double> &row) const;
+  };
+} // namespace apps
