@@ -3,13 +3,10 @@
 #include "apps/drivers/cell_report.h"
 #include "apps/drivers/specimen_packing.h"
 #include "apps/results/life_cycle.h"
-#include "apps/results/snapshots.h"
 #include "apps/results/warning.h"
 #include "postprocess/packing_io.h"
 #include "postprocess/specimen_picture.h"
 #include "postprocess/summary.h"
-#include "postprocess/vtk_links.h"
-#include "postprocess/vtk_particles.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -64,8 +61,7 @@ namespace apps
   {
     postprocess::write_packing(packing, folder / packing_name);
     open(folder);
-    if (particles)
-      snapshot();
+    snapshots.take(*specimen);
   }
 
   void CellRun::reopen(const std::filesystem::path &folder)
@@ -77,10 +73,8 @@ namespace apps
 
   void CellRun::open(const std::filesystem::path &folder)
   {
-    if (samples_per_snapshot == 0)
-      return;
-    particles.emplace(folder, "cell_particles");
-    links.emplace(folder, "cell_links");
+    if (samples_per_snapshot > 0)
+      snapshots.open(folder, "cell");
   }
 
   void CellRun::visit_state(RunState &state)
@@ -91,8 +85,7 @@ namespace apps
     specimen->visit_state(state);
     state.group("test");
     test->visit_state(state);
-    visit_snapshots(state, "particle_snapshots", particles);
-    visit_snapshots(state, "link_snapshots", links);
+    snapshots.visit_state(state);
   }
 
   std::string CellRun::size() const
@@ -147,23 +140,12 @@ namespace apps
     return {{}, row, {}};
   }
 
-  void CellRun::snapshot()
-  {
-    const dem::ParticleOutput state = specimen->particles();
-    postprocess::write_vtk_particles(particles->next(), state, specimen->time());
-    particles->add(specimen->time());
-    const dem::LinkOutput joined = specimen->links();
-    postprocess::write_vtk_links(links->next(), joined, state, specimen->time(),
-                                 dem::link_images(*specimen, joined, state));
-    links->add(specimen->time());
-  }
-
   void CellRun::advance(const Record &record)
   {
     test->advance(steps_per_sample);
     record(row());
-    if (particles && static_cast<std::int64_t>(test->curve().size()) % samples_per_snapshot == 0)
-      snapshot();
+    if (snapshots.wanted() && static_cast<std::int64_t>(test->curve().size()) % samples_per_snapshot == 0)
+      snapshots.take(*specimen);
   }
 
   std::string CellRun::draw_crack(const std::filesystem::path &file) const

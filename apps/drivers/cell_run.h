@@ -2,8 +2,8 @@
 
 #include "apps/drivers/cell_scene.h"
 #include "apps/drivers/material_counts.h"
+#include "apps/drivers/specimen_snapshots.h"
 #include "apps/results/run_work.h"
-#include "postprocess/pvd.h"
 
 #include <optional>
 
@@ -40,7 +40,6 @@ namespace apps
     void      make_test();
     void      open(const std::filesystem::path &folder);
     SeriesRow row();
-    void      snapshot();
     /** @return what went wrong, "" if nothing */
     std::string draw_crack(const std::filesystem::path &file) const;
 
@@ -51,7 +50,7 @@ namespace apps
     MaterialCounts               materials; ///< before anything moves
     std::optional<dem::CellTest> test;
     std::int64_t steps = 0, steps_per_sample = 1, samples_per_snapshot = 0; ///< steps: of the whole path
-    std::optional<postprocess::PvdCollection> particles, links;
-    double                                    worst_balance_error = 0;
+    SpecimenSnapshots snapshots;
+    double            worst_balance_error = 0;
   };
 } // namespace apps

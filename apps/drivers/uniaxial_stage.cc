@@ -1,13 +1,10 @@
 #include "apps/drivers/uniaxial_stage.h"
 
 #include "apps/progress.h"
-#include "apps/results/snapshots.h"
 #include "dem/core/errors.h"
 #include "dem/measures/discrete_state.h"
 #include "postprocess/discrete_state_hdf5.h"
 #include "postprocess/specimen_picture.h"
-#include "postprocess/vtk_links.h"
-#include "postprocess/vtk_particles.h"
 
 #include <fmt/format.h>
 
@@ -73,16 +70,14 @@ namespace apps
 
   void UniaxialStage::open(const std::filesystem::path &folder)
   {
-    if (samples_per_snapshot == 0)
-      return;
-    particles.emplace(folder, name + "_particles");
-    links.emplace(folder, name + "_links");
+    if (samples_per_snapshot > 0)
+      snapshots.open(folder, name);
   }
 
   bool UniaxialStage::advance()
   {
-    if (specimen.steps() == 0 && particles)
-      snapshot();
+    if (specimen.steps() == 0)
+      snapshots.take(specimen);
     const auto         start  = std::chrono::steady_clock::now();
     const std::int64_t before = specimen.steps();
     test.advance(steps_per_sample);
@@ -95,8 +90,8 @@ namespace apps
     result.link_updates +=
       static_cast<double>(result.steps - before) * static_cast<double>(result.at_end.links + result.at_end.contacts);
     result.worst_balance_error = std::max(result.worst_balance_error, result.energy.balance_error());
-    if (particles && static_cast<std::int64_t>(test.curve().size()) % samples_per_snapshot == 0)
-      snapshot();
+    if (snapshots.wanted() && static_cast<std::int64_t>(test.curve().size()) % samples_per_snapshot == 0)
+      snapshots.take(specimen);
     return true;
   }
 
@@ -129,23 +124,13 @@ namespace apps
     specimen.visit_state(state);
     state.group("test");
     test.visit_state(state);
-    visit_snapshots(state, "particle_snapshots", particles);
-    visit_snapshots(state, "link_snapshots", links);
-  }
-
-  void UniaxialStage::snapshot()
-  {
-    const dem::ParticleOutput state = specimen.particles();
-    postprocess::write_vtk_particles(particles->next(), state, specimen.time());
-    particles->add(specimen.time());
-    postprocess::write_vtk_links(links->next(), specimen.links(), state, specimen.time());
-    links->add(specimen.time());
+    snapshots.visit_state(state);
   }
 
   void UniaxialStage::finish()
   {
-    if (particles && static_cast<std::int64_t>(test.curve().size()) % samples_per_snapshot != 0)
-      snapshot();
+    if (snapshots.wanted() && static_cast<std::int64_t>(test.curve().size()) % samples_per_snapshot != 0)
+      snapshots.take(specimen);
     for (const dem::UniaxialSample &sample : test.curve())
       {
         result.strain.push_back(sample.strain);

@@ -1,13 +1,12 @@
 #pragma once
 
 #include "apps/drivers/material_counts.h"
+#include "apps/drivers/specimen_snapshots.h"
 #include "apps/drivers/uniaxial_model.h"
 #include "apps/drivers/uniaxial_result.h"
 #include "apps/results/run_work.h"
-#include "postprocess/pvd.h"
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -62,15 +61,13 @@ namespace apps
     static std::vector<postprocess::SeriesColumn> series_columns();
 
   private:
-    void snapshot();
-
-    std::string                               name; ///< "tension"
-    int                                       axis;
-    dem::Specimen                             specimen;
-    dem::UniaxialTest                         test;
-    GravitySection                            gravity;
-    std::int64_t                              steps_at_most, steps_per_sample;
-    std::int64_t                              samples_per_snapshot; ///< 0: no snapshots
-    std::optional<postprocess::PvdCollection> particles, links;
+    std::string       name; ///< "tension"
+    int               axis;
+    dem::Specimen     specimen;
+    dem::UniaxialTest test;
+    GravitySection    gravity;
+    std::int64_t      steps_at_most, steps_per_sample;
+    std::int64_t      samples_per_snapshot; ///< 0: no snapshots
+    SpecimenSnapshots snapshots;
   };
 } // namespace apps

@@ -8,7 +8,7 @@ namespace apps
       entry.only_if([asked, holds] { return (!asked || asked()) && holds(); },
                     (words.empty() ? "" : words + " and ") + "Shape = " + shapes);
     };
-    const auto is = [this](const Shape wanted) { return [this, wanted] { return shape == wanted; }; };
+    const auto is       = [this](const Shape wanted) { return [this, wanted] { return shape == wanted; }; };
     const auto is_round = [this] { return shape != Shape::box; };
 
     Entry &chosen =
@@ -47,21 +47,21 @@ namespace apps
 
   bool Region::holds(const Eigen::Vector3d &place, const int dimension) const
   {
-    using Place         = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1>; // of two or three coordinates
-    const auto as_place = [dimension](const std::array<double, 3> &c) -> Place {
+    using Coordinates   = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1>; // of two or three coordinates
+    const auto as_place = [dimension](const std::array<double, 3> &c) -> Coordinates {
       return Eigen::Map<const Eigen::Vector3d>(c.data()).head(dimension);
     };
-    const Place here = place.head(dimension);
+    const Coordinates here = place.head(dimension);
     switch (shape)
       {
-        case Shape::box:
-          return (here.array() >= as_place(lower).array()).all() && (here.array() <= as_place(upper).array()).all();
-        case Shape::sphere:
-          return (here - as_place(centre)).squaredNorm() <= radius * radius;
-        default:
-          const Place  axis = as_place(to) - as_place(from), way = here - as_place(from);
-          const double part = way.dot(axis) / axis.squaredNorm();
-          return part >= 0 && part <= 1 && (way - part * axis).squaredNorm() <= radius * radius;
+      case Shape::box:
+        return (here.array() >= as_place(lower).array()).all() && (here.array() <= as_place(upper).array()).all();
+      case Shape::sphere:
+        return (here - as_place(centre)).squaredNorm() <= radius * radius;
+      default:
+        const Coordinates axis = as_place(to) - as_place(from), way = here - as_place(from);
+        const double      part = way.dot(axis) / axis.squaredNorm();
+        return part >= 0 && part <= 1 && (way - part * axis).squaredNorm() <= radius * radius;
       }
   }
 } // namespace apps

@@ -1,6 +1,9 @@
 #include "apps/drivers/particles/body.h"
 
 #include "apps/interrupt.h"
+#include "dem/core/errors.h"
+
+#include <fmt/format.h>
 
 #include <limits>
 
@@ -13,6 +16,12 @@ namespace apps
     , groups(what.groups_in(particles))
     , motion(body, what.motion, groups)
   {
+    constexpr double limit = 1e12; // a year at thirty thousand steps a second
+    const double     steps = what.end_time / body.time_step();
+    if (!(steps < limit))
+      throw dem::InputError(fmt::format("Time/End time = {}: that would take {:.1e} steps of {:.1e} s. Check density, "
+                                        "moduli and sizes: all in SI units.",
+                                        what.end_time, steps, body.time_step()));
   }
 
   StaticStart ParticlesBody::start()

@@ -35,7 +35,8 @@ namespace apps
       .only_if([this] { return is_vector(); }, "Quantity is a vector");
   }
 
-  void GaugeSection::validate(const Section &section, const GroupNames &names, const MotionSection &motion) const
+  void
+  GaugeSection::validate(const Section &section, const GroupNames &names, const PrescribedMotionSection &motion) const
   {
     names.require(section, "Group", group);
     if (quantity == Quantity::distance)
@@ -50,20 +51,20 @@ namespace apps
   {
     switch (quantity)
       {
-        case Quantity::velocity:
-          return "m/s";
-        case Quantity::reaction:
-          return "N";
-        case Quantity::reaction_moment:
-          return "N m";
-        case Quantity::kinetic_energy:
-          return "J";
-        case Quantity::broken_links:
-          return "";
-        case Quantity::unbalanced_ratio:
-          return "-";
-        default:
-          return "m";
+      case Quantity::velocity:
+        return "m/s";
+      case Quantity::reaction:
+        return "N";
+      case Quantity::reaction_moment:
+        return "N m";
+      case Quantity::kinetic_energy:
+        return "J";
+      case Quantity::broken_links:
+        return "";
+      case Quantity::unbalanced_ratio:
+        return "-";
+      default:
+        return "m";
       }
   }
 
@@ -94,7 +95,8 @@ namespace apps
     }
   } // namespace
 
-  void GaugesSection::validate(const Section &root, const GroupNames &names, const MotionSection &motion) const
+  void
+  GaugesSection::validate(const Section &root, const GroupNames &names, const PrescribedMotionSection &motion) const
   {
     for (const GaugeSection &gauge : gauges)
       refuse_name(*root.find_section("Gauges")->find_section(gauge.name));
@@ -135,10 +137,8 @@ namespace apps
     double broken_links(const std::vector<std::size_t> &members, const ObservedSpecimen &seen)
     {
       const dem::LinkOutput links = seen.specimen.links();
-      const auto            holds = [&](const std::size_t i) {
-        return std::binary_search(members.begin(), members.end(), i);
-      };
-      double count = 0;
+      const auto holds = [&](const std::size_t i) { return std::binary_search(members.begin(), members.end(), i); };
+      double     count = 0;
       for (std::size_t l = 0; l < links.ends.size(); ++l)
         if (links.kind[l] == dem::LinkOutput::broken && (holds(links.ends[l][0]) || holds(links.ends[l][1])))
           ++count;
@@ -159,18 +159,18 @@ namespace apps
       const dem::ParticleOutput &p       = seen.particles;
       switch (gauge.quantity)
         {
-          case Quantity::displacement:
-            return mean(p.displacement, members, p);
-          case Quantity::velocity:
-            return mean(p.velocity, members, p);
-          case Quantity::distance:
-            return mean(p.position, seen.groups.at(gauge.other), p) - mean(p.position, members, p);
-          case Quantity::reaction:
-            return seen.motion.reaction(gauge.group);
-          case Quantity::reaction_moment:
-            return seen.motion.reaction_moment(gauge.group);
-          default:
-            return mean(p.position, members, p);
+        case Quantity::displacement:
+          return mean(p.displacement, members, p);
+        case Quantity::velocity:
+          return mean(p.velocity, members, p);
+        case Quantity::distance:
+          return mean(p.position, seen.groups.at(gauge.other), p) - mean(p.position, members, p);
+        case Quantity::reaction:
+          return seen.motion.reaction(gauge.group);
+        case Quantity::reaction_moment:
+          return seen.motion.reaction_moment(gauge.group);
+        default:
+          return mean(p.position, members, p);
         }
     }
   } // namespace

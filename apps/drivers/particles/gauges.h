@@ -39,8 +39,8 @@ namespace apps
 
     void declare(Section &section);
     /** @throws dem::InputError. */
-    void validate(const Section &section, const GroupNames &names, const MotionSection &motion) const;
-    bool is_vector() const { return quantity < Quantity::kinetic_energy; }
+    void        validate(const Section &section, const GroupNames &names, const PrescribedMotionSection &motion) const;
+    bool        is_vector() const { return quantity < Quantity::kinetic_energy; }
     const char *unit() const;
   };
 
@@ -51,7 +51,7 @@ namespace apps
 
     void declare(Section &root);
     /** @throws dem::InputError. */
-    void validate(const Section &root, const GroupNames &names, const MotionSection &motion) const;
+    void validate(const Section &root, const GroupNames &names, const PrescribedMotionSection &motion) const;
   };
 
   /** What a specimen looks like at one moment, for all gauges. */

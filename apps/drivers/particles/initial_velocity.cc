@@ -15,9 +15,7 @@ namespace apps
       });
   }
 
-  void InitialVelocitySection::validate(const Section      &root,
-                                        const dem::Physics &physics,
-                                        const GroupNames   &names) const
+  void InitialVelocitySection::validate(const Section &root, const dem::Physics &physics, const GroupNames &names) const
   {
     const Section &all = *root.find_section("Initial velocity");
     names.require_sections(all);
@@ -25,9 +23,8 @@ namespace apps
       given.validate(*all.find_section(given.group), physics);
   }
 
-  void InitialVelocitySection::give(dem::Specimen        &specimen,
-                                    const dem::Packing   &packing,
-                                    const ParticleGroups &groups) const
+  void
+  InitialVelocitySection::give(dem::Specimen &specimen, const dem::Packing &packing, const ParticleGroups &groups) const
   {
     for (const MotionFormulas &given : velocities)
       for (const std::size_t i : groups.at(given.group))

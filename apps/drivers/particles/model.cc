@@ -17,8 +17,9 @@ namespace apps
       samples.means("Rows of series.csv from the start to the end time, besides that of the start; stop conditions are "
                     "looked at with each");
       samples.decides = true; // when a stop condition is seen
-      section.find_entry("Snapshots")->means("ParaView files from the start to the end time, the first and last state "
-                                             "besides; 0: none at all");
+      section.find_entry("Snapshots")
+        ->means("ParaView files from the start to the end time, the first and last state "
+                "besides; 0: none at all");
       section.text("Curve horizontal", horizontal, Need::optional)
         .means("Column of series.csv for curve.png; empty: the time")
         .housekeeping();

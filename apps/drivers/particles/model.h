@@ -14,20 +14,20 @@ namespace apps
   /** Everything that a scene of kind "particles" says. */
   struct ParticlesModel
   {
-    SpecimenSection        source;
-    MoreParticlesSection   more;
-    MaterialSection        material;
-    dem::Physics           physics;
-    TimeSection            time;
-    double                 end_time = 0; ///< [s]
-    GravitySection         gravity;
-    GroupsSection          groups;
-    MotionSection          motion;
-    InitialVelocitySection initial_velocity;
-    GaugesSection          gauges;
-    StopsSection           stops;
-    OutputSection          output;
-    std::string            horizontal, vertical; ///< columns of the curve, as the scene asks for them
+    SpecimenSection         source;
+    MoreParticlesSection    more;
+    MaterialSection         material;
+    dem::Physics            physics;
+    TimeSection             time;
+    double                  end_time = 0; ///< [s]
+    GravitySection          gravity;
+    GroupsSection           groups;
+    PrescribedMotionSection motion;
+    InitialVelocitySection  initial_velocity;
+    GaugesSection           gauges;
+    StopsSection            stops;
+    OutputSection           output;
+    std::string             horizontal, vertical; ///< columns of the curve, as the scene asks for them
 
     void declare(Section &root);
     /** @throws dem::InputError. */

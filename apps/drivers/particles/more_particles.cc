@@ -13,12 +13,11 @@ namespace apps
 {
   void AddedParticles::declare(Section &s)
   {
-    const auto read = [this] { return from_file; }, one = [this] { return !from_file; };
+    const auto read = [this] { return from_file; };
+    const auto one  = [this] { return !from_file; };
     s.choice("Source", from_file, {{"sphere", false}, {"file", true}}, Need::optional)
       .means("sphere: one, in two dimensions a disc; file: all of another packing");
-    s.file("File", file)
-      .means("Packing, as Specimen/File")
-      .only_if(read, "Source = file");
+    s.file("File", file).means("Packing, as Specimen/File").only_if(read, "Source = file");
     s.vector("Centre", centre, "m", Range(), Need::optional)
       .means("Of the sphere; of a file, what is added to the places in it");
     s.number("Radius", radius, "m", Range::positive(), Need::required)
@@ -100,8 +99,7 @@ namespace apps
         return part;
       const auto known = materials.names();
       part.material.assign(
-        part.size(),
-        static_cast<std::int32_t>(std::find(known.begin(), known.end(), one.material) - known.begin()));
+        part.size(), static_cast<std::int32_t>(std::find(known.begin(), known.end(), one.material) - known.begin()));
       return part;
     }
   } // namespace
@@ -145,7 +143,7 @@ namespace apps
   ParticleGroups MoreParticlesSection::groups_in(const std::size_t particles) const
   {
     ParticleGroups groups;
-    std::size_t    end = particles;
+    std::size_t    end   = particles;
     const auto     order = in_order();
     for (auto one = order.rbegin(); one != order.rend(); ++one)
       {

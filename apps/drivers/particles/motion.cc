@@ -1,5 +1,7 @@
 #include "apps/drivers/particles/motion.h"
 
+#include "apps/scene/formula_variables.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,7 +36,7 @@ namespace apps
                                              "particles do not spin (Physics/Rotations = false). Leave it out.");
   }
 
-  void MotionSection::declare(Section &root)
+  void PrescribedMotionSection::declare(Section &root)
   {
     root.section("Motion", "One sub-section per group whose motion is prescribed, named after the group")
       .named_sections("GROUP", [this](Section &opened) {
@@ -44,7 +46,8 @@ namespace apps
       });
   }
 
-  void MotionSection::validate(const Section &root, const dem::Physics &physics, const GroupNames &names) const
+  void
+  PrescribedMotionSection::validate(const Section &root, const dem::Physics &physics, const GroupNames &names) const
   {
     const Section &all = *root.find_section("Motion");
     names.require_sections(all);
@@ -53,7 +56,7 @@ namespace apps
         const Section &section = *all.find_section(motion.group);
         motion.validate(section, physics);
         for (int c = 0; c < 6; ++c)
-          if (motion.component(c).varies_in_space())
+          if (varies_in_space(section.find_entry(component_names[c])->value))
             section.refuse(component_names[c], "all particles of a group move alike: a formula of t alone.");
       }
   }
@@ -70,16 +73,17 @@ namespace apps
               {
                 const auto [first, fresh] = taken.emplace(std::make_pair(i, c), motion.group);
                 if (!fresh)
-                  throw dem::InputError(fmt::format("Motion/{}/{}: particle {} is in group {} as well, which prescribes "
-                                                    "the same. Make the groups apart, or leave it to one of them.",
-                                                    motion.group, component_names[c], i + 1, first->second));
+                  throw dem::InputError(
+                    fmt::format("Motion/{}/{}: particle {} is in group {} as well, which prescribes "
+                                "the same. Make the groups apart, or leave it to one of them.",
+                                motion.group, component_names[c], i + 1, first->second));
               }
     }
   } // namespace
 
-  PrescribedMotion::PrescribedMotion(dem::Specimen        &body,
-                                     const MotionSection  &section,
-                                     const ParticleGroups &groups)
+  PrescribedMotion::PrescribedMotion(dem::Specimen                 &body,
+                                     const PrescribedMotionSection &section,
+                                     const ParticleGroups          &groups)
     : specimen(&body)
     , motions(section.motions.begin(), section.motions.end())
   {

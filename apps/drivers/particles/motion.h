@@ -28,7 +28,7 @@ namespace apps
   };
 
   /** Section "Motion": velocities prescribed to groups. */
-  struct MotionSection
+  struct PrescribedMotionSection
   {
     std::list<MotionFormulas> motions;
 
@@ -42,7 +42,7 @@ namespace apps
   {
   public:
     /** @throws dem::InputError where two groups prescribe the same component of one particle. */
-    PrescribedMotion(dem::Specimen &specimen, const MotionSection &section, const ParticleGroups &groups);
+    PrescribedMotion(dem::Specimen &specimen, const PrescribedMotionSection &section, const ParticleGroups &groups);
 
     /** Velocities of the next step: those at its middle. */
     void lead_next_step();
@@ -58,9 +58,9 @@ namespace apps
     }
 
   private:
-    dem::Specimen                     *specimen;
-    std::vector<MotionFormulas>        motions; ///< numbered as the grips
+    dem::Specimen                                   *specimen;
+    std::vector<MotionFormulas>                      motions; ///< numbered as the grips
     std::map<std::string, std::size_t, OrderOfNames> grip_of; ///< by group
-    bool varying = false;
+    bool                                             varying = false;
   };
 } // namespace apps

@@ -15,14 +15,13 @@ namespace apps
   /** What a complete run of kind "particles" tells: for programs, for the eye, for the terminal. */
   struct ParticlesReport
   {
-    const RunRequest      &request;
-    const ParticlesModel  &model;
-    const dem::Specimen   &specimen;
-    const MaterialCounts  &materials;
-    const StaticStart     &start;
-    postprocess::CsvTable  series; ///< complete
-    double                 worst_balance_error;
-    double                 wall_seconds;
+    const RunRequest     &request;
+    const ParticlesModel &model;
+    const dem::Specimen  &specimen;
+    const MaterialCounts &materials;
+    const StaticStart    &start;
+    postprocess::CsvTable series; ///< complete
+    double                wall_seconds;
 
     /** summary.json and curve.png. @throws postprocess::OutputError. */
     void write(const std::filesystem::path &folder) const;
@@ -32,6 +31,7 @@ namespace apps
   private:
     nlohmann::json figures() const;
     nlohmann::json energy() const;
-    std::string    ended_by() const; ///< "end time", or the name of a stop condition
+    double         balance_error() const; ///< largest residual over the largest energy, both of all rows
+    std::string    ended_by() const;      ///< "end time", or the name of a stop condition
   };
 } // namespace apps

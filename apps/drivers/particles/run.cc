@@ -35,8 +35,8 @@ namespace apps
     const Progress progress("links");
     body = std::make_unique<ParticlesBody>(model, packing);
     if (packing.material_names.size() > 1)
-      materials = MaterialCounts(packing.material_names, body->specimen().particles().material,
-                                 body->specimen().links().law);
+      materials =
+        MaterialCounts(packing.material_names, body->specimen().particles().material, body->specimen().links().law);
   }
 
   void ParticlesRun::prepare()
@@ -74,7 +74,6 @@ namespace apps
     apps::visit_state(state, start);
     state.scalar("samples", samples);
     state.scalar("stopped", stopped);
-    state.scalar("worst_balance_error", worst_balance_error);
     state.group("specimen");
     body->visit_state(state);
     snapshots.visit_state(state);
@@ -111,19 +110,18 @@ namespace apps
     stepping_seconds += watch.seconds();
     if (body->specimen().time() < sample_time()) // interrupted on the way
       return;
+    const std::int64_t wanted = model.output.snapshots, before = samples;
     while (samples < model.output.samples && sample_time() <= body->specimen().time())
       ++samples; // several of them may fall into one step
     record_row(record);
-    const std::int64_t wanted = model.output.snapshots;
-    const auto         due    = [&](const std::int64_t at) { return at * wanted / model.output.samples; };
-    if (finished() || due(samples) > due(samples - 1))
+    const auto due = [&](const std::int64_t at) { return at * wanted / model.output.samples; };
+    if (finished() || due(samples) > due(before))
       snapshots.take(body->specimen());
   }
 
   void ParticlesRun::record_row(const Record &record)
   {
     const std::vector<double> row = body->row();
-    worst_balance_error           = std::max(worst_balance_error, body->specimen().energy().balance_error());
     stopped                       = model.stops.fulfilled(model.column_names(), row).empty() ? 0 : 1;
     record({{}, row, {}});
   }
@@ -133,8 +131,8 @@ namespace apps
     postprocess::PictureSlab slab;
     slab.axis      = model.physics.dimension == 2 ? 2 : 1;
     slab.materials = packing.material_names;
-    return postprocess::picture_of_specimen(file, body->specimen().particles(), body->specimen().links(),
-                                            "At the end", slab);
+    return postprocess::picture_of_specimen(file, body->specimen().particles(), body->specimen().links(), "At the end",
+                                            slab);
   }
 
   std::string ParticlesRun::finish(const std::filesystem::path &folder, const double wall_seconds)
@@ -144,13 +142,8 @@ namespace apps
         postprocess::write_discrete_state(dem::discrete_state(body->specimen()), folder / "state.h5");
         warn_of_missing("crack.png", draw_crack(folder / "crack.png"));
       }
-    const ParticlesReport report{request,
-                                 model,
-                                 body->specimen(),
-                                 materials,
-                                 start,
-                                 postprocess::read_csv_table(folder / "series.csv", true),
-                                 worst_balance_error,
+    const ParticlesReport report{request,     model, body->specimen(),
+                                 materials,   start, postprocess::read_csv_table(folder / "series.csv", true),
                                  wall_seconds};
     report.write(folder);
     return report.text();

@@ -53,10 +53,9 @@ namespace apps
     MaterialCounts                 materials; ///< before anything moves
     StaticStart                    start;
     SpecimenSnapshots              snapshots;
-    std::int64_t                   samples             = 0; ///< so far, without that of the start
-    std::int64_t                   stopped             = 0; ///< 1: a stop condition holds
-    double                         worst_balance_error = 0;
-    double                         stepping_seconds    = 0; ///< wall clock, since the run began or was resumed
-    std::int64_t                   steps_before        = 0; ///< when it did
+    std::int64_t                   samples          = 0; ///< so far, without that of the start
+    std::int64_t                   stopped          = 0; ///< 1: a stop condition holds
+    double                         stepping_seconds = 0; ///< wall clock, since the run began or was resumed
+    std::int64_t                   steps_before     = 0; ///< when it did
   };
 } // namespace apps

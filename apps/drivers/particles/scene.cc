@@ -24,8 +24,8 @@ namespace apps
     text += fmt::format("  groups       {}\n", text_of(model.groups_in(packing)));
     text += fmt::format("  time step    {:.4g} s = {} of the bound of its particles\n", specimen.time_step(),
                         model.time.step_factor);
-    text += fmt::format("  memory       {:.1f} MB for particles and links\n",
-                        1e-6 * static_cast<double>(specimen.bytes()));
+    text +=
+      fmt::format("  memory       {:.1f} MB for particles and links\n", 1e-6 * static_cast<double>(specimen.bytes()));
     if (start)
       text += fmt::format("  start        {}\n", text_of(*start));
     text += fmt::format("  steps        {:.0f}{}\n", steps,

@@ -18,8 +18,9 @@ namespace apps
 
   void StopsSection::declare(Section &root)
   {
-    root.section("Stop", "One sub-section per condition that ends the run before the end time, looked at with every row "
-                         "of series.csv but the first")
+    root
+      .section("Stop", "One sub-section per condition that ends the run before the end time, looked at with every row "
+                       "of series.csv but the first")
       .named_sections("CONDITION", [this](Section &opened) {
         StopSection &added = stops.emplace_back();
         added.name         = opened.name();
