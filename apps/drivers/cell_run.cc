@@ -47,8 +47,8 @@ namespace apps
                     all, specimen->time_step()));
     steps                        = static_cast<std::int64_t>(all);
     steps_per_sample             = std::max<std::int64_t>(1, steps / model.output.samples);
-    const std::int64_t snapshots = model.output.snapshots;
-    samples_per_snapshot         = snapshots > 0 ? std::max<std::int64_t>(1, model.output.samples / snapshots) : 0;
+    const std::int64_t wanted    = model.output.snapshots;
+    samples_per_snapshot         = wanted > 0 ? std::max<std::int64_t>(1, model.output.samples / wanted) : 0;
   }
 
   void CellRun::prepare()

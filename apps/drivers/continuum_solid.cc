@@ -59,11 +59,6 @@ namespace apps
       };
     }
 
-    bool any_given(const Expressions &formulas)
-    {
-      return formulas[0].given() || formulas[1].given() || formulas[2].given();
-    }
-
     template <int dim>
     fem::VectorOf<dim> vector(const Expressions &formulas)
     {
