@@ -2,7 +2,7 @@
 
 #include "dem/core/errors.h"
 #include "postprocess/companions.h"
-#include "postprocess/fingerprint.h"
+#include "postprocess/digest.h"
 #include "postprocess/hdf5_file.h"
 #include "postprocess/numeric_text.h"
 
@@ -34,7 +34,7 @@ namespace postprocess
     /** Of one item; those of all items are added up, so that their order does not matter. */
     std::uint64_t fingerprint_of(const std::string &name, const std::string_view bytes)
     {
-      return Fingerprint().add(name).add("=").add(bytes).value();
+      return Digest().add(name).add("=").add(bytes).value();
     }
 
     /** As stored: numbers of eight or four bytes, the least significant first. */
@@ -115,10 +115,7 @@ namespace postprocess
     self->file.commit();
   }
 
-  void CheckpointWriter::text(const std::string &name, const std::string &value)
-  {
-    self->file.write_text(name, value);
-  }
+  void CheckpointWriter::text(const std::string &name, const std::string &value) { self->file.write_text(name, value); }
 
   // --- Reading ---
 
@@ -213,10 +210,7 @@ namespace postprocess
 
   void CheckpointReader::scalar(const std::string &name, std::int64_t &value) { self->read_scalar(name, value); }
 
-  std::string CheckpointReader::text(const std::string &name) const
-  {
-    return self->file.read_text(name);
-  }
+  std::string CheckpointReader::text(const std::string &name) const { return self->file.read_text(name); }
 
   void CheckpointReader::finish() const
   {

@@ -1,7 +1,7 @@
 #include "postprocess/companions.h"
 
 #include "dem/core/errors.h"
-#include "postprocess/fingerprint.h"
+#include "postprocess/digest.h"
 
 #include <algorithm>
 #include <array>
@@ -35,7 +35,7 @@ namespace postprocess
     std::uintmax_t read_print(const fs::path &file, const std::uintmax_t bytes, std::uint64_t &print)
     {
       std::ifstream     stream(file, std::ios::binary);
-      Fingerprint       fingerprint;
+      Digest            digest;
       std::vector<char> buffer(1 << 16);
       std::uintmax_t    done = 0;
       while (stream && done < bytes)
@@ -43,10 +43,10 @@ namespace postprocess
           stream.read(buffer.data(),
                       static_cast<std::streamsize>(std::min<std::uintmax_t>(buffer.size(), bytes - done)));
           const auto got = static_cast<std::size_t>(stream.gcount());
-          fingerprint.add({buffer.data(), got});
+          digest.add({buffer.data(), got});
           done += got;
         }
-      print = fingerprint.value();
+      print = digest.value();
       return done;
     }
 

@@ -13,16 +13,11 @@ namespace postprocess
   class Digest
   {
   public:
-    Digest() = default;
-    explicit Digest(const std::uint64_t value_of_earlier_bytes)
-      : value_now(value_of_earlier_bytes)
-    {
-    }
-
-    void add(const std::string_view bytes)
+    Digest &add(const std::string_view bytes)
     {
       for (const char c : bytes)
         value_now = (value_now ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+      return *this;
     }
 
     std::uint64_t value() const { return value_now; }

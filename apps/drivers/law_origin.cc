@@ -3,7 +3,7 @@
 #include "apps/drivers/transfer_section.h"
 #include "apps/scene/value_text.h"
 #include "dem/core/errors.h"
-#include "postprocess/fingerprint.h"
+#include "postprocess/digest.h"
 
 #include <fmt/format.h>
 
@@ -46,10 +46,10 @@ namespace apps
       if (!stream)
         throw dem::InputError(file.string() + ": cannot be read.");
       const std::string content{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-      return fmt::format("{:x}", postprocess::Fingerprint().add(content).value());
+      return fmt::format("{:x}", postprocess::Digest().add(content).value());
     }
 
-    void add(const Section &section, const Names &but, postprocess::Fingerprint &digest)
+    void add(const Section &section, const Names &but, postprocess::Digest &digest)
     {
       if (!section.needed())
         return;
@@ -66,7 +66,7 @@ namespace apps
       digest.add("}");
     }
 
-    std::string digits(const postprocess::Fingerprint &digest) { return fmt::format("{:016x}", digest.value()); }
+    std::string digits(const postprocess::Digest &digest) { return fmt::format("{:016x}", digest.value()); }
   } // namespace
 
   std::string LawOrigin::text() const { return test + ", particles " + particles + ", concrete " + concrete; }
@@ -111,7 +111,7 @@ namespace apps
 
   std::string digest_of_particles(const Section &particles)
   {
-    postprocess::Fingerprint digest;
+    postprocess::Digest digest;
     for (const char *name : {"Specimen", "Material", "Materials", "Regions", "Physics"})
       if (const Section *section = particles.find_section(name))
         add(*section, of_no_matter_to_particles, digest);
@@ -120,7 +120,7 @@ namespace apps
 
   std::string digest_of_concrete(const Section &law)
   {
-    postprocess::Fingerprint digest;
+    postprocess::Digest digest;
     add(law, of_no_matter_to_concrete, digest);
     return digits(digest);
   }
