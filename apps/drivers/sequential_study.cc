@@ -2,6 +2,7 @@
 
 #include "apps/drivers/continuum_summary.h"
 #include "postprocess/csv_table.h"
+#include "postprocess/drawn_unit.h"
 #include "postprocess/plot.h"
 #include "postprocess/summary.h"
 
@@ -133,6 +134,14 @@ namespace apps
     const double                        up       = stresses && model.particles.compresses() ? -1 : 1;
     std::vector<postprocess::PlotPanel> panels;
     postprocess::PlotPanel              together;
+    double                              widest = 0, highest = 0;
+    for (const ContinuationCurve &curve : curves)
+      {
+        widest  = std::max(widest, std::abs(curve.furthest()));
+        highest = std::max(highest, std::abs(curve.peak()));
+      }
+    const auto along = postprocess::drawn_unit(widest, units.horizontal),
+               force = postprocess::drawn_unit(highest, units.vertical);
     for (std::size_t k = 0; k < curves.size(); ++k)
       {
         postprocess::PlotSeries after;
@@ -142,8 +151,8 @@ namespace apps
         for (std::size_t i = 0; i < curves[k].horizontal.size(); ++i)
           {
             after.x.push_back(stresses ? up * 1e3 * (curves[k].offset + curves[k].horizontal[i]) :
-                                         curves[k].horizontal[i]);
-            after.y.push_back(stresses ? up * 1e-6 * curves[k].vertical[i] : curves[k].vertical[i]);
+                                         along.scale * curves[k].horizontal[i]);
+            after.y.push_back(stresses ? up * 1e-6 * curves[k].vertical[i] : force.scale * curves[k].vertical[i]);
           }
         if (!stresses)
           {
@@ -179,8 +188,8 @@ namespace apps
     if (!together.series.empty())
       {
         together.title   = "Continuations";
-        together.x_label = model.study.horizontal;
-        together.y_label = model.study.vertical;
+        together.x_label = postprocess::readable(model.study.horizontal) + along.label;
+        together.y_label = postprocess::readable(model.study.vertical) + force.label;
         panels.push_back(together);
       }
     postprocess::PlotPanel  rest;
@@ -191,11 +200,12 @@ namespace apps
         if (!std::isfinite(curves[k].peak()))
           continue;
         left.x.push_back(stresses ? up * 1e3 * particles[k].severity : particles[k].severity);
-        left.y.push_back((stresses ? 1e-6 : 1.0) * curves[k].peak());
+        left.y.push_back((stresses ? 1e-6 : force.scale) * curves[k].peak());
       }
     rest.title   = "What the continuum still carries";
     rest.x_label = stresses ? "Strain reached by the particles [1e-3]" : "Energy of the blow [J]";
-    rest.y_label = stresses ? "Largest stress [MPa]" : "Largest " + model.study.vertical;
+    rest.y_label =
+      stresses ? "Largest stress [MPa]" : postprocess::readable(model.study.vertical) + ", largest" + force.label;
     if (stresses)
       left.style = postprocess::PlotSeries::Style::points; // monotonic and unloaded states at the same strain
     rest.series = {left};
