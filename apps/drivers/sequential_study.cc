@@ -36,6 +36,9 @@ namespace apps
       return values;
     }
 
+    /** For a table: nothing where there is no number. */
+    std::string known(const double value) { return std::isnan(value) ? "" : fmt::format("{}", value); }
+
     nlohmann::json quantity(const double value, const std::string &unit) { return {{"value", value}, {"unit", unit}}; }
   } // namespace
 
@@ -120,10 +123,11 @@ namespace apps
         const ContinuationCurve &c = curves[k];
         const ParticleOutcome   &p = particles[k];
         text +=
-          fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", k, p.name, p.severity, p.absorbed, p.stress,
-                      p.seconds, p.balance_error, c.peak(), c.horizontal_at_peak(), c.furthest(), c.energy(), c.seconds,
-                      c.broke_off() ? 1 : 0, all_particles ? error_against(c, *all_particles) : std::nan(""),
-                      all_particles ? error_against(near_the_transfer(c), *all_particles) : std::nan(""));
+          fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", k, p.name, known(p.severity), known(p.absorbed),
+                      known(p.stress), p.seconds, p.balance_error, known(c.peak()), known(c.horizontal_at_peak()),
+                      known(c.furthest()), known(c.energy()), c.seconds, c.broke_off() ? 1 : 0,
+                      known(all_particles ? error_against(c, *all_particles) : std::nan("")),
+                      known(all_particles ? error_against(near_the_transfer(c), *all_particles) : std::nan("")));
       }
     return text;
   }
