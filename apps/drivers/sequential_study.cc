@@ -36,9 +36,6 @@ namespace apps
       return values;
     }
 
-    /** For a table: nothing where there is no number. */
-    std::string known(const double value) { return std::isnan(value) ? "" : fmt::format("{}", value); }
-
     nlohmann::json quantity(const double value, const std::string &unit) { return {{"value", value}, {"unit", unit}}; }
   } // namespace
 
@@ -117,17 +114,19 @@ namespace apps
       "case,event,severity [" + severity_unit() +
       "],absorbed [J],particle_stress [Pa],particle_seconds [s],balance_error [-],peak" + v + ",horizontal_at_peak" +
       h + ",furthest" + h +
-      ",dissipated [J],continuum_seconds [s],broke_off,error_against_all_particles [-],error_near [-]\n";
+      ",dissipated [J],continuum_seconds [s],broke_off" +
+      (all_particles ? ",error_against_all_particles [-],error_near [-]\n" : "\n");
     for (std::size_t k = 0; k < curves.size(); ++k)
       {
         const ContinuationCurve &c = curves[k];
         const ParticleOutcome   &p = particles[k];
         text +=
-          fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", k, p.name, known(p.severity), known(p.absorbed),
-                      known(p.stress), p.seconds, p.balance_error, known(c.peak()), known(c.horizontal_at_peak()),
-                      known(c.furthest()), known(c.energy()), c.seconds, c.broke_off() ? 1 : 0,
-                      known(all_particles ? error_against(c, *all_particles) : std::nan("")),
-                      known(all_particles ? error_against(near_the_transfer(c), *all_particles) : std::nan("")));
+          fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}", k, p.name, p.severity, p.absorbed, p.stress,
+                      p.seconds, p.balance_error, c.peak(), c.horizontal_at_peak(), c.furthest(), c.energy(), c.seconds,
+                      c.broke_off() ? 1 : 0);
+        text += all_particles ? fmt::format(",{},{}\n", error_against(c, *all_particles),
+                                            error_against(near_the_transfer(c), *all_particles)) :
+                                "\n";
       }
     return text;
   }
