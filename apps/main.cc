@@ -1,5 +1,5 @@
 #include "apps/program.h"
-#include "dem/floating_point_traps.h"
+#include "dem/core/floating_point_traps.h"
 
 #include <csignal>
 

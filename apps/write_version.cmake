@@ -1,4 +1,4 @@
-# Writes the source of apps/version.h at build time, and only when the commit has changed (so that nothing else is rebuilt).
+# Writes the source of apps/process/version.h at build time, and only when the commit has changed (so that nothing else is rebuilt).
 execute_process(COMMAND git -C "${SOURCE_FOLDER}" describe --always --dirty --abbrev=10
                 OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
 set(BRECCIA_COMMIT "")

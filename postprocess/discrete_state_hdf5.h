@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dem/measures/discrete_state.h"
+#include "dem/observation/discrete_state.h"
 
 #include <filesystem>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dem/measures/link_images.h"
+#include "dem/observation/link_images.h"
 
 #include <filesystem>
 #include <optional>

@@ -2,7 +2,7 @@
 //
 //   test_ROOM --write-ctest FILE PREFIX     lists the test cases as CTest commands (run by the build)
 #define CATCH_CONFIG_RUNNER
-#include "dem/floating_point_traps.h"
+#include "dem/core/floating_point_traps.h"
 
 #include <catch2/catch.hpp>
 

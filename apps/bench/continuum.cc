@@ -2,8 +2,8 @@
 
 #include "apps/bench/continuum_cases.h"
 #include "apps/bench/continuum_rates.h"
-#include "apps/exit_status.h"
-#include "apps/mpi_session.h"
+#include "apps/process/exit_status.h"
+#include "apps/process/mpi_session.h"
 #include "postprocess/atomic_file.h"
 #include "postprocess/errors.h"
 #include "postprocess/plot.h"

@@ -1,8 +1,8 @@
 #include "apps/bench/homogenise.h"
 
-#include "apps/drivers/homogenisation_report.h"
-#include "apps/drivers/specimen_packing.h"
-#include "apps/exit_status.h"
+#include "apps/drivers/homogenisation/report.h"
+#include "apps/drivers/parts/specimen_packing.h"
+#include "apps/process/exit_status.h"
 #include "dem/laws/cpm.h"
 #include "dem/loading/periodic_cell.h"
 #include "dem/statics/dynamic_relaxation.h"

@@ -1,7 +1,7 @@
 #include "apps/bench/quasi_static.h"
 
-#include "apps/drivers/specimen_packing.h"
-#include "apps/exit_status.h"
+#include "apps/drivers/parts/specimen_packing.h"
+#include "apps/process/exit_status.h"
 #include "dem/laws/cpm.h"
 #include "dem/loading/uniaxial.h"
 #include "dem/statics/quasi_static_path.h"

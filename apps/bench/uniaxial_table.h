@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/bench/uniaxial_cases.h"
-#include "apps/drivers/uniaxial_result.h"
+#include "apps/drivers/uniaxial/result.h"
 
 #include <filesystem>
 #include <string>

@@ -1,8 +1,8 @@
 #include "apps/commands/command.h"
 #include "apps/commands/scene_options.h"
-#include "apps/exit_status.h"
-#include "apps/interrupt.h"
-#include "apps/scene/load.h"
+#include "apps/drivers/load.h"
+#include "apps/process/exit_status.h"
+#include "apps/process/interrupt.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #include "apps/commands/command.h"
 #include "apps/drivers/all.h"
-#include "apps/exit_status.h"
+#include "apps/drivers/load.h"
+#include "apps/process/exit_status.h"
 #include "apps/scene/description.h"
-#include "apps/scene/load.h"
 #include "apps/scene/nearest_name.h"
 
 #include <CLI/Validators.hpp>

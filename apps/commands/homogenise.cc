@@ -1,11 +1,11 @@
 #include "apps/commands/command.h"
 #include "apps/commands/scene_options.h"
-#include "apps/drivers/homogenisation_report.h"
-#include "apps/exit_status.h"
-#include "apps/interrupt.h"
+#include "apps/drivers/homogenisation/report.h"
+#include "apps/process/exit_status.h"
+#include "apps/process/interrupt.h"
+#include "apps/process/version.h"
 #include "apps/results/result_folder.h"
 #include "apps/scene/value_text.h"
-#include "apps/version.h"
 #include "dem/core/errors.h"
 #include "dem/packing/compaction.h"
 #include "postprocess/packing_io.h"
@@ -86,7 +86,9 @@ namespace apps
     CLI::App  &command = *program.add_subcommand(
        "homogenise", "Macroscopic stiffness of a periodic packing: from link statistics, affine bound, and relaxed");
     command.add_option("packing", options->packing, "Periodic packing, text or HDF5")->required()->type_name("PACKING");
-    command.add_option("--interaction-ratio", links.interaction_ratio, "Links up to this times the sum of radii, from 1 to 10")
+    command
+      .add_option("--interaction-ratio", links.interaction_ratio,
+                  "Links up to this times the sum of radii, from 1 to 10")
       ->required()
       ->type_name("IOTA");
     command.add_option("--normal-modulus", links.normal_modulus, "Of the link material along the link [Pa]")

@@ -1,6 +1,6 @@
 #include "apps/commands/scene_options.h"
 
-#include "apps/mpi_session.h"
+#include "apps/process/mpi_session.h"
 #include "dem/core/errors.h"
 
 #include <CLI/Validators.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "apps/scene/load.h"
-#include "apps/threads.h"
+#include "apps/drivers/load.h"
+#include "apps/process/threads.h"
 
 #include <CLI/App.hpp>
 

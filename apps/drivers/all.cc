@@ -1,12 +1,12 @@
 #include "apps/drivers/all.h"
 
-#include "apps/drivers/cell_scene.h"
-#include "apps/drivers/continuum.h"
-#include "apps/drivers/homogenisation_scene.h"
+#include "apps/drivers/cell/scene.h"
+#include "apps/drivers/continuum/scene.h"
+#include "apps/drivers/homogenisation/scene.h"
 #include "apps/drivers/particles/scene.h"
-#include "apps/drivers/quasi_static_scene.h"
-#include "apps/drivers/sequential.h"
-#include "apps/drivers/uniaxial.h"
+#include "apps/drivers/quasi_static/scene.h"
+#include "apps/drivers/sequential/scene.h"
+#include "apps/drivers/uniaxial/scene.h"
 
 namespace apps
 {

@@ -1,11 +1,11 @@
 #include "apps/results/life_cycle.h"
 
-#include "apps/exit_status.h"
-#include "apps/interrupt.h"
-#include "apps/mpi_session.h"
+#include "apps/process/exit_status.h"
+#include "apps/process/interrupt.h"
+#include "apps/process/mpi_session.h"
+#include "apps/process/threads.h"
 #include "apps/results/result_listing.h"
 #include "apps/results/shared_state.h"
-#include "apps/threads.h"
 #include "dem/core/errors.h"
 #include "postprocess/atomic_file.h"
 

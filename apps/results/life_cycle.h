@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/progress.h"
+#include "apps/process/progress.h"
 #include "apps/results/input_files.h"
 #include "apps/results/result_folder.h"
 #include "apps/results/run_work.h"

@@ -1,6 +1,6 @@
 #include "apps/results/shared_state.h"
 
-#include "apps/mpi_session.h"
+#include "apps/process/mpi_session.h"
 #include "dem/core/errors.h"
 
 #include <deal.II/base/mpi.h>

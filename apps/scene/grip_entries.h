@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/scene/section.h"
-#include "dem/loading/grip_layers.h"
+#include "dem/grips/grip_layers.h"
 
 #include <functional>
 #include <string>

@@ -3,7 +3,7 @@
 #include "apps/scene/material_region.h"
 #include "apps/scene/section.h"
 #include "dem/laws/registry.h"
-#include "dem/packing/packing.h"
+#include "dem/model/packing.h"
 
 #include <list>
 #include <map>
@@ -16,8 +16,8 @@ namespace apps
   /** What a link between two particles of one material obeys: law, and a block with the constants of every law there is. */
   struct LinkLaw
   {
-    const dem::LinkLawKind                                *law = nullptr; ///< the chosen one
-    std::map<std::string, std::shared_ptr<dem::LinkConstants>> constants; ///< of every law, by its name
+    const dem::LinkLawKind                                    *law = nullptr; ///< the chosen one
+    std::map<std::string, std::shared_ptr<dem::LinkConstants>> constants;     ///< of every law, by its name
 
     void declare(Section &section);
     /** Constants of the chosen law. */

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/scene/section.h"
-#include "dem/specimen.h"
+#include "dem/specimen/specimen.h"
 
 namespace apps
 {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "coupling/participants/participant.h"
-#include "dem/specimen.h"
+#include "dem/specimen/specimen.h"
 
 #include <optional>
 

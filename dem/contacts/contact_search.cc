@@ -1,6 +1,6 @@
 #include "dem/contacts/contact_search.h"
 
-#include "dem/neighbours/particle_pairs.h"
+#include "dem/contacts/particle_pairs.h"
 #include "dem/neighbours/tie.h"
 
 #include <Eigen/LU>

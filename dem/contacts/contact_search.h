@@ -1,8 +1,8 @@
 #pragma once
 
-#include "dem/links.h"
-#include "dem/particles.h"
-#include "dem/state.h"
+#include "dem/core/state.h"
+#include "dem/model/links.h"
+#include "dem/model/particles.h"
 
 #include <algorithm>
 #include <array>

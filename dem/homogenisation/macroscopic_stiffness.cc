@@ -1,5 +1,7 @@
 #include "dem/homogenisation/macroscopic_stiffness.h"
 
+#include "dem/model/strain_operator.h"
+
 #include <stdexcept>
 
 namespace dem
@@ -25,15 +27,6 @@ namespace dem
       return {s.length_area / 8 * (normal - shear), s.length_area / 8 * (normal + shear)};
     }
   } // namespace
-
-  Eigen::Matrix<double, 3, 6> strain_operator(const Eigen::Vector3d &l)
-  {
-    Eigen::Matrix<double, 3, 6> H;
-    H << l[0], 0, 0, 0, l[2] / 2, l[1] / 2, //
-      0, l[1], 0, l[2] / 2, 0, l[0] / 2,    //
-      0, 0, l[2], l[1] / 2, l[0] / 2, 0;
-    return H;
-  }
 
   LinkStatistics link_statistics(const ElasticNetwork &network)
   {

@@ -47,10 +47,4 @@ namespace dem
    * doc/theory/homogenisation.md, 2. No displacement field costs less than the true one, so this is an upper bound.
    */
   MacroscopicStiffness affine_stiffness(const ElasticNetwork &network);
-
-  /**
-   * H of a link: H E is the displacement of one end relative to the other under the strain E (engineering shears).
-   * @param branch [m]
-   */
-  Eigen::Matrix<double, 3, 6> strain_operator(const Eigen::Vector3d &branch);
 } // namespace dem

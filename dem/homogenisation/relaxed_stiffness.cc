@@ -1,6 +1,7 @@
 #include "dem/homogenisation/relaxed_stiffness.h"
 
 #include "dem/homogenisation/resisted_strains.h"
+#include "dem/model/strain_operator.h"
 
 #include <Eigen/Geometry>
 

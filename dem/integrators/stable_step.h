@@ -1,8 +1,8 @@
 #pragma once
 
-#include "dem/laws/link_law.h"
-#include "dem/links.h"
-#include "dem/particles.h"
+#include "dem/model/link_law.h"
+#include "dem/model/links.h"
+#include "dem/model/particles.h"
 
 #include <cstdint>
 #include <vector>

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "dem/kernels/first_order_shear.h"
 #include "dem/kernels/kinematics.h"
-#include "dem/laws/first_order_shear.h"
-#include "dem/laws/link_law_of.h"
-#include "dem/links.h"
-#include "dem/particles.h"
+#include "dem/kernels/link_law_of.h"
+#include "dem/model/links.h"
+#include "dem/model/particles.h"
 
 #include <algorithm>
 #include <type_traits>
@@ -17,20 +17,20 @@ namespace dem::link_update
 {
   /**
    * What the pass is compiled for, besides the law. `periodic`: second ends are images.
-   * @tparam Law_ see dem/laws/link_law_of.h
+   * @tparam Law_ see dem/kernels/link_law_of.h
    */
   template <typename Law_, int dimension_, bool rotations_, Mixture mixture_, bool periodic_>
   struct Policy
   {
-    using Law                              = Law_;
-    static constexpr int  dimension        = dimension_;
-    static constexpr bool rotations        = rotations_;
-    static constexpr bool equal_radii      = mixture_ == Mixture::equal;
-    static constexpr bool several_laws     = mixture_ == Mixture::materials;
-    static constexpr bool periodic         = periodic_;
-    static constexpr int  across           = dimension == 3 ? 3 : 1; ///< components of a vector across the link
-    static constexpr bool moment           = Law::moment && rotations;
-    static constexpr bool first_order      = is_first_order_shear<Law>;
+    using Law                          = Law_;
+    static constexpr int  dimension    = dimension_;
+    static constexpr bool rotations    = rotations_;
+    static constexpr bool equal_radii  = mixture_ == Mixture::equal;
+    static constexpr bool several_laws = mixture_ == Mixture::materials;
+    static constexpr bool periodic     = periodic_;
+    static constexpr int  across       = dimension == 3 ? 3 : 1; ///< components of a vector across the link
+    static constexpr bool moment       = Law::moment && rotations;
+    static constexpr bool first_order  = is_first_order_shear<Law>;
 
     template <typename T>
     using State = typename Law::template State<T, across>;
@@ -148,10 +148,8 @@ namespace dem::link_update
        * @return the force, z only in space
        */
   template <typename P, typename Frame>
-  BRECCIA_KERNEL Vec<Pack, 3> put_force(const Frame                      &frame,
-                                        const LinkForce<Pack, P::across> &answer,
-                                        const Pack                       &eccentric,
-                                        double                           *record)
+  BRECCIA_KERNEL Vec<Pack, 3>
+  put_force(const Frame &frame, const LinkForce<Pack, P::across> &answer, const Pack &eccentric, double *record)
   {
     Pack out[8];
     for (auto &o : out)
@@ -327,23 +325,23 @@ namespace dem::link_update
 
     State state;
     load_history<P>(history, l, state);
-    const State before       = state;
-    const Pack  reference    = load(&links.reference_length[l]), area = load(&links.area[l]);
+    const State before    = state;
+    const Pack  reference = load(&links.reference_length[l]), area = load(&links.area[l]);
     const Pack  inverse_reference = Pack(1.0) / reference;
 
     const Pack eccentric = P::equal_radii ? Pack(0.0) : eccentricity<P>(ends, branch_length<P>(ends));
     const auto frame     = advance<P>(ends, eccentric, reference, inverse_reference, state);
 
     LinkMotion<Pack, P::across> motion;
-    motion.strain          = (frame.length - reference) * inverse_reference;
-    motion.strain_before   = (frame.length_before - reference) * inverse_reference;
-    motion.length          = frame.length;
-    motion.reference       = reference;
-    motion.area            = area;
-    motion.shear_increment = frame.increment;
+    motion.strain            = (frame.length - reference) * inverse_reference;
+    motion.strain_before     = (frame.length_before - reference) * inverse_reference;
+    motion.length            = frame.length;
+    motion.reference         = reference;
+    motion.area              = area;
+    motion.shear_increment   = frame.increment;
     motion.bending_increment = frame.bent;
     motion.twist_increment   = frame.twist;
-    const auto answer      = P::Law::update(law, motion, state, sums.work);
+    const auto answer        = P::Law::update(law, motion, state, sums.work);
     store_history<P>(history, l, before, state);
     const Vec<Pack, 3> force = put_force<P>(frame, answer, eccentric, &links.force[record_size * l]);
     if constexpr (P::moment)
@@ -372,16 +370,16 @@ namespace dem::link_update
   }
 
   template <typename P>
-  void update_block(LinkSet                           &links,
-                    const Particles                   &particles,
-                    const LinkLawOf<typename P::Law>  &laws,
-                    const std::size_t                  block)
+  void update_block(LinkSet                          &links,
+                    const Particles                  &particles,
+                    const LinkLawOf<typename P::Law> &laws,
+                    const std::size_t                 block)
   {
     Sums<P>                 sums;
     const HistoryColumns<P> history(links);
     const Pack              signs = difference_and_sum;
     const auto             &only  = laws.constants(0);
-    const std::size_t       begin = block * links_per_block, end = std::min(begin + links_per_block, links.first.size());
+    const std::size_t begin = block * links_per_block, end = std::min(begin + links_per_block, links.first.size());
     for (std::size_t l = begin; l < end; l += pack_size)
       {
         prefetch_second_ends(links, particles, l + prefetch_distance);

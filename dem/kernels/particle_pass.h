@@ -1,7 +1,7 @@
 #pragma once
 
-#include "dem/links.h"
-#include "dem/particles.h"
+#include "dem/model/links.h"
+#include "dem/model/particles.h"
 
 #include <Eigen/Core>
 
@@ -60,7 +60,8 @@ namespace dem
   };
 
   /** The pass compiled for what the specimen has. @param moments some links carry moments */
-  ParticlePass select_particle_pass(bool contacts, bool damped, bool equal_radii, bool moments, Surroundings surroundings);
+  ParticlePass
+  select_particle_pass(bool contacts, bool damped, bool equal_radii, bool moments, Surroundings surroundings);
 
   inline std::size_t particle_blocks(const std::size_t particles)
   {

@@ -1,8 +1,8 @@
 #include "dem/laws/cpm.h"
 
 #include "dem/core/errors.h"
+#include "dem/kernels/first_order_shear.h"
 #include "dem/laws/cpm_links.h"
-#include "dem/laws/first_order_shear.h"
 
 #include <algorithm>
 #include <cmath>
@@ -175,14 +175,14 @@ namespace dem
         check_first_order(pairs, physics);
         return law_of<FirstOrderShear<CpmBond<DamageDriver::normal, true>>>(pairs, physics, vector_dimension);
       }
-    const bool shear_damages = std::any_of(pairs.begin(), pairs.end(),
-                                           [](const CpmParameters &p) { return p.shear_contribution > 0; });
-    const auto choose        = [&](auto sliding) {
+    const bool shear_damages =
+      std::any_of(pairs.begin(), pairs.end(), [](const CpmParameters &p) { return p.shear_contribution > 0; });
+    const auto choose = [&](auto sliding) {
       if (!physics.damage)
         return law_of<CpmBond<DamageDriver::none, sliding>>(pairs, physics, vector_dimension);
       return shear_damages ?
-                      law_of<CpmBond<DamageDriver::normal_and_shear, sliding>>(pairs, physics, vector_dimension) :
-                      law_of<CpmBond<DamageDriver::normal, sliding>>(pairs, physics, vector_dimension);
+               law_of<CpmBond<DamageDriver::normal_and_shear, sliding>>(pairs, physics, vector_dimension) :
+               law_of<CpmBond<DamageDriver::normal, sliding>>(pairs, physics, vector_dimension);
     };
     return physics.friction ? choose(std::true_type{}) : choose(std::false_type{});
   }

@@ -3,7 +3,7 @@
 #include "dem/core/exponential.h"
 #include "dem/core/simd.h"
 #include "dem/core/vector.h"
-#include "dem/laws/materials.h"
+#include "dem/model/materials.h"
 
 #include <limits>
 #include <memory>
@@ -195,9 +195,8 @@ namespace dem
   {
     using Parameters = CpmParameters;
 
-    static constexpr const char *name = "CPM";
-    static constexpr const char *meaning =
-      "Cohesive particle model: damage in tension, cohesion and friction in shear";
+    static constexpr const char *name    = "CPM";
+    static constexpr const char *meaning = "Cohesive particle model: damage in tension, cohesion and friction in shear";
 
     static CpmParameters mean_of(const CpmMaterial &one, const CpmMaterial &other) { return dem::mean_of(one, other); }
     /** @throws InputError naming the entry that is out of range */
@@ -234,10 +233,11 @@ namespace dem
              "a link in tension is deleted when (1 - omega) kappa/eps_0 falls below this", smallest, 1.0, false);
       choice("Damage law", p.damage_law, {{"exponential", DamageLaw::exponential}, {"linear", DamageLaw::linear}},
              "shape of the softening branch");
-      choice("Shear kinematics", p.shear_kinematics,
-             {{"exact", ShearKinematics::exact}, {"first-order", ShearKinematics::first_order}},
-             "slip of a link: of the contact point, exact for any rotation; or by radii as arms and to first order, only "
-             "to compare with programs that do so");
+      choice(
+        "Shear kinematics", p.shear_kinematics,
+        {{"exact", ShearKinematics::exact}, {"first-order", ShearKinematics::first_order}},
+        "slip of a link: of the contact point, exact for any rotation; or by radii as arms and to first order, only "
+        "to compare with programs that do so");
     }
   };
 } // namespace dem

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "dem/core/column.h"
+#include "dem/kernels/link_law_of.h"
 #include "dem/laws/cpm.h"
 #include "dem/laws/cpm_tangent.h"
-#include "dem/laws/link_law_of.h"
 
 #include <algorithm>
 #include <array>
@@ -47,10 +47,10 @@ namespace dem
 
     /** 1/2 A L0 ((1 - omega) E eps_N^2 + G |eps_T|^2), omega where the link is open; doc/theory/energy.md, 2. */
     template <int m>
-    static double stored_with(const CpmConstants      &k,
-                              const LinkGeometry      &link,
-                              const double             damage,
-                              const Vec<double, m>    &elastic_shear)
+    static double stored_with(const CpmConstants   &k,
+                              const LinkGeometry   &link,
+                              const double          damage,
+                              const Vec<double, m> &elastic_shear)
     {
       const double shear2 = dot(elastic_shear, elastic_shear);
       const double normal = link.strain > 0 ? (1.0 - damage) * k.E : k.E;
@@ -93,7 +93,8 @@ namespace dem
     }
 
     /** Shear force over what cohesion and friction hold. @param cohesion [N] @param normal force, tension positive [N] */
-    static double sliding_exertion(const CpmConstants &k, const double cohesion, const double normal, const double shear)
+    static double
+    sliding_exertion(const CpmConstants &k, const double cohesion, const double normal, const double shear)
     {
       const double strength = cohesion - k.friction * normal;
       if (shear == 0)
@@ -103,9 +104,9 @@ namespace dem
 
     static Matrix6 cpm_matrix(const CpmConstants &k, const Eigen::Vector3d &n, CpmUpdate update, const LinkTangent kind)
     {
-      update.grows                      = kind.damages;
-      update.slides                     = kind.slides;
-      Matrix6 all                       = Matrix6::Zero();
+      update.grows              = kind.damages;
+      update.slides             = kind.slides;
+      Matrix6 all               = Matrix6::Zero();
       all.topLeftCorner<3, 3>() = kind.secant ? cpm_secant(k, n, update) : cpm_tangent(k, n, update);
       return all;
     }
@@ -136,7 +137,7 @@ namespace dem
     static constexpr const char *name    = "CPM";
     static constexpr bool        bonds   = true;
     static constexpr bool        damages = driver != DamageDriver::none;
-    static constexpr int         shears = driver == DamageDriver::normal_and_shear ? 2 : 1; ///< elastic, total
+    static constexpr int         shears  = driver == DamageDriver::normal_and_shear ? 2 : 1; ///< elastic, total
     static constexpr int         records = damages ? 2 : 1;
 
     static void put(const CpmConstants &k, double *record) { put_records<records>(k, record); }
@@ -179,15 +180,14 @@ namespace dem
     update(const Constants_ &law, const LinkMotion<T, m> &motion, State<T, m> &state, LinkWork<T> &work)
     {
       CpmState<T, m>  own{state.number[0], state.number[1], state.shear[0]};
-      const Vec<T, m> trial = state.shear[0];
-      const T         total_squared =
-        shears == 2 ? dot(state.shear[shears - 1], state.shear[shears - 1]) : T(0.0);
-      const auto response = Cpm<damages, sliding>::update(law, motion.strain, total_squared, own);
-      const T    volume   = motion.area * motion.reference;
+      const Vec<T, m> trial         = state.shear[0];
+      const T         total_squared = shears == 2 ? dot(state.shear[shears - 1], state.shear[shears - 1]) : T(0.0);
+      const auto      response      = Cpm<damages, sliding>::update(law, motion.strain, total_squared, own);
+      const T         volume        = motion.area * motion.reference;
       sum_sliding<sliding>(law, motion, response, trial, own.elastic_shear, volume, work);
       if constexpr (driver == DamageDriver::normal_and_shear)
         work.damage += volume * Cpm<damages, sliding>::damage_work(law, motion.strain_before, motion.strain,
-                                                                    T(own.damage - state.number[1]));
+                                                                   T(own.damage - state.number[1]));
       state.number[0]        = own.kappa;
       state.number[1]        = own.damage;
       state.shear[0]         = own.elastic_shear;
@@ -255,11 +255,11 @@ namespace dem
       return {damages ? state.number[0] / k.onset : 0.0, sliding ? sliding_exertion(k, cohesion, normal, shear) : 0.0};
     }
 
-    static Matrix6 tangent(const CpmConstants    &k,
-                           const LinkStep        &step,
+    static Matrix6 tangent(const CpmConstants     &k,
+                           const LinkStep         &step,
                            const State<double, 3> &before,
                            const State<double, 3> &after,
-                           const LinkTangent      kind)
+                           const LinkTangent       kind)
     {
       CpmUpdate u;
       u.normal_strain = step.geometry.strain;
@@ -289,7 +289,10 @@ namespace dem
 
     static void put(const CpmConstants &k, double *record) { put_records<records>(k, record); }
 
-    static std::array<LinkQuantity, 1> history() { return {{{"elastic_shear", "-", "shear strain that makes stress"}}}; }
+    static std::array<LinkQuantity, 1> history()
+    {
+      return {{{"elastic_shear", "-", "shear strain that makes stress"}}};
+    }
 
     BRECCIA_KERNEL static CpmNumbers<Pack> gathered(const Pack (&c)[1][pack_size], const CpmConstants &first)
     {
@@ -361,7 +364,7 @@ namespace dem
                            const LinkStep         &step,
                            const State<double, 3> &before,
                            const State<double, 3> &,
-                           const LinkTangent       kind)
+                           const LinkTangent kind)
     {
       CpmUpdate u;
       u.normal_strain = step.geometry.strain;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "dem/laws/link_law_of.h"
-#include "dem/laws/materials.h"
+#include "dem/kernels/link_law_of.h"
+#include "dem/model/materials.h"
 
 #include <algorithm>
 #include <array>
@@ -201,11 +201,12 @@ namespace dem
     {
       constexpr double smallest = std::numeric_limits<double>::min();
       constexpr double largest  = std::numeric_limits<double>::max();
-      number("Effective modulus", p.effective_modulus, "Pa", "E*: normal stiffness is A E* over the sum of radii", smallest,
-             largest, true);
-      number("Stiffness ratio", p.stiffness_ratio, "-", "k_n/k_s, normal over shear stiffness", smallest, largest, false);
-      number("Friction coefficient", p.friction_coefficient, "-", "mu, shear force that sliding keeps over the normal one",
-             0.0, largest, false);
+      number("Effective modulus", p.effective_modulus, "Pa", "E*: normal stiffness is A E* over the sum of radii",
+             smallest, largest, true);
+      number("Stiffness ratio", p.stiffness_ratio, "-", "k_n/k_s, normal over shear stiffness", smallest, largest,
+             false);
+      number("Friction coefficient", p.friction_coefficient, "-",
+             "mu, shear force that sliding keeps over the normal one", 0.0, largest, false);
     }
   };
 } // namespace dem

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dem/laws/materials.h"
+#include "dem/model/materials.h"
 
 #include <functional>
 #include <memory>
@@ -34,7 +34,7 @@ namespace dem
   class LinkConstants
   {
   public:
-    virtual ~LinkConstants()                                         = default;
+    virtual ~LinkConstants()                                               = default;
     virtual void                           visit(ConstantVisitor &visitor) = 0;
     virtual void                           check() const                   = 0; ///< @throws InputError naming the entry
     virtual std::shared_ptr<LinkConstants> copy() const                    = 0;
@@ -52,10 +52,10 @@ namespace dem
   class LinkLawKind
   {
   public:
-    virtual ~LinkLawKind()                                                      = default;
-    virtual std::string                    name() const                         = 0;
-    virtual std::string                    meaning() const                      = 0;
-    virtual std::shared_ptr<LinkConstants> constants() const                    = 0; ///< with their defaults
+    virtual ~LinkLawKind()                                                       = default;
+    virtual std::string                    name() const                          = 0;
+    virtual std::string                    meaning() const                       = 0;
+    virtual std::shared_ptr<LinkConstants> constants() const                     = 0; ///< with their defaults
     virtual LinkMaterials materials(const std::vector<NamedConstants> &of) const = 0; ///< @pre constants of this law
   };
 
@@ -91,10 +91,10 @@ namespace dem
     {
       ConstantVisitor &visitor;
       template <typename Value>
-      void operator()(const char                                               *key,
-                      Value                                                    &member,
+      void operator()(const char                                                                            *key,
+                      Value                                                                                 &member,
                       std::initializer_list<std::pair<const char *, typename std::common_type<Value>::type>> words,
-                      const char                                               *meaning) const
+                      const char *meaning) const
       {
         std::vector<std::string> names;
         std::vector<Value>       values;

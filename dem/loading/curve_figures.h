@@ -1,7 +1,7 @@
 #pragma once
 
 #include "dem/core/column.h"
-#include "dem/state.h"
+#include "dem/core/state.h"
 
 namespace dem
 {

@@ -1,7 +1,7 @@
 #include "dem/loading/periodic_cell.h"
 
 #include "dem/core/errors.h"
-#include "dem/particles.h"
+#include "dem/model/particles.h"
 
 #include <Eigen/Dense>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "dem/measures/localisation.h"
-#include "dem/specimen.h"
+#include "dem/specimen/specimen.h"
 
 #include <array>
 #include <optional>

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "dem/grips/grip_layers.h"
 #include "dem/loading/curve_figures.h"
-#include "dem/loading/grip_layers.h"
-#include "dem/specimen.h"
+#include "dem/specimen/specimen.h"
 
 #include <vector>
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "dem/laws/link_law.h"
-#include "dem/links.h"
 #include "dem/measures/loads.h"
-#include "dem/particles.h"
+#include "dem/model/link_law.h"
+#include "dem/model/links.h"
+#include "dem/model/particles.h"
 
 namespace dem
 {
@@ -53,7 +53,7 @@ namespace dem
     /** What the law says of the link that was read last; see LinkLaw. */
     double          stored() const { return law.stored(number, place, row.data()); }
     double          damage_dissipation() const { return law.damage_dissipation(number, place, row.data()); }
-    LinkLoss      damage() const { return law.damage(number, place, row.data()); }
+    LinkLoss        damage() const { return law.damage(number, place, row.data()); }
     LinkPhase       phase() const { return law.phase(number, place, row.data()); }
     LinkStiffnesses stiffness() const { return law.stiffness(number, place, row.data()); }
     /** The largest that it can have: closed, if that makes a difference. */
@@ -64,10 +64,7 @@ namespace dem
       return law.stiffness(number, closed, row.data());
     }
     LinkStiffnesses damaged_stiffness() const { return law.damaged_stiffness(number, place, row.data()); }
-    LinkExertion    exertion() const
-    {
-      return law.exertion(number, place, seen.direction, seen.force, row.data());
-    }
+    LinkExertion    exertion() const { return law.exertion(number, place, seen.direction, seen.force, row.data()); }
 
   private:
     const Particles    &particles;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "dem/core/column.h"
-#include "dem/packing/packing.h"
+#include "dem/model/packing.h"
 
 #include <cstdint>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dem/packing/packing.h"
+#include "dem/model/packing.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "dem/statics/damaging_links.h"
 
-#include "dem/laws/first_order_shear.h"
+#include "dem/kernels/first_order_shear.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "dem/laws/materials.h"
-#include "dem/state.h"
+#include "dem/core/state.h"
+#include "dem/model/materials.h"
 #include "dem/statics/loaded_network.h"
 
 #include <vector>
@@ -50,8 +50,8 @@ namespace dem
     bool grew(const std::size_t link) const { return grown[link] != 0; }
     void forget_growth();
 
-    LinkLoss damage_of(std::size_t link) const;      ///< committed
-    double     damage_work_of(std::size_t link) const; ///< energy lost to its damage, committed, where the law knows it [J]
+    LinkLoss damage_of(std::size_t link) const;    ///< committed
+    double damage_work_of(std::size_t link) const; ///< energy lost to its damage, committed, where the law knows it [J]
     /** A specimen in motion would have deleted it, or would have it as a contact. */
     bool   is_exhausted(std::size_t link) const;
     double mean_damage() const;                             ///< committed
@@ -64,19 +64,22 @@ namespace dem
 
   private:
     std::size_t   pair_of(const std::size_t link) const { return loaded->network.links[link].law; }
-    const double *row(const std::vector<double> &of, const std::size_t link) const { return of.data() + columns * link; }
-    LinkGeometry  geometry(std::size_t link, double normal_strain) const;
-    LinkStep      step_of(std::size_t link) const; ///< from the committed state to the trial
+    const double *row(const std::vector<double> &of, const std::size_t link) const
+    {
+      return of.data() + columns * link;
+    }
+    LinkGeometry geometry(std::size_t link, double normal_strain) const;
+    LinkStep     step_of(std::size_t link) const; ///< from the committed state to the trial
 
-    const LoadedNetwork               *loaded;
-    std::shared_ptr<const LinkLaw>     law;
-    std::size_t                        columns;         ///< numbers of a link's history
-    std::vector<double>                state, trial;    ///< histories, link by link
-    std::vector<Eigen::Vector3d>       shear, trial_shear, turn, trial_turn; ///< total shear strain, relative rotation
-    std::vector<double>                strain, trial_strain;
-    std::vector<LinkAnswer>            answer;
-    std::vector<Eigen::Vector3d>       force, moment;
-    std::vector<std::int32_t>          grown, slid; ///< in the last committed step, as yes or no
-    double                             lost_by_damage = 0, lost_by_sliding = 0;
+    const LoadedNetwork           *loaded;
+    std::shared_ptr<const LinkLaw> law;
+    std::size_t                    columns;                              ///< numbers of a link's history
+    std::vector<double>            state, trial;                         ///< histories, link by link
+    std::vector<Eigen::Vector3d>   shear, trial_shear, turn, trial_turn; ///< total shear strain, relative rotation
+    std::vector<double>            strain, trial_strain;
+    std::vector<LinkAnswer>        answer;
+    std::vector<Eigen::Vector3d>   force, moment;
+    std::vector<std::int32_t>      grown, slid; ///< in the last committed step, as yes or no
+    double                         lost_by_damage = 0, lost_by_sliding = 0;
   };
 } // namespace dem

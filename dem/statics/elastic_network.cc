@@ -1,9 +1,9 @@
 #include "dem/statics/elastic_network.h"
 
 #include "dem/core/errors.h"
-#include "dem/laws/first_order_shear.h"
+#include "dem/kernels/first_order_shear.h"
+#include "dem/model/particles.h"
 #include "dem/neighbours/cell_list.h"
-#include "dem/particles.h"
 
 #include <Eigen/LU>
 
@@ -91,11 +91,11 @@ namespace dem
       link.arm_second     = 0.5 * (length - r_J + r_K);
 
       ParticleShape shape;
-      shape.dimension           = p.dimension;
-      shape.thickness           = p.thickness;
-      link.area                 = shape.link_area(r_J, r_K);
-      link.reference            = length;
-      link.made                 = {length, r_J, r_K, link.area, p.dimension == 2 ? p.thickness : 0.0};
+      shape.dimension = p.dimension;
+      shape.thickness = p.thickness;
+      link.area       = shape.link_area(r_J, r_K);
+      link.reference  = length;
+      link.made       = {length, r_J, r_K, link.area, p.dimension == 2 ? p.thickness : 0.0};
       return link;
     }
 
@@ -143,9 +143,8 @@ namespace dem
         (*cell)[2] = std::numeric_limits<double>::infinity();
       if (cell)
         general.cell = cell->asDiagonal();
-      ElasticNetwork network =
-        link_up(general, find_pairs(packing.centre, packing.radius, p.interaction_ratio, 0.0, cell), general.cell, p,
-                finish);
+      ElasticNetwork network = link_up(
+        general, find_pairs(packing.centre, packing.radius, p.interaction_ratio, 0.0, cell), general.cell, p, finish);
       if (cell)
         network.volume = (*cell)[0] * (*cell)[1] * (p.dimension == 2 ? p.thickness : (*cell)[2]);
       return network;

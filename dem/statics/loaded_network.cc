@@ -1,7 +1,7 @@
 #include "dem/statics/loaded_network.h"
 
 #include "dem/core/errors.h"
-#include "dem/homogenisation/macroscopic_stiffness.h"
+#include "dem/model/strain_operator.h"
 
 #include <Eigen/Geometry>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dem/loading/grip_layers.h"
+#include "dem/grips/grip_layers.h"
 #include "dem/statics/elastic_network.h"
 #include "dem/statics/stiffness_operator.h"
 

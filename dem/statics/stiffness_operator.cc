@@ -2,7 +2,7 @@
 
 #include "dem/core/simd.h"
 #include "dem/core/vector.h"
-#include "dem/particles.h"
+#include "dem/model/particles.h"
 #include "dem/statics/loaded_network.h"
 
 #include <Eigen/Geometry>
@@ -186,7 +186,8 @@ namespace dem
             force  = force + sign * f;
             moment = moment - arm * cross(a, f);
             if constexpr (with_turning)
-              moment = moment + sign * product(turning[entries[e].link], load3(K + 3 * load_lanes) - load3(J + 3 * load_lanes));
+              moment = moment +
+                       sign * product(turning[entries[e].link], load3(K + 3 * load_lanes) - load3(J + 3 * load_lanes));
           }
         double *const out = y.data() + stride * i;
         for (int c = 0; c < 3; ++c)
@@ -238,9 +239,7 @@ namespace dem
   Eigen::Matrix<double, 3, 6> StiffnessOperator::turns(const Record &l, const Fields &x) const
   {
     using Columns   = Eigen::Map<const Eigen::Matrix<double, 3, load_lanes, Eigen::RowMajor>>;
-    const auto spin = [&](const std::int32_t i) {
-      return Columns(&x[stride * i + 3 * load_lanes]).leftCols<6>();
-    };
+    const auto spin = [&](const std::int32_t i) { return Columns(&x[stride * i + 3 * load_lanes]).leftCols<6>(); };
     return spin(l.second) - spin(l.first);
   }
 

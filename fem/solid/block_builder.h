@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/explicit/element_blocks.h"
+#include "fem/solid/element_blocks.h"
 #include "fem/solid/material_points.h"
 
 #include <deal.II/fe/fe_values.h>
@@ -35,14 +35,15 @@ namespace fem
     void store_jacobians(ElementBlocksOf<Number> &e, std::size_t lane) const;
     void store_gradients(ElementBlocksOf<Number> &e, std::size_t lane) const;
 
-    const dealii::FiniteElement<dim>                                                       &fe;
-    dealii::FEValues<dim>                                                                   values;
-    const unsigned int                                                                      nodes, n_points;
-    const bool                                                                              trilinear;
-    const double                                                                            thickness;
-    std::vector<ElementBlocksOf<Number>>                                                    blocks;
-    std::map<std::pair<const MaterialPoints *, BlockGeometry>, std::pair<std::size_t, std::size_t>> known; // block, elements
-    std::array<std::array<double, 9>, 8>                                                    inverse{};
-    std::array<double, 8>                                                                   volume{};
+    const dealii::FiniteElement<dim>    &fe;
+    dealii::FEValues<dim>                values;
+    const unsigned int                   nodes, n_points;
+    const bool                           trilinear;
+    const double                         thickness;
+    std::vector<ElementBlocksOf<Number>> blocks;
+    std::map<std::pair<const MaterialPoints *, BlockGeometry>, std::pair<std::size_t, std::size_t>>
+                                         known; // block, elements
+    std::array<std::array<double, 9>, 8> inverse{};
+    std::array<double, 8>                volume{};
   };
 }

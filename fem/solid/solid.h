@@ -1,7 +1,7 @@
 #pragma once
 
-#include "fem/explicit/element_blocks.h"
 #include "fem/mesh/mesh.h"
+#include "fem/solid/element_blocks.h"
 #include "fem/solid/loads.h"
 #include "fem/solid/material_points.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/explicit/element_blocks.h"
+#include "fem/solid/element_blocks.h"
 
 #include <deal.II/base/subscriptor.h>
 #include <deal.II/lac/la_parallel_vector.h>

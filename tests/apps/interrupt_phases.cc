@@ -1,5 +1,5 @@
-#include "apps/exit_status.h"
-#include "apps/interrupt.h"
+#include "apps/process/exit_status.h"
+#include "apps/process/interrupt.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scenes.h"
 #include "tests/apps/scratch_folder.h"

@@ -17,7 +17,7 @@
 // Without rotations a row is a chain of shear springs, delta/F = n/k_T for one row.
 
 #include "clusters.h"
-#include "dem/specimen.h"
+#include "dem/specimen/specimen.h"
 #include "dense_stiffness.h"
 
 #include <Eigen/Dense>

@@ -1,6 +1,6 @@
 #include "dem/measures/couple_stress.h"
-#include "dem/measures/specimen_damage.h"
 #include "dem/measures/stress.h"
+#include "dem/observation/specimen_damage.h"
 #include "periodic_cell_fixture.h"
 
 #include <catch2/catch.hpp>

@@ -2,8 +2,8 @@
 
 #include "dem/core/uniform_random.h"
 #include "dem/laws/cpm.h"
-#include "dem/packing/packing.h"
-#include "dem/specimen.h"
+#include "dem/model/packing.h"
+#include "dem/specimen/specimen.h"
 
 #include <Eigen/Geometry>
 

@@ -1,5 +1,5 @@
 #include "closed_system.h"
-#include "dem/specimen.h"
+#include "dem/specimen/specimen.h"
 #include "periodic_cell_fixture.h"
 
 #include <Eigen/LU>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "dem/links.h"
 #include "dem/measures/link_measures.h"
-#include "dem/particles.h"
+#include "dem/model/links.h"
+#include "dem/model/particles.h"
 
 #include <Eigen/Dense>
 

@@ -1,7 +1,7 @@
 // Weight in motion: free fall, sudden load, energy, restart, threads.
 #include "clusters.h"
 #include "dem/core/errors.h"
-#include "dem/specimen.h"
+#include "dem/specimen/specimen.h"
 #include "memory_state.h"
 
 #include <catch2/catch.hpp>

@@ -2,7 +2,7 @@
 
 #include "dem/core/uniform_random.h"
 #include "dem/homogenisation/relaxed_stiffness.h"
-#include "dem/packing/packing.h"
+#include "dem/model/packing.h"
 #include "dem/packing/sequential_placement.h"
 #include "dem/statics/elastic_network.h"
 

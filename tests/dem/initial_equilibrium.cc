@@ -2,7 +2,7 @@
 #include "clusters.h"
 #include "dem/loading/impact.h"
 #include "dem/loading/uniaxial.h"
-#include "dem/specimen.h"
+#include "dem/specimen/specimen.h"
 #include "dense_stiffness.h"
 #include "memory_state.h"
 

@@ -1,5 +1,5 @@
 #include "closed_system.h"
-#include "dem/specimen.h"
+#include "dem/specimen/specimen.h"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>

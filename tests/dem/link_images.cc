@@ -1,4 +1,4 @@
-#include "dem/measures/link_images.h"
+#include "dem/observation/link_images.h"
 
 #include "periodic_cell_fixture.h"
 

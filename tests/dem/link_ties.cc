@@ -1,6 +1,6 @@
 #include "clusters.h"
 #include "dem/homogenisation/relaxed_stiffness.h"
-#include "dem/specimen.h"
+#include "dem/specimen/specimen.h"
 
 #include <catch2/catch.hpp>
 

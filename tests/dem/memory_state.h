@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dem/state.h"
+#include "dem/core/state.h"
 
 #include <catch2/catch.hpp>
 

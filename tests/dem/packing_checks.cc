@@ -1,6 +1,6 @@
 #include "dem/core/errors.h"
+#include "dem/model/packing.h"
 #include "dem/packing/overlaps.h"
-#include "dem/packing/packing.h"
 
 #include <catch2/catch.hpp>
 
@@ -79,7 +79,8 @@ TEST_CASE("what no specimen can be made of is refused by file and particle", "[d
     packing.centre[1][2]  = -0.59;
     REQUIRE_NOTHROW(dem::check_in_cell(packing, "a.txt"));
     packing.centre[1][2] = -0.61;
-    REQUIRE_THROWS_WITH(dem::check_in_cell(packing, "a.txt"), Contains("a.txt: particle 2: ") && Contains("more than 60 periodic cells"));
+    REQUIRE_THROWS_WITH(dem::check_in_cell(packing, "a.txt"),
+                        Contains("a.txt: particle 2: ") && Contains("more than 60 periodic cells"));
   }
   SECTION("radii whose volume is not a number or vanishes")
   {

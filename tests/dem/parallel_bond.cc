@@ -1,7 +1,8 @@
 // Linear contact and linear parallel bond against closed forms: doc/theory/parallel-bond.md, doc/theory/linear-contact.md; names T1 to T10 are those of its list.
-#include "clusters.h"
 #include "dem/laws/parallel_bond.h"
-#include "dem/specimen.h"
+
+#include "clusters.h"
+#include "dem/specimen/specimen.h"
 #include "dem/statics/elastic_network.h"
 #include "dem/statics/linear_solver.h"
 #include "memory_state.h"
@@ -237,19 +238,20 @@ TEST_CASE("parallel bond under eccentric tension breaks at sigma_c A/(1 + 3 e/R)
     }
 }
 
-TEST_CASE("static cantilever of parallel bonds deflects as n shear and bending springs in a row (T7)", "[dem][laws][statics]")
+TEST_CASE("static cantilever of parallel bonds deflects as n shear and bending springs in a row (T7)",
+          "[dem][laws][statics]")
 {
-  auto law                 = mortar();
-  law.effective_modulus    = 10e9;
-  const int    n           = 10;
-  const double F           = 1;
-  dem::Packing chain       = cluster::cubic_lattice(n + 1, 1, 1, R);
+  auto law              = mortar();
+  law.effective_modulus = 10e9;
+  const int    n        = 10;
+  const double F        = 1;
+  dem::Packing chain    = cluster::cubic_lattice(n + 1, 1, 1, R);
   for (const int dimension : {2, 3})
     {
       dem::NetworkParameters links;
-      links.dimension         = dimension;
-      links.interaction_ratio = 1.1;
-      links.thickness         = thickness;
+      links.dimension                   = dimension;
+      links.interaction_ratio           = 1.1;
+      links.thickness                   = thickness;
       const dem::ElasticNetwork network = dem::make_network(chain, links, law);
       REQUIRE(network.links.size() == std::size_t(n));
       std::vector<dem::HeldMotions> held(n + 1, 0);
@@ -264,8 +266,8 @@ TEST_CASE("static cantilever of parallel bonds deflects as n shear and bending s
       none.fill(Eigen::Matrix<double, 6, 1>::Zero());
       const dem::SolverReport report = dem::solve_linear(stiffness, b, x, none, false, {});
       REQUIRE(report.converged);
-      const double k_s = law.effective_modulus / law.stiffness_ratio / (2 * R) * section(dimension);
-      const double k_b = law.effective_modulus / (2 * R) * second_moment(dimension);
+      const double k_s        = law.effective_modulus / law.stiffness_ratio / (2 * R) * section(dimension);
+      const double k_b        = law.effective_modulus / (2 * R) * second_moment(dimension);
       const double deflection = F * n / k_s + F * 4 * R * R * n * (4.0 * n * n - 1) / (12 * k_b);
       CHECK(x[(dem::motions * tip + 1) * dem::load_lanes] == Approx(deflection).epsilon(1e-8));
       if (dimension == 2)
@@ -288,8 +290,8 @@ TEST_CASE("two balls in linear contact part after pi sqrt(m_eff/k_n) with the en
           const double  v = 1e-3;
           pair.set_velocity(0, {v, 0, 0}, Vector3d::Zero());
           pair.set_velocity(1, {-v, 0, 0}, Vector3d::Zero());
-          const double mass = dimension == 2 ? 2500 * pi * R * R * thickness : 2500 * 4.0 / 3 * pi * R * R * R;
-          const double k_n  = section(dimension) * law.effective_modulus / (2 * R);
+          const double mass     = dimension == 2 ? 2500 * pi * R * R * thickness : 2500 * 4.0 / 3 * pi * R * R * R;
+          const double k_n      = section(dimension) * law.effective_modulus / (2 * R);
           const double duration = pi * std::sqrt(mass / 2 / k_n);
           double       touched = -1, parted = -1;
           for (int i = 0; i < 4000 && parted < 0; ++i)
@@ -303,8 +305,8 @@ TEST_CASE("two balls in linear contact part after pi sqrt(m_eff/k_n) with the en
             }
           REQUIRE(parted > 0);
           CHECK(parted - touched == Approx(duration).margin(2.5 * pair.time_step()));
-          const dem::EnergyAccount e = pair.energy();
-          error[refinement]          = std::abs(e.kinetic / e.initial - 1);
+          const dem::EnergyAccount e    = pair.energy();
+          error[refinement]             = std::abs(e.kinetic / e.initial - 1);
           const dem::ParticleOutput out = pair.particles();
           CHECK((out.velocity[0] + out.velocity[1]).norm() < 1e-12 * v);
         }
@@ -349,11 +351,11 @@ TEST_CASE("parallel-bonded body conserves energy and momentum, and turns with it
   law.tensile_strength = law.cohesion = 1e12;
   for (const int dimension : {2, 3})
     {
-      dem::Packing body = cluster::cubic_lattice(4, 3, dimension == 2 ? 1 : 3, R);
-      dem::SpecimenParameters p = in(dimension);
-      p.step_factor             = 0.3;
-      const auto run            = [&](const double angle) {
-        const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, Vector3d::UnitZ()).toRotationMatrix();
+      dem::Packing            body = cluster::cubic_lattice(4, 3, dimension == 2 ? 1 : 3, R);
+      dem::SpecimenParameters p    = in(dimension);
+      p.step_factor                = 0.3;
+      const auto run               = [&](const double angle) {
+        const Eigen::Matrix3d turn   = Eigen::AngleAxisd(angle, Vector3d::UnitZ()).toRotationMatrix();
         dem::Packing          placed = body;
         for (auto &x : placed.centre)
           x = turn * x;
@@ -384,7 +386,8 @@ TEST_CASE("parallel-bonded body conserves energy and momentum, and turns with it
     }
 }
 
-TEST_CASE("parallel-bonded body that breaks has the same bits with 1, 2 and 4 threads, and after a restart", "[dem][laws]")
+TEST_CASE("parallel-bonded body that breaks has the same bits with 1, 2 and 4 threads, and after a restart",
+          "[dem][laws]")
 {
   const dem::Packing      body = cluster::random_cluster(11, 200, 0.7 * R, R);
   dem::SpecimenParameters p    = cluster::bonded(1.2);

@@ -1,5 +1,5 @@
 #include "clusters.h"
-#include "dem/specimen.h"
+#include "dem/specimen/specimen.h"
 #include "reference_links.h"
 
 #include <catch2/catch.hpp>

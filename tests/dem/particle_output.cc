@@ -1,5 +1,5 @@
 #include "clusters.h"
-#include "dem/specimen.h"
+#include "dem/specimen/specimen.h"
 
 #include <Eigen/Dense>
 #include <catch2/catch.hpp>

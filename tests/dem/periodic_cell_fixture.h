@@ -3,7 +3,7 @@
 #include "dem/core/uniform_random.h"
 #include "dem/laws/cpm.h"
 #include "dem/loading/periodic_cell.h"
-#include "dem/specimen.h"
+#include "dem/specimen/specimen.h"
 
 #include <Eigen/Dense>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "dem/laws/cpm.h"
-#include "dem/packing/packing.h"
+#include "dem/model/packing.h"
 
 #include <Eigen/Geometry>
 

@@ -1,4 +1,4 @@
-#include "dem/loading/section.h"
+#include "dem/grips/section.h"
 
 #include "clusters.h"
 #include "dem/core/uniform_random.h"

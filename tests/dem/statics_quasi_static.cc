@@ -3,7 +3,7 @@
 #include "dem/homogenisation/relaxed_stiffness.h"
 #include "dem/laws/cpm.h"
 #include "dem/packing/lattice.h"
-#include "dem/specimen.h"
+#include "dem/specimen/specimen.h"
 #include "dem/statics/quasi_static_path.h"
 #include "memory_state.h"
 #include "tests/dem/homogenisation_fixture.h"
@@ -443,9 +443,9 @@ TEST_CASE("quasi-static path: what cannot be followed is refused", "[dem][static
   CHECK_THROWS_WITH(dem::QuasiStaticPath(loaded, law, p), Catch::Contains("End stress = 1"));
   CHECK_THROWS_WITH(dem::load_cell(loaded.network, 0, true), Catch::Contains("no periodic cell"));
   dem::GripPair grips;
-  grips.axis           = 0;
-  grips.layers.low     = {0};
-  grips.layers.high    = {0};
+  grips.axis            = 0;
+  grips.layers.low      = {0};
+  grips.layers.high     = {0};
   grips.layers.distance = 1;
   grips.layers.section  = 1;
   CHECK_THROWS_WITH(dem::load_grips(loaded.network, grips), Catch::Contains("particle 1"));

@@ -1,9 +1,9 @@
 #include "clusters.h"
 #include "dem/integrators/stable_step.h"
-#include "dem/links.h"
+#include "dem/model/links.h"
+#include "dem/model/particles.h"
 #include "dem/neighbours/cell_list.h"
-#include "dem/particles.h"
-#include "dem/specimen.h"
+#include "dem/specimen/specimen.h"
 #include "dense_stiffness.h"
 
 #include <catch2/catch.hpp>

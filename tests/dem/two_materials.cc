@@ -5,7 +5,7 @@
 #include "dem/integrators/stable_step.h"
 #include "dem/loading/uniaxial.h"
 #include "dem/neighbours/cell_list.h"
-#include "dem/specimen.h"
+#include "dem/specimen/specimen.h"
 #include "dense_stiffness.h"
 #include "memory_state.h"
 

@@ -2,7 +2,7 @@
 
 #include "clusters.h"
 #include "dem/core/errors.h"
-#include "dem/specimen.h"
+#include "dem/specimen/specimen.h"
 #include "two_materials.h"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // Divides by zero, which a build with BRECCIA_TRAP_FPE does not survive.
-#include "dem/floating_point_traps.h"
+#include "dem/core/floating_point_traps.h"
 
 #include <iostream>
 

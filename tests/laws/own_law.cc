@@ -1,8 +1,8 @@
 // A law that dem does not know, written here: kernel, statics, checkpoint, ParaView files and link-test take it as it is.
-#include "apps/drivers/link_path.h"
+#include "apps/drivers/paths/link_path.h"
 #include "dem/kernels/link_update.h"
 #include "dem/laws/registry.h"
-#include "dem/specimen.h"
+#include "dem/specimen/specimen.h"
 #include "dem/statics/elastic_network.h"
 #include "dem/statics/quasi_static_path.h"
 #include "postprocess/vtk_links.h"
@@ -49,9 +49,9 @@ namespace
   /** A rubber band: sigma = E (eps + b eps^3), shear with E/3, snaps at its largest stretch; it remembers how far it was stretched. */
   struct Rubber
   {
-    using Constants                      = RubberConstants;
-    static constexpr const char *name    = "rubber";
-    static constexpr bool        bonds   = true, moment = false, breaks_in_place = false;
+    using Constants                    = RubberConstants;
+    static constexpr const char *name  = "rubber";
+    static constexpr bool        bonds = true, moment = false, breaks_in_place = false;
     static constexpr int         records = 1;
 
     template <typename T, int m>
@@ -132,7 +132,7 @@ namespace
     {
       return {state.number[0] / k.largest_stretch, 0};
     }
-    static dem::Matrix6 tangent(const Constants &k,
+    static dem::Matrix6 tangent(const Constants     &k,
                                 const dem::LinkStep &step,
                                 const State<double, 3> &,
                                 const State<double, 3> &,
@@ -149,9 +149,9 @@ namespace
 
   struct RubberLaw
   {
-    using Parameters                       = RubberParameters;
-    static constexpr const char *name      = "rubber";
-    static constexpr const char *meaning   = "Rubber band";
+    using Parameters                     = RubberParameters;
+    static constexpr const char *name    = "rubber";
+    static constexpr const char *meaning = "Rubber band";
     static Parameters            mean_of(const dem::Material<Parameters> &one, const dem::Material<Parameters> &)
     {
       return one.parameters;
@@ -249,7 +249,7 @@ TEST_CASE("a law of one's own runs in the kernel, with its energy, its breaks an
 TEST_CASE("a law of one's own is followed by the static solver along its nonlinear path", "[laws]")
 {
   dem::NetworkParameters links;
-  links.interaction_ratio = 1.1;
+  links.interaction_ratio     = 1.1;
   dem::ElasticNetwork network = dem::make_network(row(5), links, band());
   CHECK(network.links[0].stiffness(0, 0) == Approx(E * M_PI * r * r / (2 * r)));
   dem::GripPair grips;
@@ -261,7 +261,7 @@ TEST_CASE("a law of one's own is followed by the static solver along its nonline
   grips.layers.gauge_length = 8 * r;
   grips.layers.section      = M_PI * r * r;
   grips.lateral_blocked = grips.spin_blocked = true;
-  const dem::LoadedNetwork   loaded = dem::load_grips(std::move(network), grips);
+  const dem::LoadedNetwork   loaded          = dem::load_grips(std::move(network), grips);
   dem::QuasiStaticParameters p;
   p.strain_step = 5e-3;
   p.end_strain  = 4e-2;

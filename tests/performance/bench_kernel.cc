@@ -8,7 +8,7 @@
 #include "dem/laws/cpm.h"
 #include "dem/packing/compaction.h"
 #include "dem/packing/tiling.h"
-#include "dem/specimen.h"
+#include "dem/specimen/specimen.h"
 #include "machine_rates.h"
 #include "operation_count.h"
 

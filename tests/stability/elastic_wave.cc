@@ -1,6 +1,6 @@
 // Hard case S2: an undamped elastic wave in a bonded bar, a million steps close to the critical step, and just beyond it.
 
-#include "dem/specimen.h"
+#include "dem/specimen/specimen.h"
 #include "tests/dem/clusters.h"
 
 #include <catch2/catch.hpp>

@@ -1,6 +1,6 @@
 // Hard case S4: every link of a specimen is overloaded past failure within one step.
 
-#include "dem/specimen.h"
+#include "dem/specimen/specimen.h"
 #include "tests/dem/closed_system.h"
 
 #include <catch2/catch.hpp>

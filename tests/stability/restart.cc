@@ -1,7 +1,7 @@
 // Hard case S13: a restart in the middle of a damaging run, and the same run with 1, 2 and 4 threads, to the last bit.
 
 #include "dem/loading/uniaxial.h"
-#include "dem/specimen.h"
+#include "dem/specimen/specimen.h"
 #include "tests/dem/closed_system.h"
 #include "tests/dem/memory_state.h"
 

@@ -1,6 +1,6 @@
 // Hard case S1: a bonded cluster turned as a rigid body through ten full turns, prescribed and free.
 
-#include "dem/specimen.h"
+#include "dem/specimen/specimen.h"
 #include "tests/dem/closed_system.h"
 
 #include <Eigen/Geometry>

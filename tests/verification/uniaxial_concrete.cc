@@ -2,8 +2,8 @@
 // values; its rules of similarity.
 #include "dem/laws/cpm.h"
 #include "dem/loading/uniaxial.h"
-#include "dem/measures/crack.h"
 #include "dem/neighbours/cell_list.h"
+#include "dem/observation/crack.h"
 #include "dem/packing/compaction.h"
 #include "dem/packing/tiling.h"
 #include "dem/statics/quasi_static_path.h"

@@ -1,6 +1,6 @@
 #include "apps/drivers/particles/body.h"
 
-#include "apps/interrupt.h"
+#include "apps/process/interrupt.h"
 #include "dem/core/errors.h"
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "apps/drivers/particles/model.h"
-#include "apps/drivers/static_start.h"
-#include "dem/specimen.h"
+#include "apps/drivers/parts/static_start.h"
+#include "dem/specimen/specimen.h"
 
 #include <cstdint>
 #include <vector>

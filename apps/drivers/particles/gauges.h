@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/drivers/particles/motion.h"
-#include "dem/specimen.h"
+#include "dem/specimen/specimen.h"
 
 #include <list>
 #include <string>

@@ -2,7 +2,7 @@
 
 #include "apps/drivers/particles/group_names.h"
 #include "apps/scene/region.h"
-#include "dem/packing/packing.h"
+#include "dem/model/packing.h"
 
 #include <list>
 #include <map>

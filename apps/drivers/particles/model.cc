@@ -1,6 +1,6 @@
 #include "apps/drivers/particles/model.h"
 
-#include "apps/drivers/drawn_curve.h"
+#include "apps/drivers/parts/drawn_curve.h"
 #include "apps/scene/physics_section.h"
 
 #include <algorithm>

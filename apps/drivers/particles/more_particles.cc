@@ -1,6 +1,6 @@
 #include "apps/drivers/particles/more_particles.h"
 
-#include "apps/drivers/specimen_packing.h"
+#include "apps/drivers/parts/specimen_packing.h"
 #include "apps/scene/nearest_name.h"
 #include "dem/packing/overlaps.h"
 #include "postprocess/packing_io.h"

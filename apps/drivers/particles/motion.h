@@ -2,7 +2,7 @@
 
 #include "apps/drivers/particles/groups.h"
 #include "apps/scene/vector_formula.h"
-#include "dem/specimen.h"
+#include "dem/specimen/specimen.h"
 
 #include <list>
 #include <map>

@@ -1,9 +1,9 @@
 #include "apps/drivers/particles/report.h"
 
-#include "apps/drivers/drawn_curve.h"
-#include "apps/progress.h"
+#include "apps/drivers/parts/drawn_curve.h"
+#include "apps/process/progress.h"
+#include "apps/process/version.h"
 #include "apps/results/warning.h"
-#include "apps/version.h"
 #include "postprocess/summary.h"
 
 #include <fmt/format.h>

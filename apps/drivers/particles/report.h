@@ -1,7 +1,7 @@
 #pragma once
 
-#include "apps/drivers/material_counts.h"
 #include "apps/drivers/particles/body.h"
+#include "apps/drivers/parts/material_counts.h"
 #include "apps/scene/scene.h"
 #include "postprocess/csv_table.h"
 

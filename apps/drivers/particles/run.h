@@ -1,8 +1,8 @@
 #pragma once
 
-#include "apps/drivers/material_counts.h"
 #include "apps/drivers/particles/body.h"
-#include "apps/drivers/specimen_snapshots.h"
+#include "apps/drivers/parts/material_counts.h"
+#include "apps/drivers/parts/specimen_snapshots.h"
 #include "apps/results/run_work.h"
 #include "apps/scene/scene.h"
 

@@ -1,8 +1,8 @@
 #include "apps/drivers/particles/scene.h"
 
-#include "apps/drivers/duration.h"
-#include "apps/drivers/material_counts.h"
 #include "apps/drivers/particles/run.h"
+#include "apps/drivers/parts/duration.h"
+#include "apps/drivers/parts/material_counts.h"
 
 #include <fmt/format.h>
 

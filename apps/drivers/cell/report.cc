@@ -1,0 +1,122 @@
+#include "apps/drivers/cell/report.h"
+
+#include "apps/process/progress.h"
+#include "apps/process/version.h"
+#include "postprocess/plot.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace apps
+{
+  namespace
+  {
+    const char *const component_names[6] = {"xx", "yy", "zz", "yz", "zx", "xy"};
+
+    nlohmann::json vector_of(const dem::Vector6d &v) { return std::vector<double>(v.data(), v.data() + 6); }
+
+    nlohmann::json sample_of(const dem::CellSample &s)
+    {
+      return {{"time", s.time}, {"strain", vector_of(s.strain)}, {"stress", vector_of(s.stress)}};
+    }
+
+    /** Component whose strain spans most. */
+    int leading_component(const std::vector<dem::CellSample> &curve)
+    {
+      dem::Vector6d low = dem::Vector6d::Zero(), high = low;
+      for (const dem::CellSample &s : curve)
+        {
+          low  = low.cwiseMin(s.strain);
+          high = high.cwiseMax(s.strain);
+        }
+      Eigen::Index at = 0;
+      (high - low).maxCoeff(&at);
+      return static_cast<int>(at);
+    }
+  } // namespace
+
+  nlohmann::json CellReport::summary() const
+  {
+    dem::Vector6d largest = dem::Vector6d::Zero(), least = largest;
+    for (const dem::CellSample &s : test.curve())
+      {
+        largest = largest.cwiseMax(s.stress);
+        least   = least.cwiseMin(s.stress);
+      }
+    nlohmann::json localisation = nullptr;
+    if (const auto &found = test.localisation())
+      localisation = {{"onset", sample_of(found->onset)},
+                      {"detected", sample_of(found->detected)},
+                      {"band",
+                       {{"normal", {found->band.normal[0], found->band.normal[1], found->band.normal[2]}},
+                        {"thickness", {{"value", found->band.thickness}, {"unit", "m"}}},
+                        {"concentration", found->band.concentration}}}};
+    nlohmann::json energy = {{"balance_error", worst_balance_error}, {"unit", "J"}};
+    specimen.energy().each([&](const std::string &term, const double value) { energy[term] = value; });
+
+    nlohmann::json summary;
+    summary["scene"]        = request.scene_file;
+    summary["asked"]        = {{"kind", "cell"}, {"overrides", request.overrides}};
+    summary["version"]      = version();
+    summary["figures"]      = {{"order", {"xx", "yy", "zz", "yz", "zx", "xy"}},
+                               {"largest_stress", {{"value", vector_of(largest)}, {"unit", "Pa"}}},
+                               {"least_stress", {{"value", vector_of(least)}, {"unit", "Pa"}}},
+                               {"end", sample_of(test.curve().back())}};
+    summary["localisation"] = localisation;
+    summary["energy"]       = energy;
+    summary["cost"]         = {{"particles", specimen.counts().particles},
+                               {"links", specimen.counts().links},
+                               {"steps", specimen.steps()},
+                               {"threads", omp_get_max_threads()},
+                               {"wall_seconds", wall_seconds}};
+    materials.put_into(summary);
+    return summary;
+  }
+
+  std::string CellReport::draw_curve(const std::filesystem::path &file) const
+  {
+    const int              lead = leading_component(test.curve());
+    postprocess::PlotPanel panel;
+    panel.title   = "periodic cell";
+    panel.x_label = fmt::format("Strain {} [1e-3]", component_names[lead]);
+    panel.y_label = "Stress [MPa]";
+    for (int c = 0; c < 6; ++c)
+      {
+        if (model.specimen.physics.dimension == 2 && c >= 2 && c < 5)
+          continue;
+        postprocess::PlotSeries series;
+        series.name  = component_names[c];
+        series.style = postprocess::PlotSeries::Style::line;
+        for (const dem::CellSample &s : test.curve())
+          {
+            series.x.push_back(1e3 * s.strain[lead]);
+            series.y.push_back(1e-6 * s.stress[c]);
+          }
+        panel.series.push_back(series);
+      }
+    return postprocess::plot(file, {panel});
+  }
+
+  std::string CellReport::text() const
+  {
+    const dem::CellSample &end = test.curve().back();
+    std::string            text;
+    for (int c = 0; c < 6; ++c)
+      text += fmt::format("{}           strain {:>12.4e}  stress {:>12.5g} MPa\n", component_names[c], end.strain[c],
+                          1e-6 * end.stress[c]);
+    if (const auto &found = test.localisation())
+      text += fmt::format(
+        "localised    from time {:.4g} s, in a band {:.3g} m thick with normal ({:.2f}, {:.2f}, {:.2f}): from "
+        "there the average over the cell is no material property\n",
+        found->onset.time, found->band.thickness, found->band.normal[0], found->band.normal[1], found->band.normal[2]);
+    text += fmt::format("energy       balance error {:.1e} at worst\n", worst_balance_error);
+    text += fmt::format("cost         {}, {} steps with {} threads\n", duration_text(wall_seconds), specimen.steps(),
+                        omp_get_max_threads());
+    return text;
+  }
+} // namespace apps

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "apps/drivers/cell/scene.h"
+#include "apps/drivers/parts/material_counts.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <filesystem>
+#include <string>
+
+namespace apps
+{
+  /** What a complete run of a periodic cell tells: for programs, for the eye, for the terminal. */
+  struct CellReport
+  {
+    const RunRequest     &request;
+    const CellModel      &model;
+    const dem::Specimen  &specimen;
+    const dem::CellTest  &test;
+    const MaterialCounts &materials;
+    double                worst_balance_error, wall_seconds;
+
+    /** summary.json: extremes of stress, localisation, cost, energy. */
+    nlohmann::json summary() const;
+    /** curve.png: every stress over the strain that moved most. @return what went wrong, "" if nothing. */
+    std::string draw_curve(const std::filesystem::path &file) const;
+    std::string text() const;
+  };
+} // namespace apps

@@ -1,0 +1,170 @@
+#include "apps/drivers/cell/run.h"
+
+#include "apps/drivers/cell/report.h"
+#include "apps/drivers/parts/specimen_packing.h"
+#include "apps/results/life_cycle.h"
+#include "apps/results/warning.h"
+#include "postprocess/packing_io.h"
+#include "postprocess/specimen_picture.h"
+#include "postprocess/summary.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace apps
+{
+  namespace
+  {
+    constexpr const char *packing_name = "packing.h5";
+  }
+
+  CellRun::CellRun(const RunRequest &asked, const CellModel &what)
+    : request(asked)
+    , model(what)
+  {
+  }
+
+  int CellRun::execute() { return LifeCycle(request, model.output.checkpoint_interval, *this).execute(); }
+
+  void CellRun::make_test()
+  {
+    const Progress progress("links");
+    specimen.emplace(packing, model.specimen, model.material.materials());
+    if (packing.material_names.size() > 1)
+      materials = MaterialCounts(packing.material_names, specimen->particles().material, specimen->links().law);
+    test.emplace(*specimen, model.loading);
+    constexpr double limit = 1e12; // a year at thirty thousand steps a second
+    double           all   = 0;
+    for (const dem::CellLeg &leg : model.loading.path)
+      all += std::max(1.0, std::round(leg.duration / specimen->time_step()));
+    if (!(all < limit))
+      throw dem::InputError(
+        fmt::format("Loading: the legs would take {:.1e} steps of {:.1e} s. Check durations, density, "
+                    "moduli and sizes: all in SI units.",
+                    all, specimen->time_step()));
+    steps                     = static_cast<std::int64_t>(all);
+    steps_per_sample          = std::max<std::int64_t>(1, steps / model.output.samples);
+    const std::int64_t wanted = model.output.snapshots;
+    samples_per_snapshot      = wanted > 0 ? std::max<std::int64_t>(1, model.output.samples / wanted) : 0;
+  }
+
+  void CellRun::prepare()
+  {
+    packing = make_packing(model.source, model.material, model.specimen.physics.dimension);
+    make_test();
+  }
+
+  void CellRun::begin(const std::filesystem::path &folder, const Record &)
+  {
+    postprocess::write_packing(packing, folder / packing_name);
+    open(folder);
+    snapshots.take(*specimen);
+  }
+
+  void CellRun::reopen(const std::filesystem::path &folder)
+  {
+    packing = postprocess::read_packing(folder / packing_name);
+    make_test();
+    open(folder);
+  }
+
+  void CellRun::open(const std::filesystem::path &folder)
+  {
+    if (samples_per_snapshot > 0)
+      snapshots.open(folder, "cell");
+  }
+
+  void CellRun::visit_state(RunState &state)
+  {
+    state.group("cell");
+    state.scalar("worst_balance_error", worst_balance_error);
+    state.group("specimen");
+    specimen->visit_state(state);
+    state.group("test");
+    test->visit_state(state);
+    snapshots.visit_state(state);
+  }
+
+  std::string CellRun::size() const
+  {
+    const dem::Counts counts = specimen->counts();
+    return fmt::format("{} particles, {} links", counts.particles, counts.links);
+  }
+
+  double CellRun::done() const
+  {
+    return std::min(1.0, static_cast<double>(specimen->steps()) / static_cast<double>(steps));
+  }
+
+  std::string CellRun::details() const
+  {
+    if (test->curve().empty())
+      return "";
+    const dem::CellSample &sample = test->curve().back();
+    return fmt::format("strain xx {:.2e}, stress xx {:.3g} MPa{}", sample.strain[0], 1e-6 * sample.stress[0],
+                       sample.localised ? ", localised" : "");
+  }
+
+  std::vector<postprocess::SeriesColumn> CellRun::series_columns() const
+  {
+    std::vector<postprocess::SeriesColumn> columns = {{"time", "s"}};
+    for (const char *component : {"xx", "yy", "zz", "yz", "zx", "xy"})
+      columns.push_back({std::string("strain_") + component, "-"});
+    for (const char *component : {"xx", "yy", "zz", "yz", "zx", "xy"})
+      columns.push_back({std::string("stress_") + component, "Pa"});
+    for (const auto &[name, unit] : std::initializer_list<std::pair<const char *, const char *>>{{"skew_stress", "Pa"},
+                                                                                                 {"servo_error", "Pa"},
+                                                                                                 {"unbalanced", "-"},
+                                                                                                 {"localised", ""},
+                                                                                                 {"mean_damage", "-"},
+                                                                                                 {"broken_links", ""}})
+      columns.push_back({name, unit});
+    dem::EnergyAccount().each([&](const std::string &term, double) { columns.push_back({"energy_" + term, "J"}); });
+    return columns;
+  }
+
+  SeriesRow CellRun::row()
+  {
+    const dem::CellSample &s   = test->curve().back();
+    std::vector<double>    row = {s.time};
+    row.insert(row.end(), s.strain.data(), s.strain.data() + 6);
+    row.insert(row.end(), s.stress.data(), s.stress.data() + 6);
+    row.insert(row.end(), {s.skew_stress, s.servo_error, s.unbalanced, s.localised ? 1.0 : 0.0, specimen->mean_damage(),
+                           static_cast<double>(specimen->counts().broken)});
+    const dem::EnergyAccount energy = specimen->energy();
+    energy.each([&](const std::string &, const double value) { row.push_back(value); });
+    worst_balance_error = std::max(worst_balance_error, energy.balance_error());
+    return {{}, row, {}};
+  }
+
+  void CellRun::advance(const Record &record)
+  {
+    test->advance(steps_per_sample);
+    record(row());
+    if (snapshots.wanted() && static_cast<std::int64_t>(test->curve().size()) % samples_per_snapshot == 0)
+      snapshots.take(*specimen);
+  }
+
+  std::string CellRun::draw_crack(const std::filesystem::path &file) const
+  {
+    const dem::ParticleOutput state  = specimen->particles();
+    const dem::LinkOutput     joined = specimen->links();
+    postprocess::PictureSlab  slab;
+    slab.axis      = model.specimen.physics.dimension == 2 ? 2 : 1;
+    slab.materials = packing.material_names;
+    slab.images    = dem::link_images(*specimen, joined, state);
+    return postprocess::picture_of_specimen(file, state, joined, "Periodic cell at the end of its path", slab);
+  }
+
+  std::string CellRun::finish(const std::filesystem::path &folder, const double wall_seconds)
+  {
+    const CellReport report{request, model, *specimen, *test, materials, worst_balance_error, wall_seconds};
+    postprocess::write_json(folder / "summary.json", report.summary());
+    warn_of_missing("curve.png", report.draw_curve(folder / "curve.png"));
+    warn_of_missing("cell_crack.png", draw_crack(folder / "cell_crack.png"));
+    return report.text();
+  }
+} // namespace apps

@@ -1,0 +1,37 @@
+#include "apps/drivers/continuum/analysis.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace apps
+{
+  double ContinuumEnergy::balance_error() const
+  {
+    const double largest = std::max({std::fabs(external), std::fabs(internal), kinetic, damped, start});
+    return largest > 0 ? std::fabs(external + start - internal - kinetic - damped) / largest : 0.0;
+  }
+
+  void visit_vector(dem::StateVisitor &visitor, const std::string &name, fem::Vector &vector)
+  {
+    dem::Column values(vector.begin(), vector.begin() + vector.locally_owned_size());
+    visitor.column(name, values);
+    std::copy(values.begin(), values.end(), vector.begin());
+  }
+
+  template <int dim>
+  void visit_histories(dem::StateVisitor &visitor, fem::Solid<dim> &solid)
+  {
+    dem::Column values;
+    solid.visit_histories(
+      [&](const char *, const double *first, const int count) { values.insert(values.end(), first, first + count); });
+    visitor.column("histories", values);
+    std::size_t next = 0;
+    solid.visit_histories([&](const char *, double *first, const int count) {
+      std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(next), count, first);
+      next += static_cast<std::size_t>(count);
+    });
+  }
+
+  template void visit_histories(dem::StateVisitor &, fem::Solid<2> &);
+  template void visit_histories(dem::StateVisitor &, fem::Solid<3> &);
+} // namespace apps

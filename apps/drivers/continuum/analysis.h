@@ -1,0 +1,74 @@
+#pragma once
+
+#include "apps/drivers/continuum/gauges.h"
+#include "apps/drivers/continuum/model.h"
+#include "dem/core/state.h"
+#include "fem/explicit/explicit_solver.h"
+#include "fem/solvers/step_control.h"
+
+#include <map>
+
+namespace apps
+{
+  /** Energies of an analysis [J]: what came in equals what is there, up to balance_error(). */
+  struct ContinuumEnergy
+  {
+    double external = 0; ///< work of loads and prescribed displacements
+    double internal = 0; ///< work of stresses: stored and dissipated
+    double kinetic = 0, damped = 0, start = 0;
+
+    /** What is missing or too much, over the largest of them. */
+    double balance_error() const;
+  };
+
+  /** An analysis of a solid, static or explicit, as a run drives and records it. All ranks call each function together. */
+  template <int dim>
+  class ContinuumAnalysis
+  {
+  public:
+    virtual ~ContinuumAnalysis() = default;
+
+    /**
+     * Go on, but not past the next state to record.
+     * @return whether that state is reached; false: half-way, where a run may be interrupted too
+     * @throws fem::NoEquilibrium, fem::MaterialFailure; the last recorded state still stands.
+     */
+    virtual bool advance() = 0;
+
+    virtual bool finished() const = 0;
+
+    virtual SolidState      state() const      = 0;
+    virtual ContinuumEnergy energy() const     = 0;
+    virtual double          coordinate() const = 0; ///< time, controlled opening or length of arc: it only grows
+    virtual double          end() const        = 0; ///< of the coordinate
+
+    /** Columns of the series that only this analysis has, and their values. */
+    virtual std::vector<postprocess::SeriesColumn> columns() const = 0;
+    virtual std::vector<double>                    values() const  = 0;
+
+    virtual std::string details() const = 0; ///< for the progress line
+
+    /** Numbers and words for "cost" in the summary. */
+    virtual std::map<std::string, double> cost() const          = 0;
+    virtual std::string                   linear_solver() const = 0; ///< "" if there is none
+
+    /** The solver of a static analysis; nullptr of others. */
+    virtual fem::StaticSolver<dim> *static_solver() { return nullptr; }
+
+    /** Everything to go on to the same bits, histories of the points included. Columns hold this rank's part. */
+    virtual void visit_state(dem::StateVisitor &visitor) = 0;
+  };
+
+  template <int dim>
+  std::unique_ptr<ContinuumAnalysis<dim>> make_static_analysis(fem::Solid<dim> &solid, const ContinuumModel &model);
+
+  template <int dim>
+  std::unique_ptr<ContinuumAnalysis<dim>> make_explicit_analysis(fem::Solid<dim> &solid, const ContinuumModel &model);
+
+  /** This rank's part of a vector, as a column of a state; after reading, the vector has the column's values. */
+  void visit_vector(dem::StateVisitor &visitor, const std::string &name, fem::Vector &vector);
+
+  /** The committed histories of all points of a solid. */
+  template <int dim>
+  void visit_histories(dem::StateVisitor &visitor, fem::Solid<dim> &solid);
+} // namespace apps

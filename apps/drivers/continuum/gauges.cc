@@ -1,0 +1,160 @@
+#include "apps/drivers/continuum/gauges.h"
+
+#include "apps/drivers/continuum/solid.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace apps
+{
+  namespace
+  {
+    using dealii::Utilities::MPI::max;
+    using dealii::Utilities::MPI::sum;
+
+    bool acts(const LoadsSection &loads, const std::size_t c)
+    {
+      const auto any = [c](const auto &list, const auto &formula) {
+        return std::any_of(list.begin(), list.end(), [&](const auto &item) { return formula(*item)[c].given(); });
+      };
+      return any(loads.boundaries, [](const BoundaryCondition &b) -> const Expressions & { return b.traction; }) ||
+             any(loads.forces, [](const PointLoad &f) -> const Expressions & { return f.force; }) ||
+             loads.body_force[c].given() ||
+             std::any_of(loads.boundaries.begin(), loads.boundaries.end(),
+                         [](const auto &b) { return b->pressure.given(); });
+    }
+  } // namespace
+
+  std::string column_name(std::string name)
+  {
+    for (char &c : name)
+      if (c == ' ' || c == '/' || c == ',')
+        c = '_';
+    return name;
+  }
+
+  template <int dim>
+  ContinuumGauges<dim>::ContinuumGauges(fem::Solid<dim> &solid_, const ContinuumModel &model)
+    : solid(solid_)
+  {
+    dealii::Point<dim> low, high;
+    for (unsigned int c = 0; c < dim; ++c)
+      {
+        low[c]  = -1e300;
+        high[c] = 1e300;
+      }
+    for (unsigned int c = 0; c < dim; ++c)
+      if (acts(model.loads, c))
+        loads.push_back({std::string("load_") + "xyz"[c], solid.dofs_within(low, high, c)});
+    for (const auto &b : model.loads.boundaries)
+      for (unsigned int c = 0; c < dim; ++c)
+        if (b->displacement[c].given())
+          reactions.push_back({"reaction_" + column_name(b->name) + "_" + "xyz"[c], solid.boundary_dofs(b->name, c)});
+    for (const auto &s : model.loads.supports)
+      for (unsigned int c = 0; c < dim; ++c)
+        if (s->displacement[c].given())
+          reactions.push_back(
+            {"reaction_" + column_name(s->name) + "_" + "xyz"[c],
+             solid.dofs_within(point_of<dim>(s->from), point_of<dim>(s->is_box ? s->to : s->from), c)});
+    for (const auto &p : model.loads.points)
+      for (unsigned int c = 0; c < dim; ++c)
+        try
+          {
+            displacements.push_back({"displacement_" + column_name(p->name) + "_" + "xyz"[c],
+                                     solid.interpolation(point_of<dim>(p->position), c)});
+          }
+        catch (const std::invalid_argument &refusal)
+          {
+            throw dem::InputError(p->place.text() + ": Points/" + p->name + ": " + refusal.what());
+          }
+    fem::Vector rest = solid.make_vector();
+    rest.update_ghost_values();
+    start_at(rest);
+  }
+
+  template <int dim>
+  std::vector<postprocess::SeriesColumn> ContinuumGauges<dim>::columns() const
+  {
+    std::vector<postprocess::SeriesColumn> all;
+    for (const auto *resultants : {&loads, &reactions})
+      for (const Resultant &r : *resultants)
+        all.push_back({r.name, "N"});
+    for (const Displacement &d : displacements)
+      all.push_back({d.name, "m"});
+    for (const char *energy : {"energy_stored", "energy_dissipated"})
+      all.push_back({energy, "J"});
+    all.push_back({"largest_damage", "-"});
+    all.push_back({"largest_crack_opening", "m"});
+    return all;
+  }
+
+  template <int dim>
+  std::string ContinuumGauges<dim>::first_reaction() const
+  {
+    return reactions.empty() ? "" : reactions.front().name;
+  }
+
+  template <int dim>
+  typename ContinuumGauges<dim>::Points ContinuumGauges<dim>::read_points(const fem::Vector &displacement,
+                                                                          const double       work) const
+  {
+    Points found;
+    found.stored = work;
+    if (solid.linear()) // nothing is dissipated
+      return found;
+    found.stored = 0;
+    solid.visit_points(displacement, [&](const fem::PointView<dim> &point) {
+      fem::Voigt elastic = point.strain;
+      point.material->visit(point.index, [&](const char *column, const double *values, const int count) {
+        const auto is = [column](const char *wanted) { return std::strncmp(column, wanted, std::strlen(wanted)) == 0; };
+        if (is("plastic strain"))
+          for (int i = 0; i < count; ++i)
+            elastic[i] -= values[i];
+        else if (is("damage"))
+          found.damage = std::max(found.damage, *values);
+        else if (is("crack opening"))
+          found.crack_opening = std::max(found.crack_opening, *values);
+      });
+      found.stored += 0.5 * point.volume * point.stress.dot(elastic);
+    });
+    const MPI_Comm comm = solid.communicator();
+    return {sum(found.stored, comm), max(found.damage, comm), max(found.crack_opening, comm)};
+  }
+
+  template <int dim>
+  std::vector<double> ContinuumGauges<dim>::read(const SolidState &state, const double work) const
+  {
+    std::vector<double> row;
+    for (const Resultant &r : loads)
+      {
+        double total = 0;
+        for (const auto dof : r.dofs)
+          total += (*state.external_force)[dof];
+        row.push_back(total);
+      }
+    for (const Resultant &r : reactions)
+      {
+        double total = 0;
+        for (const auto dof : r.dofs)
+          total += (*state.internal_force)[dof] - (*state.external_force)[dof];
+        row.push_back(total);
+      }
+    for (const Displacement &d : displacements)
+      {
+        double total = 0;
+        for (const auto &[dof, weight] : d.weights)
+          total += weight * (*state.displacement)[dof];
+        row.push_back(total);
+      }
+    for (double &value : row)
+      value = sum(value, solid.communicator());
+    const Points points = read_points(*state.displacement, work);
+    row.insert(row.end(), {points.stored, work + stored_at_start - points.stored, points.damage, points.crack_opening});
+    return row;
+  }
+
+  template class ContinuumGauges<2>;
+  template class ContinuumGauges<3>;
+} // namespace apps

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "apps/drivers/continuum/model.h"
+#include "dem/core/state.h"
+#include "fem/solid/solid.h"
+#include "postprocess/series.h"
+
+namespace apps
+{
+  /** State of a solid as an analysis holds it. */
+  struct SolidState
+  {
+    const fem::Vector *displacement, *internal_force, *external_force;
+  };
+
+  /**
+   * What is read from a solid after every step: resultants of loads and reactions, displacements at named points, energy
+   * stored, largest damage and crack opening.
+   */
+  template <int dim>
+  class ContinuumGauges
+  {
+  public:
+    /** @throws dem::InputError for a point outside the solid. */
+    ContinuumGauges(fem::Solid<dim> &solid, const ContinuumModel &model);
+
+    std::vector<postprocess::SeriesColumn> columns() const;
+
+    /** One value per column, the same on every rank. @param work done by the stresses [J]: what is not stored is dissipated. */
+    std::vector<double> read(const SolidState &state, double work) const;
+
+    /** From now on dissipation counts from the present histories at this displacement. */
+    void start_at(const fem::Vector &displacement) { stored_at_start = read_points(displacement, 0).stored; }
+    void visit_state(dem::StateVisitor &visitor) { visitor.scalar("stored_at_start", stored_at_start); }
+
+    /** The first reaction column, or "". */
+    std::string first_reaction() const;
+
+  private:
+    struct Resultant
+    {
+      std::string                                  name; ///< column
+      std::vector<dealii::types::global_dof_index> dofs;
+    };
+    struct Displacement
+    {
+      std::string                                                     name;
+      std::vector<std::pair<dealii::types::global_dof_index, double>> weights;
+    };
+    struct Points
+    {
+      double stored = 0, damage = 0, crack_opening = 0;
+    };
+
+    Points read_points(const fem::Vector &displacement, double work) const;
+
+    fem::Solid<dim>          &solid;
+    double                    stored_at_start = 0; ///< when dissipation began to count [J]
+    std::vector<Resultant>    loads, reactions;
+    std::vector<Displacement> displacements;
+  };
+
+  /** A name as part of a column: without blanks and slashes. */
+  std::string column_name(std::string name);
+} // namespace apps

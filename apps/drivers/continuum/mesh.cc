@@ -1,0 +1,166 @@
+#include "apps/drivers/continuum/mesh.h"
+
+#include "fem/mesh/gmsh.h"
+
+#include <filesystem>
+
+namespace apps
+{
+  void MeshSection::declare(Section &root, const int &dimension)
+  {
+    const auto from  = [this](const Source wanted) { return [this, wanted] { return source == wanted; }; };
+    const auto built = [this] { return source != Source::file; };
+    Section   &s     = root.section("Mesh", "The elements: where they come from");
+    s.choice("Source", source,
+             {{"file", Source::file},
+              {"box", Source::box},
+              {"notched beam", Source::notched_beam},
+              {"plate with hole", Source::plate_with_hole},
+              {"cylinder", Source::cylinder}},
+             Need::required)
+      .means("file: a Gmsh mesh, whose named physical groups are the names of boundaries and materials; otherwise a "
+             "shape, of the one material solid");
+    s.file("File", file)
+      .means("Gmsh 2.2 or 4.1, text; from the scene's folder")
+      .only_if(from(Source::file), "Mesh/Source = file");
+    s.choice("Elements", family,
+             {{"blocks", fem::ElementFamily::hypercube}, {"simplices", fem::ElementFamily::simplex}}, Need::optional)
+      .means("blocks: quadrilaterals or hexahedra; simplices: 8 triangles in place of each quadrilateral, 24 "
+             "tetrahedra of each hexahedron")
+      .only_if(built, "Mesh/Source is not file");
+    s.integer("Refinements", refinements, "", Range::between(0, 12), Need::optional)
+      .means("Each halves every edge")
+      .only_if(built, "Mesh/Source is not file");
+
+    Section &box = s.section("Box", "From the origin; boundaries left, right (x), bottom, top (y), back, front (z)");
+    box.only_if(from(Source::box), "Mesh/Source = box");
+    box.vector("Size", box_size, "m", Range::at_least(0), Need::required)
+      .means("Edges; the third is not used in two dimensions");
+    for (std::size_t i = 0; i < 3; ++i)
+      {
+        Entry &divisions = box.integer(std::string("Divisions ") + "xyz"[i], box_divisions[i], "",
+                                       Range::between(1, 1e6), Need::optional);
+        divisions.means("Elements along this edge");
+        if (i == 2)
+          divisions.only_if([&dimension] { return dimension == 3; }, "Model/Dimension = 3");
+      }
+    declare_beam(s, dimension);
+    declare_plate(s, dimension);
+
+    Section &bar = s.section("Cylinder", "Along x from the origin; boundaries left, right, side");
+    bar.only_if(from(Source::cylinder), "Mesh/Source = cylinder");
+    bar.number("Length", cylinder.length, "m", Range::positive(), Need::required).means("Along x");
+    bar.number("Radius", cylinder.radius, "m", Range::positive(), Need::required).means("Of the section");
+    bar.integer("Divisions", axial_divisions, "", Range::between(1, 1e6), Need::optional)
+      .means("Elements along the axis; across there are five blocks");
+  }
+
+  void MeshSection::declare_beam(Section &mesh, const int &dimension)
+  {
+    Section &s = mesh.section("Notched beam", "Along x from the origin, notched from below at mid-span; boundaries "
+                                              "left, right, bottom, top, back, front, notch");
+    s.only_if([this] { return source == Source::notched_beam; }, "Mesh/Source = notched beam");
+    const auto solid  = [&dimension] { return dimension == 3; };
+    const auto length = [&](const char *name, double &member, const char *meaning) -> Entry & {
+      return s.number(name, member, "m", Range::positive(), Need::required).means(meaning);
+    };
+    length("Length", beam.length, "Along x");
+    length("Height", beam.height, "Along y");
+    length("Width", beam.width, "Along z").only_if(solid, "Model/Dimension = 3");
+    length("Span", beam.span, "Between the supports, at whose places there are nodes");
+    length("Notch depth", beam.notch_depth, "From below");
+    length("Notch width", beam.notch_width, "There are nodes at both edges of its mouth");
+    length("Band", beam.band, "Width of the band of fine elements around the notch");
+    length("Fine size", beam.fine_size, "Largest edge of the elements in the band, and of all upwards");
+    length("Coarse size", beam.coarse_size, "Largest edge along x beside the band");
+    s.integer("Width divisions", beam_width_divisions, "", Range::between(1, 1e4), Need::optional)
+      .means("Elements across")
+      .only_if(solid, "Model/Dimension = 3");
+  }
+
+  void MeshSection::declare_plate(Section &mesh, const int &dimension)
+  {
+    Section &s = mesh.section("Plate with hole", "A quarter, around the origin; boundaries hole, left (x = 0), bottom "
+                                                 "(y = 0), right, top, back, front");
+    s.only_if([this] { return source == Source::plate_with_hole; }, "Mesh/Source = plate with hole");
+    const auto solid = [&dimension] { return dimension == 3; };
+    s.number("Radius", plate.radius, "m", Range::positive(), Need::required).means("Of the hole");
+    s.number("Half width", plate.half_width, "m", Range::positive(), Need::required).means("Of the whole plate");
+    s.number("Half height", plate.half_height, "m", Range::positive(), Need::required).means("Of the whole plate");
+    s.number("Depth", plate.depth, "m", Range::positive(), Need::required)
+      .means("Along z")
+      .only_if(solid, "Model/Dimension = 3");
+    s.integer("Radial divisions", radial_divisions, "", Range::between(1, 1e4), Need::optional)
+      .means("Elements from the hole to the edge");
+    s.integer("Angular divisions", angular_divisions, "", Range::between(2, 1e4), Need::optional)
+      .means("Elements around the hole, an even number");
+    s.integer("Depth divisions", depth_divisions, "", Range::between(1, 1e4), Need::optional)
+      .means("Elements along z")
+      .only_if(solid, "Model/Dimension = 3");
+  }
+
+  void MeshSection::validate(const Section &root, const int dimension) const
+  {
+    const Section &s = *root.find_section("Mesh");
+    if (source == Source::file && !std::filesystem::is_regular_file(file))
+      s.refuse("File", "there is no such file (" + std::filesystem::absolute(file).lexically_normal().string() + ").");
+    if (source == Source::cylinder && dimension == 2)
+      s.refuse("Source", "a cylinder is a body in three dimensions, and Model/Dimension is 2. Take a box.");
+    if (source == Source::box)
+      for (std::size_t i = 0; i < static_cast<std::size_t>(dimension); ++i)
+        if (!(box_size[i] > 0))
+          s.find_section("Box")->refuse("Size", std::string("its edge along ") + "xyz"[i] + " must be positive.");
+  }
+
+  namespace
+  {
+    unsigned int whole(const std::int64_t number) { return static_cast<unsigned int>(number); }
+  } // namespace
+
+  template <int dim>
+  fem::Mesh<dim> make_mesh(const MeshSection &mesh)
+  {
+    fem::ShapeOptions options;
+    options.family      = mesh.family;
+    options.refinements = whole(mesh.refinements);
+    switch (mesh.source)
+      {
+      case MeshSection::Source::file:
+        {
+          return fem::read_gmsh<dim>(mesh.file);
+        }
+      case MeshSection::Source::box:
+        {
+          fem::BoxShape box;
+          box.size = mesh.box_size;
+          for (std::size_t i = 0; i < 3; ++i)
+            box.divisions[i] = whole(mesh.box_divisions[i]);
+          return fem::make_shape<dim>(box, options);
+        }
+      case MeshSection::Source::notched_beam:
+        {
+          fem::NotchedBeamShape beam = mesh.beam;
+          beam.width_divisions       = whole(mesh.beam_width_divisions);
+          return fem::make_shape<dim>(beam, options);
+        }
+      case MeshSection::Source::plate_with_hole:
+        {
+          fem::PlateWithHoleShape plate = mesh.plate;
+          plate.radial_divisions        = whole(mesh.radial_divisions);
+          plate.angular_divisions       = whole(mesh.angular_divisions);
+          plate.depth_divisions         = whole(mesh.depth_divisions);
+          return fem::make_shape<dim>(plate, options);
+        }
+      case MeshSection::Source::cylinder:
+        {
+          fem::CylinderShape bar = mesh.cylinder;
+          bar.divisions          = whole(mesh.axial_divisions);
+          return fem::make_shape<dim>(bar, options);
+        }
+      }
+    throw std::logic_error("a source of meshes that nobody makes");
+  }
+
+  template fem::Mesh<2> make_mesh(const MeshSection &);
+  template fem::Mesh<3> make_mesh(const MeshSection &);
+} // namespace apps

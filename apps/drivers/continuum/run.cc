@@ -1,0 +1,293 @@
+#include "apps/drivers/continuum/run.h"
+
+#include "apps/drivers/continuum/picture.h"
+#include "apps/drivers/continuum/snapshot.h"
+#include "apps/drivers/continuum/solid.h"
+#include "apps/drivers/continuum/summary.h"
+#include "apps/drivers/parts/drawn_curve.h"
+#include "apps/process/mpi_session.h"
+#include "apps/results/life_cycle.h"
+#include "apps/results/warning.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace apps
+{
+  namespace
+  {
+    constexpr const char *snapshot_name = "solid";
+
+    template <int dim>
+    std::unique_ptr<ContinuumAnalysis<dim>> make_analysis(fem::Solid<dim> &solid, const ContinuumModel &model)
+    {
+      return model.is_static() ? make_static_analysis(solid, model) : make_explicit_analysis(solid, model);
+    }
+
+    /** What solvers throw, as a run tells it. */
+    template <typename Work>
+    void in_words_of_a_run(const Work &work)
+    {
+      try
+        {
+          work();
+        }
+      catch (const fem::NoEquilibrium &failure)
+        {
+          throw StoppedShort(failure.what());
+        }
+      catch (const fem::MaterialFailure &failure)
+        {
+          throw StoppedShort(failure.what());
+        }
+      catch (const dem::InputError &)
+        {
+          throw;
+        }
+      catch (const std::invalid_argument &refusal)
+        {
+          throw dem::InputError(refusal.what());
+        }
+    }
+  } // namespace
+
+  template <int dim>
+  ContinuumRun<dim>::ContinuumRun(const RunRequest     &asked,
+                                  const ContinuumModel &what,
+                                  const Prepare        &prepare,
+                                  const Settle         &settle_)
+    : request(asked)
+    , model(what)
+    , settle(settle_)
+  {
+    solid = make_solid<dim>(model);
+    if (prepare)
+      prepare(*solid);
+    analysis = make_analysis<dim>(*solid, model);
+    gauges   = std::make_unique<ContinuumGauges<dim>>(*solid, model);
+    choose_curve();
+  }
+
+  template <int dim>
+  std::vector<postprocess::SeriesColumn> ContinuumRun<dim>::series_columns() const
+  {
+    std::vector<postprocess::SeriesColumn> all = analysis->columns();
+    for (const auto &column : gauges->columns())
+      all.push_back(column);
+    for (const char *energy : {"energy_external", "energy_internal"})
+      all.push_back({energy, "J"});
+    all.push_back({"energy_balance_error", "-"});
+    return all;
+  }
+
+  template <int dim>
+  void ContinuumRun<dim>::choose_curve()
+  {
+    std::vector<std::string> names;
+    for (const auto &column : series_columns())
+      names.push_back(column.name);
+    const auto has = [&](const std::string &name) {
+      return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    const std::string reaction = gauges->first_reaction();
+    horizontal =
+      chosen_column(names, "Curve horizontal", model.output.horizontal, has("opening") ? "opening" : names.front());
+    vertical =
+      chosen_column(names, "Curve vertical", model.output.vertical, reaction.empty() ? "energy_internal" : reaction);
+    vertical_index = static_cast<std::size_t>(std::find(names.begin(), names.end(), vertical) - names.begin());
+  }
+
+  template <int dim>
+  int ContinuumRun<dim>::execute()
+  {
+    return LifeCycle(request, model.output.checkpoint_interval, *this).execute();
+  }
+
+  template <int dim>
+  std::string ContinuumRun<dim>::size() const
+  {
+    return fmt::format("{} elements, {} unknowns", solid->mesh().triangulation->n_global_active_cells(),
+                       solid->dofs().n_dofs());
+  }
+
+  template <int dim>
+  std::string ContinuumRun<dim>::stage() const
+  {
+    return model.is_static() ? "equilibrium" : "motion";
+  }
+
+  template <int dim>
+  double ContinuumRun<dim>::done() const
+  {
+    return std::min(1.0, analysis->coordinate() / analysis->end());
+  }
+
+  template <int dim>
+  void ContinuumRun<dim>::open(const std::filesystem::path &folder)
+  {
+    location = folder;
+    on_first_rank([&] {
+      if (model.output.snapshots > 0)
+        snapshots.emplace(location, snapshot_name, rank_count() > 1 ? ".pvtu" : ".vtu");
+    });
+  }
+
+  template <int dim>
+  void ContinuumRun<dim>::begin(const std::filesystem::path &folder, const Record &record)
+  {
+    open(folder);
+    if (settle)
+      {
+        const Progress progress("equilibrium of the start");
+        settle(*solid, *analysis);
+        gauges->start_at(*analysis->state().displacement);
+      }
+    snapshot();
+    if (settle)
+      record(row());
+  }
+
+  template <int dim>
+  void ContinuumRun<dim>::reopen(const std::filesystem::path &folder)
+  {
+    open(folder);
+  }
+
+  template <int dim>
+  void ContinuumRun<dim>::visit_state(RunState &state)
+  {
+    std::int64_t stopped = was_stopped ? 1 : 0;
+    auto         column  = static_cast<std::int64_t>(vertical_index);
+    state.scalar("vertical_column", column);
+    if (model.control.stop_fraction > 0 && column != static_cast<std::int64_t>(vertical_index))
+      throw dem::InputError("Output/Curve vertical = " + vertical +
+                            ": the run was begun with another column, which decides by Control/Stop fraction when it "
+                            "ends.");
+    state.scalar("peak", peak);
+    state.scalar("was_stopped", stopped);
+    state.scalar("snapshot_count", snapshot_count);
+    state.scalar("snapshots_due", snapshots_due);
+    was_stopped = stopped == 1;
+    // Columns are spread over the ranks: all of this one is the first rank's.
+    snapshot_times.resize(is_first_rank() ? static_cast<std::size_t>(snapshot_count) : 0);
+    state.column("snapshot_times", snapshot_times);
+    if (state.reads() && model.output.snapshots > 0)
+      on_first_rank([&] { snapshots->restore(snapshot_times); });
+    gauges->visit_state(state);
+    state.group("analysis");
+    analysis->visit_state(state);
+    if (least_left > 0)
+      watch.visit_state(state, *solid);
+  }
+
+  template <int dim>
+  void ContinuumRun<dim>::snapshot()
+  {
+    if (model.output.snapshots == 0)
+      return;
+    const SolidState state    = analysis->state();
+    fem::Vector      reaction = *state.internal_force;
+    reaction -= *state.external_force;
+    reaction.update_ghost_values();
+    const double coordinate = analysis->coordinate();
+    write_solid(*solid, *state.displacement, reaction,
+                {location / snapshot_name, snapshot_name, static_cast<std::size_t>(snapshot_count), coordinate});
+    ++snapshot_count;
+    on_first_rank([&] {
+      snapshots->add(coordinate);
+      snapshot_times = snapshots->listed();
+    });
+  }
+
+  template <int dim>
+  SeriesRow ContinuumRun<dim>::row()
+  {
+    const ContinuumEnergy energy = analysis->energy();
+    std::vector<double>   values = analysis->values();
+    for (const double value : gauges->read(analysis->state(), energy.internal))
+      values.push_back(value);
+    values.insert(values.end(), {energy.external, energy.internal, energy.balance_error()});
+
+    const double now = std::fabs(values[vertical_index]);
+    peak             = std::max(peak, now);
+    was_stopped      = now < model.control.stop_fraction * peak;
+    if (least_left > 0)
+      {
+        watch.look(*solid, now);
+        has_softened = watch.softens_everywhere() && now < least_left * peak;
+      }
+    return {{}, values, {}};
+  }
+
+  template <int dim>
+  void ContinuumRun<dim>::snapshot_if_due()
+  {
+    const double part = analysis->coordinate() / analysis->end();
+    const auto   due  = static_cast<std::int64_t>(std::floor(part * static_cast<double>(model.output.snapshots)));
+    if (due > snapshots_due)
+      snapshot();
+    snapshots_due = due; // fewer than before where a resumed run asks for fewer
+  }
+
+  template <int dim>
+  void ContinuumRun<dim>::advance(const Record &record)
+  {
+    try
+      {
+        in_words_of_a_run([&] {
+          if (!analysis->advance())
+            return;
+          record(row());
+          snapshot_if_due();
+        });
+      }
+    catch (const StoppedShort &stop)
+      {
+        if (!failure_is_an_end)
+          throw;
+        failure = stop.what();
+      }
+  }
+
+  template <int dim>
+  std::string ContinuumRun<dim>::finish(const std::filesystem::path &folder, const double wall_seconds)
+  {
+    // The way to the end asks for a snapshot there; a run that stopped early shows where.
+    if (was_stopped || has_softened || !failure.empty() || snapshots_due < model.output.snapshots)
+      snapshot();
+    ContinuumSize size;
+    size.elements             = static_cast<double>(solid->mesh().triangulation->n_global_active_cells());
+    size.unknowns             = static_cast<double>(solid->dofs().n_dofs());
+    size.points               = size.elements * solid->quadrature().size();
+    const std::string problem = draw_damage(*solid, *analysis->state().displacement, folder / "damage.png",
+                                            std::filesystem::path(request.scene_file).stem().string());
+    const bool        at_end  = analysis->coordinate() >= analysis->end() * (1 - 1e-9);
+    std::string       words;
+    on_first_rank([&] {
+      warn_of_missing("damage.png", problem);
+      const ContinuumReport report{request,
+                                   postprocess::read_csv_table(folder / "series.csv", true),
+                                   size,
+                                   analysis->cost(),
+                                   analysis->linear_solver(),
+                                   wall_seconds,
+                                   horizontal,
+                                   vertical,
+                                   model.is_static(),
+                                   model.is_static() && !settle,
+                                   !failure.empty() ? no_equilibrium + failure :
+                                   was_stopped      ? "stop fraction" :
+                                   has_softened     ? softened :
+                                   at_end           ? "end" :
+                                                      "steps at most"};
+      report.write(folder);
+      words = report.text();
+    });
+    return words;
+  }
+
+  template class ContinuumRun<2>;
+  template class ContinuumRun<3>;
+} // namespace apps

@@ -1,0 +1,97 @@
+#pragma once
+
+#include "apps/drivers/continuum/analysis.h"
+#include "apps/drivers/continuum/softening_watch.h"
+#include "apps/results/run_work.h"
+#include "apps/scene/scene.h"
+#include "postprocess/pvd.h"
+
+#include <memory>
+#include <optional>
+
+namespace apps
+{
+  /**
+   * The work of a continuum analysis.
+   *
+   * In the result folder, besides what every run has (life_cycle.h; a row of the series per step or sample): solid.pvd with its
+   * snapshots, and at the end summary.json, curve.png and, where something can be damaged, damage.png. Under MPI every rank
+   * calls it; the first one writes.
+   */
+  template <int dim>
+  class ContinuumRun : public RunWork
+  {
+  public:
+    /** Gives a fresh solid its initial state, e.g. one mapped from particles. */
+    using Prepare = std::function<void(fem::Solid<dim> &)>;
+
+    /** Brings a prepared solid into equilibrium before the first step; its state then is the first row of the series. */
+    using Settle = std::function<void(fem::Solid<dim> &, ContinuumAnalysis<dim> &)>;
+
+    /** @throws dem::InputError. start_mpi() must have been called. */
+    ContinuumRun(const RunRequest     &request,
+                 const ContinuumModel &model,
+                 const Prepare        &prepare = {},
+                 const Settle         &settle  = {});
+
+    /**
+     * Two more ends, which the summary tells: no equilibrium any more (otherwise execute() throws), and softening everywhere with
+     * little force left (otherwise the run goes on).
+     * @param least_force share of the largest one in the vertical column of the curve
+     */
+    void end_where_little_is_left(const double least_force)
+    {
+      failure_is_an_end = true;
+      least_left        = least_force;
+    }
+
+    /** @return exit status: 0, or 130 after an interrupt. Throws as Scene::run(). */
+    int execute();
+
+    const fem::Solid<dim>        &body() const { return *solid; }
+    const ContinuumAnalysis<dim> &computation() const { return *analysis; }
+
+    std::vector<postprocess::SeriesColumn> series_columns() const override;
+
+  private:
+    void        prepare() override {} ///< the constructor has refused what is to be refused
+    void        begin(const std::filesystem::path &folder, const Record &record) override;
+    void        reopen(const std::filesystem::path &folder) override;
+    void        visit_state(RunState &state) override;
+    std::string size() const override;
+    std::string stage() const override;
+    double      done() const override;
+    std::string details() const override { return analysis->details(); }
+    bool finished() const override { return was_stopped || has_softened || !failure.empty() || analysis->finished(); }
+    void advance(const Record &record) override;
+    void leave_last_state() override { snapshot(); }
+    std::string finish(const std::filesystem::path &folder, double wall_seconds) override;
+
+    void      open(const std::filesystem::path &folder);
+    SeriesRow row();
+    void      snapshot();
+    void      snapshot_if_due();
+    void      choose_curve();
+
+    RunRequest            request;
+    const ContinuumModel &model;
+    Settle                settle;
+
+    std::unique_ptr<fem::Solid<dim>>          solid;
+    std::unique_ptr<ContinuumAnalysis<dim>>   analysis;
+    std::unique_ptr<ContinuumGauges<dim>>     gauges;
+    std::optional<postprocess::PvdCollection> snapshots;      ///< first rank only, as is the next
+    dem::Column                               snapshot_times; ///< kept where a resumed run takes none
+    std::filesystem::path                     location;       ///< where results grow
+    SofteningWatch<dim>                       watch;
+    std::string                               horizontal, vertical;
+    std::size_t                               vertical_index = 0;
+
+    double       peak           = 0; ///< of the vertical column, in magnitude
+    std::int64_t snapshot_count = 0; ///< taken so far
+    std::int64_t snapshots_due  = 0; ///< on the way to the end
+    bool         was_stopped = false, has_softened = false, failure_is_an_end = false;
+    double       least_left = 0; ///< see end_where_little_is_left(); 0: not asked for
+    std::string  failure;        ///< that was the end; "": none
+  };
+} // namespace apps

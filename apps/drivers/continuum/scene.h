@@ -1,0 +1,21 @@
+#pragma once
+
+#include "apps/drivers/continuum/model.h"
+#include "apps/scene/scene.h"
+
+namespace apps
+{
+  /** Scene kind "continuum": a solid of finite elements under loads, in equilibrium or in motion. */
+  class ContinuumScene : public Scene
+  {
+  public:
+    void        declare(Section &root) override { model.declare(root); }
+    void        validate(const Section &root) const override { model.validate(root); }
+    std::string forecast() const override;
+    bool        shares_ranks() const override { return true; }
+    int         run(const RunRequest &request) const override;
+
+  private:
+    ContinuumModel model;
+  };
+} // namespace apps

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "apps/drivers/continuum/model.h"
+#include "fem/solid/solid.h"
+
+#include <memory>
+
+namespace apps
+{
+  /** Place in a model of dimension dim; the third coordinate is dropped in two dimensions. */
+  template <int dim>
+  dealii::Point<dim> point_of(const std::array<double, 3> &place)
+  {
+    dealii::Point<dim> point;
+    for (unsigned int d = 0; d < dim; ++d)
+      point[d] = place[d];
+    return point;
+  }
+
+  /**
+   * The solid of a scene: mesh, materials, supports and loads, ready for a solver.
+   *
+   * Histories are virgin; a sequential analysis sets them next (fem::MaterialPoints::set_initial).
+   * start_mpi() must have been called.
+   * @throws dem::InputError naming the place in the scene, or the mesh and what is wrong with it.
+   */
+  template <int dim>
+  std::unique_ptr<fem::Solid<dim>> make_solid(const ContinuumModel &model);
+} // namespace apps

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "dem/homogenisation/isotropy.h"
+#include "dem/homogenisation/relaxed_stiffness.h"
+#include "dem/model/packing.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace apps
+{
+  /** What `breccia homogenise` is asked about one packing. */
+  struct HomogenisationQuestion
+  {
+    dem::NetworkParameters links;
+    dem::SolverParameters  solver;
+  };
+
+  /** Stiffness found in one way, and the constants read from it. */
+  struct FoundStiffness
+  {
+    dem::MacroscopicStiffness stiffness; ///< [Pa]
+    std::optional<dem::ElasticConstants>
+        constants;    ///< none where some strain is not resisted: there are no moduli then
+    int resisted = 0; ///< how many independent strains are
+  };
+
+  /** The three answers, and what they rest on. */
+  struct HomogenisationAnswer
+  {
+    int                                  dimension = 3;
+    std::size_t                          particles = 0, links = 0;
+    dem::LinkStatistics                  density;
+    FoundStiffness                       statistics; ///< closed form: links of every direction alike
+    FoundStiffness                       affine;     ///< actual links, all particles moved alike: an upper bound
+    FoundStiffness                       relaxed;    ///< particles in equilibrium: the answer
+    std::optional<dem::IsotropyMeasures> isotropy;   ///< of the relaxed stiffness; none where it has no constants
+    dem::SolverReport                    solver;
+    double                               seconds = 0; ///< from the packing to all three answers
+  };
+
+  /**
+   * @param origin of the packing, for messages
+   * A cell that does not resist every strain has an answer too: its stiffness, zero in those strains, without constants.
+   * @throws dem::InputError if the packing does not repeat, or lies in a plane while links are asked for in space;
+   *         dem::NumericalError if the residual asked for is not reached.
+   */
+  HomogenisationAnswer
+  homogenise(const dem::Packing &packing, const HomogenisationQuestion &question, const std::string &origin);
+
+  /**
+   * Another packing like a given one: as many spheres of the same radius in a periodic cell, compacted anew.
+   * @param friction between the spheres while compacted @throws dem::InputError if the spheres are not equal
+   */
+  dem::Packing
+  packing_like(const dem::Packing &packing, double friction, std::uint64_t seed, const std::string &origin);
+} // namespace apps

@@ -1,0 +1,147 @@
+#include "apps/drivers/load.h"
+
+#include "apps/drivers/all.h"
+#include "apps/scene/description.h"
+#include "apps/scene/nearest_name.h"
+#include "apps/scene/overrides.h"
+#include "apps/scene/parameter_file.h"
+#include "apps/scene/reader.h"
+#include "apps/scene/same_name.h"
+#include "apps/scene/value_text.h"
+#include "postprocess/digest.h"
+
+#include <filesystem>
+
+namespace apps
+{
+  namespace
+  {
+    const SceneKind *find_kind(const std::string &name)
+    {
+      for (const SceneKind &kind : scene_kinds())
+        if (same_name(kind.name, name))
+          return &kind;
+      return nullptr;
+    }
+
+    std::vector<std::string> kind_names()
+    {
+      std::vector<std::string> names;
+      for (const SceneKind &kind : scene_kinds())
+        names.push_back(kind.name);
+      return names;
+    }
+
+    std::string kinds_in_words()
+    {
+      std::string words;
+      for (const SceneKind &kind : scene_kinds())
+        words += (words.empty() ? "" : ", ") + kind.name + " (" + kind.meaning + ")";
+      return words;
+    }
+
+    /** The last word on "Kind", which decides what else may stand in a scene. */
+    Assignment *kind_in(std::vector<Assignment> &assignments)
+    {
+      Assignment *found = nullptr;
+      for (Assignment &assignment : assignments)
+        if (assignment.sections.empty() && same_name(assignment.entry, "Kind"))
+          found = &assignment;
+      return found;
+    }
+
+    LoadedScene declared(const SceneKind &kind)
+    {
+      LoadedScene loaded;
+      loaded.kind  = kind.name;
+      loaded.root  = std::make_unique<Section>();
+      loaded.scene = kind.create();
+      return loaded;
+    }
+
+    /** Entries that every kind has, and then its own. The strings must already be where they stay. */
+    void declare_all(LoadedScene &loaded)
+    {
+      loaded.root->text("Kind", loaded.kind, Need::optional).means("What the scene computes: " + kinds_in_words());
+      loaded.root->text("Output folder", loaded.output_folder, Need::optional)
+        .means("Where the results go (option -o), from the current folder")
+        .housekeeping();
+      loaded.scene->declare(*loaded.root);
+    }
+
+    /** The files that an entry names, from the current folder. */
+    std::vector<std::filesystem::path> files_of(const Entry &entry)
+    {
+      std::vector<std::filesystem::path> files;
+      if (entry.type == "file")
+        files.push_back((std::filesystem::path(entry.place.file).parent_path() / entry.value).lexically_normal());
+      if (entry.type == "list of files")
+        for (const std::string &name : comma_separated(entry.value))
+          files.emplace_back(name);
+      return files;
+    }
+
+    void add_inputs(const Section &section, std::vector<InputFile> &inputs)
+    {
+      if (!section.needed())
+        return;
+      std::error_code none; // a file that is missing is refused by who reads it
+      for (const auto &entry : section.entries())
+        if (entry->set && entry->needed())
+          for (const std::filesystem::path &file : files_of(*entry))
+            if (std::filesystem::is_regular_file(file, none))
+              inputs.push_back({section.path_of(entry->name), file.string(), std::filesystem::file_size(file),
+                                postprocess::digest_of_file(file)});
+      for (const auto &subsection : section.sections())
+        add_inputs(*subsection, inputs);
+    }
+  } // namespace
+
+  LoadedScene load_scene(const std::string &file, const std::vector<std::string> &overrides)
+  {
+    std::vector<Assignment> assignments = read_parameter_file(file);
+    for (Assignment &assignment : read_overrides(overrides))
+      assignments.push_back(std::move(assignment));
+
+    Assignment *named = kind_in(assignments);
+    if (!named)
+      throw dem::InputError(file + ": \"Kind\" is not set and has no default. Known kinds: " + kinds_in_words() + ".");
+    const SceneKind *kind = find_kind(named->value);
+    if (!kind)
+      throw dem::InputError(named->place.text() + ": Kind = " + named->value + " is not known. " +
+                            did_you_mean(named->value, kind_names()) + " Known kinds: " + kinds_in_words() + ".");
+
+    named->value         = kind->name; // whatever its case
+    LoadedScene loaded   = declared(*kind);
+    loaded.file          = file;
+    loaded.overrides     = overrides;
+    loaded.output_folder = "output/" + std::filesystem::path(file).stem().string();
+    declare_all(loaded);
+    assign(*loaded.root, assignments, file);
+    loaded.scene->validate(*loaded.root);
+    return loaded;
+  }
+
+  LoadedScene declare_scene(const std::string &name)
+  {
+    const SceneKind *kind = find_kind(name);
+    if (!kind)
+      throw dem::InputError("command line: kind \"" + name + "\" is not known. " + did_you_mean(name, kind_names()));
+    LoadedScene loaded   = declared(*kind);
+    loaded.output_folder = "output/NAME";
+    declare_all(loaded);
+    loaded.root->open_placeholders();
+    return loaded;
+  }
+
+  RunRequest request_of(const LoadedScene &scene)
+  {
+    RunRequest request;
+    request.output_folder = scene.output_folder;
+    request.scene_file    = scene.file;
+    request.scene_text    = completed_scene(*scene.root, Completed::everything);
+    request.deciding_text = completed_scene(*scene.root, Completed::what_decides_results);
+    add_inputs(*scene.root, request.inputs);
+    return request;
+  }
+} // namespace apps

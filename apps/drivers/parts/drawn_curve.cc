@@ -1,0 +1,72 @@
+#include "apps/drivers/parts/drawn_curve.h"
+
+#include "apps/scene/nearest_name.h"
+#include "dem/core/errors.h"
+#include "postprocess/drawn_unit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace apps
+{
+  std::size_t peak_row(const std::vector<double> &values)
+  {
+    const auto smaller = [](const double a, const double b) { return std::fabs(a) < std::fabs(b); };
+    return static_cast<std::size_t>(std::max_element(values.begin(), values.end(), smaller) - values.begin());
+  }
+
+  namespace
+  {
+    struct DrawnColumn
+    {
+      std::vector<double> values;
+      std::string         label;
+    };
+
+    DrawnColumn drawn(const postprocess::CsvTable &series, const std::string &name)
+    {
+      const auto                 column = std::find(series.names.begin(), series.names.end(), name);
+      const std::vector<double> &values = series.column(name);
+      const double               peak = values[peak_row(values)], sign = peak < 0 ? -1 : 1;
+      const auto                 unit =
+        postprocess::drawn_unit(peak, series.units[static_cast<std::size_t>(column - series.names.begin())]);
+      DrawnColumn result;
+      for (const double value : values)
+        result.values.push_back(sign * unit.scale * value);
+      result.label = (sign < 0 ? "- " : "") + postprocess::readable(name) + unit.label;
+      return result;
+    }
+  } // namespace
+
+  postprocess::PlotPanel drawn_curve(const postprocess::CsvTable &series,
+                                     const std::string           &horizontal,
+                                     const std::string           &vertical,
+                                     const std::string           &title)
+  {
+    DrawnColumn             x = drawn(series, horizontal), y = drawn(series, vertical);
+    postprocess::PlotPanel  panel;
+    postprocess::PlotSeries curve;
+    panel.title     = title;
+    panel.x_label   = x.label;
+    panel.y_label   = y.label;
+    curve.name      = postprocess::readable(vertical);
+    curve.style     = postprocess::PlotSeries::Style::line;
+    curve.mark_peak = true;
+    curve.x         = std::move(x.values);
+    curve.y         = std::move(y.values);
+    panel.series.push_back(std::move(curve));
+    return panel;
+  }
+
+  std::string chosen_column(const std::vector<std::string> &columns,
+                            const char                     *entry,
+                            const std::string              &asked,
+                            const std::string              &otherwise)
+  {
+    if (!asked.empty() && std::find(columns.begin(), columns.end(), asked) == columns.end())
+      throw dem::InputError(std::string("Output/") + entry + " = " + asked + ": series.csv has no such column. " +
+                            did_you_mean(asked, columns));
+    return asked.empty() ? otherwise : asked;
+  }
+} // namespace apps

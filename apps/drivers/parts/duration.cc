@@ -1,0 +1,28 @@
+#include "apps/drivers/parts/duration.h"
+
+#include "apps/process/progress.h"
+
+#include <fmt/format.h>
+
+namespace apps
+{
+  double seconds_per_unit(const std::function<void(std::int64_t)> &work)
+  {
+    constexpr double enough = 0.5;
+    work(1); // the first one makes room for what the others use again
+    const Stopwatch watch;
+    std::int64_t    units = 0;
+    for (std::int64_t batch = 1; watch.seconds() < enough; batch *= 2)
+      {
+        work(batch);
+        units += batch;
+      }
+    return watch.seconds() / static_cast<double>(units);
+  }
+
+  std::string duration_line(const double expected, const double at_most)
+  {
+    return fmt::format("  duration     roughly {}{}, on this machine as it is now\n", duration_text(expected),
+                       at_most > 0 ? ", at most " + duration_text(at_most) : "");
+  }
+} // namespace apps

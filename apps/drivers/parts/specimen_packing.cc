@@ -1,0 +1,144 @@
+#include "apps/drivers/parts/specimen_packing.h"
+
+#include "apps/process/interrupt.h"
+#include "apps/process/progress.h"
+#include "dem/core/errors.h"
+#include "dem/neighbours/pieces.h"
+#include "dem/packing/overlaps.h"
+#include "dem/packing/tiling.h"
+#include "postprocess/packing_io.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+namespace apps
+{
+  dem::CompactionResult compact_with_progress(const dem::CompactionParameters &parameters)
+  {
+    Progress   progress("packing");
+    const auto show = [&](const dem::CompactionProgress &now) {
+      progress.update(fmt::format("stage {} of 2, step {}, packing fraction {:.3f}, pressure {:.2f} of its target",
+                                  now.stage, now.steps, now.packing_fraction, now.pressure));
+      return !interrupted();
+    };
+    return dem::compact(parameters, show);
+  }
+
+  dem::Packing cropped(const dem::Packing &packing, const Eigen::Vector3d &box)
+  {
+    dem::Tiling tiling = dem::tile_and_crop(packing, box);
+    if (!tiling.note.empty())
+      fmt::print(stderr, "breccia: note: {}\n", tiling.note);
+    return std::move(tiling.packing);
+  }
+
+  namespace
+  {
+    dem::Packing make_cell(const SpecimenSection &specimen)
+    {
+      if (specimen.source == SpecimenSection::Source::generator)
+        return compact_with_progress(specimen.compaction()).packing;
+      dem::Packing packing = postprocess::read_packing(specimen.file);
+      if (!packing.periodic_cell)
+        throw dem::InputError(specimen.file + ": the packing is not periodic, and there is no cell without it.");
+      return packing;
+    }
+
+    /** Particles of the largest piece. */
+    dem::Packing largest_of(const dem::Packing &packing, const dem::Pieces &pieces)
+    {
+      dem::Packing rest;
+      rest.material_names = packing.material_names;
+      for (std::size_t i = 0; i < packing.size(); ++i)
+        if (pieces.piece[i] == 0)
+          {
+            rest.centre.push_back(packing.centre[i]);
+            rest.radius.push_back(packing.radius[i]);
+            if (!packing.material.empty())
+              rest.material.push_back(packing.material[i]);
+          }
+      return rest;
+    }
+
+    std::string text_of(const dem::Pieces &pieces, const SpecimenSection &specimen)
+    {
+      std::string sizes;
+      for (std::size_t k = 0; k < std::min<std::size_t>(pieces.size.size(), 5); ++k)
+        sizes += (k > 0 ? ", " : "") + std::to_string(pieces.size[k]);
+      return fmt::format(
+        "the specimen hangs together in {} pieces at Specimen/Interaction ratio = {}: of {}{} particles; "
+        "{} of {} particles are linked to nothing",
+        pieces.size.size(), specimen.interaction_ratio, sizes, pieces.size.size() > 5 ? ", ..." : "", pieces.strays(),
+        pieces.piece.size());
+    }
+
+    /** The specimen with what becomes of its loose pieces. @throws dem::InputError if it has some and must not */
+    dem::Packing in_one_piece(dem::Packing packing, const SpecimenSection &specimen)
+    {
+      const auto links = dem::find_pairs(packing.centre, packing.radius, specimen.interaction_ratio, 0.0, std::nullopt);
+      const dem::Pieces pieces = dem::find_pieces(packing.size(), links);
+      if (pieces.size.size() < 2 || links.empty()) // nothing linked at all is refused elsewhere
+        return packing;
+      const std::string finding = text_of(pieces, specimen);
+      switch (specimen.loose_pieces)
+        {
+        case SpecimenSection::LoosePieces::keep:
+          fmt::print(stderr, "breccia: note: {}. All are kept.\n", finding);
+          return packing;
+        case SpecimenSection::LoosePieces::drop:
+          fmt::print(stderr, "breccia: note: {}. The largest is the specimen.\n", finding);
+          return largest_of(packing, pieces);
+        default:
+          throw dem::InputError(finding +
+                                ". Raise the ratio, mend the packing, or set Specimen/Loose pieces to drop or "
+                                "keep.");
+        }
+    }
+
+    dem::Packing make_particles(const SpecimenSection &specimen)
+    {
+      if (specimen.body == SpecimenSection::Body::cell)
+        return make_cell(specimen);
+      if (specimen.source == SpecimenSection::Source::generator)
+        return cropped(compact_with_progress(specimen.compaction()).packing, specimen.box_edges());
+      dem::Packing packing = postprocess::read_packing(specimen.file);
+      if (specimen.has_box())
+        return cropped(packing, specimen.box_edges());
+      if (packing.periodic_cell)
+        throw dem::InputError(
+          specimen.file +
+          ": the packing is periodic, and a specimen has ends. Set Specimen/Box size: the packing is then "
+          "repeated to fill the box and cropped to it.");
+      return packing;
+    }
+  } // namespace
+
+  std::string origin_of(const SpecimenSection &specimen)
+  {
+    return specimen.source == SpecimenSection::Source::file ? specimen.file : "generated packing";
+  }
+
+  dem::Packing specimen_particles(const SpecimenSection &specimen, const int dimension)
+  {
+    const bool        from_file = specimen.source == SpecimenSection::Source::file;
+    const std::string origin    = origin_of(specimen);
+    dem::Packing      packing   = make_particles(specimen);
+    if (from_file || specimen.body == SpecimenSection::Body::box)
+      dem::check_packing(packing, origin);
+    if (from_file)
+      dem::check_overlaps(packing, origin, dimension);
+    if (specimen.body == SpecimenSection::Body::box && specimen.bonded)
+      packing = in_one_piece(std::move(packing), specimen);
+    return packing;
+  }
+
+  dem::Packing make_packing(const SpecimenSection &specimen, const MaterialSection &material, const int dimension)
+  {
+    dem::Packing packing = specimen_particles(specimen, dimension);
+    material.assign(packing, dimension, origin_of(specimen));
+    return packing;
+  }
+} // namespace apps

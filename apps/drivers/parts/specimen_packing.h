@@ -1,0 +1,30 @@
+#pragma once
+
+#include "apps/scene/material_section.h"
+#include "apps/scene/specimen_section.h"
+#include "dem/model/packing.h"
+#include "dem/packing/compaction.h"
+
+#include <string>
+
+namespace apps
+{
+  /**
+   * The particles that a scene asks for: generated or read, repeated and cropped to its box, each with its material where there
+   * are several. Long generation shows progress; what the user should know about the packing goes to the standard error.
+   *
+   * @throws dem::InputError; dem::CompactionCancelled when interrupted, dem::CompactionFailed.
+   */
+  dem::Packing make_packing(const SpecimenSection &specimen, const MaterialSection &material, int dimension);
+
+  /** The same without its material, which is still as the file has it. */
+  dem::Packing specimen_particles(const SpecimenSection &specimen, int dimension);
+  /** Where these come from, for messages. */
+  std::string origin_of(const SpecimenSection &specimen);
+
+  /** dem::compact() with progress on the standard error, ended by an interrupt. */
+  dem::CompactionResult compact_with_progress(const dem::CompactionParameters &parameters);
+
+  /** dem::tile_and_crop(), its note shown. */
+  dem::Packing cropped(const dem::Packing &packing, const Eigen::Vector3d &box);
+} // namespace apps

@@ -1,0 +1,37 @@
+#include "apps/drivers/parts/specimen_snapshots.h"
+
+#include "apps/results/snapshots.h"
+#include "dem/observation/link_images.h"
+#include "postprocess/vtk_links.h"
+#include "postprocess/vtk_particles.h"
+
+namespace apps
+{
+  void SpecimenSnapshots::open(const std::filesystem::path &folder, const std::string &name)
+  {
+    particles.emplace(folder, name + "_particles");
+    links.emplace(folder, name + "_links");
+  }
+
+  void SpecimenSnapshots::take(const dem::Specimen &specimen)
+  {
+    if (!wanted())
+      return;
+    const dem::ParticleOutput state  = specimen.particles();
+    const dem::LinkOutput     joined = specimen.links();
+    const double              time   = specimen.time();
+    postprocess::write_vtk_particles(particles->next(), state, time);
+    particles->add(time);
+    if (specimen.parameters().physics.periodic)
+      postprocess::write_vtk_links(links->next(), joined, state, time, dem::link_images(specimen, joined, state));
+    else
+      postprocess::write_vtk_links(links->next(), joined, state, time);
+    links->add(time);
+  }
+
+  void SpecimenSnapshots::visit_state(RunState &state)
+  {
+    visit_snapshots(state, "particle_snapshots", particles);
+    visit_snapshots(state, "link_snapshots", links);
+  }
+} // namespace apps

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "apps/results/run_state.h"
+#include "dem/specimen/specimen.h"
+#include "postprocess/pvd.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace apps
+{
+  /** Snapshots of a specimen for ParaView: NAME_particles.pvd and NAME_links.pvd with their files. None until they are opened. */
+  class SpecimenSnapshots
+  {
+  public:
+    /** @throws postprocess::OutputError. */
+    void open(const std::filesystem::path &folder, const std::string &name);
+    bool wanted() const { return particles.has_value(); }
+    /** If wanted. @throws postprocess::OutputError. */
+    void take(const dem::Specimen &specimen);
+    /** The lists of what was taken. */
+    void visit_state(RunState &state);
+
+  private:
+    std::optional<postprocess::PvdCollection> particles, links;
+  };
+} // namespace apps

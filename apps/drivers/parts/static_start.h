@@ -1,0 +1,23 @@
+#pragma once
+
+#include "apps/scene/gravity_section.h"
+#include "dem/specimen/specimen.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <optional>
+#include <string>
+
+namespace apps
+{
+  /** What a static start found; nothing where none was asked for. */
+  using StaticStart = std::optional<dem::InitialEquilibrium>;
+
+  /** Bring a specimen that is held as the scene says to its initial equilibrium, if one is asked for. @throws dem::InputError */
+  StaticStart start_statically(dem::Specimen &specimen, const GravitySection &gravity);
+
+  /** One line. */
+  std::string    text_of(const dem::InitialEquilibrium &found);
+  nlohmann::json json_of(const dem::InitialEquilibrium &found);
+  void           visit_state(dem::StateVisitor &visitor, StaticStart &found);
+} // namespace apps

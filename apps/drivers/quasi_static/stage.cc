@@ -1,0 +1,234 @@
+#include "apps/drivers/quasi_static/stage.h"
+
+#include "apps/results/snapshots.h"
+#include "dem/observation/path_output.h"
+#include "postprocess/specimen_picture.h"
+#include "postprocess/vtk_links.h"
+#include "postprocess/vtk_particles.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace apps
+{
+  namespace
+  {
+    /** An edge that is infinite, of a plane packing, or not there counts as 1 m: nothing repeats along it. */
+    Eigen::Vector3d edges_of(const dem::Packing &packing)
+    {
+      const Eigen::Vector3d edges = packing.periodic_cell.value_or(Eigen::Vector3d::Ones());
+      return edges.array().isFinite().select(edges, 1.0);
+    }
+  } // namespace
+
+  MaterialCounts materials_in(const dem::ElasticNetwork &network, const std::vector<std::string> &names)
+  {
+    std::vector<std::int32_t> law;
+    for (const dem::ElasticLink &link : network.links)
+      law.push_back(link.law);
+    return MaterialCounts(names, network.material, law);
+  }
+
+  void QuasiStaticResult::add(const dem::QuasiStaticPoint &point, const double e, const double s)
+  {
+    const double          sign    = load == UniaxialLoad::tension ? 1 : -1;
+    dem::UniaxialFigures &figures = notes.figures;
+    if (strain.empty() && point.mean_damage == 0)
+      figures.young_modulus = s / e;
+    if (sign * s > figures.strength)
+      {
+        figures.strength       = sign * s;
+        figures.strain_at_peak = sign * e;
+      }
+    figures.peak_passed =
+      sign * s < figures.strength; // equilibria do not tremble: the first one below is past the peak
+    worst_balance_error = std::max(worst_balance_error, point.balance_error());
+    strain_points += point.control == dem::StepControl::strain;
+    opening_points += point.control == dem::StepControl::opening;
+    relaxed_points += point.control == dem::StepControl::relaxed;
+    solutions += point.iterations;
+    relaxation_steps += point.relaxation_steps;
+    last = point;
+    strain.push_back(e);
+    stress.push_back(s);
+  }
+
+  void QuasiStaticResult::visit_state(dem::StateVisitor &visitor)
+  {
+    notes.name = name_of(load);
+    notes.visit_state(visitor);
+    for (const auto &[name, value] :
+         std::initializer_list<std::pair<const char *, double *>>{{"worst_balance_error", &worst_balance_error},
+                                                                  {"external_work", &last.external_work},
+                                                                  {"stored", &last.stored},
+                                                                  {"damage", &last.damage},
+                                                                  {"friction", &last.friction},
+                                                                  {"damped", &last.damped},
+                                                                  {"mean_damage", &last.mean_damage}})
+      visitor.scalar(name, *value);
+    for (const auto &[name, value] :
+         std::initializer_list<std::pair<const char *, std::int64_t *>>{{"strain_points", &strain_points},
+                                                                        {"opening_points", &opening_points},
+                                                                        {"relaxed_points", &relaxed_points},
+                                                                        {"solutions", &solutions},
+                                                                        {"relaxation_steps", &relaxation_steps}})
+      visitor.scalar(name, *value);
+    visitor.column("strain", strain);
+    visitor.column("stress", stress);
+  }
+
+  QuasiStaticStage::QuasiStaticStage(const QuasiStaticModel &model,
+                                     const dem::Packing     &packing,
+                                     const std::size_t       which)
+    : name(name_of(model.tests[which]))
+    , axis(model.axis)
+    , shape{model.dimension, 0, model.source.thickness}
+    , end_strain(model.steps(model.tests[which]).end_strain)
+    , snapshot_interval(model.snapshot_interval)
+    , radius(packing.radius)
+    , cell(edges_of(packing))
+    , loaded(model.load(packing))
+    , path(loaded, model.material.materials(), model.steps(model.tests[which]))
+  {
+    result.load       = model.tests[which];
+    result.notes.name = name;
+    if (!model.is_cell())
+      {
+        layers                    = model.grip_layers(packing);
+        result.notes.section      = layers->section;
+        result.notes.gauge_length = layers->gauge_length;
+      }
+    materials = materials_in(loaded.network, packing.material_names);
+  }
+
+  void QuasiStaticStage::open(const std::filesystem::path &folder)
+  {
+    if (snapshot_interval == 0)
+      return;
+    particles.emplace(folder, name + "_particles");
+    links.emplace(folder, name + "_links");
+  }
+
+  void QuasiStaticStage::advance()
+  {
+    if (path.points().size() == 1 && particles)
+      snapshot();
+    const dem::QuasiStaticPoint &point = path.advance();
+    result.add(point, gauged_strain(), point.stress[loaded.led]);
+    if (particles && static_cast<std::int64_t>(path.points().size() - 1) % snapshot_interval == 0)
+      snapshot();
+  }
+
+  double QuasiStaticStage::gauged_strain() const
+  {
+    if (!layers || !layers->planes)
+      return path.points().back().strain[loaded.led];
+    const std::vector<Eigen::Vector3d> u     = dem::displacements_of(loaded, path.motion());
+    const auto                         place = [&](const std::size_t i) { return u[i][axis]; };
+    return (layers->planes->second.motion(place) - layers->planes->first.motion(place)) / layers->gauge_length;
+  }
+
+  std::vector<postprocess::SeriesColumn> QuasiStaticStage::series_columns()
+  {
+    return {{"test", ""},
+            {"point", ""},
+            {"strain", "-"},
+            {"stress", "Pa"},
+            {"mean_damage", "-"},
+            {"strain_xx", "-"},
+            {"strain_yy", "-"},
+            {"strain_zz", "-"},
+            {"energy_work", "J"},
+            {"energy_stored", "J"},
+            {"energy_damage", "J"},
+            {"energy_friction", "J"},
+            {"energy_damped", "J"},
+            {"energy_residual", "J"},
+            {"unbalanced", "-"},
+            {"solutions", ""},
+            {"relaxation_steps", ""},
+            {"control", ""}};
+  }
+
+  SeriesRow QuasiStaticStage::row() const
+  {
+    const dem::QuasiStaticPoint &p       = path.points().back();
+    Eigen::Vector3d              strains = p.strain.head<3>();
+    if (loaded.network.volume == 0) // between grips only the strain along the axis is known
+      {
+        strains.setConstant(std::nan(""));
+        strains[axis] = result.strain.back();
+      }
+    return {{name},
+            {static_cast<double>(path.points().size() - 1), result.strain.back(), p.stress[loaded.led], p.mean_damage,
+             strains[0], strains[1], strains[2], p.external_work, p.stored, p.damage, p.friction, p.damped,
+             p.energy_residual(), p.residual, static_cast<double>(p.iterations),
+             static_cast<double>(p.relaxation_steps)},
+            {dem::name_of(p.control)}};
+  }
+
+  void QuasiStaticStage::visit_state(RunState &state)
+  {
+    state.group("path");
+    path.visit_state(state);
+    visit_snapshots(state, "particle_snapshots", particles);
+    visit_snapshots(state, "link_snapshots", links);
+  }
+
+  std::vector<dem::LinkImage> QuasiStaticStage::images_of(const dem::LinkOutput     &joined,
+                                                          const dem::ParticleOutput &state) const
+  {
+    if (!loaded.network.periodic())
+      return {};
+    const auto     &e = path.points().back().strain; // engineering shears, 11 22 33 23 31 12
+    Eigen::Matrix3d strain;
+    strain << e[0], e[5] / 2, e[4] / 2, e[5] / 2, e[1], e[3] / 2, e[4] / 2, e[3] / 2, e[2];
+    const Eigen::Matrix3d base = cell.asDiagonal();
+    return dem::link_images(joined, state, base + strain * base, base);
+  }
+
+  void QuasiStaticStage::snapshot()
+  {
+    // ParaView's time is the number of the point: strain may fall.
+    const auto                at    = static_cast<double>(path.points().size() - 1);
+    const dem::ParticleOutput state = dem::particles_of(loaded, path, radius, shape);
+    postprocess::write_vtk_particles(particles->next(), state, at);
+    particles->add(at);
+    const dem::LinkOutput joined = dem::links_of(loaded, path);
+    postprocess::write_vtk_links(links->next(), joined, state, at, images_of(joined, state));
+    links->add(at);
+  }
+
+  void QuasiStaticStage::finish()
+  {
+    if (particles && static_cast<std::int64_t>(path.points().size() - 1) % snapshot_interval != 0)
+      snapshot();
+    result.notes.crack =
+      dem::measure_crack(dem::particles_of(loaded, path, radius, shape), dem::links_of(loaded, path), shape);
+  }
+
+  std::string QuasiStaticStage::draw_crack(const std::filesystem::path &folder) const
+  {
+    const dem::ParticleOutput state  = dem::particles_of(loaded, path, radius, shape);
+    const dem::LinkOutput     joined = dem::links_of(loaded, path);
+    postprocess::PictureSlab  slab;
+    slab.axis      = axis == 2 ? 1 : 2; // seen across the load
+    slab.materials = materials.names;
+    slab.images    = images_of(joined, state);
+    return postprocess::picture_of_specimen(folder / (name + "_crack.png"), state, joined, "After " + name, slab);
+  }
+
+  double QuasiStaticStage::done() const
+  {
+    return std::min(1.0, std::fabs(path.points().back().strain[loaded.led]) / end_strain);
+  }
+
+  std::string QuasiStaticStage::details() const
+  {
+    const dem::QuasiStaticPoint &p = path.points().back();
+    return fmt::format("point {}, strain {:.2e}, stress {:.3g} MPa, {}", path.points().size() - 1, p.strain[loaded.led],
+                       1e-6 * p.stress[loaded.led], dem::name_of(p.control));
+  }
+} // namespace apps

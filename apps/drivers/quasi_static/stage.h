@@ -1,0 +1,86 @@
+#pragma once
+
+#include "apps/drivers/parts/lab_report.h"
+#include "apps/drivers/parts/material_counts.h"
+#include "apps/drivers/quasi_static/scene.h"
+#include "apps/results/run_work.h"
+#include "dem/observation/link_images.h"
+#include "postprocess/pvd.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace apps
+{
+  /** @param names of the packing's materials */
+  MaterialCounts materials_in(const dem::ElasticNetwork &network, const std::vector<std::string> &names);
+
+  /** What one quasi-static test found and what it took. */
+  struct QuasiStaticResult
+  {
+    UniaxialLoad          load = UniaxialLoad::tension;
+    LabNotes              notes; ///< the modulus is that of the first point, if nothing is damaged there
+    double                worst_balance_error = 0;
+    std::int64_t          strain_points = 0, opening_points = 0, relaxed_points = 0; ///< by what controlled them
+    std::int64_t          solutions = 0, relaxation_steps = 0;
+    dem::QuasiStaticPoint last;
+    dem::Column           strain, stress; ///< the curve, tension positive
+
+    /** The next point, with its strain over the gauge length and its stress. */
+    void add(const dem::QuasiStaticPoint &point, double strain, double stress);
+    /** Everything that a resumed run must still know of this test; of the last point its energies. */
+    void visit_state(dem::StateVisitor &visitor);
+  };
+
+  /** One quasi-static test of a run: its path, its rows of the series and its snapshots. */
+  class QuasiStaticStage
+  {
+  public:
+    /** Writes nothing. @param number of the test in the scene's list, from 0. @throws dem::InputError. */
+    QuasiStaticStage(const QuasiStaticModel &model, const dem::Packing &packing, std::size_t number);
+    QuasiStaticStage(const QuasiStaticStage &)            = delete;
+    QuasiStaticStage &operator=(const QuasiStaticStage &) = delete;
+
+    /** From now on snapshots go to this folder. @throws postprocess::OutputError. */
+    void open(const std::filesystem::path &folder);
+    /** One point further, and a snapshot when one is due. */
+    void      advance();
+    SeriesRow row() const; ///< of the last point
+    bool      finished() const { return path.finished(); }
+    void      finish(); ///< measures the crack, and takes the last snapshot
+    /** TEST_crack.png of the present state. @return what went wrong, "" if nothing. */
+    std::string draw_crack(const std::filesystem::path &folder) const;
+
+    double      done() const;
+    std::string details() const;
+    std::size_t particles_in() const { return loaded.network.particles(); }
+    std::size_t links_in() const { return loaded.network.links.size(); }
+
+    void visit_state(RunState &state);
+
+    QuasiStaticResult result;
+    MaterialCounts    materials;
+
+    static std::vector<postprocess::SeriesColumn> series_columns();
+
+  private:
+    void   snapshot();
+    double gauged_strain() const; ///< of the last point, over the gauge length
+    /** Of a periodic cell; empty for a specimen between grips. */
+    std::vector<dem::LinkImage> images_of(const dem::LinkOutput &joined, const dem::ParticleOutput &state) const;
+
+    std::string                               name;
+    int                                       axis;
+    std::optional<dem::GripLayers>            layers; ///< of a specimen between grips
+    dem::ParticleShape                        shape;
+    double                                    end_strain;
+    std::int64_t                              snapshot_interval;
+    std::vector<double>                       radius;
+    Eigen::Vector3d                           cell; ///< edges of the packing's periodic cell, if it has one [m]
+    dem::LoadedNetwork                        loaded;
+    dem::QuasiStaticPath                      path;
+    std::optional<postprocess::PvdCollection> particles, links;
+  };
+} // namespace apps

@@ -1,0 +1,127 @@
+#include "apps/drivers/sequential/law_origin.h"
+
+#include "apps/drivers/sequential/transfer_section.h"
+#include "apps/scene/value_text.h"
+#include "dem/core/errors.h"
+#include "postprocess/digest.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+
+namespace apps
+{
+  namespace
+  {
+    using Names = std::vector<std::string>;
+
+    const Names of_no_matter_to_particles = {"Box size", "Density", "Seed", "Cell particles"};
+    const Names of_no_matter_to_concrete  = {"Element size", "Reference size", "Largest increment"};
+
+    bool among(const Names &names, const std::string &name)
+    {
+      return std::find(names.begin(), names.end(), name) != names.end();
+    }
+
+    /** Numbers however they were written, in full. */
+    std::string plain(const std::string &value)
+    {
+      std::string text;
+      for (const std::string &part : comma_separated(value))
+        {
+          const auto number = number_in(part);
+          text += (text.empty() ? "" : ",") + (number ? fmt::format("{}", *number) : part);
+        }
+      return text;
+    }
+
+    std::string content_of(const Entry &entry)
+    {
+      const auto    file = std::filesystem::path(entry.place.file).parent_path() / entry.value;
+      std::ifstream stream(file, std::ios::binary);
+      if (!stream)
+        throw dem::InputError(file.string() + ": cannot be read.");
+      const std::string content{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+      return fmt::format("{:x}", postprocess::Digest().add(content).value());
+    }
+
+    void add(const Section &section, const Names &but, postprocess::Digest &digest)
+    {
+      if (!section.needed())
+        return;
+      digest.add(section.name() + "{");
+      for (const auto &entry : section.entries())
+        if (entry->needed() && !among(but, entry->name) && !entry->value.empty())
+          {
+            digest.add(entry->name + "=");
+            digest.add(entry->type == "file" ? content_of(*entry) : plain(entry->value));
+            digest.add(";");
+          }
+      for (const auto &inner : section.sections())
+        add(*inner, but, digest);
+      digest.add("}");
+    }
+
+    std::string digits(const postprocess::Digest &digest) { return fmt::format("{:016x}", digest.value()); }
+  } // namespace
+
+  std::string LawOrigin::text() const { return test + ", particles " + particles + ", concrete " + concrete; }
+
+  std::optional<LawOrigin> LawOrigin::read(const std::string &text)
+  {
+    static const std::regex form("(tension|compression), particles ([0-9a-f]{16}), concrete ([0-9a-f]{16})");
+    std::smatch             parts;
+    if (!std::regex_match(text, parts, form))
+      return {};
+    return LawOrigin{parts[1], parts[2], parts[3]};
+  }
+
+  std::string doubt_about_law(const TransferSection &transfer, const LawOrigin &here)
+  {
+    static const std::string way_out =
+      " Damage may be far off. Let the scene find its own law (Transfer/Mapping law/Law = "
+      "identify), or take that of: breccia transfer --identify SCENE";
+    if (transfer.identifies())
+      return "";
+    if (!transfer.has_own())
+      return "the mapping law \"" + transfer.law + "\" belongs to the published particles and concrete, not to these." +
+             way_out;
+    const auto found_for = LawOrigin::read(transfer.identified_for);
+    if (!found_for)
+      return "nothing says for which particles and concrete the constants of the mapping law were found "
+             "(Transfer/Mapping "
+             "law/Identified for)." +
+             way_out;
+    if (here.particles.empty())
+      return "the particles come from files: whether the mapping law was identified for such cannot be seen.";
+    if (found_for->particles != here.particles)
+      return "the mapping law was identified for other particles (their size, packing, links or physics differ)." +
+             way_out;
+    if (found_for->concrete != here.concrete)
+      return "the mapping law was identified for another concrete (constants of the continuum differ)." + way_out;
+    if (!here.test.empty() && found_for->test != here.test)
+      return "the mapping law was identified in " + found_for->test + ", and these particles are under " + here.test +
+             "." + way_out;
+    return "";
+  }
+
+  std::string digest_of_particles(const Section &particles)
+  {
+    postprocess::Digest digest;
+    for (const char *name : {"Specimen", "Material", "Materials", "Regions", "Physics"})
+      if (const Section *section = particles.find_section(name))
+        add(*section, of_no_matter_to_particles, digest);
+    return digits(digest);
+  }
+
+  std::string digest_of_concrete(const Section &law)
+  {
+    postprocess::Digest digest;
+    add(law, of_no_matter_to_concrete, digest);
+    return digits(digest);
+  }
+} // namespace apps

@@ -1,0 +1,243 @@
+#include "apps/drivers/sequential/run.h"
+
+#include "apps/drivers/continuum/summary.h"
+#include "apps/drivers/sequential/continuation.h"
+#include "apps/drivers/sequential/study.h"
+#include "apps/drivers/sequential/transfer_output.h"
+#include "apps/process/exit_status.h"
+#include "apps/process/version.h"
+#include "apps/results/result_listing.h"
+#include "apps/results/warning.h"
+#include "postprocess/atomic_file.h"
+#include "postprocess/summary.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <fstream>
+
+namespace apps
+{
+  namespace
+  {
+    double seconds_since(const std::chrono::steady_clock::time_point &start)
+    {
+      return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    }
+
+    std::string continuation_name(const std::size_t number) { return fmt::format("continuation_{:03}", number); }
+
+    /** The mesh at the start of a finished continuation; "" if it left no snapshots. */
+    std::filesystem::path first_snapshot(const std::filesystem::path &continuation)
+    {
+      std::filesystem::path first;
+      if (std::filesystem::exists(continuation / "solid"))
+        for (const auto &file : std::filesystem::directory_iterator(continuation / "solid"))
+          if (file.path().extension() == ".vtu" && (first.empty() || file.path() < first))
+            first = file.path();
+      return first;
+    }
+
+    /** A case that cannot be transferred says which it is. */
+    template <typename Work>
+    auto in_case(const ParticleOutcome &outcome, const Work &work)
+    {
+      try
+        {
+          return work();
+        }
+      catch (const dem::InputError &refusal)
+        {
+          throw dem::InputError(outcome.name + ": " + refusal.what());
+        }
+    }
+  } // namespace
+
+  /** What the transfers of a run tell, case by case; kept in OUTPUT/transfer for a run that goes on after an interrupt. */
+  class SequentialRun::TransferRecord
+  {
+  public:
+    explicit TransferRecord(const std::filesystem::path &folder_)
+      : folder(folder_)
+      , picture(folder_)
+    {
+    }
+
+    void write(const std::size_t                number,
+               const ParticleOutcome           &outcome,
+               const coupling::ParticleField   &field,
+               const coupling::TransferOptions &options,
+               const TransferredState          &state) const
+    {
+      picture.write(number, field, options, state.report);
+      nlohmann::json entry = json_of(state.report, state.settled);
+      entry["event"]       = outcome.name;
+      entry["particles"]   = {{"used", field.size()}, {"left_out", field.left_out}};
+      postprocess::write_json(file(number), entry);
+      fmt::print("transfer of {} ({} particles, {} left out)\n{}", outcome.name, field.size(), field.left_out,
+                 text_of(state.report, state.settled));
+    }
+
+    /** Add a case that was written. @param mesh_file in the output folder; "" without */
+    void add(const std::size_t number, const std::filesystem::path &mesh_file)
+    {
+      picture.show(number, mesh_file.empty() ? "" : std::filesystem::relative(mesh_file, folder).generic_string());
+      std::ifstream stream(file(number));
+      json.push_back(nlohmann::json::parse(stream));
+    }
+
+    nlohmann::json json = nlohmann::json::array();
+
+  private:
+    std::filesystem::path file(const std::size_t number) const
+    {
+      return folder / fmt::format("transfer/transfer_{:03}.json", number);
+    }
+
+    std::filesystem::path folder;
+    TransferPicture       picture;
+  };
+
+  SequentialRun::SequentialRun(const SequentialModel &what, SequentialGroundwork known, const RunRequest &asked)
+    : model(what)
+    , ground(std::move(known))
+    , request(asked)
+    , folder(asked)
+    , running(folder.running())
+    , options(model.transfer.chosen())
+    , particles(model.particles, running, asked.deciding_text)
+  {
+    for (const std::string &doubt : ground.doubts)
+      fmt::print(stderr, "breccia: warning: {}\n", doubt);
+    options.strength = model.tensile_strength();
+  }
+
+  /** @return false when interrupted. */
+  bool SequentialRun::find_law()
+  {
+    if (!model.transfer.identifies())
+      return true;
+    LawIdentification identification(model, ground.origin, ground.element_size);
+    if (!identification.complete(ground.packing, running, request.deciding_text))
+      return false;
+    law         = identification.result();
+    options.law = law->found.law;
+    fmt::print("{}", law->text());
+    return true;
+  }
+
+  nlohmann::json SequentialRun::summary() const
+  {
+    nlohmann::json json = {{"scene", request.scene_file},
+                           {"asked", {{"kind", "sequential"}, {"overrides", request.overrides}}},
+                           {"version", version()}};
+    if (!ground.doubts.empty())
+      json["warnings"] = ground.doubts;
+    if (law)
+      json["identification"] = law->json();
+    return json;
+  }
+
+  void SequentialRun::finish(const nlohmann::json &json)
+  {
+    postprocess::write_json(running / "summary.json", json);
+    folder.publish();
+  }
+
+  /** One case to its end, unless that was reached before an interrupt. @return false when interrupted. */
+  bool SequentialRun::continue_case(const std::size_t number, const TransferRecord &record) const
+  {
+    const ParticleOutcome &outcome = particles.outcomes()[number];
+    RunRequest             part    = request;
+    part.quiet                     = true;
+    part.output_folder             = running / continuation_name(number);
+    part.deciding_text += fmt::format("\n# continuation {}", number);
+    if (std::filesystem::exists(part.output_folder / "summary.json"))
+      return true;
+    part.resume      = std::filesystem::exists(part.output_folder / "running" / checkpoint_name);
+    const auto field = coupling::particle_field(outcome.state, model.transfer.field);
+    const auto tell  = [&](const TransferredState &state) { record.write(number, outcome, field, options, state); };
+    const auto start = std::chrono::steady_clock::now();
+    try
+      {
+        return in_case(outcome, [&] {
+                 return continue_from(part, model.continuum, field, options, model.study.least_force, tell);
+               }) != exit_interrupted;
+      }
+    catch (
+      const dem::NumericalError &failure) // there is nothing to carry on: the study says so, and the other cases go on
+      {
+        postprocess::write_json(
+          part.output_folder / "summary.json",
+          {{"ended_by", no_equilibrium + failure.what()}, {"cost", {{"wall_seconds", seconds_since(start)}}}});
+        return true;
+      }
+  }
+
+  int SequentialRun::carry_on()
+  {
+    const auto start = std::chrono::steady_clock::now();
+    if (!find_law() || !particles.complete(ground.packing))
+      return folder.interrupted();
+    TransferRecord                 record(running);
+    std::vector<ContinuationCurve> curves;
+    for (std::size_t k = 0; k < particles.outcomes().size(); ++k)
+      {
+        if (!continue_case(k, record))
+          return folder.interrupted();
+        const auto where = running / continuation_name(k);
+        record.add(k, first_snapshot(where));
+        const ParticleOutcome &outcome = particles.outcomes()[k];
+        curves.push_back(read_continuation(model.study, where));
+        curves.back().name     = outcome.name;
+        curves.back().severity = outcome.severity;
+        curves.back().absorbed = outcome.absorbed;
+        curves.back().offset   = outcome.curve_strain.empty() ? 0 : outcome.curve_strain.back();
+      }
+
+    const StudyReport report{
+      model, {ground.horizontal_unit, ground.vertical_unit}, particles.outcomes(), particles.reference(), curves};
+    nlohmann::json json = summary();
+    json["figures"]     = {{"cases", report.json()}};
+    json["transfers"]   = record.json;
+    json["cost"]        = {{"wall_seconds", seconds_since(start)}};
+    postprocess::write_text(running / "study.csv", report.csv());
+    warn_of_missing("study.png", report.draw(running / "study.png"));
+    finish(json);
+    fmt::print("{}", report.text());
+    fmt::print("{}", result_listing(request.output_folder));
+    return exit_success;
+  }
+
+  int SequentialRun::transfer_only()
+  {
+    if (!find_law() || !particles.complete(ground.packing))
+      return folder.interrupted();
+    TransferRecord record(running);
+    for (std::size_t k = 0; k < particles.outcomes().size(); ++k)
+      {
+        const ParticleOutcome        &outcome = particles.outcomes()[k];
+        const coupling::ParticleField field   = coupling::particle_field(outcome.state, model.transfer.field);
+        const auto                    mesh    = running / fmt::format("transfer/mesh_{:03}", k);
+        const TransferredState        state =
+          in_case(outcome, [&] { return initialise_only(model.continuum, field, options, mesh); });
+        record.write(k, outcome, field, options, state);
+        record.add(k, state.mesh_file);
+      }
+    nlohmann::json json = summary();
+    json["transfers"]   = record.json;
+    finish(json);
+    fmt::print("{}", result_listing(request.output_folder));
+    return exit_success;
+  }
+
+  int SequentialRun::identify_only()
+  {
+    if (!find_law())
+      return folder.interrupted();
+    finish(summary());
+    fmt::print("{}", law->prm());
+    fmt::print("{}", result_listing(request.output_folder));
+    return exit_success;
+  }
+} // namespace apps

@@ -1,0 +1,147 @@
+#include "apps/drivers/sequential/scene.h"
+
+#include "apps/drivers/sequential/outline.h"
+#include "apps/drivers/sequential/run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace apps
+{
+  double SequentialModel::tensile_strength() const
+  {
+    double least = std::numeric_limits<double>::max();
+    for (const auto &group : continuum.materials.groups)
+      if (group->law == MaterialOfGroup::Law::concrete)
+        least = std::min(least, group->concrete.tensile_strength);
+    return least;
+  }
+
+  void SequentialScene::declare(Section &scene)
+  {
+    root                         = &scene;
+    model.particles.strained_too = [this] { return model.transfer.identifies(); };
+    model.particles.declare(scene);
+    model.transfer.declare(scene);
+    model.identification.declare(*scene.find_section("Transfer"), model.transfer);
+    Section &continuum =
+      scene.section("Continuum", "The solid that carries on; the sections of a scene of kind continuum");
+    model.continuum.declare(continuum);
+    Section &s = scene.section("Study", "How the continuations are read and compared");
+    s.number("Length", model.study.length, "m", Range::positive(), Need::optional)
+      .means("Displacement over it is the strain of the continuation; 1: displacements as they are")
+      .housekeeping();
+    s.number("Area", model.study.area, "m^2", Range::positive(), Need::optional)
+      .means("Force over it is the stress; 1: forces as they are")
+      .housekeeping();
+    s.number("Sign", model.study.sign, "-", Range::between(-1, 1), Need::optional)
+      .means("-1 turns both around")
+      .housekeeping();
+    s.number("Least force", model.study.least_force, "-", Range::from_up_to(0, 1), Need::optional)
+      .means(
+        "A continuation of which every point softens, in ten steps in a row, ends when no more than this part of its "
+        "largest force (Output/Curve vertical) is left; 0: it goes on");
+    s.text("Horizontal", model.study.horizontal, Need::required)
+      .means("Column of the continuation's series.csv")
+      .housekeeping();
+    s.text("Vertical", model.study.vertical, Need::required)
+      .means("Column of the continuation's series.csv")
+      .housekeeping();
+  }
+
+  void SequentialScene::validate(const Section &scene) const
+  {
+    model.particles.validate(scene);
+    model.transfer.validate(scene);
+    if (model.transfer.identifies() && model.particles.source == ParticleStageSection::Source::file)
+      scene.find_section("Transfer")
+        ->find_section("Mapping law")
+        ->refuse(
+          "Law",
+          "saved states do not say what their particles are made of. Identify the law with the scene that made them "
+          "(breccia transfer --identify), and give its constants: Law = own.");
+    const Section &continuum = *scene.find_section("Continuum");
+    model.continuum.validate(continuum);
+    if (!model.continuum.is_static())
+      continuum.find_section("Model")->refuse("Analysis", "a transferred state is carried on in equilibrium: static.");
+    if (model.particles.source != ParticleStageSection::Source::file &&
+        model.particles.physics.dimension != model.continuum.solid.dimension)
+      continuum.find_section("Model")->refuse("Dimension",
+                                              "must be that of the particles (Particles/Physics/Dimension).");
+    if (model.study.sign != 1 && model.study.sign != -1)
+      scene.find_section("Study")->refuse("Sign", "must be 1 or -1.");
+    const auto &groups = model.continuum.materials.groups;
+    if (std::none_of(groups.begin(), groups.end(),
+                     [](const auto &g) { return g->law == MaterialOfGroup::Law::concrete; }))
+      continuum.find_section("Materials")
+        ->refuse("Law", "at least one group must be damage-plastic concrete, or there is nothing to transfer to.");
+  }
+
+  SequentialGroundwork SequentialScene::groundwork() const
+  {
+    SequentialGroundwork found;
+    const SolidOutline   solid = outline_of(model.continuum); // before the packing, which may take long
+    found.packing              = stage_packing(model.particles);
+    const Section   &study     = *root->find_section("Study");
+    const StudyUnits units     = check_study(model, study, solid, outlines_of(model, found.packing));
+    found.element_size         = solid.mean_element_size(model.continuum.solid.dimension);
+    found.elements             = solid.elements;
+    found.unknowns             = solid.unknowns;
+    found.horizontal_unit      = units.horizontal;
+    found.vertical_unit        = units.vertical;
+
+    using Source = ParticleStageSection::Source;
+    if (model.particles.source == Source::uniaxial)
+      found.origin.test = model.particles.compresses() ? "compression" : "tension";
+    if (model.particles.source != Source::file)
+      found.origin.particles = digest_of_particles(*root->find_section("Particles"));
+    const Section &materials = *root->find_section("Continuum")->find_section("Materials");
+    for (const auto &group : model.continuum.materials.groups)
+      if (group->law == MaterialOfGroup::Law::concrete)
+        {
+          const std::string digest =
+            digest_of_concrete(*materials.find_section(group->group)->find_section(fem::DamagePlasticConcrete::name));
+          if (found.origin.concrete.empty())
+            found.origin.concrete = digest;
+          else if (found.origin.concrete != digest)
+            found.doubts.push_back("the groups of elements are of several concretes, and the mapping law is one: \"" +
+                                   group->group + "\" differs from the first.");
+        }
+    if (const std::string doubt = doubt_about_law(model.transfer, found.origin); !doubt.empty())
+      found.doubts.push_back(doubt);
+    return found;
+  }
+
+  std::string SequentialScene::forecast() const
+  {
+    const SequentialGroundwork ground = groundwork();
+    std::string text = fmt::format("  transfers    {}\n  elements     {}\n  unknowns     {}\n", model.particles.cases(),
+                                   ground.elements, ground.unknowns);
+    const auto  first = make_particle_case(model.particles, ground.packing, 0);
+    if (const dem::Specimen *body = first->body())
+      text += fmt::format("  particles    {}\n  links        {}\n  time step    {:.4g} s\n", body->counts().particles,
+                          body->counts().links, body->time_step());
+    if (const StaticStart start = first->settle())
+      text += fmt::format("  start        {}\n", text_of(*start));
+    for (const std::string &doubt : ground.doubts)
+      text += fmt::format("  warning      {}\n", doubt);
+    return text;
+  }
+
+  int SequentialScene::run(const RunRequest &request) const
+  {
+    return SequentialRun(model, groundwork(), request).carry_on();
+  }
+
+  int SequentialScene::transfer_only(const RunRequest &request) const
+  {
+    return SequentialRun(model, groundwork(), request).transfer_only();
+  }
+
+  int SequentialScene::identify(const RunRequest &request) const
+  {
+    return SequentialRun(model, groundwork(), request).identify_only();
+  }
+} // namespace apps

@@ -1,0 +1,285 @@
+#include "apps/drivers/sequential/study.h"
+
+#include "apps/drivers/continuum/summary.h"
+#include "postprocess/csv_table.h"
+#include "postprocess/drawn_unit.h"
+#include "postprocess/plot.h"
+#include "postprocess/summary.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <limits>
+
+namespace apps
+{
+  namespace
+  {
+    constexpr const char *grey = "#9a9a9a", *black = "#000000";
+
+    /** Linear between samples whose abscissae grow in magnitude; NaN outside. */
+    double interpolated(const std::vector<double> &x, const std::vector<double> &y, const double at)
+    {
+      for (std::size_t i = 1; i < x.size(); ++i)
+        if ((at - x[i - 1]) * (at - x[i]) <= 0 && x[i] != x[i - 1])
+          return y[i - 1] + (at - x[i - 1]) / (x[i] - x[i - 1]) * (y[i] - y[i - 1]);
+      return std::numeric_limits<double>::quiet_NaN();
+    }
+
+    std::vector<double> scaled(std::vector<double> values, const double by)
+    {
+      for (double &v : values)
+        v *= by;
+      return values;
+    }
+
+    nlohmann::json quantity(const double value, const std::string &unit) { return {{"value", value}, {"unit", unit}}; }
+  } // namespace
+
+  double ContinuationCurve::peak() const
+  {
+    double largest = std::nan("");
+    for (const double v : vertical)
+      largest = std::fmax(largest, std::abs(v));
+    return largest;
+  }
+
+  double ContinuationCurve::horizontal_at_peak() const
+  {
+    const auto at =
+      std::max_element(vertical.begin(), vertical.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+    return vertical.empty() ? std::nan("") : horizontal[static_cast<std::size_t>(at - vertical.begin())];
+  }
+
+  double ContinuationCurve::furthest() const { return horizontal.empty() ? std::nan("") : horizontal.back(); }
+
+  double ContinuationCurve::energy() const { return dissipated.empty() ? std::nan("") : dissipated.back(); }
+
+  bool ContinuationCurve::broke_off() const { return ended_by.rfind(no_equilibrium, 0) == 0; }
+
+  ContinuationCurve read_continuation(const SequentialModel::Study &study, const std::filesystem::path &folder)
+  {
+    std::ifstream        stream(folder / "summary.json");
+    const nlohmann::json summary = nlohmann::json::parse(stream);
+    ContinuationCurve    curve;
+    curve.ended_by = summary.at("ended_by");
+    curve.seconds  = summary.at("cost").at("wall_seconds");
+    if (!std::filesystem::exists(folder / "series.csv")) // no equilibrium at the hand-over
+      return curve;
+    const postprocess::CsvTable table = postprocess::read_csv_table(folder / "series.csv", true);
+    curve.horizontal                  = scaled(table.column(study.horizontal), study.sign / study.length);
+    curve.vertical                    = scaled(table.column(study.vertical), study.sign / study.area);
+    curve.dissipated                  = table.column("energy_dissipated");
+    return curve;
+  }
+
+  double error_against(const ContinuationCurve &curve, const ParticleOutcome &all_particles)
+  {
+    // Both at the strains of the particles' samples past the transfer: their steps are equal.
+    double      difference = 0, size = 0;
+    std::size_t common = 0;
+    for (std::size_t i = 0; i < all_particles.curve_strain.size(); ++i)
+      {
+        const double local = all_particles.curve_strain[i] - curve.offset;
+        if (local * all_particles.curve_strain[i] < 0)
+          continue;
+        const double there = interpolated(curve.horizontal, curve.vertical, local);
+        if (!std::isfinite(there))
+          continue;
+        difference += std::abs(there - all_particles.curve_stress[i]);
+        size += std::abs(all_particles.curve_stress[i]);
+        ++common;
+      }
+    return common > 0 && size > 0 ? difference / size : std::numeric_limits<double>::quiet_NaN();
+  }
+
+  ContinuationCurve near_the_transfer(ContinuationCurve curve)
+  {
+    const double      reach = 0.5 * std::abs(curve.offset);
+    const std::size_t end   = static_cast<std::size_t>(
+      std::find_if(curve.horizontal.begin(), curve.horizontal.end(), [&](double x) { return std::abs(x) > reach; }) -
+      curve.horizontal.begin());
+    curve.horizontal.resize(end);
+    curve.vertical.resize(end);
+    return curve;
+  }
+
+  std::string StudyReport::csv() const
+  {
+    const std::string h = " [" + units.horizontal + "]", v = " [" + units.vertical + "]";
+    std::string       text = "case,event,severity [" + severity_unit() +
+                       "],absorbed [J],particle_stress [Pa],particle_seconds [s],balance_error [-],peak" + v +
+                       ",horizontal_at_peak" + h + ",furthest" + h + ",dissipated [J],continuum_seconds [s],broke_off" +
+                       (all_particles ? ",error_against_all_particles [-],error_near [-]\n" : "\n");
+    for (std::size_t k = 0; k < curves.size(); ++k)
+      {
+        const ContinuationCurve &c = curves[k];
+        const ParticleOutcome   &p = particles[k];
+        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}", k, p.name, p.severity, p.absorbed, p.stress,
+                            p.seconds, p.balance_error, c.peak(), c.horizontal_at_peak(), c.furthest(), c.energy(),
+                            c.seconds, c.broke_off() ? 1 : 0);
+        text += all_particles ? fmt::format(",{},{}\n", error_against(c, *all_particles),
+                                            error_against(near_the_transfer(c), *all_particles)) :
+                                "\n";
+      }
+    return text;
+  }
+
+  std::string StudyReport::draw(const std::filesystem::path &file) const
+  {
+    const bool                          stresses = model.particles.source == ParticleStageSection::Source::uniaxial;
+    const double                        up       = stresses && model.particles.compresses() ? -1 : 1;
+    std::vector<postprocess::PlotPanel> panels;
+    postprocess::PlotPanel              together;
+    double                              widest = 0, highest = 0;
+    for (const ContinuationCurve &curve : curves)
+      {
+        widest  = std::max(widest, std::abs(curve.furthest()));
+        highest = std::max(highest, std::abs(curve.peak()));
+      }
+    const auto along = postprocess::drawn_unit(widest, units.horizontal),
+               force = postprocess::drawn_unit(highest, units.vertical);
+    for (std::size_t k = 0; k < curves.size(); ++k)
+      {
+        postprocess::PlotSeries after;
+        after.style  = postprocess::PlotSeries::Style::line;
+        after.colour = black;
+        after.name   = "continuum";
+        for (std::size_t i = 0; i < curves[k].horizontal.size(); ++i)
+          {
+            after.x.push_back(stresses ? up * 1e3 * (curves[k].offset + curves[k].horizontal[i]) :
+                                         along.scale * curves[k].horizontal[i]);
+            after.y.push_back(stresses ? up * 1e-6 * curves[k].vertical[i] : force.scale * curves[k].vertical[i]);
+          }
+        if (!stresses)
+          {
+            after.colour.clear();
+            after.name = particles[k].name;
+            together.series.push_back(after);
+            continue;
+          }
+        postprocess::PlotSeries before;
+        before.style  = postprocess::PlotSeries::Style::line;
+        before.colour = grey;
+        before.name   = "particles to the hand-over";
+        before.x      = scaled(particles[k].curve_strain, up * 1e3);
+        before.y      = scaled(particles[k].curve_stress, up * 1e-6);
+        postprocess::PlotPanel panel;
+        panel.title   = "handed over at " + particles[k].name;
+        panel.x_label = "Strain [1e-3]";
+        panel.y_label = "Stress [MPa]";
+        if (all_particles)
+          {
+            postprocess::PlotSeries reference;
+            reference.style  = postprocess::PlotSeries::Style::line;
+            reference.name   = "particles alone";
+            reference.colour = "#d0d0d0";
+            reference.x      = scaled(all_particles->curve_strain, up * 1e3);
+            reference.y      = scaled(all_particles->curve_stress, up * 1e-6);
+            panel.series.push_back(reference);
+          }
+        panel.series.push_back(before);
+        panel.series.push_back(after);
+        panels.push_back(panel);
+      }
+    if (!together.series.empty())
+      {
+        together.title   = "Continuations";
+        together.x_label = postprocess::readable(model.study.horizontal) + along.label;
+        together.y_label = postprocess::readable(model.study.vertical) + force.label;
+        panels.push_back(together);
+      }
+    postprocess::PlotPanel  rest;
+    postprocess::PlotSeries left;
+    left.style = postprocess::PlotSeries::Style::line_and_points;
+    for (std::size_t k = 0; k < curves.size(); ++k)
+      {
+        if (!std::isfinite(curves[k].peak()))
+          continue;
+        left.x.push_back(stresses ? up * 1e3 * particles[k].severity : particles[k].severity);
+        left.y.push_back((stresses ? 1e-6 : force.scale) * curves[k].peak());
+      }
+    rest.title   = "What the continuum still carries";
+    rest.x_label = stresses ? "Strain reached by the particles [1e-3]" : "Energy of the blow [J]";
+    rest.y_label =
+      stresses ? "Largest stress [MPa]" : postprocess::readable(model.study.vertical) + ", largest" + force.label;
+    if (stresses)
+      left.style = postprocess::PlotSeries::Style::points; // monotonic and unloaded states at the same strain
+    rest.series = {left};
+    panels.push_back(rest);
+    return postprocess::plot(file, panels);
+  }
+
+  nlohmann::json StudyReport::json() const
+  {
+    nlohmann::json cases = nlohmann::json::array();
+    for (std::size_t k = 0; k < curves.size(); ++k)
+      {
+        nlohmann::json one = {{"event", particles[k].name},
+                              {"severity", particles[k].severity},
+                              {"particle_balance_error", particles[k].balance_error},
+                              {"ended_by", curves[k].ended_by},
+                              {"peak", quantity(curves[k].peak(), units.vertical)},
+                              {"horizontal_at_peak", quantity(curves[k].horizontal_at_peak(), units.horizontal)},
+                              {"furthest", quantity(curves[k].furthest(), units.horizontal)},
+                              {"dissipated", quantity(curves[k].energy(), "J")},
+                              {"particle_seconds", particles[k].seconds},
+                              {"continuum_seconds", curves[k].seconds}};
+        if (model.particles.source == ParticleStageSection::Source::impact)
+          one["absorbed"] = quantity(particles[k].absorbed, "J");
+        if (model.particles.source == ParticleStageSection::Source::uniaxial)
+          one["stress"] = quantity(particles[k].stress, "Pa");
+        if (particles[k].start)
+          one["initial_equilibrium"] = json_of(*particles[k].start);
+        if (all_particles)
+          {
+            one["error_against_all_particles"] = error_against(curves[k], *all_particles);
+            one["error_near"]                  = error_against(near_the_transfer(curves[k]), *all_particles);
+          }
+        cases.push_back(one);
+      }
+    return cases;
+  }
+
+  std::string StudyReport::severity_unit() const
+  {
+    using Source = ParticleStageSection::Source;
+    return model.particles.source == Source::impact ? "J" : model.particles.source == Source::uniaxial ? "-" : "";
+  }
+
+  std::string StudyReport::how_it_ended(const ContinuationCurve &curve) const
+  {
+    const std::string place = fmt::format("{:.4g} [{}]", curve.furthest(), units.horizontal);
+    if (curve.broke_off())
+      return curve.horizontal.empty() ? "no equilibrium at the hand-over" : "no equilibrium beyond " + place;
+    return curve.ended_by == softened ? softened + ", left at " + place : curve.ended_by;
+  }
+
+  std::string StudyReport::text() const
+  {
+    const std::string h = " [" + units.horizontal + "]", v = " [" + units.vertical + "]";
+    std::string text = fmt::format("{:<22} {:>13} {:>13} {:>15} {:>8}{}  ended by\n", "event", "peak" + v, "at" + h,
+                                   "dissipated [J]", "time [s]", all_particles ? "  error [-]  near [-]" : "");
+    std::string failures;
+    for (std::size_t k = 0; k < curves.size(); ++k)
+      {
+        const ContinuationCurve &c = curves[k];
+        text += fmt::format("{:<22} {:>13.4g} {:>13.4g} {:>15.4g} {:>8.2f}", particles[k].name, c.peak(),
+                            c.horizontal_at_peak(), c.energy(), c.seconds);
+        if (all_particles)
+          text += fmt::format("  {:>9.3f}  {:>8.3f}", error_against(c, *all_particles),
+                              error_against(near_the_transfer(c), *all_particles));
+        text += "  " + how_it_ended(c) + "\n";
+        if (c.broke_off())
+          failures += fmt::format("  {}: {}\n", particles[k].name, c.ended_by);
+      }
+    if (all_particles)
+      text +=
+        "error: mean |stress - stress of all particles| over the mean of the latter, past the hand-over; near: to 1.5 "
+        "times its strain\n";
+    return failures.empty() ? text : text + "continuations that broke off:\n" + failures;
+  }
+} // namespace apps

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "apps/drivers/sequential/scene.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <filesystem>
+
+namespace apps
+{
+  /** The continuation of one case as a curve: strain and stress, or displacement and force, as the study reads them. */
+  struct ContinuationCurve
+  {
+    std::string         name;
+    double              severity = 0; ///< see ParticleOutcome
+    double              absorbed = 0; ///< [J]
+    double              offset   = 0; ///< strain at which the continuum's zero lies on the particles' axis
+    std::vector<double> horizontal, vertical, dissipated;
+    double              seconds = 0; ///< wall clock of the continuum stage
+    std::string         ended_by;    ///< see ContinuumReport
+
+    // Of a continuation without any state nothing is known: NaN.
+    double peak() const; ///< largest magnitude of the vertical values
+    double horizontal_at_peak() const;
+    double furthest() const;  ///< last of the horizontal values
+    double energy() const;    ///< dissipated from the transfer on [J]
+    bool   broke_off() const; ///< there was no equilibrium any more before its end
+  };
+
+  /** Read a finished continuation of a study from its folder: the files of a continuum run. */
+  ContinuationCurve read_continuation(const SequentialModel::Study &study, const std::filesystem::path &folder);
+
+  /**
+   * Mean |stress of the continuation - stress of the all-particle run| over the mean |stress| of the latter, over the strains past
+   * the transfer that both have. NaN if they have none in common.
+   */
+  double error_against(const ContinuationCurve &curve, const ParticleOutcome &all_particles);
+
+  /** The continuation as far as half the strain of the transfer again. */
+  ContinuationCurve near_the_transfer(ContinuationCurve curve);
+
+  /** Units of what a study compares: "-" and "Pa", or those of the columns. */
+  struct StudyUnits
+  {
+    std::string horizontal, vertical;
+  };
+
+  /** Table, pictures and figures of a whole study. */
+  struct StudyReport
+  {
+    const SequentialModel                &model;
+    StudyUnits                            units;
+    const std::vector<ParticleOutcome>   &particles;
+    const ParticleOutcome                *all_particles; ///< nullptr: none
+    const std::vector<ContinuationCurve> &curves;
+
+    std::string csv() const;
+    /** Particle curves grey, continuations black; and what is left over how hard the event was. @return what went wrong, "" if nothing. */
+    std::string    draw(const std::filesystem::path &file) const;
+    nlohmann::json json() const;
+    std::string    text() const;
+
+  private:
+    std::string severity_unit() const;
+    std::string how_it_ended(const ContinuationCurve &curve) const;
+  };
+} // namespace apps

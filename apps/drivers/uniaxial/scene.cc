@@ -1,0 +1,130 @@
+#include "apps/drivers/uniaxial/scene.h"
+
+#include "apps/drivers/parts/duration.h"
+#include "apps/drivers/parts/link_failure.h"
+#include "apps/drivers/parts/material_counts.h"
+#include "apps/drivers/parts/specimen_packing.h"
+#include "apps/drivers/parts/static_start.h"
+#include "apps/drivers/uniaxial/run.h"
+#include "apps/drivers/uniaxial/stage.h"
+#include "apps/process/exit_status.h"
+#include "apps/process/progress.h"
+#include "apps/scene/physics_section.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace apps
+{
+  void UniaxialScene::declare(Section &root)
+  {
+    specimen.declare(root, physics.dimension);
+    material.declare(root);
+    declare_physics(root, physics);
+    time.declare(root);
+    gravity.declare(root);
+    loading.declare(root);
+    output.declare(root);
+  }
+
+  void UniaxialScene::validate(const Section &root) const
+  {
+    specimen.validate(root, physics.dimension);
+    material.validate(root, physics.dimension);
+    gravity.validate(root, physics.dimension);
+    loading.validate(root, physics.dimension);
+  }
+
+  UniaxialModel UniaxialScene::model() const
+  {
+    UniaxialModel model;
+    model.source                     = specimen;
+    model.specimen.physics           = physics;
+    model.specimen.density           = specimen.density;
+    model.specimen.interaction_ratio = specimen.interaction_ratio;
+    model.specimen.thickness         = specimen.thickness;
+    model.specimen.step_factor       = time.step_factor;
+    model.specimen.damping           = time.damping;
+    model.specimen.gravity           = gravity.vector();
+    model.gravity                    = gravity;
+    model.material                   = material;
+    model.loading                    = loading;
+    model.output                     = output;
+    return model;
+  }
+
+  namespace
+  {
+    /**
+     * Strain at which a test probably ends, for the forecast of its duration. In tension one crack opens, through links about a
+     * particle's diameter long, as their law softens; in compression the peak has come at about twelve times the limit
+     * elastic strain of the links in concrete (doc/theory/laboratory-test.md), and the fall behind it takes as long again.
+     */
+    double expected_end(const UniaxialModel &asked, const dem::Packing &packing, const UniaxialLoad load)
+    {
+      const dem::UniaxialParameters test = asked.loading.parameters(load);
+      if (!asked.specimen.physics.damage)
+        return test.stop_strain;
+      const auto [onset, softening] =
+        failure_in_tension(*asked.material.materials().bonds_in_space(asked.specimen.physics));
+      if (onset == 0)
+        return test.stop_strain;
+      const auto [low, high] =
+        std::minmax_element(packing.centre.begin(), packing.centre.end(),
+                            [axis = test.axis](const auto &a, const auto &b) { return a[axis] < b[axis]; });
+      const double length = (*high)[test.axis] - (*low)[test.axis];
+      const double link   = 2 * *std::max_element(packing.radius.begin(), packing.radius.end());
+      const double end    = load == UniaxialLoad::tension ?
+                              1.5 * onset + softening * link / length * std::log(1 / test.stop_fraction) :
+                              24 * onset;
+      return std::min(end, test.stop_strain);
+    }
+
+    std::string megabytes(const std::size_t bytes)
+    {
+      return fmt::format("{:.1f} MB", 1e-6 * static_cast<double>(bytes));
+    }
+  } // namespace
+
+  std::string UniaxialScene::forecast() const
+  {
+    const Stopwatch     set_up;
+    const UniaxialModel asked     = model();
+    const dem::Packing  packing   = make_packing(asked.source, asked.material, physics.dimension);
+    const auto          materials = asked.material.materials();
+    dem::Specimen       body(packing, asked.specimen, materials);
+    const double        set_up_seconds = set_up.seconds();
+    std::string         text;
+    text += fmt::format("  particles    {}\n", body.counts().particles);
+    text += fmt::format("  links        {}\n", body.counts().links);
+    text += MaterialCounts(packing.material_names, body.particles().material, body.links().law).text();
+    text += fmt::format("  time step    {:.4g} s = {} of the bound of its particles\n", body.time_step(),
+                        asked.specimen.step_factor);
+    text += fmt::format("               {:.4g} s would be critical: sharp, by the largest eigenvalue\n",
+                        body.critical_step());
+    text += fmt::format("  memory       {} for particles and links\n", megabytes(body.bytes()));
+    double steps = 0, expected = 0;
+    for (const UniaxialLoad load : asked.loading.tests)
+      {
+        // Refuses what a run would refuse.
+        dem::Specimen           fresh(packing, asked.specimen, materials);
+        const dem::UniaxialTest test(fresh, asked.loading.parameters(load));
+        const std::int64_t      most = most_steps(asked.loading, load, fresh.time_step());
+        if (load == asked.loading.tests.front()) // the grips hold alike in all of them
+          text += fmt::format("  basis        {}\n", text_of(test.grip_layers(), asked.loading.grips.parameters()));
+        if (load == asked.loading.tests.front())
+          if (const StaticStart start = start_statically(fresh, asked.gravity))
+            text += fmt::format("  start        {}\n", text_of(*start));
+        steps += static_cast<double>(most);
+        expected +=
+          static_cast<double>(most) * expected_end(asked, packing, load) / asked.loading.parameters(load).stop_strain;
+        text += fmt::format("  {:<12} at most {} steps\n", name_of(load), most);
+      }
+    const double cost = seconds_per_unit([&](const std::int64_t count) { body.advance(count); });
+    return text + duration_line(set_up_seconds + expected * cost, set_up_seconds + steps * cost);
+  }
+
+  int UniaxialScene::run(const RunRequest &request) const { return UniaxialRun(request, model()).execute(); }
+} // namespace apps

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "apps/drivers/parts/material_counts.h"
+#include "apps/drivers/parts/specimen_snapshots.h"
+#include "apps/drivers/uniaxial/model.h"
+#include "apps/drivers/uniaxial/result.h"
+#include "apps/results/run_work.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace apps
+{
+  /**
+   * Steps to the stop strain of a test, the most it can take.
+   * @throws dem::InputError beyond what any computer can do: some value is then not in SI units.
+   */
+  std::int64_t most_steps(const UniaxialLoadingSection &loading, UniaxialLoad load, double time_step);
+
+  /** One uniaxial test of a run: a fresh specimen, its curve, its rows of the series and its snapshots. */
+  class UniaxialStage
+  {
+  public:
+    /**
+     * Link the specimen and grip it; writes nothing.
+     * @param number of the test in the scene's list, from 0.
+     * @throws dem::InputError.
+     */
+    UniaxialStage(const UniaxialModel &model, const dem::Packing &packing, std::size_t number);
+    UniaxialStage(const UniaxialStage &)            = delete;
+    UniaxialStage &operator=(const UniaxialStage &) = delete;
+
+    /** Find the initial equilibrium, if the scene asks for one; not of a stage that goes on from a checkpoint. @throws dem::InputError */
+    void settle();
+    /** From now on snapshots go to this folder; without this call there are none. @throws postprocess::OutputError. */
+    void open(const std::filesystem::path &folder);
+
+    /** One sample further: some steps, and a snapshot when one is due. @return whether there is a new row */
+    bool advance();
+    /** Of the last sample. */
+    SeriesRow row() const;
+    bool      finished() const { return test.finished(); }
+    /** Call it when finished: completes the result, and takes the last snapshot. */
+    void finish();
+    /** TEST_state.h5: the discrete state, from which `breccia transfer` can go on. */
+    void save_discrete_state(const std::filesystem::path &folder) const;
+    /** TEST_crack.png of the present state. @return what went wrong, "" if nothing. */
+    std::string draw_crack(const std::filesystem::path &folder) const;
+
+    double      done() const;    ///< part of the most that the test can take, in [0, 1]
+    std::string details() const; ///< where it is and how fast, for the progress line
+
+    /** Everything to go on to the same bits. */
+    void visit_state(RunState &state);
+
+    UniaxialResult result;    ///< up to the last sample
+    MaterialCounts materials; ///< before anything moves
+
+    /** Columns of the series. */
+    static std::vector<postprocess::SeriesColumn> series_columns();
+
+  private:
+    std::string       name; ///< "tension"
+    int               axis;
+    dem::Specimen     specimen;
+    dem::UniaxialTest test;
+    GravitySection    gravity;
+    std::int64_t      steps_at_most, steps_per_sample;
+    std::int64_t      samples_per_snapshot; ///< 0: no snapshots
+    SpecimenSnapshots snapshots;
+  };
+} // namespace apps

@@ -1,0 +1,108 @@
+#include "apps/process/mpi_session.h"
+
+#include "dem/core/errors.h"
+#include "postprocess/errors.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <array>
+#include <csignal>
+#include <cstdlib>
+#include <memory>
+#include <string>
+
+namespace apps
+{
+  namespace
+  {
+    using Session = dealii::Utilities::MPI::MPI_InitFinalize;
+
+    std::unique_ptr<Session> &session()
+    {
+      static std::unique_ptr<Session> started;
+      return started;
+    }
+
+    /** The number in the first of the environment's variables that there is. */
+    int number_in_environment(const std::array<const char *, 2> &names, const int otherwise)
+    {
+      for (const char *name : names)
+        if (const char *text = std::getenv(name))
+          return std::atoi(text);
+      return otherwise;
+    }
+
+    enum Failure : int
+    {
+      none,
+      input,
+      output,
+      other
+    };
+  } // namespace
+
+  int launched_ranks() { return number_in_environment({"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}, 1); }
+
+  void start_mpi()
+  {
+    static char  name[]  = "breccia";
+    static char *words[] = {name, nullptr};
+    int          count   = 1;
+    char       **given   = words;
+    if (session())
+      return;
+    // PETSc, which deal.II starts too, sets the handlers of signals to the system's own.
+    std::array<struct sigaction, 2> handlers;
+    sigaction(SIGINT, nullptr, &handlers[0]);
+    sigaction(SIGTERM, nullptr, &handlers[1]);
+    session() = std::make_unique<Session>(count, given, 1);
+    sigaction(SIGINT, &handlers[0], nullptr);
+    sigaction(SIGTERM, &handlers[1], nullptr);
+  }
+
+  void finish_mpi() { session().reset(); }
+
+  bool is_first_rank()
+  {
+    return (session() ? static_cast<int>(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD)) :
+                        number_in_environment({"OMPI_COMM_WORLD_RANK", "PMI_RANK"}, 0)) == 0;
+  }
+
+  int rank_count() { return session() ? static_cast<int>(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD)) : 1; }
+
+  void on_first_rank(const std::function<void()> &action)
+  {
+    std::pair<int, std::string> outcome{Failure::none, ""};
+    if (is_first_rank())
+      try
+        {
+          action();
+        }
+      catch (const dem::InputError &error)
+        {
+          outcome = {Failure::input, error.what()};
+        }
+      catch (const postprocess::OutputError &error)
+        {
+          outcome = {Failure::output, error.what()};
+        }
+      catch (const std::exception &error)
+        {
+          outcome = {Failure::other, error.what()};
+        }
+    if (rank_count() > 1)
+      outcome = {dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, outcome.first),
+                 dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, outcome.second)};
+    if (outcome.first == Failure::input)
+      throw dem::InputError(outcome.second);
+    if (outcome.first == Failure::output)
+      throw postprocess::OutputError(outcome.second);
+    if (outcome.first == Failure::other)
+      throw std::runtime_error(outcome.second);
+  }
+
+  bool on_any_rank(const bool here)
+  {
+    return rank_count() > 1 ? dealii::Utilities::MPI::max(here ? 1 : 0, MPI_COMM_WORLD) == 1 : here;
+  }
+} // namespace apps

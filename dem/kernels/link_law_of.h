@@ -1,0 +1,237 @@
+#pragma once
+
+#include "dem/core/column.h"
+#include "dem/kernels/link_update_types.h"
+#include "dem/model/link_law.h"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace dem
+{
+  /** The passes of a law, compiled where dem/kernels/link_update.h is included. */
+  template <typename Law>
+  LinkPass link_pass_in_plane(bool rotations, Mixture mixture, bool periodic);
+  template <typename Law>
+  LinkPass link_pass_in_space(bool rotations, Mixture mixture, bool periodic);
+
+  /**
+   * Makes of a law, as it is written in its own file, the LinkLaw that everybody else works with.
+   *
+   * `Law` is a type without data. doc/theory/link-laws.md tells what it declares:
+   *
+   *   name, bonds, moment, breaks_in_place, records                 constants
+   *   Constants, State<T, m>                                        types; State is a LinkState
+   *   history()                                                     quantities of numbers, shears, bendings, in this order
+   *   put(constants, record), gathered(packs, first)                constants as numbers in records of eight, and back as packs
+   *   reference_length(link), begin(constants, link, numbers)       a new link
+   *   update(constants, motion, state, work)                        one step, for double and for Pack
+   *   changes_numbers(before, state)                                whether numbers of the state must be stored
+   *   stiffness, damaged_stiffness, phase, stored, damage_dissipation, damage, exertion(constants, geometry, state, ...),
+   *   damaging_strain(constants, state)                             what is asked of single links
+   *   tangent(constants, step, before, state, kind)                 linearisation of the update
+   */
+  template <typename Law>
+  class LinkLawOf final : public LinkLaw
+  {
+  public:
+    using Constants = typename Law::Constants;
+
+    /**
+     * @param of_pairs constants of every pair of materials, in the order of material_pair(), at least one
+     * @param vector_dimension of the vectors across the link in the histories: 3, or 2 for links in the plane with one component
+     */
+    LinkLawOf(std::vector<Constants> of_pairs, const int vector_dimension, const bool particles_rotate)
+      : all(std::move(of_pairs))
+      , dimension(vector_dimension)
+      , rotations(particles_rotate)
+      , table(record * all.size(), 0.0)
+    {
+      for (std::size_t l = 0; l < all.size(); ++l)
+        Law::put(all[l], &table[record * l]);
+    }
+
+    const Constants &constants(const std::size_t law) const { return all[law]; }
+    const double    *record_of(const std::size_t law) const { return &table[record * law]; }
+
+    const char *name() const override { return Law::name; }
+    std::size_t pairs() const override { return all.size(); }
+    bool        has_moment() const override { return Law::moment && rotations; }
+    bool        breaks_in_place() const override { return Law::breaks_in_place; }
+    bool        bonds() const override { return Law::bonds; }
+
+    LinkPass pass(const Mixture mixture, const bool periodic) const override
+    {
+      return (dimension == 3 ? link_pass_in_space<Law> : link_pass_in_plane<Law>)(rotations, mixture, periodic);
+    }
+
+    std::vector<LinkQuantity> columns() const override
+    {
+      using S                          = typename Law::template State<double, 3>;
+      const auto                given  = Law::history();
+      const int                 across = dimension == 3 ? 3 : 1;
+      std::vector<LinkQuantity> all_columns;
+      for (int i = 0; i < S::numbers + S::shears + S::bendings; ++i)
+        for (int c = 0; c < (i < S::numbers ? 1 : across); ++c)
+          {
+            LinkQuantity quantity = given[static_cast<std::size_t>(i)];
+            if (i >= S::numbers)
+              quantity.name += "_" + std::to_string(c);
+            all_columns.push_back(std::move(quantity));
+          }
+      return all_columns;
+    }
+
+    double reference_length(const NewLink &link) const override { return Law::reference_length(link); }
+    void   begin(const std::size_t law, const NewLink &link, double *history) const override
+    {
+      Law::begin(all[law], link, history);
+    }
+
+    LinkStiffnesses stiffness(const std::size_t law, const LinkGeometry &link, const double *history) const override
+    {
+      return with_state(history, [&](const auto &state) { return Law::stiffness(all[law], link, state); });
+    }
+    LinkStiffnesses
+    damaged_stiffness(const std::size_t law, const LinkGeometry &link, const double *history) const override
+    {
+      return with_state(history, [&](const auto &state) { return Law::damaged_stiffness(all[law], link, state); });
+    }
+    LinkPhase phase(const std::size_t law, const LinkGeometry &link, const double *history) const override
+    {
+      return with_state(history, [&](const auto &state) { return Law::phase(all[law], link, state); });
+    }
+    double stored(const std::size_t law, const LinkGeometry &link, const double *history) const override
+    {
+      return with_state(history, [&](const auto &state) { return Law::stored(all[law], link, state); });
+    }
+    double damage_dissipation(const std::size_t law, const LinkGeometry &link, const double *history) const override
+    {
+      return with_state(history, [&](const auto &state) { return Law::damage_dissipation(all[law], link, state); });
+    }
+    LinkLoss damage(const std::size_t law, const LinkGeometry &link, const double *history) const override
+    {
+      return with_state(history, [&](const auto &state) { return Law::damage(all[law], link, state); });
+    }
+    double damaging_strain(const std::size_t law, const double *history) const override
+    {
+      return with_state(history, [&](const auto &state) { return Law::damaging_strain(all[law], state); });
+    }
+    LinkExertion exertion(const std::size_t      law,
+                          const LinkGeometry    &link,
+                          const Eigen::Vector3d &direction,
+                          const Eigen::Vector3d &force,
+                          const double          *history) const override
+    {
+      const double normal = force.dot(direction), shear = (force - normal * direction).norm();
+      return with_state(history,
+                        [&](const auto &state) { return Law::exertion(all[law], link, state, normal, shear); });
+    }
+
+    LinkAnswer update(const std::size_t law, const LinkStep &step, const double *before, double *history) const override
+    {
+      require_space();
+      SpaceState                  state  = state_of<3>(before);
+      const LinkMotion<double, 3> motion = motion_of(step, state);
+      LinkWork<double>            work;
+      const auto                  answer = Law::update(all[law], motion, state, work);
+      LinkAnswer                  result;
+      result.force    = answer.normal * step.direction + vector(answer.shear);
+      result.friction = work.friction;
+      result.damage   = work.damage;
+      result.released = work.released;
+      result.slides   = answer.slides;
+      if constexpr (Law::moment)
+        result.moment = vector(answer.bending_moment) + answer.twisting_moment * step.direction;
+      put_state<3>(state, history);
+      return result;
+    }
+
+    Matrix6 tangent(const std::size_t law,
+                    const LinkStep   &step,
+                    const double     *before,
+                    const double     *history,
+                    const LinkTangent kind) const override
+    {
+      require_space();
+      return Law::tangent(all[law], step, state_of<3>(before), state_of<3>(history), kind);
+    }
+
+  private:
+    static constexpr std::size_t record = 8 * Law::records;
+    using SpaceState                    = typename Law::template State<double, 3>;
+
+    static Eigen::Vector3d vector(const Vec<double, 3> &v) { return {v[0], v[1], v[2]}; }
+
+    void require_space() const
+    {
+      if (dimension != 3)
+        throw std::logic_error("a link law of the plane was asked for a link in space");
+    }
+
+    template <int m>
+    static auto state_of(const double *history)
+    {
+      typename Law::template State<double, m> state;
+      for (int i = 0; i < state.numbers; ++i)
+        state.number[i] = *history++;
+      for (int i = 0; i < state.shears; ++i)
+        for (int c = 0; c < m; ++c)
+          state.shear[i][c] = *history++;
+      for (int i = 0; i < state.bendings; ++i)
+        for (int c = 0; c < m; ++c)
+          state.bending[i][c] = *history++;
+      return state;
+    }
+
+    template <int m>
+    static void put_state(const typename Law::template State<double, m> &state, double *history)
+    {
+      for (int i = 0; i < state.numbers; ++i)
+        *history++ = state.number[i];
+      for (int i = 0; i < state.shears; ++i)
+        for (int c = 0; c < m; ++c)
+          *history++ = state.shear[i][c];
+      for (int i = 0; i < state.bendings; ++i)
+        for (int c = 0; c < m; ++c)
+          *history++ = state.bending[i][c];
+    }
+
+    /** Add the step's increments to the state, as the kernel does. */
+    static LinkMotion<double, 3> motion_of(const LinkStep &step, SpaceState &state)
+    {
+      LinkMotion<double, 3> motion;
+      motion.strain          = step.geometry.strain;
+      motion.strain_before   = step.strain_before;
+      motion.length          = step.geometry.length;
+      motion.reference       = step.geometry.reference;
+      motion.area            = step.geometry.area;
+      motion.twist_increment = step.twist_increment;
+      for (int c = 0; c < 3; ++c)
+        {
+          motion.shear_increment[c]   = step.shear_increment[c];
+          motion.bending_increment[c] = step.bending_increment[c];
+          for (int i = 0; i < state.shears; ++i)
+            state.shear[i][c] += step.shear_increment[c];
+          for (int i = 0; i < state.bendings; ++i)
+            state.bending[i][c] += step.bending_increment[c];
+        }
+      return motion;
+    }
+
+    template <typename Use>
+    auto with_state(const double *history, const Use &use) const
+    {
+      return dimension == 3 ? use(state_of<3>(history)) : use(state_of<1>(history));
+    }
+
+    std::vector<Constants> all;
+    int                    dimension;
+    bool                   rotations;
+    Column                 table;
+  };
+} // namespace dem

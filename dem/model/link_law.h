@@ -1,0 +1,169 @@
+#pragma once
+
+#include "dem/core/column.h"
+#include "dem/model/physics.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace dem
+{
+  struct LinkSet;
+  struct Particles;
+  class LinkLaw;
+
+  /**
+   * First of the two passes: force records and new history of every link from its two particles. No scatter; blocks of
+   * links are independent, so the result does not depend on the number of threads.
+   */
+  using LinkPass = void (*)(LinkSet &links, const Particles &particles, const LinkLaw &law);
+
+  /** A quantity that a law remembers or shows: its name in files, its unit ("-" for a pure number), what it is. */
+  struct LinkQuantity
+  {
+    std::string name, unit, meaning;
+    bool        shown = false; ///< to observers: in ParaView files
+  };
+
+  /** One link as it lies, for everything that looks at single links. */
+  struct LinkGeometry
+  {
+    double strain    = 0; ///< (length - reference) / reference
+    double length    = 0; ///< distance of the centres [m]
+    double reference = 0; ///< L0 [m]
+    double area      = 0; ///< A [m^2]
+  };
+
+  /** A link before it has a history. */
+  struct NewLink
+  {
+    double distance     = 0;                    ///< of the centres [m]
+    double first_radius = 0, second_radius = 0; ///< [m]
+    double area      = 0;                       ///< A [m^2]
+    double thickness = 0;                       ///< of discs [m]; 0: spheres
+  };
+
+  /** Undamaged stiffness of a link. */
+  struct LinkStiffnesses
+  {
+    double normal = 0, shear = 0;  ///< moduli [Pa]: force = modulus * area * displacement / reference length
+    double bending = 0, twist = 0; ///< moment over relative rotation [N m]
+  };
+
+  /** How much is left of a link. */
+  enum class LinkPhase
+  {
+    whole,  ///< as it was made, damaged perhaps
+    broken, ///< its bond is gone, it still touches
+    gone    ///< it carries nothing any more
+  };
+
+  /** What damage has done to a link; of laws without damage 0 while whole, 1 when broken. */
+  struct LinkLoss
+  {
+    double stiffness = 0; ///< lost part of the stiffness in tension, omega [-]
+    double strength  = 0; ///< lost part of the strength in tension [-]
+  };
+
+  /** Nearness of a link to the end of elastic behaviour; 1 where it begins, infinite where it has no strength. */
+  struct LinkExertion
+  {
+    double damage  = 0; ///< driving strain (or stress) over that at which the link damages or breaks
+    double sliding = 0; ///< shear force over the strength
+  };
+
+  /** A small step of one link along a path at small strain, in space; numbers of its history as in LinkLaw::columns(). */
+  struct LinkStep
+  {
+    LinkGeometry    geometry;                      ///< at the end of the step
+    double          strain_before     = 0;         ///< normal strain at its start
+    Eigen::Vector3d direction         = {1, 0, 0}; ///< n, from the first end to the second
+    Eigen::Vector3d shear_increment   = {0, 0,
+                                         0}; ///< tangential displacement over the reference length, perpendicular to n
+    Eigen::Vector3d bending_increment = {0, 0, 0}; ///< relative rotation across n [rad]
+    double          twist_increment   = 0;         ///< relative rotation about n [rad]
+  };
+
+  /** What the link answers to such a step: on its first end. */
+  struct LinkAnswer
+  {
+    Eigen::Vector3d force = {0, 0, 0}, moment = {0, 0, 0};  ///< [N], [N m], at the contact point
+    double          friction = 0, damage = 0, released = 0; ///< dissipated and set free in the step [J]
+    bool            slides = false;
+  };
+
+  /** Which linearisation is wanted of a link, and which branch of the law it is on. */
+  struct LinkTangent
+  {
+    bool secant =
+      false; ///< symmetric and positive definite, to steer an iteration; otherwise the derivative of the update
+    bool damages = false; ///< damage grew in the update, or is about to
+    bool slides  = false; ///< the shear force was returned to the strength, or is about to be
+  };
+
+  using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+  /**
+   * The law of all links of one kind (bonds, or contacts) in one specimen: its constants for every pair of materials, the pass that
+   * updates the links, and all that is asked of single ones. Chosen once per scene; the pass knows it at compile time.
+   *
+   * A link's history is a row of numbers, in the order of columns(); `law` is the number of the pair of materials that it joins.
+   */
+  class LinkLaw
+  {
+  public:
+    virtual ~LinkLaw() = default;
+
+    virtual const char *name() const  = 0;
+    virtual std::size_t pairs() const = 0;
+    bool                several() const { return pairs() > 1; }
+
+    /** The pass for what the specimen is. @param mixture of its particles */
+    virtual LinkPass pass(Mixture mixture, bool periodic) const = 0;
+
+    /** What a link remembers, one entry per column of its history (vectors across the link: one per component). */
+    virtual std::vector<LinkQuantity> columns() const         = 0;
+    virtual bool                      has_moment() const      = 0;
+    virtual bool                      breaks_in_place() const = 0; ///< a broken bond stays in its place as a contact
+    virtual bool                      bonds() const = 0; ///< carries tension; otherwise it lives only in contact
+
+    /** Length that strains are measured against [m]. */
+    virtual double reference_length(const NewLink &link) const = 0;
+    /** History of a new link. */
+    virtual void begin(std::size_t law, const NewLink &link, double *history) const = 0;
+
+    virtual LinkStiffnesses stiffness(std::size_t law, const LinkGeometry &link, const double *history) const = 0;
+    /** The same as it is damaged now (secant); a closed link as a whole one. */
+    virtual LinkStiffnesses damaged_stiffness(std::size_t law, const LinkGeometry &link, const double *history) const
+    {
+      return stiffness(law, link, history);
+    }
+    virtual LinkPhase phase(std::size_t law, const LinkGeometry &link, const double *history) const = 0;
+    /** Energy stored [J]. */
+    virtual double stored(std::size_t law, const LinkGeometry &link, const double *history) const = 0;
+    /** Energy dissipated by damage since the start, where a closed form of the history tells it; otherwise the pass sums it up [J]. */
+    virtual double   damage_dissipation(std::size_t, const LinkGeometry &, const double *) const { return 0.0; }
+    virtual LinkLoss damage(std::size_t law, const LinkGeometry &link, const double *history) const = 0;
+    /** Normal strain past which the link damages further; infinite for a law that opening does not damage. */
+    virtual double damaging_strain(std::size_t law, const double *history) const = 0;
+    /** @param force on the first end [N] */
+    virtual LinkExertion exertion(std::size_t            law,
+                                  const LinkGeometry    &link,
+                                  const Eigen::Vector3d &direction,
+                                  const Eigen::Vector3d &force,
+                                  const double          *history) const = 0;
+
+    /** One link, one step: history in and out. */
+    virtual LinkAnswer update(std::size_t law, const LinkStep &step, const double *before, double *history) const = 0;
+    /**
+     * Linearisation of the last update, in global axes: d (force over area, moment) / d (strain vector eps_N n + eps_T, relative
+     * rotation of the ends) [Pa], [N m].
+     */
+    virtual Matrix6 tangent(
+      std::size_t law, const LinkStep &step, const double *before, const double *history, LinkTangent kind) const = 0;
+  };
+} // namespace dem

@@ -1,0 +1,101 @@
+#pragma once
+
+#include "dem/core/column.h"
+#include "dem/core/state.h"
+#include "dem/model/link_law.h"
+#include "dem/model/particles.h"
+#include "dem/neighbours/cell_list.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace dem
+{
+  /** Links that one thread updates in a row; the unit of deterministic sums. Multiple of pack_size. */
+  constexpr std::size_t links_per_block = 512;
+
+  /** Numbers of a block's stress moment: nine, filled up to two cache lines. */
+  constexpr std::size_t stress_record = 16;
+
+  /** What a block of links tells besides forces. Padded to a cache line: one writer each. */
+  struct alignas(64) LinkBlockAccount
+  {
+    double friction = 0;     ///< dissipated by sliding since the start [J]
+    double damage   = 0;     ///< dissipated by damage since the start [J], where no closed form tells it
+    double released = 0;     ///< set free since the start by bonds that broke in their place [J]
+    bool   event    = false; ///< in this step some link broke or is gone
+  };
+
+  /**
+ * Links (or contacts) as columns, sorted by first end, padded to whole blocks; a deleted link stays as a line of area zero until
+ * the set is compacted. What their law remembers of each stands in columns that the law declares.
+ */
+  struct LinkSet
+  {
+    std::size_t count        = 0; ///< lines in use, deleted ones included
+    std::size_t alive        = 0;
+    bool        periodic     = false; ///< links reach to images of particles, and their share of stress is summed up
+    bool        several_laws = false; ///< particles are of several materials, and each link knows the law of its pair
+    bool        has_moment   = false; ///< they carry moments
+    bool        logs_breaks  = false; ///< broken ones may stay: `noted` tells which the crack log has
+
+    std::vector<LinkQuantity> quantities; ///< what the columns of the history are, as the law declares them
+
+    std::vector<std::int32_t> first,
+      second;                        ///< particle numbers in the order of Particles, first < second (<= if periodic)
+    std::vector<std::int32_t> image; ///< of the second end, number in the cell's table; only if periodic
+    std::vector<std::int32_t> law;   ///< number of the pair of materials; only with several
+    std::vector<std::int32_t> noted; ///< 1: broken, and in the crack log; only where broken links may stay
+    Column                    reference_length; ///< L0 [m]
+    Column                    area;             ///< A [m^2]; 0: deleted
+    std::vector<Column>       history;          ///< what the law remembers, see `quantities`
+    Column                    force; ///< records: f on the first end (3) [N] | half l x f (3) [N m] | (r_J - r_K)/L | 0
+    Column moment; ///< records: 0 0 0 | moment on the first end at the contact point (3) [N m] | 0 0; only with moments
+    std::vector<LinkBlockAccount> accounts;
+    Column stress_moments; ///< of each block a record of 16: sum l (x) f by rows (9) [N m] | 0 ..; only if periodic
+
+    std::vector<std::int32_t> own_begin;   ///< links whose first end is particle i: own_begin[i] .. own_begin[i + 1]
+    std::vector<std::int32_t> other_begin; ///< as own_begin, into `others`
+    std::vector<std::int32_t> others;      ///< links whose second end is particle i, ascending
+
+    std::size_t blocks() const { return accounts.size(); }
+    bool        is_alive(const std::size_t link) const { return area[link] > 0; }
+    /** A bond that broke and stays as a contact. */
+    bool is_broken(const std::size_t link) const { return logs_breaks && noted[link] != 0; }
+    /** How many of the living are such. */
+    std::size_t broken() const;
+    std::size_t law_of(const std::size_t link) const { return several_laws ? law[link] : 0; } ///< number in the table
+    std::size_t bytes() const;
+
+    /** Take the columns that links of the law need. */
+    void shape_for(const LinkLaw &law, bool in_cell, bool several_materials);
+    /** A set without links, of the same columns. */
+    LinkSet empty_like() const;
+    /** Make room for `n` links of particles numbered below `particles`; all lines are padding between its two extra particles. */
+    void resize(std::size_t n, std::size_t particles);
+    /** History of a link as a row of numbers, in the order of `quantities`. */
+    void get_history(std::size_t link, std::vector<double> &row) const;
+    void set_history(std::size_t link, const std::vector<double> &row);
+    /** Sort out which links belong to which particle. @pre links sorted by (first, second) */
+    void tabulate(std::size_t particles);
+    /** Copy line `from` of another set to line `to` of this one. */
+    void copy_line(const LinkSet &source, std::size_t from, std::size_t to);
+    /** Drop deleted lines (order kept); what the blocks have summed up so far moves to the first. */
+    void compact(std::size_t particles);
+    void remove(std::size_t link);
+
+    void visit_state(StateVisitor &visitor, const std::string &name, std::size_t particles);
+  };
+
+  /** Branch l from the first end to the (image of the) second where the particles are now [m]. */
+  Eigen::Vector3d branch_of(const Particles &particles, const LinkSet &links, std::size_t link);
+
+  /** Fill a set with undamaged links of the law between the pairs. Images that the cell does not know yet are entered into its
+   * table. Where particles have materials, constants are those of the pairs. */
+  void make_links(LinkSet                          &links,
+                  const std::vector<NeighbourPair> &pairs,
+                  Particles                        &particles,
+                  const ParticleShape              &shape,
+                  const LinkLaw                    &law);
+} // namespace dem

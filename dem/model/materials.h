@@ -1,0 +1,136 @@
+#pragma once
+
+#include "dem/model/link_law.h"
+#include "dem/model/packing.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace dem
+{
+  /** Number of the pair of two materials: 0-0, 1-0, 1-1, 2-0, ... */
+  constexpr std::int32_t material_pair(const std::int32_t one, const std::int32_t other)
+  {
+    return one < other ? other * (other + 1) / 2 + one : one * (one + 1) / 2 + other;
+  }
+
+  /** One of the materials that particles can be of. @tparam Parameters of a link law; Parameters::Law is the law */
+  template <typename Parameters>
+  struct Material
+  {
+    std::string name;
+    Parameters  parameters;  ///< of links between two of its particles
+    double      density = 0; ///< of its particles [kg/m^3]; 0: the specimen's
+  };
+
+  /** The materials of a specimen, numbered from 0 as Packing::material numbers them; at least one. */
+  template <typename Parameters>
+  struct Materials
+  {
+    std::vector<Material<Parameters>> list;
+
+    Materials(const Parameters &only) // of one material; implicit, because then there is nothing else to say
+      : list{{"", only, 0}}
+    {
+    }
+    explicit Materials(std::vector<Material<Parameters>> materials)
+      : list(std::move(materials))
+    {
+    }
+
+    bool several() const { return list.size() > 1; }
+
+    /** Parameters of every pair, in the order of material_pair(). @throws InputError for a pair that has none */
+    std::vector<Parameters> pairs() const
+    {
+      std::vector<Parameters> all;
+      for (std::size_t one = 0; one < list.size(); ++one)
+        for (std::size_t other = 0; other <= one; ++other)
+          all.push_back(one == other ? list[one].parameters : Parameters::Law::mean_of(list[other], list[one]));
+      return all;
+    }
+  };
+
+  /**
+   * The materials of a specimen, whatever their law: what a specimen, a static network or a cell is made with.
+   *
+   * The law of contacts follows from that of the bonds (what a broken bond becomes), unless it is chosen apart.
+   */
+  class LinkMaterials
+  {
+  public:
+    template <typename Parameters, typename = typename Parameters::Law>
+    LinkMaterials(const Parameters &only)
+      : LinkMaterials(Materials<Parameters>(only))
+    {
+    }
+    template <typename Parameters>
+    LinkMaterials(const Materials<Parameters> &materials)
+      : bonding(std::make_shared<Of<Parameters>>(materials))
+      , touching(bonding)
+    {
+      for (const auto &material : materials.list)
+        density.push_back(material.density);
+    }
+
+    std::size_t size() const { return density.size(); }
+    bool        several() const { return size() > 1; }
+    /** Density of each material's particles [kg/m^3]. @param otherwise of those that have none of their own */
+    std::vector<double> densities(double otherwise) const;
+
+    /** Law of the links made at the start. @throws InputError for constants out of range, or materials that have no mean */
+    std::shared_ptr<const LinkLaw> bonds(const Physics &physics) const
+    {
+      return bonding->bonds(physics, physics.dimension);
+    }
+    /** The same with vectors of three components in histories, also in the plane: for small strains and single links. */
+    std::shared_ptr<const LinkLaw> bonds_in_space(const Physics &physics) const { return bonding->bonds(physics, 3); }
+    /** Law of links that are born where particles meet. */
+    std::shared_ptr<const LinkLaw> contacts(const Physics &physics) const
+    {
+      return touching->contacts(physics, physics.dimension);
+    }
+    /** The same materials, whose contacts obey another law. @throws InputError if it has another number of materials */
+    LinkMaterials with_contacts(const LinkMaterials &other) const;
+
+  private:
+    struct Concept
+    {
+      virtual ~Concept()                                                                                  = default;
+      virtual std::shared_ptr<const LinkLaw> bonds(const Physics &physics, int vector_dimension) const    = 0;
+      virtual std::shared_ptr<const LinkLaw> contacts(const Physics &physics, int vector_dimension) const = 0;
+    };
+    template <typename Parameters>
+    struct Of : Concept
+    {
+      explicit Of(Materials<Parameters> given)
+        : materials(std::move(given))
+      {
+      }
+      std::shared_ptr<const LinkLaw> bonds(const Physics &physics, const int dimension) const override
+      {
+        return Parameters::Law::bonds(materials.pairs(), physics, dimension);
+      }
+      std::shared_ptr<const LinkLaw> contacts(const Physics &physics, const int dimension) const override
+      {
+        return Parameters::Law::contacts(materials.pairs(), physics, dimension);
+      }
+      Materials<Parameters> materials;
+    };
+
+    std::shared_ptr<const Concept> bonding, touching;
+    std::vector<double>            density; ///< of each material; 0: none of its own
+  };
+
+  /** @throws InputError for a particle of a material that is not among those given; see also check_packing() */
+  void check_materials(const Packing &packing, const LinkMaterials &materials);
+
+  /** Mean of two constants of a pair of materials. */
+  inline double mean(const double a, const double b) { return 0.5 * (a + b); }
+  /** Coefficient tan(phi) of the mean friction ANGLE; of equal ones the very same, to the last bit. */
+  double mean_friction(double a, double b);
+} // namespace dem

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "dem/core/column.h"
+#include "dem/core/records.h"
+#include "dem/core/state.h"
+#include "dem/model/cell.h"
+#include "dem/model/packing.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace dem
+{
+  /**
+ * Particles as columns of records (record_size doubles each), in the order of a space-filling curve.
+ *
+ * Two extra particles past the end, one unit apart and at rest, carry the links that only pad a column to whole packs.
+ */
+  struct Particles
+  {
+    std::size_t count = 0;
+
+    Column pose;   ///< x y z [m] | tau theta (3) | radius [m] | 0, at the start of the step to come
+    Column motion; ///< displacement (3) [m] | rotation vector theta (3) | 0 0, of the last step
+    Column
+      velocity;   ///< v (3) [m/s] | w (3) [rad/s] | 0 0, at half steps; in a periodic cell v is the fluctuation v - G x
+    Column force; ///< F (3) [N] | T (3) [N m] | 0 0, of links, contacts and weight, at the last step's start
+    Column pushed; ///< force (3) [N] | couple (3) [N m] | 0 0 from outside, where a force is to be added; empty: none
+    Column inverse_mass; ///< 1/m (3) | 1/I (3) | 0 0; zero where motion is prescribed or not modelled
+    Column reference;    ///< x y z at the start [m], three per particle
+    Column mass;         ///< [kg]
+    Column inertia;      ///< [kg m^2]
+
+    Cell cell; ///< periodic, or none
+
+    std::vector<std::int32_t> number;       ///< of each particle in the packing
+    std::vector<std::int32_t> made_links;   ///< cohesive links at the start
+    std::vector<std::int32_t> broken_links; ///< cohesive links deleted since
+    std::vector<std::int32_t> material;     ///< number of each particle's material; empty: there is one
+
+    const double   *pose_of(const std::size_t i) const { return &pose[record_size * i]; }
+    double          radius_of(const std::size_t i) const { return pose[record_size * i + 6]; }
+    Eigen::Vector3d position_of(const std::size_t i) const { return Eigen::Vector3d(&pose[record_size * i]); }
+
+    std::size_t bytes() const;
+    void        visit_state(StateVisitor &visitor);
+  };
+
+  /** Mass and inertia of one particle: sphere, or disc of the given thickness in two dimensions. */
+  struct ParticleShape
+  {
+    int    dimension = 3;
+    double density   = 0; ///< [kg/m^3]
+    double thickness = 0; ///< [m], two dimensions only
+
+    std::vector<double> densities = {}; ///< of each material [kg/m^3]; empty: all have the density above
+
+    double volume(double radius) const;
+    double mass(double radius) const { return density * volume(radius); } ///< at the density above
+    /** (2/5) m r^2 of a sphere, (1/2) m r^2 of a disc. */
+    double inertia(double radius) const;
+    /** Cross-section of a link: pi r^2 of the smaller sphere, 2 r t of the smaller disc. */
+    double link_area(double first_radius, double second_radius) const;
+  };
+
+  /** Particles at rest, renumbered along a Hilbert curve. @param rotations whether they can spin (else 1/I = 0) */
+  Particles make_particles(const Packing &packing, const ParticleShape &shape, bool rotations);
+
+  /** Order that sorts points along a Hilbert curve through their bounding box: result[k] is the k-th point's index. */
+  std::vector<std::int32_t> hilbert_order(const std::vector<Eigen::Vector3d> &points);
+} // namespace dem

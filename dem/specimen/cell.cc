@@ -1,0 +1,99 @@
+#include "dem/core/errors.h"
+#include "dem/measures/link_measures.h"
+#include "dem/model/strain_operator.h"
+#include "dem/specimen/implementation.h"
+
+#include <Eigen/LU>
+
+namespace dem
+{
+  namespace
+  {
+    void require_cell(const Particles &particles, const char *what)
+    {
+      if (!particles.cell.repeats())
+        throw InputError(std::string(what) + ": the specimen has no periodic cell. Make it with Periodic = true.");
+    }
+
+    /** Sum of H^T C H over the links [N m]. */
+    Matrix6d stiffness_moment(const Particles &particles, const LinkSet &links, const LinkLaw &law)
+    {
+      LinkReader reader(particles, links, law);
+      Matrix6d   sum = Matrix6d::Zero();
+      for (std::size_t l = 0; l < links.count; ++l)
+        {
+          if (!links.is_alive(l))
+            continue;
+          reader.read(l);
+          const LinkView       &view      = reader.view();
+          const LinkStiffnesses moduli    = reader.damaged_stiffness();
+          const auto            along     = view.direction * view.direction.transpose();
+          const double          per_slip  = links.area[l] / links.reference_length[l];
+          const auto            operation = strain_operator(view.length * view.direction);
+          const Eigen::Matrix3d stiffness =
+            per_slip * (moduli.normal * along + moduli.shear * (Eigen::Matrix3d::Identity() - along));
+          sum += operation.transpose() * stiffness * operation;
+        }
+      return sum;
+    }
+
+    void add_force_norms(const LinkSet &links, double &sum, std::size_t &count)
+    {
+      for (std::size_t l = 0; l < links.count; ++l)
+        if (links.is_alive(l))
+          {
+            sum += Eigen::Vector3d(&links.force[record_size * l]).norm();
+            ++count;
+          }
+    }
+  } // namespace
+
+  void Specimen::set_velocity_gradient(const Eigen::Matrix3d &gradient)
+  {
+    require_cell(self->particles, "velocity gradient");
+    self->particles.cell.set_gradient(gradient);
+  }
+
+  CellState Specimen::cell() const
+  {
+    require_cell(self->particles, "cell");
+    const Cell           &cell = self->particles.cell;
+    const Eigen::Matrix3d back = Eigen::Matrix3d::Identity() - cell.last_increment();
+    CellState             state;
+    state.base                  = cell.base();
+    state.deformation           = cell.deformation();
+    state.deformation_at_forces = back * cell.deformation();
+    state.volume                = back.determinant() * cell.volume();
+    state.stress                = self->stress_moment / state.volume;
+    return state;
+  }
+
+  Matrix6d Specimen::affine_stiffness() const
+  {
+    require_cell(self->particles, "affine stiffness");
+    return (stiffness_moment(self->particles, self->bonds, *self->bond_law) +
+            stiffness_moment(self->particles, self->contacts, *self->contact_law)) /
+           self->particles.cell.volume();
+  }
+
+  double Specimen::unbalanced_ratio() const
+  {
+    const Particles &p            = self->particles;
+    double           on_particles = 0, of_links = 0;
+    std::size_t      moving = 0, links = 0;
+    for (std::size_t i = 0; i < p.count; ++i)
+      {
+        const Eigen::Vector3d force(&p.force[record_size * i]), mobile(&p.inverse_mass[record_size * i]);
+        if ((mobile.array() > 0).any())
+          {
+            on_particles += (mobile.array() > 0).select(force.array(), 0.0).matrix().norm();
+            ++moving;
+          }
+      }
+    add_force_norms(self->bonds, of_links, links);
+    add_force_norms(self->contacts, of_links, links);
+    if (moving == 0 || on_particles == 0)
+      return 0.0;
+    return on_particles / static_cast<double>(moving) / (of_links / static_cast<double>(links));
+  }
+} // namespace dem

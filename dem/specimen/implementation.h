@@ -1,0 +1,141 @@
+#pragma once
+
+#include "dem/contacts/contact_search.h"
+#include "dem/integrators/stable_step.h"
+#include "dem/kernels/particle_pass.h"
+#include "dem/measures/link_measures.h"
+#include "dem/model/materials.h"
+#include "dem/specimen/specimen.h"
+#include "dem/statics/rigid_motions.h"
+
+#include <array>
+#include <vector>
+
+namespace dem
+{
+  /** A grip with particles in the specimen's order and what the last step says of it. */
+  struct HeldGrip
+  {
+    Grip                      grip;
+    std::vector<std::int32_t> members;
+    std::vector<std::size_t>  given; ///< which of grip.particles each member is
+    std::array<double, 6>     pull =
+      {};                 ///< sum of the links' (and weight's) force and moment over the members, at t_n [N, N m]
+    Column own_rates;     ///< 6 of each member, where members move each on its own; empty: all alike
+    double own_power = 0; ///< that the grip puts in at these rates and the forces at t_n [W]
+    Column lost_velocity; ///< of each member, 6 components: what set_grip_velocity took away since the last step
+
+    double rate(const int c) const { return c < 3 ? grip.velocity[c] : grip.spin[c - 3]; }
+    double rate(const std::size_t member, const int c) const
+    {
+      return own_rates.empty() ? rate(c) : own_rates[6 * member + static_cast<std::size_t>(c)];
+    }
+    /** Power that the grip puts into the specimen [W]. */
+    double power() const
+    {
+      if (!own_rates.empty())
+        return own_power;
+      double sum = 0;
+      for (int c = 0; c < 6; ++c)
+        if (grip.prescribed[c])
+          sum -= pull[c] * rate(c);
+      return sum;
+    }
+  };
+
+  /** A change of velocity that was given to a particle since the last step. */
+  struct VelocityKick
+  {
+    std::int32_t          particle;
+    std::array<double, 6> change; ///< [m/s, rad/s]
+  };
+
+  /** What a specimen holds, and how it takes a step; specimen.h says what it is for. */
+  struct Specimen::Implementation
+  {
+    SpecimenParameters             parameters;
+    ParticleShape                  shape;
+    Particles                      particles;
+    bool                           equal_radii;
+    LinkSet                        bonds, contacts;
+    std::shared_ptr<const LinkLaw> bond_law, contact_law;
+    double        start_margin; ///< gap that the interaction ratio leaves between unlinked particles [m]
+    ContactSearch search;
+    LinkPass      bond_pass, contact_pass;
+    double        space_per_solid = 1; ///< volume with voids over that of the particles, to share out stress
+    std::size_t   made_links      = 0;
+
+    std::vector<ParticleBlockAccount> accounts;
+    std::vector<HeldGrip>             grips;
+    std::vector<std::int32_t>         slot; ///< of each packing number in the particles' order
+
+    std::int64_t              step_count = 0;
+    double                    time = 0, time_step = 0;
+    double                    last_step    = 0; ///< the one that led here [s]
+    double                    longest_step = 0; ///< that the present stiffness allows, with the factor [s]
+    std::vector<VelocityKick> kicks;
+    double                    initial = 0, work_before = 0, work_now = 0,
+           work_after             = 0; ///< by grips and from outside: before t_n's half step, it, the half after
+    double          damped_before = 0, damped_now = 0, damped_after = 0; ///< dissipated, likewise
+    double          released = 0, broken_damage = 0;                     ///< of deleted links
+    double          stored_at_start = 0, weight_at_start = 0; ///< energy in links, work of weight, of a static start
+    Eigen::Matrix3d stress_moment = Eigen::Matrix3d::Zero();  ///< sum l (x) f at t_n [N m]; only if periodic
+    std::vector<std::int32_t> crack_log;                      ///< ends of the cohesive links deleted so far, flattened
+    Column crack_geometry; ///< records: last branch (3) [m] | contact point (3) [m] | dissipated [J] | 0
+
+    Implementation(const Packing &packing, const SpecimenParameters &p, const LinkMaterials &materials);
+    Mixture mixture() const
+    {
+      return bond_law->several() ? Mixture::materials : equal_radii ? Mixture::equal : Mixture::radii;
+    }
+    void link();
+    /** Take pairs with a loose particle out; they may be nearer than the ratio leaves others, and the search must know. */
+    void                     leave_loose(std::vector<NeighbourPair> &pairs);
+    bool                     moments() const { return bonds.has_moment || contacts.has_moment; }
+    std::vector<LawfulLinks> all_links() const { return {{bonds, *bond_law}, {contacts, *contact_law}}; }
+    double stable() const { return dem::stable_step(particles, all_links(), parameters.physics.rotations); }
+    /** Stable step (5.1) of particles that have no links yet: for as many contacts as equal spheres can have at once [s]. */
+    double step_of_lone_particles() const;
+    /** Particles' kinetic energy with the velocities as they are [J]. */
+    double       kinetic_of_velocities() const;
+    Surroundings surroundings() const
+    {
+      return parameters.physics.periodic  ? Surroundings::periodic :
+             !particles.pushed.empty()    ? Surroundings::pushed :
+             parameters.gravity.isZero(0) ? Surroundings::free :
+                                            Surroundings::weight;
+    }
+    /** Set the energy account to where the first step starts from. */
+    void begin();
+    /** Work of the weight on the way from the packing to where the particles were at t_n [J]. */
+    double             weight_work() const;
+    InitialEquilibrium find_equilibrium();
+    /** Forces of links and weight where the particles are. */
+    void find_forces();
+    /** Move particles (by packing number) as a step would: the links follow with the next forces. */
+    void displace(const ParticleMotions &motion);
+    void start_from_equilibrium(InitialEquilibrium &found);
+    /** Sum up what the links and the weight do to each grip's particles. */
+    void sum_pulls();
+    /** One leap-frog step: links, contacts, break tests, particles, accounts, new contacts. */
+    void step();
+    /** Stress moment of all links and contacts as the link passes have left it. */
+    void sum_stress();
+    /** Sum up what blocks, kicks, grips and cell say of the step, in their order. */
+    void account(const StepHalves &halves);
+    /** Component of links and weight: the pass has counted the work of the push with the changed velocity already. */
+    double force_less_push(std::int32_t particle, int component) const;
+    /** Work of these forces at t_n on what kicks have changed of the velocity in the half step before [J]. */
+    double work_of_kicks(double half) const;
+    /** Let a prescribed component have another rate: an impulse, unless nothing has begun yet. */
+    void set_rate(HeldGrip &held, std::size_t member, int component);
+    /** Look at the links that broke in this step, or are gone: enter broken bonds in the crack log, take out those that are gone. */
+    void settle_events(LinkSet &links, const LinkLaw &law);
+    void note_crack(const LinkReader &link, std::size_t number);
+    void delete_link(LinkSet &links, const LinkReader &link, std::size_t number);
+    /** Make contacts of pairs that have begun to overlap, where motion can have made one. */
+    void make_contacts();
+    /** NaN and infinity spread to velocities within a step. */
+    void check_numbers() const;
+  };
+} // namespace dem

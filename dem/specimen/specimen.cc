@@ -1,0 +1,398 @@
+#include "dem/specimen/specimen.h"
+
+#include "dem/contacts/particle_pairs.h"
+#include "dem/core/errors.h"
+#include "dem/measures/bulk_volume.h"
+#include "dem/neighbours/tie.h"
+#include "dem/specimen/implementation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace dem
+{
+  namespace
+  {
+    [[noreturn]] void refuse(const char *entry, const double value, const char *rule)
+    {
+      std::ostringstream message;
+      message << entry << " = " << value << ": " << rule;
+      throw InputError(message.str());
+    }
+
+    void check(const SpecimenParameters &p)
+    {
+      if (p.physics.dimension != 2 && p.physics.dimension != 3)
+        refuse("Dimension", p.physics.dimension, "must be 2 or 3.");
+      if (!(p.density > 0))
+        refuse("Density", p.density, "must be above 0 kg/m^3.");
+      if (!(p.interaction_ratio >= 1 && p.interaction_ratio <= 10))
+        refuse("Interaction ratio", p.interaction_ratio,
+               "must be at least 1, and at most 10. 1.5 is usual for concrete.");
+      if (!(p.step_factor > 0 && p.step_factor < 1.5))
+        refuse("Step factor", p.step_factor, "must be above 0, and below 1 for a stable run.");
+      if (!(p.damping >= 0 && p.damping < 1))
+        refuse("Damping", p.damping, "must be in [0, 1).");
+      if (!p.gravity.allFinite())
+        throw InputError("Gravity: must be finite.");
+      if (p.physics.periodic && !p.gravity.isZero(0))
+        throw InputError("Gravity: a periodic cell has nothing to stand on and would fall for ever.");
+      if (p.physics.dimension == 2 && p.gravity.z() != 0)
+        throw InputError("Gravity: in two dimensions it must lie in the plane, z = 0.");
+      if (p.physics.dimension == 2 && !(p.thickness > 0))
+        refuse("Thickness", p.thickness, "must be above 0 m in two dimensions.");
+    }
+
+    void check_plane(const Packing &packing)
+    {
+      for (std::size_t i = 0; i < packing.size(); ++i)
+        if (packing.centre[i].z() != 0)
+          {
+            std::ostringstream message;
+            message << "particle " << i + 1 << ": z = " << packing.centre[i].z()
+                    << " m, but a scene in two dimensions lies in the plane z = 0.";
+            throw InputError(message.str());
+          }
+    }
+
+    /** The packing's cell, or none. In the plane the third base vector is the thickness. */
+    Cell make_cell(const Packing &packing, const SpecimenParameters &p)
+    {
+      if (!p.physics.periodic)
+        return {};
+      if (!packing.periodic_cell)
+        throw InputError("Periodic: the packing has no periodic cell. Use a periodic packing, or a free specimen.");
+      Eigen::Vector3d edges = *packing.periodic_cell;
+      if (p.physics.dimension == 2)
+        edges.z() = p.thickness;
+      if (!edges.allFinite())
+        throw InputError("Periodic: the edges of the packing's periodic cell must be finite.");
+      return Cell(edges.asDiagonal(), p.physics.dimension);
+    }
+
+    /** Their materials are noted only where there are several. */
+    Particles make_particles_in_cell(const Packing            &packing,
+                                     const ParticleShape      &shape,
+                                     const SpecimenParameters &p,
+                                     const bool                several_materials)
+    {
+      Particles particles = make_particles(packing, shape, p.physics.rotations);
+      particles.cell      = make_cell(packing, p);
+      if (!several_materials)
+        particles.material.clear();
+      else if (particles.material.empty())
+        particles.material.assign(particles.count, 0);
+      return particles;
+    }
+
+    /** Bounding box of the particles (or their cell) over their own volume: how much space, voids included, stands for one volume of particle. */
+    /** Of the particles that have links: what flies beside the specimen is no part of it. */
+    double volume_per_solid(const Particles &p, const ParticleShape &shape)
+    {
+      std::vector<Eigen::Vector3d> centre;
+      std::vector<double>          radius, solid;
+      double                       all = 0;
+      for (std::size_t i = 0; i < p.count; ++i)
+        {
+          all += shape.volume(p.radius_of(i));
+          if (p.made_links[i] == 0)
+            continue;
+          centre.push_back(p.position_of(i));
+          radius.push_back(p.radius_of(i));
+          solid.push_back(shape.volume(p.radius_of(i)));
+        }
+      if (p.cell.repeats())
+        return p.cell.volume() / all;
+      return centre.empty() ? 1.0 : bulk_over_solid(centre, radius, solid, shape.dimension, shape.thickness);
+    }
+  } // namespace
+
+  Specimen::Implementation::Implementation(const Packing            &packing,
+                                           const SpecimenParameters &p,
+                                           const LinkMaterials      &materials)
+    : parameters(p)
+    , shape{p.physics.dimension, p.density, p.thickness, materials.densities(p.density)}
+    , particles(make_particles_in_cell(packing, shape, p, materials.several()))
+    , equal_radii(std::all_of(
+        packing.radius.begin(), packing.radius.end(), [&](const double r) { return r == packing.radius[0]; }))
+    , bond_law(materials.bonds(p.physics))
+    , contact_law(materials.contacts(p.physics))
+    , start_margin(2.0 * *std::min_element(packing.radius.begin(), packing.radius.end()) *
+                   std::max((1 - tie) * p.interaction_ratio - 1.0, 0.0))
+    , search(particles, start_margin)
+    , bond_pass(bond_law->pass(mixture(), p.physics.periodic))
+    , contact_pass(contact_law->pass(mixture(), p.physics.periodic))
+    , accounts(particle_blocks(particles.count))
+    , slot(particles.count)
+  {
+    for (std::size_t i = 0; i < particles.count; ++i)
+      slot[particles.number[i]] = static_cast<std::int32_t>(i);
+    link();
+    space_per_solid = volume_per_solid(particles, shape);
+    longest_step = time_step = parameters.step_factor * (bond_law->bonds() ? stable() : step_of_lone_particles());
+    if (!std::isfinite(time_step))
+      throw InputError("Interaction ratio = " + std::to_string(p.interaction_ratio) +
+                       ": no two particles are near enough to be linked, nothing holds the specimen together. Raise "
+                       "the ratio or check the packing.");
+  }
+
+  void Specimen::Implementation::leave_loose(std::vector<NeighbourPair> &pairs)
+  {
+    if (parameters.loose == 0)
+      return;
+    const auto first_loose = static_cast<std::int32_t>(particles.count - std::min(parameters.loose, particles.count));
+    const auto is_loose    = [&](const std::int32_t i) {
+      return particles.number[static_cast<std::size_t>(i)] >= first_loose;
+    };
+    double     margin     = start_margin;
+    const auto linked_end = std::remove_if(pairs.begin(), pairs.end(), [&](const NeighbourPair &pair) {
+      if (!is_loose(pair.first) && !is_loose(pair.second))
+        return false;
+      margin = std::min(margin, gap(particles, {pair.first, pair.second, 0}));
+      return true;
+    });
+    pairs.erase(linked_end, pairs.end());
+    search = ContactSearch(particles, std::max(margin, 0.0));
+  }
+
+  double Specimen::Implementation::step_of_lone_particles() const
+  {
+    constexpr double    neighbours = 12; // as many equal spheres touch one
+    std::vector<double> none(contact_law->columns().size(), 0.0);
+    double              smallest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < particles.count; ++i)
+      for (std::size_t pair = 0; pair < contact_law->pairs(); ++pair)
+        {
+          const double r = particles.radius_of(i), area = shape.link_area(r, r);
+          const double lever = parameters.physics.rotations ? particles.mass[i] * r * r / particles.inertia[i] : 0.0;
+          const LinkStiffnesses s = contact_law->stiffness(pair, {-1e-9, 2 * r, 2 * r, area}, none.data());
+          const double          k = neighbours * area / (2 * r) * std::max(s.normal, s.shear * (1 + lever));
+          smallest                = std::min(smallest, std::sqrt(2 * particles.mass[i] / k));
+        }
+    return smallest;
+  }
+
+  void Specimen::Implementation::link()
+  {
+    std::vector<NeighbourPair> pairs;
+    if (bond_law->bonds())
+      {
+        pairs = particle_pairs(particles, parameters.interaction_ratio, 0.0);
+        leave_loose(pairs);
+      }
+    else
+      search = ContactSearch(particles, 0.0); // any two may be in contact from the start
+    make_links(bonds, pairs, particles, shape, *bond_law);
+    made_links = pairs.size();
+    for (const auto &pair : pairs)
+      {
+        ++particles.made_links[pair.first];
+        ++particles.made_links[pair.second];
+      }
+    add_contacts(contacts, {}, particles, shape, *contact_law);
+  }
+
+  Specimen::Specimen(const Packing &packing, const SpecimenParameters &parameters, const LinkMaterials &materials)
+  {
+    check(parameters);
+    check_packing(packing, "packing");
+    check_in_cell(packing, "packing");
+    check_materials(packing, materials);
+    if (parameters.physics.dimension == 2)
+      check_plane(packing);
+    self = std::make_unique<Implementation>(packing, parameters, materials);
+  }
+
+  Specimen::~Specimen()                               = default;
+  Specimen::Specimen(Specimen &&) noexcept            = default;
+  Specimen &Specimen::operator=(Specimen &&) noexcept = default;
+  Specimen::Specimen(const Specimen &other)
+    : self(std::make_unique<Implementation>(*other.self))
+  {
+  }
+  Specimen &Specimen::operator=(const Specimen &other)
+  {
+    if (this != &other)
+      *self = *other.self;
+    return *this;
+  }
+
+  void Specimen::advance(const std::int64_t steps)
+  {
+    advance(steps, [] { return true; });
+  }
+
+  void Specimen::advance(const std::int64_t steps, const std::function<bool()> &go_on)
+  {
+    if (self->step_count == 0)
+      self->begin();
+    bool more = true;
+    for (std::int64_t s = 0; s < steps && more; ++s)
+      {
+        self->step();
+        more = go_on();
+      }
+    self->check_numbers();
+  }
+
+  const SpecimenParameters &Specimen::parameters() const { return self->parameters; }
+
+  std::int64_t Specimen::steps() const { return self->step_count; }
+  double       Specimen::time() const { return self->time; }
+  double       Specimen::time_step() const { return self->time_step; }
+  double       Specimen::stable_step() const { return self->stable(); }
+
+  double Specimen::critical_step() const
+  {
+    return dem::critical_step(self->particles, self->all_links(), self->parameters.physics.rotations);
+  }
+
+  Counts Specimen::counts() const
+  {
+    const std::size_t in_place = self->bonds.broken();
+    return {self->particles.count, self->bonds.alive - in_place, self->contacts.alive + in_place,
+            self->crack_log.size() / 2, self->search.searches()};
+  }
+
+  std::size_t Specimen::bytes() const { return self->particles.bytes() + self->bonds.bytes() + self->contacts.bytes(); }
+
+  std::size_t Specimen::add_grip(const Grip &grip)
+  {
+    if (self->parameters.physics.periodic)
+      throw InputError("Grips: a periodic cell has no place for them; it is loaded by its deformation.");
+    HeldGrip held;
+    held.grip = grip;
+    std::vector<std::pair<std::int32_t, std::size_t>> order;
+    for (std::size_t k = 0; k < grip.particles.size(); ++k)
+      order.emplace_back(self->slot.at(grip.particles[k]), k);
+    std::sort(order.begin(), order.end());
+    for (const auto &[member, given] : order)
+      {
+        held.members.push_back(member);
+        held.given.push_back(given);
+      }
+    held.lost_velocity.assign(6 * held.members.size(), 0.0);
+    for (const std::int32_t i : held.members)
+      for (int c = 0; c < 6; ++c)
+        if (grip.prescribed[c])
+          self->particles.inverse_mass[record_size * static_cast<std::size_t>(i) + c] = 0.0;
+    self->grips.push_back(std::move(held));
+    set_grip_velocity(self->grips.size() - 1, grip.velocity, grip.spin);
+    return self->grips.size() - 1;
+  }
+
+  void
+  Specimen::set_grip_velocity(const std::size_t number, const Eigen::Vector3d &velocity, const Eigen::Vector3d &spin)
+  {
+    HeldGrip &held     = self->grips.at(number);
+    held.grip.velocity = velocity;
+    held.grip.spin     = spin;
+    held.own_rates.clear();
+    for (std::size_t k = 0; k < held.members.size(); ++k)
+      for (int c = 0; c < 6; ++c)
+        self->set_rate(held, k, c);
+  }
+
+  void Specimen::set_damping(const double damping)
+  {
+    if (!(damping >= 0 && damping < 1))
+      throw InputError("Damping: must be in [0, 1).");
+    self->parameters.damping = damping;
+  }
+
+  Eigen::Vector3d Specimen::reaction(const std::size_t grip) const
+  {
+    const auto &pull = self->grips.at(grip).pull;
+    return {-pull[0], -pull[1], -pull[2]};
+  }
+
+  Eigen::Vector3d Specimen::reaction_moment(const std::size_t grip) const
+  {
+    const auto &pull = self->grips.at(grip).pull;
+    return {-pull[3], -pull[4], -pull[5]};
+  }
+
+  void Specimen::set_velocity(const std::size_t particle, const Eigen::Vector3d &velocity, const Eigen::Vector3d &spin)
+  {
+    double *v = &self->particles.velocity[record_size * static_cast<std::size_t>(self->slot.at(particle))];
+    std::copy_n(velocity.data(), 3, v);
+    std::copy_n(spin.data(), 3, v + 3);
+  }
+
+  namespace
+  {
+    void visit_kicks(StateVisitor &visitor, std::vector<VelocityKick> &kicks)
+    {
+      std::vector<std::int32_t> particle;
+      Column                    change;
+      for (const VelocityKick &kick : kicks)
+        {
+          particle.push_back(kick.particle);
+          change.insert(change.end(), kick.change.begin(), kick.change.end());
+        }
+      visitor.column("kicks/particle", particle);
+      visitor.column("kicks/change", change);
+      kicks.resize(particle.size());
+      for (std::size_t k = 0; k < kicks.size(); ++k)
+        {
+          kicks[k].particle = particle[k];
+          std::copy_n(&change[6 * k], 6, kicks[k].change.begin());
+        }
+    }
+  } // namespace
+
+  void Specimen::visit_state(StateVisitor &visitor)
+  {
+    auto &s = *self;
+    s.particles.visit_state(visitor);
+    s.bonds.visit_state(visitor, "bonds", s.particles.count);
+    s.contacts.visit_state(visitor, "contacts", s.particles.count);
+    s.search.visit_state(visitor);
+    visitor.column("crack_log", s.crack_log);
+    visitor.column("crack_geometry", s.crack_geometry);
+    if (s.parameters.physics.periodic)
+      for (int c = 0; c < 9; ++c)
+        visitor.scalar("cell/stress_moment_" + std::to_string(c), s.stress_moment.data()[c]);
+    visitor.scalar("step", s.step_count);
+    for (const auto &[name, value] :
+         std::initializer_list<std::pair<const char *, double *>>{{"time", &s.time},
+                                                                  {"time_step", &s.time_step},
+                                                                  {"last_step", &s.last_step},
+                                                                  {"longest_step", &s.longest_step},
+                                                                  {"damping", &s.parameters.damping},
+                                                                  {"energy/initial", &s.initial},
+                                                                  {"energy/stored_at_start", &s.stored_at_start},
+                                                                  {"energy/weight_at_start", &s.weight_at_start},
+                                                                  {"energy/work_before", &s.work_before},
+                                                                  {"energy/work_now", &s.work_now},
+                                                                  {"energy/work_after", &s.work_after},
+                                                                  {"energy/damped_before", &s.damped_before},
+                                                                  {"energy/damped_now", &s.damped_now},
+                                                                  {"energy/damped_after", &s.damped_after},
+                                                                  {"energy/released", &s.released},
+                                                                  {"energy/broken_damage", &s.broken_damage}})
+      visitor.scalar(name, *value);
+    for (std::size_t g = 0; g < s.grips.size(); ++g)
+      {
+        const std::string name = "grips/" + std::to_string(g);
+        for (int c = 0; c < 6; ++c)
+          visitor.scalar(name + "/pull_" + std::to_string(c), s.grips[g].pull[c]);
+        for (int c = 0; c < 3; ++c)
+          {
+            visitor.scalar(name + "/velocity_" + std::to_string(c), s.grips[g].grip.velocity[c]);
+            visitor.scalar(name + "/spin_" + std::to_string(c), s.grips[g].grip.spin[c]);
+          }
+        visitor.column(name + "/lost_velocity", s.grips[g].lost_velocity);
+        visitor.column(name + "/own_rates", s.grips[g].own_rates);
+      }
+    visit_kicks(visitor, s.kicks);
+    Column kinetic(s.accounts.size());
+    for (std::size_t b = 0; b < kinetic.size(); ++b)
+      kinetic[b] = s.accounts[b].kinetic;
+    visitor.column("energy/kinetic", kinetic);
+    for (std::size_t b = 0; b < s.accounts.size(); ++b)
+      s.accounts[b].kinetic = kinetic.at(b);
+  }
+} // namespace dem

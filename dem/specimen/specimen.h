@@ -1,0 +1,223 @@
+#pragma once
+
+#include "dem/core/state.h"
+#include "dem/measures/loads.h"
+#include "dem/measures/mandel.h"
+#include "dem/model/energy.h"
+#include "dem/model/initial_equilibrium.h"
+#include "dem/model/materials.h"
+#include "dem/model/packing.h"
+#include "dem/model/physics.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace dem
+{
+  /** How the specimen is made from a packing and integrated in time. */
+  struct SpecimenParameters
+  {
+    Physics         physics;
+    double          density           = 0; ///< of the particles, not bulk [kg/m^3], > 0
+    double          interaction_ratio = 0; ///< iota: cohesive links where distance < iota (r_J + r_K), >= 1
+    double          thickness         = 0; ///< [m], of the discs; two dimensions only
+    std::size_t     loose       = 0;   ///< how many of the packing's last particles are linked to nothing: projectiles
+    double          step_factor = 0.8; ///< time step over the stable estimate (5.1), in (0, 1)
+    double          damping     = 0;   ///< local (Cundall) damping D in [0, 1)
+    Eigen::Vector3d gravity     = {0, 0, 0}; ///< acceleration of what falls [m/s^2]; not in a periodic cell
+  };
+
+  /** A group of particles with prescribed motion (a grip). */
+  struct Grip
+  {
+    std::vector<std::size_t> particles;              ///< by their number in the packing, from 0
+    std::array<bool, 6>      prescribed = {};        ///< x, y, z, rotation about x, y, z
+    Eigen::Vector3d          velocity   = {0, 0, 0}; ///< [m/s], of the prescribed translations
+    Eigen::Vector3d          spin       = {0, 0, 0}; ///< [rad/s], of the prescribed rotations
+  };
+
+  /** One particle as it is now. */
+  struct ParticleState
+  {
+    Eigen::Vector3d position;       ///< [m]
+    Eigen::Vector3d velocity, spin; ///< half a step back [m/s, rad/s]; in a periodic cell about its motion
+    double          radius;         ///< [m]
+    double          mass, inertia;  ///< [kg, kg m^2]
+  };
+
+  /** One particle as an observer sees it; tensors are row-major. Order: the packing's. */
+  struct ParticleOutput
+  {
+    std::vector<Eigen::Vector3d> position, displacement, velocity, angular_velocity;
+    std::vector<double>          radius;
+    std::vector<double>          mass;   ///< [kg]; of a specimen in motion only
+    std::vector<double>          damage; ///< mean damage of the links it was made with, broken ones count as 1 [-]
+    std::vector<std::int32_t>    broken_links; ///< how many of its cohesive links are gone
+    std::vector<double>          volume;       ///< the particle's share of the specimen's volume, voids included [m^3]
+    std::vector<std::int32_t>    held;         ///< 1: some of its motion is prescribed by a grip
+    std::vector<std::int32_t>    material;     ///< number of each particle's material; empty: there is one
+    std::vector<Eigen::Matrix3d> stress;       ///< Love-Weber, symmetric part, over the particle's share of volume [Pa]
+  };
+
+  /** Links, contacts and broken links as an observer sees them. */
+  struct LinkOutput
+  {
+    enum Kind : std::int32_t
+    {
+      cohesive = 0,
+      contact  = 1,
+      broken   = 2
+    };
+    std::vector<std::array<std::size_t, 2>> ends;          ///< particle numbers of the packing
+    std::vector<std::int32_t>               kind;          ///< Kind
+    std::vector<double>                     normal_force;  ///< [N], tension positive
+    std::vector<double>                     shear_force;   ///< [N], magnitude
+    std::vector<double>                     normal_stress; ///< [Pa]
+    std::vector<double>                     shear_stress;  ///< [Pa], magnitude
+    std::vector<double>                     normal_strain; ///< [-]
+    std::vector<double>                     damage;        ///< omega [-]
+    std::vector<double>
+      strength_damage;              ///< lost part of the strength, (6.6) of Stransky (2018); broken and contacts: 1
+    std::vector<double> dissipated; ///< by the link's damage so far [J]; zero where shear damages (then only summed up)
+    std::vector<std::int32_t> law;  ///< number of the pair of materials of each; empty: there is one
+    std::vector<LinkLoad>     load; ///< force and geometry at t_n; of a broken link its last geometry without force
+
+    /** What the law of the bonds shows of what it remembers, in its own names; zero for contacts of another law and broken links. */
+    std::vector<LinkQuantity>        quantities;
+    std::vector<std::vector<double>> history; ///< one column per quantity
+  };
+
+  /** The periodic cell of a specimen. */
+  struct CellState
+  {
+    Eigen::Matrix3d base;                  ///< H, columns are the base vectors, where the particles are now [m]
+    Eigen::Matrix3d deformation;           ///< F since the start, where the particles are now
+    Eigen::Matrix3d deformation_at_forces; ///< F at t_n of the last step, when forces and stress were found
+    Eigen::Matrix3d stress; ///< Love-Weber at t_n over the whole cell; unsymmetric part: net couples [Pa]
+    double          volume; ///< at t_n [m^3]
+  };
+
+  /** How much there is of what, at this moment. */
+  struct Counts
+  {
+    std::size_t  particles = 0, links = 0 /* cohesive, alive */, contacts = 0, broken = 0;
+    std::int64_t neighbour_searches = 0; ///< since the start: how often motion could have made a contact nobody watched
+  };
+
+  /**
+ * A bonded-particle specimen: particles, cohesive links and contacts, advanced in time by leap-frog steps.
+ *
+ * Results are the same to the last bit for any number of OpenMP threads. A copy is whole: it goes on to the same bits, and neither
+ * knows of the other; going back to an earlier state is to take a copy back.
+ */
+  class Specimen
+  {
+  public:
+    /**
+   * Link the packing and set it at rest. Links take the constants of the pair of materials that they join.
+   * @param materials numbered as the packing does; where it does not say, all particles are of the first
+   * @throws InputError when nothing can be made of it: see check_packing(); when no two particles are near enough to be linked;
+   *         when it is to be periodic and the packing is not; or when it has a material that is not among those given.
+   */
+    Specimen(const Packing &packing, const SpecimenParameters &parameters, const LinkMaterials &materials);
+    ~Specimen();
+    Specimen(Specimen &&) noexcept;
+    Specimen &operator=(Specimen &&) noexcept;
+    Specimen(const Specimen &);
+    Specimen &operator=(const Specimen &);
+
+    /** Take the given number of steps. @throws NumericalError when the state is no longer a number. */
+    void advance(std::int64_t steps);
+    /** The same, asking after each step whether to go on. */
+    void advance(std::int64_t steps, const std::function<bool()> &go_on);
+
+    const SpecimenParameters &parameters() const;
+
+    std::int64_t steps() const;     ///< taken since the start
+    double       time() const;      ///< [s]
+    double       time_step() const; ///< [s], in use
+    double
+    longest_step() const; ///< that may be set: the step factor times the stable step of the stiffest state so far [s]
+    /** Steps of this length from now on [s]; contacts that are born may shorten it. @throws InputError beyond longest_step() */
+    void   set_time_step(double step);
+    double stable_step() const;   ///< per-particle bound (5.1) of the present state [s]
+    double critical_step() const; ///< sharp: 2/sqrt(largest eigenvalue) by Lanczos, of the undamaged elastic system [s]
+    Counts counts() const;
+    std::size_t bytes() const; ///< memory held by particles, links and contacts
+
+    /** Prescribe motion of a group from now on. @return its number for reaction(). @throws InputError in a periodic cell */
+    std::size_t add_grip(const Grip &grip);
+    void        set_grip_velocity(std::size_t grip, const Eigen::Vector3d &velocity, const Eigen::Vector3d &spin);
+    /** The same for each of the grip's particles on its own, in the order of Grip::particles. @throws InputError for another number of them */
+    void set_grip_velocities(std::size_t                         grip,
+                             const std::vector<Eigen::Vector3d> &velocity,
+                             const std::vector<Eigen::Vector3d> &spin);
+    /** Force that the grip exerts on its particles, at t_n of the last step [N]. */
+    Eigen::Vector3d reaction(std::size_t grip) const;
+    /** Sum of the moments that the grip exerts on its particles about their own centres, likewise [N m]. */
+    Eigen::Vector3d reaction_moment(std::size_t grip) const;
+    /** Moment of all that the grip exerts on its particles in prescribed directions, about a point [m], likewise [N m]. */
+    Eigen::Vector3d reaction_moment(std::size_t grip, const Eigen::Vector3d &about) const;
+
+    /**
+   * Push a particle from outside [N, N m], in every step until clear_forces(). Several add up; their work is external work. Not part of
+   * the state that visit_state() shows. @throws InputError in a periodic cell
+   */
+    void add_force(std::size_t particle, const Eigen::Vector3d &force, const Eigen::Vector3d &couple);
+    void clear_forces();
+
+    /**
+   * Change a particle's velocity at once, where it is not prescribed [m/s, rad/s]. The energy that this gives or takes is external work;
+   * before the first step it is initial energy.
+   */
+    void apply_impulse(std::size_t particle, const Eigen::Vector3d &change, const Eigen::Vector3d &spin);
+
+    /**
+   * Deform the periodic cell, and the particles with it, at velocity gradient G [1/s] from the next step on.
+   * @throws InputError without a periodic cell, or for a gradient that is not finite or leaves a plane specimen's plane
+   */
+    void      set_velocity_gradient(const Eigen::Matrix3d &gradient);
+    CellState cell() const; ///< @throws InputError without a periodic cell
+
+    /**
+   * Stiffness of the cell if every particle followed its strain without turning, of the links as damaged as they are (secant; closed
+   * links whole) [Pa]: engineering shears, order 11 22 33 23 31 12. An upper bound of the true one (doc/theory/homogenisation.md, 2).
+   */
+    Matrix6d affine_stiffness() const;
+    /** Mean |force on a particle| over mean |link or contact force| at t_n; how far from equilibrium. Prescribed particles do not count. */
+    double unbalanced_ratio() const;
+
+    /** Local damping from the next step on: little while waves matter, more to come to rest. @throws InputError outside [0, 1) */
+    void set_damping(double damping);
+
+    /**
+   * Before the first step: move the particles to where links and weight are in equilibrium, grips held where they are. Found by the
+   * static solver, and followed through the change of geometry with the links' own update until it holds for the very forces that the
+   * first step will see. Loose particles stay as they are, and so do a few that no links hold (one in a hundred at most, named). Displacements count from the packing; what is stored becomes initial energy.
+   * @throws InputError, naming particles, where there is no such equilibrium or not every link stays elastic in it
+   */
+    InitialEquilibrium find_equilibrium();
+
+    /** Set velocities (by packing number) before the first step; they count as initial energy. In a periodic cell: about its motion. */
+    void set_velocity(std::size_t particle, const Eigen::Vector3d &velocity, const Eigen::Vector3d &spin);
+
+    EnergyAccount   energy() const;                           ///< at t_n of the last step
+    ParticleState   particle(std::size_t number) const;       ///< by packing number
+    Eigen::Vector3d displacement(std::size_t particle) const; ///< of a particle, by packing number, since the start [m]
+    double          mean_damage() const; ///< of the links made at the start, broken ones count as 1 [-]
+    ParticleOutput  particles() const;
+    LinkOutput      links() const;
+
+    /** Everything needed to go on to the same bits; a reader must be given a specimen made of the same packing and parameters. */
+    void visit_state(StateVisitor &visitor);
+
+  private:
+    struct Implementation;
+    std::unique_ptr<Implementation> self;
+  };
+} // namespace dem

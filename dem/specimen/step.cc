@@ -1,0 +1,242 @@
+#include "dem/core/errors.h"
+#include "dem/measures/link_measures.h"
+#include "dem/specimen/implementation.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace dem
+{
+  namespace
+  {
+    /** How often the state is looked at for NaN. */
+    constexpr std::int64_t steps_between_checks = 100;
+    /** Deleted links stay as idle lines until they are this part of all. */
+    constexpr double idle_lines_allowed = 0.05;
+
+    /**
+     * Work that its ends would have done on a link in the half step before t_n by the force (and moment) that the link pass has found
+     * at t_n [J]. A link that is deleted at t_n does not take it up: it never had this part of what it is thought to store.
+     */
+    double
+    work_not_taken_up(const Particles &particles, const LinkSet &links, const LinkView &link, const std::size_t l)
+    {
+      const std::int32_t J = links.first[l], K = links.second[l];
+      const auto         moved = [&](const std::int32_t i, const int c) {
+        return Eigen::Vector3d(
+                  &particles.motion[record_size * static_cast<std::size_t>(i) + static_cast<std::size_t>(c)]);
+      };
+      Eigen::Vector3d opening = moved(K, 0) - moved(J, 0);
+      if (links.periodic)
+        opening += particles.cell.motion_of(links.image[l]);
+      const double          eccentric = particles.radius_of(J) - particles.radius_of(K);
+      const Eigen::Vector3d arms =
+        0.5 * ((link.length + eccentric) * moved(J, 3) + (link.length - eccentric) * moved(K, 3));
+      double work = link.force.dot(opening) - link.direction.cross(link.force).dot(arms);
+      if (links.has_moment)
+        work += Eigen::Vector3d(&links.moment[record_size * l + 3]).dot(moved(K, 3) - moved(J, 3));
+      return 0.5 * work;
+    }
+  } // namespace
+
+  void Specimen::Implementation::step()
+  {
+    bond_pass(bonds, particles, *bond_law);
+    if (contacts.alive > 0)
+      contact_pass(contacts, particles, *contact_law);
+    if (parameters.physics.periodic)
+      sum_stress();
+    settle_events(bonds, *bond_law);
+    settle_events(contacts, *contact_law);
+    const StepHalves halves{0.5 * (step_count == 0 ? time_step : last_step), 0.5 * time_step};
+    select_particle_pass(contacts.alive > 0, parameters.damping > 0, equal_radii, moments(), surroundings())(
+      particles, bonds, &contacts, halves, parameters.damping, parameters.gravity, accounts);
+    account(halves);
+    if (parameters.physics.periodic)
+      particles.cell.advance(time_step);
+    ++step_count;
+    time += time_step;
+    last_step = time_step;
+    if (parameters.physics.contacts)
+      make_contacts();
+    if (step_count % steps_between_checks == 0)
+      check_numbers();
+  }
+
+  void Specimen::Implementation::sum_stress()
+  {
+    stress_moment.setZero();
+    for (const LinkSet *links : {&bonds, &contacts})
+      if (links->alive > 0)
+        for (std::size_t b = 0; b < links->blocks(); ++b)
+          stress_moment +=
+            Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(&links->stress_moments[stress_record * b]);
+  }
+
+  void Specimen::Implementation::sum_pulls()
+  {
+    for (auto &grip : grips)
+      {
+        grip.pull = {};
+        for (const std::int32_t i : grip.members)
+          for (int c = 0; c < 6; ++c)
+            grip.pull[c] += particles.force[record_size * static_cast<std::size_t>(i) + c];
+        if (grip.own_rates.empty())
+          continue;
+        grip.own_power = 0;
+        for (std::size_t k = 0; k < grip.members.size(); ++k)
+          for (int c = 0; c < 6; ++c)
+            if (grip.grip.prescribed[c])
+              grip.own_power -=
+                particles.force[record_size * static_cast<std::size_t>(grip.members[k]) + c] * grip.rate(k, c);
+      }
+  }
+
+  double Specimen::Implementation::force_less_push(const std::int32_t i, const int c) const
+  {
+    const std::size_t at = record_size * static_cast<std::size_t>(i) + static_cast<std::size_t>(c);
+    return particles.pushed.empty() ? particles.force[at] : particles.force[at] - particles.pushed[at];
+  }
+
+  double Specimen::Implementation::work_of_kicks(const double half) const
+  {
+    double work = 0;
+    for (const VelocityKick &kick : kicks)
+      for (int c = 0; c < 6; ++c)
+        work += force_less_push(kick.particle, c) * kick.change[c];
+    return half * work;
+  }
+
+  void Specimen::Implementation::account(const StepHalves &halves)
+  {
+    damped_before += damped_now + damped_after;
+    work_before += work_now + work_after;
+    damped_now = damped_after = work_now = work_after = 0;
+    for (const auto &block : accounts)
+      {
+        damped_now -= block.damping_before;
+        damped_after -= block.damping_after;
+        work_now += block.pushing_before;
+        work_after += block.pushing_after;
+      }
+    work_now += work_of_kicks(halves.before);
+    kicks.clear();
+    sum_pulls();
+    for (auto &grip : grips)
+      {
+        double lost_power = 0; // in the half step before t_n members had the velocities of before the last change
+        for (std::size_t k = 0; k < grip.members.size(); ++k)
+          for (int c = 0; c < 6; ++c)
+            lost_power -= force_less_push(grip.members[k], c) * grip.lost_velocity[6 * k + c];
+        std::fill(grip.lost_velocity.begin(), grip.lost_velocity.end(), 0.0);
+        work_now += halves.before * (grip.power() + lost_power);
+        work_after += halves.after * grip.power();
+      }
+    if (parameters.physics.periodic)
+      {
+        const auto work = [&](const Eigen::Matrix3d &increment) {
+          return 0.5 * stress_moment.transpose().cwiseProduct(increment).sum(); // V sigma^T : G dt/2
+        };
+        work_now += work(particles.cell.last_increment());
+        work_after += work(time_step * particles.cell.gradient());
+      }
+  }
+
+  void Specimen::Implementation::settle_events(LinkSet &links, const LinkLaw &law)
+  {
+    if (links.alive == 0)
+      return;
+    LinkReader reader(particles, links, law);
+    for (std::size_t b = 0; b < links.blocks(); ++b)
+      if (links.accounts[b].event)
+        {
+          links.accounts[b].event = false;
+          const std::size_t end   = std::min((b + 1) * links_per_block, links.count);
+          for (std::size_t l = b * links_per_block; l < end; ++l)
+            {
+              if (!links.is_alive(l))
+                continue;
+              reader.read(l, Geometry::present);
+              const LinkPhase phase = reader.phase();
+              if (phase == LinkPhase::whole)
+                continue;
+              const bool noted = links.logs_breaks && links.noted[l] != 0;
+              if (law.bonds() && !noted)
+                note_crack(reader, l);
+              if (phase == LinkPhase::gone)
+                delete_link(links, reader, l);
+              else if (links.logs_breaks)
+                links.noted[l] = 1;
+            }
+        }
+    if (law.bonds() &&
+        static_cast<double>(links.count - links.alive) > idle_lines_allowed * static_cast<double>(links.count))
+      links.compact(particles.count);
+  }
+
+  void Specimen::Implementation::note_crack(const LinkReader &link, const std::size_t l)
+  {
+    const std::int32_t    J = bonds.first[l], K = bonds.second[l];
+    const Eigen::Vector3d branch     = branch_of(particles, bonds, l);
+    const double          dissipated = link.damage_dissipation(), length = branch.norm();
+    const double          arm     = 0.5 * (length + particles.radius_of(J) - particles.radius_of(K));
+    const Eigen::Vector3d contact = particles.position_of(J) + arm / length * branch;
+    broken_damage += dissipated;
+    crack_geometry.insert(crack_geometry.end(), branch.data(), branch.data() + 3);
+    crack_geometry.insert(crack_geometry.end(), contact.data(), contact.data() + 3);
+    crack_geometry.insert(crack_geometry.end(), {dissipated, 0.0});
+    ++particles.broken_links[J];
+    ++particles.broken_links[K];
+    crack_log.push_back(J);
+    crack_log.push_back(K);
+  }
+
+  void Specimen::Implementation::delete_link(LinkSet &links, const LinkReader &link, const std::size_t l)
+  {
+    const std::int32_t    J = links.first[l], K = links.second[l];
+    const Eigen::Vector3d branch = branch_of(particles, links, l);
+    if (links.periodic)
+      stress_moment -= branch * Eigen::RowVector3d(&links.force[record_size * l]);
+    // Below zero where one step closed and opened it: energy that the step made, not the link. The balance shows it.
+    released += std::max(link.stored() - work_not_taken_up(particles, links, link.view(), l), 0.0);
+    links.remove(l);
+    if (parameters.physics.contacts)
+      search.watch(particles, {J, K, links.periodic ? links.image[l] : 0});
+  }
+
+  void Specimen::Implementation::make_contacts()
+  {
+    double fastest = 0;
+    for (const auto &block : accounts)
+      fastest = std::max(fastest, block.fastest);
+    if (!search.moved(std::sqrt(fastest), (time_step * particles.cell.gradient()).norm()))
+      return;
+    const auto born = search.look(particles, bonds, contacts);
+    if (born.empty())
+      return;
+    add_contacts(contacts, born, particles, shape, *contact_law);
+    // Links only soften, but contacts stiffen the particles they join: keep the factor on the present bound.
+    for (const auto &pair : born)
+      for (const std::int32_t i : {pair.first, pair.second})
+        longest_step = std::min(longest_step, parameters.step_factor * stable_step_of(particles, all_links(),
+                                                                                      parameters.physics.rotations, i));
+    time_step = std::min(time_step, longest_step);
+  }
+
+  void Specimen::Implementation::check_numbers() const
+  {
+    for (std::size_t i = 0; i < particles.count; ++i)
+      for (int c = 0; c < 6; ++c)
+        if (!std::isfinite(particles.velocity[record_size * i + c]))
+          {
+            std::ostringstream message;
+            message << "step " << step_count << ", time " << time << " s: particle " << particles.number[i] + 1
+                    << " no longer has a finite velocity. Lower Time/Step factor (" << parameters.step_factor
+                    << ") or the loading rate, and check the material.";
+            throw NumericalError(message.str());
+          }
+  }
+} // namespace dem
