@@ -20,14 +20,19 @@ namespace dem
  * At the start all pairs within the interaction ratio are linked, so the first list is empty and its margin is the gap that the ratio
  * leaves between unlinked particles.
  *
+ * Where contacts wait, nothing is watched: pairs nearer than the margin are contacts already.
+ *
  * In a periodic cell displacements are the fluctuations about the cell's motion; its strain brings a pair closer by its part of their
  * distance, which is below `reach`, the distance of the widest watched pair, from the moment the pair can matter.
  */
   class ContactSearch
   {
   public:
-    /** @param start_margin no unlinked pair has a gap below this at the start [m] */
-    ContactSearch(const Particles &particles, double start_margin);
+    /**
+     * @param start_margin no unlinked pair has a gap below this at the start [m]
+     * @param contacts_wait pairs are to be linked as soon as they are watched for, and not only when they overlap
+     */
+    ContactSearch(const Particles &particles, double start_margin, bool contacts_wait);
 
     /**
      * Account for one step. @param largest no particle moved further [m] @param strain of the cell in the step, its norm
@@ -38,8 +43,11 @@ namespace dem
     /** A pair (first, second, image) that is no longer linked: watch it. */
     void watch(const Particles &particles, const std::array<std::int32_t, 3> &pair);
 
-    /** Unlinked pairs that overlap now, sorted; they are no longer watched. */
+    /** Unlinked pairs that overlap now (all watched ones, where contacts wait), sorted; they are no longer watched. */
     std::vector<NeighbourPair> look(Particles &particles, const LinkSet &bonds, const LinkSet &contacts);
+
+    /** Whether a contact that waits would be made anew if it were dropped now. */
+    bool is_near(const Particles &particles, const std::array<std::int32_t, 3> &pair) const;
 
     std::int64_t searches() const { return neighbour_searches; } ///< how often neighbours were searched so far
 
@@ -52,6 +60,7 @@ namespace dem
     /** Not below the distance of a pair that is watched for, of centres [m]. */
     double reach() const { return largest_diameter + std::max(margin, list_margin); }
 
+    bool                      contacts_wait;
     std::vector<std::int32_t> watched;     ///< first, second, image of each pair, flattened
     Column                    reference;   ///< positions at the last rebuild, three per particle [m]
     double                    margin;      ///< gap that unwatched pairs had at least at the last rebuild [m]

@@ -19,12 +19,25 @@ namespace dem
   template <typename Law>
   LinkPass link_pass_in_space(bool rotations, Mixture mixture, bool periodic);
 
+  /** Law::waits, false for a law that does not speak of it. */
+  template <typename Law>
+  constexpr bool law_waits(decltype(Law::waits, 0))
+  {
+    return Law::waits;
+  }
+  template <typename Law>
+  constexpr bool law_waits(...)
+  {
+    return false;
+  }
+
   /**
    * Makes of a law, as it is written in its own file, the LinkLaw that everybody else works with.
    *
    * `Law` is a type without data. doc/theory/link-laws.md tells what it declares:
    *
    *   name, bonds, moment, breaks_in_place, records                 constants
+   *   waits                                                         constant, if its contacts may wait (LinkLaw::waits)
    *   Constants, State<T, m>                                        types; State is a LinkState
    *   history()                                                     quantities of numbers, shears, bendings, in this order
    *   put(constants, record), gathered(packs, first)                constants as numbers in records of eight, and back as packs
@@ -63,6 +76,7 @@ namespace dem
     bool        has_moment() const override { return Law::moment && rotations; }
     bool        breaks_in_place() const override { return Law::breaks_in_place; }
     bool        bonds() const override { return Law::bonds; }
+    bool        waits() const override { return law_waits<Law>(0); }
 
     LinkPass pass(const Mixture mixture, const bool periodic) const override
     {

@@ -74,17 +74,20 @@ namespace dem
       }
     answer.normal = area * normal;
     answer.shear  = (area * T(k.shear)) * shear;
-    answer.event  = strain > T(0.0);
+    answer.event  = Comparison<T>(false);
     return answer;
   }
 
-  /** Links of the linear contact law: they live while the particles touch. */
+  /**
+   * Links of the linear contact law. While the particles are apart the force and the elastic shear are zero by the update itself (there is
+   * no strength, everything slides and dissipates nothing), so a link may be there long before and after they touch.
+   */
   struct LinearContact
   {
     using Constants = LinearContactConstants;
 
     static constexpr const char *name  = "linear";
-    static constexpr bool        bonds = false, moment = false, breaks_in_place = false;
+    static constexpr bool        bonds = false, moment = false, breaks_in_place = false, waits = true;
     static constexpr int         records = 1;
 
     template <typename T, int m>
@@ -133,7 +136,7 @@ namespace dem
     template <typename S>
     static LinkPhase phase(const Constants &, const LinkGeometry &link, const S &)
     {
-      return link.strain > 0 ? LinkPhase::gone : LinkPhase::broken;
+      return link.strain > 0 ? LinkPhase::apart : LinkPhase::broken;
     }
     /** 1/2 F_n^2/k_n + 1/2 F_s^2/k_s */
     template <typename S>

@@ -59,6 +59,7 @@ namespace dem
   {
     whole,  ///< as it was made, damaged perhaps
     broken, ///< its bond is gone, it still touches
+    apart,  ///< carries nothing while its particles do not touch; a law that waits keeps it until they do
     gone    ///< it carries nothing any more
   };
 
@@ -130,6 +131,8 @@ namespace dem
     virtual bool                      has_moment() const      = 0;
     virtual bool                      breaks_in_place() const = 0; ///< a broken bond stays in its place as a contact
     virtual bool                      bonds() const = 0; ///< carries tension; otherwise it lives only in contact
+    /** Its contacts may be made before the particles touch, and remain when they part: nothing is made or deleted at each touch. */
+    virtual bool waits() const { return false; }
 
     /** Length that strains are measured against [m]. */
     virtual double reference_length(const NewLink &link) const = 0;

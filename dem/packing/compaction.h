@@ -17,8 +17,8 @@ namespace dem
    * everything else by default:
    *
    *     friction             0       0.1     0.2     0.5     0.8     1.0     2.0
-   *     packing fraction     0.6456  0.6133  0.5923  0.5640  0.5557  0.5515  0.5466
-   *     standard deviation   0.0008  0.0016  0.0021  0.0021  0.0026  0.0039  0.0018
+   *     packing fraction     0.6460  0.6130  0.5923  0.5643  0.5550  0.5517  0.5472
+   *     standard deviation   0.0011  0.0020  0.0020  0.0020  0.0031  0.0036  0.0044
    *
    * that is from random close to random loose packing (Silbert, 2010, Soft Matter 6, 2918). Damping, shear ratio, initial
    * spacing, pressures, servo and time step move it by about 0.005. Stransky (2018) prints 0.55 with friction 0.5 and

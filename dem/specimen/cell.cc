@@ -37,14 +37,13 @@ namespace dem
       return sum;
     }
 
-    void add_force_norms(const LinkSet &links, double &sum, std::size_t &count)
+    double sum_of_forces(const LinkSet &links)
     {
+      double sum = 0;
       for (std::size_t l = 0; l < links.count; ++l)
         if (links.is_alive(l))
-          {
-            sum += Eigen::Vector3d(&links.force[record_size * l]).norm();
-            ++count;
-          }
+          sum += Eigen::Vector3d(&links.force[record_size * l]).norm();
+      return sum;
     }
   } // namespace
 
@@ -79,8 +78,8 @@ namespace dem
   double Specimen::unbalanced_ratio() const
   {
     const Particles &p            = self->particles;
-    double           on_particles = 0, of_links = 0;
-    std::size_t      moving = 0, links = 0;
+    double           on_particles = 0;
+    std::size_t      moving       = 0;
     for (std::size_t i = 0; i < p.count; ++i)
       {
         const Eigen::Vector3d force(&p.force[record_size * i]), mobile(&p.inverse_mass[record_size * i]);
@@ -90,8 +89,8 @@ namespace dem
             ++moving;
           }
       }
-    add_force_norms(self->bonds, of_links, links);
-    add_force_norms(self->contacts, of_links, links);
+    const double      of_links = sum_of_forces(self->bonds) + sum_of_forces(self->contacts);
+    const std::size_t links    = self->bonds.alive + self->touching_contacts();
     if (moving == 0 || on_particles == 0)
       return 0.0;
     return on_particles / static_cast<double>(moving) / (of_links / static_cast<double>(links));

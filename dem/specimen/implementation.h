@@ -90,8 +90,10 @@ namespace dem
     }
     void link();
     /** Take pairs with a loose particle out; they may be nearer than the ratio leaves others, and the search must know. */
-    void                     leave_loose(std::vector<NeighbourPair> &pairs);
-    bool                     moments() const { return bonds.has_moment || contacts.has_moment; }
+    void leave_loose(std::vector<NeighbourPair> &pairs);
+    bool moments() const { return bonds.has_moment || contacts.has_moment; }
+    /** Contacts that carry something: those that wait do not count. */
+    std::size_t              touching_contacts() const;
     std::vector<LawfulLinks> all_links() const { return {{bonds, *bond_law}, {contacts, *contact_law}}; }
     double stable() const { return dem::stable_step(particles, all_links(), parameters.physics.rotations); }
     /** Stable step (5.1) of particles that have no links yet: for as many contacts as equal spheres can have at once [s]. */
@@ -133,8 +135,10 @@ namespace dem
     void settle_events(LinkSet &links, const LinkLaw &law);
     void note_crack(const LinkReader &link, std::size_t number);
     void delete_link(LinkSet &links, const LinkReader &link, std::size_t number);
-    /** Make contacts of pairs that have begun to overlap, where motion can have made one. */
+    /** Make contacts of pairs that have begun to overlap (or, where they wait, may soon), where motion can have made one. */
     void make_contacts();
+    /** Take out contacts that wait for particles far away by now. */
+    void drop_distant_contacts();
     /** NaN and infinity spread to velocities within a step. */
     void check_numbers() const;
   };

@@ -126,9 +126,11 @@ namespace dem
         {
           if (!links.is_alive(l))
             continue;
+          reader.read(l);
+          if (law.waits() && reader.phase() == LinkPhase::apart)
+            continue;
           if (links.several_laws)
             out.law.push_back(links.law[l]);
-          reader.read(l);
           const LinkView &view     = reader.view();
           const bool      cohesive = law.bonds() && !links.is_broken(l);
           const double normal = view.force.dot(view.direction), shear = (view.force - normal * view.direction).norm();

@@ -32,7 +32,10 @@ namespace dem
     const Particles &p = self->particles;
     const auto       i = static_cast<std::size_t>(self->slot.at(number));
     const double    *v = &p.velocity[record_size * i];
-    return {p.position_of(i), Eigen::Vector3d(v), Eigen::Vector3d(v + 3), p.radius_of(i), p.mass[i], p.inertia[i]};
+    return {p.position_of(i),   Eigen::Vector3d(&p.motion[record_size * i]),
+            Eigen::Vector3d(v), Eigen::Vector3d(v + 3),
+            p.radius_of(i),     p.mass[i],
+            p.inertia[i]};
   }
 
   void Specimen::add_force(const std::size_t particle, const Eigen::Vector3d &force, const Eigen::Vector3d &couple)

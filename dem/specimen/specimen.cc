@@ -121,7 +121,7 @@ namespace dem
     , contact_law(materials.contacts(p.physics))
     , start_margin(2.0 * *std::min_element(packing.radius.begin(), packing.radius.end()) *
                    std::max((1 - tie) * p.interaction_ratio - 1.0, 0.0))
-    , search(particles, start_margin)
+    , search(particles, start_margin, contact_law->waits())
     , bond_pass(bond_law->pass(mixture(), p.physics.periodic))
     , contact_pass(contact_law->pass(mixture(), p.physics.periodic))
     , accounts(particle_blocks(particles.count))
@@ -136,6 +136,17 @@ namespace dem
       throw InputError("Interaction ratio = " + std::to_string(p.interaction_ratio) +
                        ": no two particles are near enough to be linked, nothing holds the specimen together. Raise "
                        "the ratio or check the packing.");
+  }
+
+  std::size_t Specimen::Implementation::touching_contacts() const
+  {
+    if (!contact_law->waits())
+      return contacts.alive;
+    std::size_t touching = 0;
+    for (std::size_t l = 0; l < contacts.count; ++l)
+      touching +=
+        contacts.is_alive(l) && !Eigen::Map<const Eigen::Vector3d>(&contacts.force[record_size * l]).isZero(0);
+    return touching;
   }
 
   void Specimen::Implementation::leave_loose(std::vector<NeighbourPair> &pairs)
@@ -154,7 +165,7 @@ namespace dem
       return true;
     });
     pairs.erase(linked_end, pairs.end());
-    search = ContactSearch(particles, std::max(margin, 0.0));
+    search = ContactSearch(particles, std::max(margin, 0.0), contact_law->waits());
   }
 
   double Specimen::Implementation::step_of_lone_particles() const
@@ -183,7 +194,7 @@ namespace dem
         leave_loose(pairs);
       }
     else
-      search = ContactSearch(particles, 0.0); // any two may be in contact from the start
+      search = ContactSearch(particles, 0.0, contact_law->waits()); // any two may be in contact from the start
     make_links(bonds, pairs, particles, shape, *bond_law);
     made_links = pairs.size();
     for (const auto &pair : pairs)
@@ -252,7 +263,7 @@ namespace dem
   Counts Specimen::counts() const
   {
     const std::size_t in_place = self->bonds.broken();
-    return {self->particles.count, self->bonds.alive - in_place, self->contacts.alive + in_place,
+    return {self->particles.count, self->bonds.alive - in_place, self->touching_contacts() + in_place,
             self->crack_log.size() / 2, self->search.searches()};
   }
 

@@ -45,6 +45,7 @@ namespace dem
   struct ParticleState
   {
     Eigen::Vector3d position;       ///< [m]
+    Eigen::Vector3d moved;          ///< in the last step, with the cell: forces belong to where it came from [m]
     Eigen::Vector3d velocity, spin; ///< half a step back [m/s, rad/s]; in a periodic cell about its motion
     double          radius;         ///< [m]
     double          mass, inertia;  ///< [kg, kg m^2]

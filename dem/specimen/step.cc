@@ -214,7 +214,10 @@ namespace dem
       fastest = std::max(fastest, block.fastest);
     if (!search.moved(std::sqrt(fastest), (time_step * particles.cell.gradient()).norm()))
       return;
-    const auto born = search.look(particles, bonds, contacts);
+    const auto searches = search.searches();
+    const auto born     = search.look(particles, bonds, contacts);
+    if (contact_law->waits() && search.searches() != searches)
+      drop_distant_contacts();
     if (born.empty())
       return;
     add_contacts(contacts, born, particles, shape, *contact_law);
@@ -224,6 +227,14 @@ namespace dem
         longest_step = std::min(longest_step, parameters.step_factor * stable_step_of(particles, all_links(),
                                                                                       parameters.physics.rotations, i));
     time_step = std::min(time_step, longest_step);
+  }
+
+  void Specimen::Implementation::drop_distant_contacts()
+  {
+    for (std::size_t l = 0; l < contacts.count; ++l)
+      if (contacts.is_alive(l) && !search.is_near(particles, {contacts.first[l], contacts.second[l],
+                                                              contacts.periodic ? contacts.image[l] : 0}))
+        contacts.remove(l);
   }
 
   void Specimen::Implementation::check_numbers() const

@@ -111,13 +111,13 @@ namespace dem
   LinkRelaxationReport relax_links(const LoadedNetwork            &loaded,
                                    DamagingLinks                  &links,
                                    LoadedMotion                   &motion,
-                                   const double                    change,
+                                   const Vector6                  &change,
                                    const LinkRelaxationParameters &p)
   {
     Relaxation           relaxation(loaded, p.damping);
     const double         scale        = mean_arm(loaded.network);
-    const double         part         = change / static_cast<double>(p.ramp_steps);
-    double               force_before = 0;
+    const Vector6        part         = change / static_cast<double>(p.ramp_steps);
+    Vector6              force_before = Vector6::Zero();
     int                  at_rest      = 0; // steps in a row: forces also vanish where all swings through
     LinkRelaxationReport report;
     for (;; ++report.steps)
@@ -129,11 +129,10 @@ namespace dem
         if (!std::isfinite(report.residual))
           throw NumericalError("quasi-static loading: a force is no longer a number after " +
                                std::to_string(report.steps) + " steps of relaxation.");
-        const bool   ramp  = report.steps < p.ramp_steps;
-        const double force = unbalanced.loads[loaded.led];
+        const bool ramp = report.steps < p.ramp_steps;
         if (report.steps > 0 && report.steps <= p.ramp_steps)
-          report.external_work += 0.5 * (force_before + force) * part;
-        force_before         = force;
+          report.external_work += 0.5 * (force_before + unbalanced.loads).dot(part);
+        force_before         = unbalanced.loads;
         at_rest              = report.residual <= p.tolerance ? at_rest + 1 : 0;
         constexpr int enough = 20;
         report.converged     = !ramp && at_rest >= enough;
@@ -144,7 +143,7 @@ namespace dem
           }
         report.damped += relaxation.advance(unbalanced, motion);
         if (ramp)
-          motion.loads[loaded.led] += part;
+          motion.loads += part;
       }
   }
 } // namespace dem

@@ -11,7 +11,7 @@ namespace dem
   {
     double       damping    = 0.7;    ///< local (Cundall) damping D, in (0, 1)
     double       tolerance  = 1e-7;   ///< see Unbalanced::residual
-    std::int64_t ramp_steps = 200;    ///< over which the led parameter moves
+    std::int64_t ramp_steps = 200;    ///< over which the led parameters move
     std::int64_t most_steps = 200000; ///< with the ramp
   };
 
@@ -20,7 +20,7 @@ namespace dem
     std::int64_t steps         = 0;
     bool         converged     = false;
     double       residual      = 0;
-    double       external_work = 0; ///< by the led parameter [J]
+    double       external_work = 0; ///< by the parameters that are led [J]
     double       damped        = 0; ///< taken out by damping, and what was still in motion at the end [J]
   };
 
@@ -29,12 +29,12 @@ namespace dem
    * hands over to when equilibrium is lost (a cascade), and takes over from at the next equilibrium.
    *
    * Leap-frog steps with local damping a (1 - D sign(a v)) (Cundall and Strack, 1979) and masses scaled to the undamaged stiffness
-   * (Gershgorin rows), so that the stable step is the same for every motion; free load parameters move as particles do. The led
-   * parameter moves by `change`, evenly over the ramp, and then stays.
+   * (Gershgorin rows), so that the stable step is the same for every motion; free load parameters move as particles do. The others
+   * move by `change`, evenly over the ramp, and then stay.
    */
   LinkRelaxationReport relax_links(const LoadedNetwork            &loaded,
                                    DamagingLinks                  &links,
                                    LoadedMotion                   &motion,
-                                   double                          change,
+                                   const Vector6                  &change,
                                    const LinkRelaxationParameters &parameters);
 } // namespace dem

@@ -75,6 +75,8 @@ namespace dem
     return loaded;
   }
 
+  LoadedNetwork strained_cell(ElasticNetwork network) { return load_cell(std::move(network), 0, false); }
+
   LoadedNetwork load_grips(ElasticNetwork network, const GripPair &grips)
   {
     if (grips.axis < 0 || grips.axis >= network.dimension)
@@ -114,6 +116,15 @@ namespace dem
     loaded.held[one] |= bit(other);
     if (two != one)
       loaded.held[two] |= bit(other);
+  }
+
+  void LoadedMotion::visit_state(StateVisitor &visitor)
+  {
+    Column flat(particles.data(), particles.data() + particles.size());
+    flat.insert(flat.end(), loads.data(), loads.data() + 6);
+    visitor.column("motion", flat);
+    std::copy_n(flat.data(), particles.size(), particles.data());
+    std::copy_n(flat.data() + particles.size(), 6, loads.data());
   }
 
   Eigen::Vector3d slip_of(const LoadedNetwork &loaded, const std::size_t link, const LoadedMotion &motion)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "dem/core/state.h"
 #include "dem/grips/grip_layers.h"
 #include "dem/statics/elastic_network.h"
 #include "dem/statics/stiffness_operator.h"
@@ -38,6 +39,9 @@ namespace dem
    */
   LoadedNetwork load_cell(ElasticNetwork network, int axis, bool lateral_free);
 
+  /** A periodic cell whose strains are all given: none free, the first led. @throws InputError if the network is not periodic */
+  LoadedNetwork strained_cell(ElasticNetwork network);
+
   /** Two layers of particles that are led apart (or together) along an axis, half of the way each. */
   struct GripPair
   {
@@ -70,6 +74,7 @@ namespace dem
       , loads(Vector6::Zero())
     {
     }
+    void visit_state(StateVisitor &visitor);
   };
 
   /** Relative displacement of the two ends at the contact point of a link [m]; doc/theory/statics.md, 1. */

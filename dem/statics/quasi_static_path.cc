@@ -62,7 +62,7 @@ namespace dem
   }
 
   QuasiStaticPath::QuasiStaticPath(const LoadedNetwork         &network,
-                                   const LinkMaterials          &materials,
+                                   const LinkMaterials         &materials,
                                    const QuasiStaticParameters &asked)
     : loaded(&network)
     , parameters(asked)
@@ -224,8 +224,8 @@ namespace dem
     LinkRelaxationParameters p      = parameters.relaxation;
     p.tolerance                     = parameters.tolerance;
     bonds.forget_growth();
-    const LinkRelaxationReport report =
-      relax_links(*loaded, bonds, now, parameters.sign * onward * parameters.strain_step, p);
+    const LinkRelaxationReport report = relax_links(
+      *loaded, bonds, now, parameters.sign * onward * parameters.strain_step * Vector6::Unit(loaded->led), p);
     if (!report.converged)
       {
         std::ostringstream message;
@@ -274,11 +274,7 @@ namespace dem
   void QuasiStaticPath::visit_state(StateVisitor &visitor)
   {
     bonds.visit_state(visitor);
-    Column flat(now.particles.data(), now.particles.data() + now.particles.size());
-    flat.insert(flat.end(), now.loads.data(), now.loads.data() + 6);
-    visitor.column("motion", flat);
-    std::copy_n(flat.data(), now.particles.size(), now.particles.data());
-    std::copy_n(flat.data() + now.particles.size(), 6, now.loads.data());
+    now.visit_state(visitor);
     visitor.scalar("part", part);
     visit_points(visitor);
     restore(now);

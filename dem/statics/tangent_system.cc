@@ -58,6 +58,9 @@ namespace dem
       for (int p = 0; p < 6; ++p)
         if (loaded.free[p] || p == loaded.led)
           moving.push_back(p);
+      for (int p = 0; p < 6; ++p)
+        if (loaded.network.dimension == 3 || p < 2 || p == 5)
+          all.push_back(p);
       weak_diagonal                         = undamaged_diagonal();
       lu.umfpackControl()[UMFPACK_ORDERING] = UMFPACK_ORDERING_METIS;
       lu.umfpackControl()[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;
@@ -159,23 +162,41 @@ namespace dem
       return (diagonal.array() > 1e-12 * mean).select(diagonal, mean);
     }
 
-    /** Force on every unknown per unit of the moving parameters, from links of the given stiffness. */
-    Eigen::MatrixXd load_columns(const std::vector<Matrix6> &stiffness) const
+    bool factorize(const std::vector<Matrix6> &stiffness)
     {
-      Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(count, static_cast<Eigen::Index>(moving.size()));
+      assemble(stiffness);
+      lu.factorize(matrix);
+      return lu.info() == Eigen::Success;
+    }
+
+    /** What is unbalanced, as forces on the unknowns. */
+    Eigen::VectorXd forces_of(const Unbalanced &unbalanced) const
+    {
+      Eigen::VectorXd right(count);
+      for (std::size_t i = 0; i < loaded.held.size(); ++i)
+        for (int c = 0; c < motions; ++c)
+          if (const int u = unknown[motions * i + c]; u >= 0)
+            right[u] = unbalanced.particles(c, static_cast<Eigen::Index>(i)) / (c < 3 ? 1 : scale);
+      return right;
+    }
+
+    /** Force on every unknown per unit of some parameters, from links of the given stiffness. */
+    Eigen::MatrixXd load_columns(const std::vector<Matrix6> &stiffness, const std::vector<int> &of) const
+    {
+      Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(count, static_cast<Eigen::Index>(of.size()));
       for (std::size_t i = 0; i < stiffness.size(); ++i)
         {
-          const ElasticLink &l                   = loaded.network.links[i];
-          const auto [J, K]                      = slip_matrices(l, scale);
-          const Matrix6                     f    = stiffness[i].leftCols<3>() * loaded.load_slip[i];
-          const Block                       on_J = J.transpose() * f, on_K = K.transpose() * f;
+          const ElasticLink &l = loaded.network.links[i];
+          const auto [J, K]    = slip_matrices(l, scale);
+          const Matrix6 f      = stiffness[i].leftCols<3>() * loaded.load_slip[i];
+          const Block   on_J = J.transpose() * f, on_K = K.transpose() * f;
           for (int c = 0; c < motions; ++c)
-            for (std::size_t p = 0; p < moving.size(); ++p)
+            for (std::size_t p = 0; p < of.size(); ++p)
               {
                 if (const int u = unknown[motions * l.first + c]; u >= 0)
-                  columns(u, static_cast<Eigen::Index>(p)) += on_J(c, moving[p]);
+                  columns(u, static_cast<Eigen::Index>(p)) += on_J(c, of[p]);
                 if (const int u = unknown[motions * l.second + c]; u >= 0)
-                  columns(u, static_cast<Eigen::Index>(p)) += on_K(c, moving[p]);
+                  columns(u, static_cast<Eigen::Index>(p)) += on_K(c, of[p]);
               }
         }
       return columns;
@@ -189,6 +210,14 @@ namespace dem
           if (const int u = unknown[motions * i + c]; u >= 0)
             motion.particles(c, static_cast<Eigen::Index>(i)) = c < 3 ? x[u] : x[u] / scale;
       return motion;
+    }
+
+    Eigen::VectorXd of_all(const Vector6 &parameters) const
+    {
+      Eigen::VectorXd values(static_cast<Eigen::Index>(all.size()));
+      for (std::size_t p = 0; p < all.size(); ++p)
+        values[static_cast<Eigen::Index>(p)] = parameters[all[p]];
+      return values;
     }
 
     /** Change of the parameters' forces under a motion. */
@@ -205,9 +234,7 @@ namespace dem
     }
 
     /** Let the free parameters take out their force; `left` of each is there to begin with. */
-    void release(std::vector<LoadedMotion>          &answers,
-                 const std::vector<Matrix6> &stiffness,
-                 const Vector6                      &left) const
+    void release(std::vector<LoadedMotion> &answers, const std::vector<Matrix6> &stiffness, const Vector6 &left) const
     {
       // A row per parameter: its force vanishes; of the led one and of those that stay zero, the step itself is given.
       Eigen::Matrix<double, 6, 6> D = Eigen::Matrix<double, 6, 6>::Identity();
@@ -245,7 +272,8 @@ namespace dem
     double                   scale;
     int                      count = 0;
     std::vector<int>         unknown, first; ///< of each motion, -1 where held; of each particle, and the end
-    std::vector<int>         moving;         ///< load parameters that are not zero
+    std::vector<int>         moving;         ///< load parameters that are free or led
+    std::vector<int>         all;            ///< load parameters that there are, in the plane or in space
     Sparse                   matrix;
     std::vector<BlockPlaces> places;
     Eigen::VectorXd          weak_diagonal;
@@ -264,17 +292,12 @@ namespace dem
   bool TangentSystem::solve(const std::vector<Matrix6> &stiffness, const Unbalanced &unbalanced, Answer &answer)
   {
     Implementation &s = *self;
-    s.assemble(stiffness);
-    s.lu.factorize(s.matrix);
-    if (s.lu.info() != Eigen::Success)
+    if (!s.factorize(stiffness))
       return false;
     Eigen::MatrixXd right(s.count, static_cast<Eigen::Index>(s.moving.size()) + 1);
-    right.rightCols(static_cast<Eigen::Index>(s.moving.size())) = -s.load_columns(stiffness);
-    for (std::size_t i = 0; i < s.loaded.held.size(); ++i)
-      for (int c = 0; c < motions; ++c)
-        if (const int u = s.unknown[motions * i + c]; u >= 0)
-          right(u, 0) = unbalanced.particles(c, static_cast<Eigen::Index>(i)) / (c < 3 ? 1 : s.scale);
-    const Eigen::MatrixXd x = s.lu.solve(right);
+    right.rightCols(static_cast<Eigen::Index>(s.moving.size())) = -s.load_columns(stiffness, s.moving);
+    right.col(0)                                                = s.forces_of(unbalanced);
+    const Eigen::MatrixXd x                                     = s.lu.solve(right);
     if (!x.allFinite())
       return false;
     std::vector<LoadedMotion> answers;
@@ -288,5 +311,43 @@ namespace dem
     answer.constant = answers[0];
     answer.per_step = answers[1];
     return answer.constant.particles.allFinite() && answer.per_step.particles.allFinite();
+  }
+
+  bool TangentSystem::solve_led(const std::vector<Matrix6> &stiffness,
+                                const Unbalanced           &unbalanced,
+                                const Vector6              &change,
+                                LoadedMotion               &correction)
+  {
+    Implementation &s = *self;
+    if (!s.factorize(stiffness))
+      return false;
+    Eigen::VectorXd right = s.forces_of(unbalanced);
+    if (!change.isZero(0))
+      right -= s.load_columns(stiffness, s.all) * s.of_all(change);
+    const Eigen::VectorXd x = s.lu.solve(right);
+    correction              = s.motion_of(x);
+    correction.loads        = change;
+    return x.allFinite();
+  }
+
+  bool TangentSystem::condense(const std::vector<Matrix6> &stiffness, Matrix6 &forces)
+  {
+    Implementation &s = *self;
+    if (!s.factorize(stiffness))
+      return false;
+    const Eigen::MatrixXd right = -s.load_columns(stiffness, s.all);
+    Eigen::MatrixXd       x     = s.lu.solve(right);
+    const Eigen::MatrixXd added = added_to_diagonal * (s.weak_diagonal.asDiagonal() * x);
+    x += s.lu.solve(added); // takes the addition back
+    forces.setZero();
+    for (std::size_t p = 0; p < s.all.size(); ++p)
+      {
+        LoadedMotion motion    = s.motion_of(x.col(static_cast<Eigen::Index>(p)));
+        motion.loads[s.all[p]] = 1;
+        const Vector6 per_unit = s.load_forces(stiffness, motion);
+        for (const int row : s.all)
+          forces(row, s.all[p]) = per_unit[row];
+      }
+    return forces.allFinite();
   }
 } // namespace dem

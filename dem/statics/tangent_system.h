@@ -39,6 +39,21 @@ namespace dem
      */
     bool solve(const std::vector<Matrix6> &stiffness, const Unbalanced &unbalanced, Answer &answer);
 
+    /**
+     * The same, all parameters given: what balances the particles while the parameters change.
+     * @param change of each parameter; also in `correction`
+     */
+    bool solve_led(const std::vector<Matrix6> &stiffness,
+                   const Unbalanced           &unbalanced,
+                   const Vector6              &change,
+                   LoadedMotion               &correction);
+
+    /**
+     * Stiffness of the whole network to its parameters, particles in equilibrium: change of each parameter's force per unit of each
+     * [J], without the addition to the diagonal. In the plane, and of parameters that move nothing, rows and columns are zero.
+     */
+    bool condense(const std::vector<Matrix6> &stiffness, Matrix6 &forces);
+
   private:
     struct Implementation;
     std::unique_ptr<Implementation> self;

@@ -1,4 +1,5 @@
 #include "closed_system.h"
+#include "dem/laws/linear_contact.h"
 #include "dem/specimen/specimen.h"
 #include "periodic_cell_fixture.h"
 
@@ -35,16 +36,24 @@ namespace
   class Witness
   {
   public:
-    explicit Witness(const dem::Specimen &watched)
+    /** @param contacts_wait they carry force from the first step that finds them touching, and not the one after */
+    explicit Witness(const dem::Specimen &watched, const bool contacts_wait = false)
       : specimen(watched)
+      , at_forces(contacts_wait)
       , periodic(watched.parameters().physics.periodic)
     {
     }
 
     void look()
     {
-      const dem::ParticleOutput body = specimen.particles();
-      base                           = periodic ? specimen.cell().base : Matrix3d(1e9 * Matrix3d::Identity());
+      dem::ParticleOutput body = specimen.particles();
+      base                     = Matrix3d(1e9 * Matrix3d::Identity());
+      if (periodic)
+        base = specimen.cell().base;
+      if (periodic && at_forces)
+        base = specimen.cell().deformation_at_forces * specimen.cell().deformation.inverse() * base;
+      for (std::size_t i = 0; at_forces && i < body.position.size(); ++i)
+        body.position[i] -= specimen.particle(i).moved;
       inverse                        = base.inverse();
       const std::set<Meeting> before = std::move(joined), touched_before = std::move(touching);
       collect(body);
@@ -117,7 +126,7 @@ namespace
     }
 
     const dem::Specimen &specimen;
-    bool                 periodic;
+    bool                 at_forces, periodic;
     Matrix3d             base, inverse;
     std::set<Meeting>    joined, touching, overlapping;
   };
@@ -161,10 +170,10 @@ namespace
       }
   }
 
-  void watch(dem::Specimen &specimen, const int steps, const int meetings)
+  void watch(dem::Specimen &specimen, const int steps, const int meetings, const bool contacts_wait = false)
   {
     omp_set_num_threads(1);
-    Witness witness(specimen);
+    Witness witness(specimen, contacts_wait);
     for (int n = 0; n < steps; ++n)
       {
         specimen.advance(1);
@@ -214,6 +223,41 @@ TEST_CASE("no contact in a periodic cell that shrinks and shears is missed, late
     dem::Specimen specimen(packing, p, glue());
     specimen.set_velocity_gradient(gradient);
     watch(specimen, 1500, 30);
+  }
+}
+
+namespace
+{
+  /** Stiff and rough, unbonded. */
+  dem::LinearContactParameters marbles()
+  {
+    dem::LinearContactParameters law;
+    law.effective_modulus    = 1e9;
+    law.friction_coefficient = 0.5;
+    return law;
+  }
+} // namespace
+
+TEST_CASE("no contact is missed or made up where contacts wait for their particles", "[dem][contacts]")
+{
+  dem::Packing packing = pile(2.4 * r, 2.1 * r, {r, 0.7 * r});
+  auto         p       = cluster::bonded(1.0);
+  SECTION("in the open")
+  {
+    dem::Specimen specimen(packing, p, marbles());
+    fly(specimen, 8);
+    watch(specimen, 2000, 30, true);
+  }
+  SECTION("in a periodic cell that shrinks and shears")
+  {
+    packing.periodic_cell = r * Vector3d(2.4 * layers, 2.1 * width, 2.1 * width);
+    p.physics.periodic    = true;
+    Matrix3d gradient;
+    gradient << -60, 40, 0, 0, -20, 0, 0, 0, -40;
+    dem::Specimen specimen(packing, p, marbles());
+    specimen.set_velocity_gradient(gradient);
+    fly(specimen, 8);
+    watch(specimen, 2000, 30, true);
   }
 }
 

@@ -1,0 +1,231 @@
+#include "dem/statics/responding_cell.h"
+
+#include "dem/core/errors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <utility>
+
+namespace dem
+{
+  namespace
+  {
+    void check(const LoadedNetwork &cell, const CellResponseParameters &p)
+    {
+      const auto require = [](const bool holds, const char *entry, const double value, const char *rule) {
+        if (holds)
+          return;
+        std::ostringstream message;
+        message << "cell: " << entry << " = " << value << ": " << rule;
+        throw InputError(message.str());
+      };
+      if (!cell.network.periodic())
+        throw InputError("cell: the packing has no periodic cell.");
+      require(p.tolerance > 0 && p.tolerance <= 1e-2, "tolerance", p.tolerance, "must lie in (0, 1e-2].");
+      require(p.max_iterations > 1, "iterations", p.max_iterations, "must be above 1.");
+      require(p.growth_step > 0, "growth step", p.growth_step, "must be above 0.");
+    }
+
+    void check(const LoadedNetwork &cell, const Vector6 &strain)
+    {
+      const bool plane = cell.network.dimension == 2;
+      if (!strain.allFinite() || (plane && !strain.segment<3>(2).isZero(0)))
+        {
+          std::ostringstream message;
+          message << "cell: strain " << strain.transpose() << ": must be finite"
+                  << (plane ? ", in the plane with the components 11, 22 and 12 alone." : ".");
+          throw InputError(message.str());
+        }
+    }
+  } // namespace
+
+  RespondingCell::RespondingCell(std::shared_ptr<const LoadedNetwork> network,
+                                 const LinkMaterials                 &materials,
+                                 const CellResponseParameters        &asked)
+    : cell(std::move(network))
+    , scale(mean_arm(cell->network))
+    , parameters(asked)
+    , committed{DamagingLinks(*cell, materials), LoadedMotion(cell->network.particles()), {}, 0, 0}
+    , trial(committed)
+  {
+    check(*cell, parameters);
+    evaluate(trial.motion);
+    committed = trial;
+  }
+
+  RespondingCell::RespondingCell(const RespondingCell &other)
+    : cell(other.cell)
+    , scale(other.scale)
+    , parameters(other.parameters)
+    , committed(other.committed)
+    , trial(other.trial)
+    , answer(other.answer)
+  {
+  }
+
+  RespondingCell &RespondingCell::operator=(const RespondingCell &other)
+  {
+    if (cell != other.cell)
+      system.reset();
+    cell       = other.cell;
+    scale      = other.scale;
+    parameters = other.parameters;
+    committed  = other.committed;
+    trial      = other.trial;
+    answer     = other.answer;
+    return *this;
+  }
+
+  RespondingCell::~RespondingCell() = default;
+
+  void RespondingCell::evaluate(const LoadedMotion &motion)
+  {
+    trial.links.evaluate(motion);
+    trial.unbalanced = unbalanced_of(*cell, trial.links.forces(), trial.links.moments(), scale);
+  }
+
+  CellResponse RespondingCell::respond(const Vector6 &strain)
+  {
+    check(*cell, strain);
+    if (!system)
+      system = std::make_unique<TangentSystem>(*cell);
+    trial                     = committed;
+    answer                    = CellResponse();
+    constexpr double smallest = 1.0 / 64;
+    const Vector6    whole    = strain - trial.motion.loads;
+    double           done = 0, part = 1;
+    while (done < 1)
+      {
+        part                 = std::min(part, 1 - done);
+        const Vector6 target = done + part < 1 ? Vector6(strain - (1 - done - part) * whole) : strain;
+        const Vector6 force = trial.unbalanced.loads, change = target - trial.motion.loads;
+        if (attempt(target, LinkStiffness::onward, part > smallest) ||
+            (part <= smallest && attempt(target, LinkStiffness::secant, false)))
+          {
+            trial.external_work += 0.5 * (force + trial.unbalanced.loads).dot(change);
+            ++answer.parts;
+            done += part;
+            part *= 2;
+            if (done < 1)
+              go_on_from_here();
+          }
+        else if (part > smallest)
+          part /= 2;
+        else
+          {
+            relax(target);
+            ++answer.parts;
+            done += part;
+          }
+      }
+    answer.stress   = trial.unbalanced.loads / cell->volume;
+    answer.residual = trial.unbalanced.residual;
+    if (!system->condense(trial.links.stiffness(LinkStiffness::consistent), answer.tangent))
+      throw NumericalError("cell: its stiffness has no finite tangent; something holds it no more.");
+    ++answer.iterations;
+    answer.tangent /= cell->volume;
+    return answer;
+  }
+
+  bool RespondingCell::attempt(const Vector6 &strain, const LinkStiffness stiffness, const bool limited)
+  {
+    const LoadedMotion before = trial.motion;
+    LoadedMotion       correction;
+    ++answer.iterations;
+    bool done =
+      system->solve_led(trial.links.stiffness(stiffness), trial.unbalanced, strain - before.loads, correction);
+    if (done)
+      {
+        trial.motion.particles += correction.particles;
+        trial.motion.loads = strain;
+        evaluate(trial.motion);
+        done = iterate(stiffness == LinkStiffness::onward ? LinkStiffness::consistent : stiffness);
+      }
+    if (done && (!limited || trial.links.largest_growth() <= parameters.growth_step))
+      return true;
+    trial.motion = before;
+    evaluate(before);
+    return false;
+  }
+
+  bool RespondingCell::iterate(const LinkStiffness stiffness)
+  {
+    const int     most             = parameters.max_iterations * (stiffness == LinkStiffness::secant ? 3 : 1);
+    constexpr int without_progress = 6;
+    double        best             = std::numeric_limits<double>::infinity();
+    int           best_at          = 0;
+    for (int i = 0; i <= most; ++i)
+      {
+        const double residual = trial.unbalanced.residual;
+        if (residual <= parameters.tolerance)
+          return true;
+        if (residual < 0.7 * best)
+          {
+            best    = residual;
+            best_at = i;
+          }
+        if (!std::isfinite(residual) || i - best_at > without_progress)
+          return false;
+        LoadedMotion correction;
+        ++answer.iterations;
+        if (!system->solve_led(trial.links.stiffness(stiffness), trial.unbalanced, Vector6::Zero(), correction))
+          return false;
+        trial.motion.particles += correction.particles;
+        evaluate(trial.motion);
+      }
+    return false;
+  }
+
+  void RespondingCell::go_on_from_here()
+  {
+    trial.links.forget_growth();
+    trial.links.commit();
+    evaluate(trial.motion);
+  }
+
+  void RespondingCell::relax(const Vector6 &strain)
+  {
+    LinkRelaxationParameters p = parameters.relaxation;
+    p.tolerance                = parameters.tolerance;
+    trial.links.forget_growth();
+    const LinkRelaxationReport report = relax_links(*cell, trial.links, trial.motion, strain - trial.motion.loads, p);
+    if (!report.converged)
+      {
+        std::ostringstream message;
+        message << "cell: no equilibrium at the strain " << strain.transpose() << " within " << report.steps
+                << " steps of relaxation, residual " << report.residual
+                << ". Raise the tolerance, or look for particles that nothing holds.";
+        throw NumericalError(message.str());
+      }
+    trial.motion.loads = strain; // the ramp sums it up with rounding
+    evaluate(trial.motion);
+    answer.relaxation_steps += report.steps;
+    trial.external_work += report.external_work;
+    trial.damped += report.damped;
+  }
+
+  void RespondingCell::commit()
+  {
+    go_on_from_here();
+    committed = trial;
+  }
+
+  CellEnergy RespondingCell::energy() const
+  {
+    return {committed.external_work, committed.links.stored(), committed.links.damage_work(),
+            committed.links.sliding_work(), committed.damped};
+  }
+
+  void RespondingCell::visit_state(StateVisitor &visitor)
+  {
+    committed.links.visit_state(visitor);
+    committed.motion.visit_state(visitor);
+    visitor.scalar("external_work", committed.external_work);
+    visitor.scalar("damped", committed.damped);
+    trial = committed;
+    evaluate(trial.motion);
+    committed = trial;
+  }
+} // namespace dem
