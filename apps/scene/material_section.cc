@@ -19,17 +19,33 @@ namespace apps
       names.push_back(kind->name());
     section
       .choice_of(
-        "Law", names, 0, [this, &laws](const std::size_t chosen) { law = laws.at(chosen).get(); },
-        Need::required)
+        "Law", names, 0, [this, &laws](const std::size_t chosen) { law = laws.at(chosen).get(); }, Need::required)
       .means("Law of the links; the section of its name holds its constants");
+    std::vector<std::string> of_contacts = {"own"};
+    of_contacts.insert(of_contacts.end(), names.begin(), names.end());
+    section
+      .choice_of(
+        "Contacts", of_contacts, 0,
+        [this, &laws](const std::size_t chosen) { contacts = chosen == 0 ? nullptr : laws.at(chosen - 1).get(); },
+        Need::optional)
+      .means("Law of what is born where particles meet; own: as Law leaves a broken link. Its constants stand in the "
+             "section of its name");
     for (const auto &kind : laws)
       {
         Section &block = section.section(kind->name(), kind->meaning());
-        block.only_if([this, kind] { return law == kind.get(); }, section.path() + "/Law = " + kind->name());
+        block.only_if([this, kind] { return law == kind.get() || contacts == kind.get(); },
+                      section.path() + "/Law or Contacts = " + kind->name());
         LawBlock entries(block);
         constants[kind->name()] = kind->constants();
         constants[kind->name()]->visit(entries);
       }
+  }
+
+  void LinkLaw::check() const
+  {
+    chosen().check();
+    if (contacts != nullptr)
+      constants.at(contacts->name())->check();
   }
 
   void MaterialSection::declare(Section &root, const bool inertia)
@@ -76,7 +92,7 @@ namespace apps
         throw dem::InputError(where + ": " + dem::material_name_rule() + ".");
       try
         {
-          material.law.chosen().check();
+          material.law.check();
         }
       catch (const dem::InputError &refusal)
         {
@@ -90,7 +106,7 @@ namespace apps
     const Section &materials_section = *root.find_section("Materials"), &places = *root.find_section("Regions");
     if (named.empty())
       {
-        only.chosen().check();
+        only.check();
         if (!regions.empty())
           throw dem::InputError(places.sections().front()->place().text() + ": " + places.path() +
                                 ": the scene has no section Materials to take their materials from.");
@@ -104,11 +120,15 @@ namespace apps
         const Section &section = *materials_section.find_section(material.name);
         validate_material(material, section);
         if (material.law.law != named.front().law.law)
-          section.refuse("Law", "all materials of a scene must have the same, here " + named.front().law.law->name() + ".");
+          section.refuse("Law",
+                         "all materials of a scene must have the same, here " + named.front().law.law->name() + ".");
+        if (material.law.contacts != named.front().law.contacts)
+          section.refuse("Contacts", "all materials of a scene must have the same, as the first of them.");
       }
     try
       {
         materials().bonds(dem::Physics());
+        materials().contacts(dem::Physics());
       }
     catch (const dem::InputError &refusal)
       {
@@ -126,12 +146,17 @@ namespace apps
 
   dem::LinkMaterials MaterialSection::materials() const
   {
-    if (named.empty())
-      return only.law->materials({{"", &only.chosen(), 0}});
-    std::vector<dem::NamedConstants> all;
-    for (const NamedMaterial &material : named)
-      all.push_back({material.name, &material.law.chosen(), material.density});
-    return named.front().law.law->materials(all);
+    const auto of_law = [this](const dem::LinkLawKind &kind) {
+      std::vector<dem::NamedConstants> all;
+      for (const NamedMaterial &material : named)
+        all.push_back({material.name, material.law.constants.at(kind.name()).get(), material.density});
+      if (named.empty())
+        all.push_back({"", only.constants.at(kind.name()).get(), 0});
+      return kind.materials(all);
+    };
+    const LinkLaw           &laws  = named.empty() ? only : named.front().law;
+    const dem::LinkMaterials bonds = of_law(*laws.law);
+    return laws.contacts == nullptr ? bonds : bonds.with_contacts(of_law(*laws.contacts));
   }
 
   std::vector<std::string> MaterialSection::names() const

@@ -16,12 +16,15 @@ namespace apps
   /** What a link between two particles of one material obeys: law, and a block with the constants of every law there is. */
   struct LinkLaw
   {
-    const dem::LinkLawKind                                    *law = nullptr; ///< the chosen one
-    std::map<std::string, std::shared_ptr<dem::LinkConstants>> constants;     ///< of every law, by its name
+    const dem::LinkLawKind                                    *law      = nullptr; ///< the chosen one
+    const dem::LinkLawKind                                    *contacts = nullptr; ///< likewise; none: that of `law`
+    std::map<std::string, std::shared_ptr<dem::LinkConstants>> constants;          ///< of every law, by its name
 
     void declare(Section &section);
     /** Constants of the chosen law. */
     const dem::LinkConstants &chosen() const { return *constants.at(law->name()); }
+    /** Rules between the constants of the chosen laws. @throws dem::InputError */
+    void check() const;
   };
 
   /** Sub-section of "Materials": one of several. */

@@ -12,6 +12,7 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <filesystem>
 #include <thread>
 
 using namespace apps_tests;
@@ -350,4 +351,33 @@ TEST_CASE("A run of particles that is interrupted or killed goes on to the same 
       CHECK(reproducible_part(folder / "results") == reproducible_part(folder / "whole"));
       std::filesystem::remove_all(folder / "results");
     }
+}
+
+TEST_CASE("Contacts take the law that is chosen for them, apart from that of the bonds", "[apps][particles]")
+{
+  const ScratchFolder folder;
+  folder.file("x.prm", collision);
+  // Head-on and without friction each law is a spring: half the speed squared is the deepest overlap's k delta^2/(m/2).
+  const auto deepest = [&](const std::vector<std::string> &changes) {
+    const Results found = results_of(folder, "x.prm", changes);
+    CHECK(found.figure("first", "last") == Approx(0).margin(1e-3));
+    CHECK(found.figure("second", "last") == Approx(0.5).epsilon(1e-3));
+    std::filesystem::remove_all(folder / "results");
+    return 0.02 - found.figure("gap", "smallest");
+  };
+  const std::vector<std::string> cpm   = {"Material/Contacts=CPM",
+                                          "Material/CPM/Normal modulus=4e7",
+                                          "Material/CPM/Shear ratio=0.2",
+                                          "Material/CPM/Limit elastic strain=1e-4",
+                                          "Material/CPM/Relative ductility=10",
+                                          "Material/CPM/Cohesion=0",
+                                          "Material/CPM/Friction coefficient=0"};
+  const double                   alone = deepest({});
+  CHECK(deepest({"Material/Contacts=linear"}) == alone);
+  // Four times as stiff; CPM measures strain against the distance at which contact began, shorter by less than the overlap.
+  CHECK(deepest(cpm) == Approx(alone / 2).epsilon(0.02));
+
+  const Outcome missing = outcome_of(folder, "run", "x.prm", {"Material/Contacts=CPM"});
+  CHECK(missing.status == 2);
+  CHECK_THAT(missing.err, Contains("CPM") && Contains("Normal modulus"));
 }
