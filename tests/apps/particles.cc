@@ -360,10 +360,10 @@ TEST_CASE("Contacts take the law that is chosen for them, apart from that of the
   // Head-on and without friction each law is a spring: half the speed squared is the deepest overlap's k delta^2/(m/2).
   const auto deepest = [&](const std::vector<std::string> &changes) {
     const Results found = results_of(folder, "x.prm", changes);
-    CHECK(found.figure("first", "last") == Approx(0).margin(1e-3));
-    CHECK(found.figure("second", "last") == Approx(0.5).epsilon(1e-3));
+    CHECK(found.figure("first", "end") == Approx(0).margin(1e-3));
+    CHECK(found.figure("second", "end") == Approx(0.5).epsilon(1e-3));
     std::filesystem::remove_all(folder / "results");
-    return 0.02 - found.figure("gap", "smallest");
+    return 0.02 - found.figure("gap", "least");
   };
   const std::vector<std::string> cpm   = {"Material/Contacts=CPM",
                                           "Material/CPM/Normal modulus=4e7",
