@@ -25,6 +25,16 @@ namespace dem
   BRECCIA_KERNEL Pack load(const double *from) { return Pack(from, stdx::vector_aligned); }
   BRECCIA_KERNEL void store(const Pack &values, double *to) { values.copy_to(to, stdx::vector_aligned); }
 
+  /** Four doubles: a record with room for one vector. */
+  constexpr int half_record_size = pack_size / 2;
+  using HalfPack                 = stdx::simd<double, stdx::simd_abi::deduce_t<double, half_record_size>>;
+
+  BRECCIA_KERNEL HalfPack load_half(const double *from) { return HalfPack(from, stdx::vector_aligned); }
+  BRECCIA_KERNEL void     store_low_half(const Pack &values, double *to)
+  {
+    stdx::split<HalfPack>(values)[0].copy_to(to, stdx::vector_aligned);
+  }
+
   BRECCIA_KERNEL double select(const bool mask, const double yes, const double no) { return mask ? yes : no; }
   BRECCIA_KERNEL Pack   select(const PackMask &mask, const Pack &yes, const Pack &no)
   {

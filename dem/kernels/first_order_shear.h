@@ -85,7 +85,7 @@ namespace dem
     }
 
     template <typename T, int m>
-    BRECCIA_KERNEL static bool changes_numbers(const State<T, m> &before, const State<T, m> &after)
+    BRECCIA_KERNEL static unsigned changes_numbers(const State<T, m> &before, const State<T, m> &after)
     {
       return Law::changes_numbers(own_of(before), own_of(after));
     }

@@ -76,14 +76,46 @@ namespace dem
     return v - factor * (a + b);
   }
 
+  /** What rounding leaves of a vector along a unit direction is taken out. */
+  template <typename T>
+  BRECCIA_KERNEL Vec<T, 3> across(const Vec<T, 3> &direction, const Vec<T, 3> &v)
+  {
+    return v - dot(direction, v) * direction;
+  }
+
   /** A tangential vector at n0, carried to n1, and what the step adds to it there. */
   template <typename T>
   BRECCIA_KERNEL Vec<T, 3>
                  carried(const Vec<T, 3> &n0, const Vec<T, 3> &n1, const Vec<T, 3> &vector, const Vec<T, 3> &added)
   {
-    const Vec<T, 3> moved = transport(n0, n1, vector) + added;
-    return moved - dot(n1, moved) * n1; // round-off
+    return across(n1, transport(n0, n1, vector) + added);
   }
+
+  /** Rotation by t and the smallest rotation from where it takes n0 to n1 after it, as one matrix: for several vectors, each n0.v = 0. */
+  template <typename T>
+  struct CarryMatrix
+  {
+    Vec<T, 3> row[3];
+
+    /** @param turned n0, rotated by t already */
+    BRECCIA_KERNEL
+    CarryMatrix(const RotationCoefficients<T> &c, const Vec<T, 3> &t, const Vec<T, 3> &turned, const Vec<T, 3> &n1)
+    {
+      const Vec<T, 3> s = c.sine * t, v = c.versine * t;
+      const T         trace = dot(v, t);
+      row[0]                = {{v[0] * t[0] - trace + T(1.0), v[0] * t[1] - s[2], v[0] * t[2] + s[1]}};
+      row[1]                = {{v[1] * t[0] + s[2], v[1] * t[1] - trace + T(1.0), v[1] * t[2] - s[0]}};
+      row[2]                = {{v[2] * t[0] - s[1], v[2] * t[1] + s[0], v[2] * t[2] - trace + T(1.0)}};
+      const Vec<T, 3> along = n1[0] * row[0] + n1[1] * row[1] + n1[2] * row[2];
+      const Vec<T, 3> back  = (T(1.0) / (T(1.0) + dot(turned, n1))) * (turned + n1);
+      for (int i = 0; i < 3; ++i)
+        row[i] = row[i] - back[i] * along;
+    }
+    BRECCIA_KERNEL Vec<T, 3> operator*(const Vec<T, 3> &v) const
+    {
+      return {{dot(row[0], v), dot(row[1], v), dot(row[2], v)}};
+    }
+  };
 
   /** Motion of a pair of particles over one step, what the shear update needs. */
   template <typename T>
@@ -99,10 +131,10 @@ namespace dem
   template <typename T>
   struct LinkFrame
   {
-    Vec<T, 3> direction; ///< n1, from the first end to the second
-    T         length;    ///< [m]
-    Vec<T, 3> increment; ///< of the shear vectors in this step, added after they were turned
-    T         twist;     ///< relative rotation about the link in this step, second less first; only if asked for
+    Vec<T, 3> direction;     ///< n1, from the first end to the second
+    T         length;        ///< [m]
+    Vec<T, 3> increment;     ///< of the shear vectors in this step, added after they were turned
+    T         twist;         ///< relative rotation about the link in this step, second less first; only if asked for
     T         length_before; ///< at the start of the step [m]
     Vec<T, 3> bent;          ///< of the bending vectors in this step, as `increment`; only where there are any
   };
@@ -137,28 +169,33 @@ namespace dem
     Vec<T, 3>       n0 = (T(1.0) / L0) * l0;
     Vec<T, 3>       du = m.increment;
     if constexpr (rotations)
+      du = du - cross(m.arm_rotation, lm);
+    du               = du - dot(nm, du) * nm;
+    const auto added = inverse_reference * transport(nm, n1, du);
+    T          twist(0.0);
+    Vec<T, 3>  bent{{T(0.0), T(0.0), T(0.0)}};
+    if constexpr (rotations && bendings > 0)
       {
-        const auto c = rotation_coefficients(dot(m.mean_rotation, m.mean_rotation));
-        n0           = rotate(c, m.mean_rotation, n0);
+        twist                  = dot(nm, turned);
+        bent                   = transport(nm, n1, turned - twist * nm);
+        const auto           c = rotation_coefficients(dot(m.mean_rotation, m.mean_rotation));
+        const CarryMatrix<T> carry(c, m.mean_rotation, rotate(c, m.mean_rotation, n0), n1);
         for (auto &vector : shear)
-          vector = rotate(c, m.mean_rotation, vector);
+          vector = across(n1, carry * vector + added);
         for (int i = 0; i < bendings; ++i)
-          bending[i] = rotate(c, m.mean_rotation, bending[i]);
-        du = du - cross(m.arm_rotation, lm);
+          bending[i] = across(n1, carry * bending[i] + bent);
       }
-    du                   = du - dot(nm, du) * nm;
-    const auto added     = inverse_reference * transport(nm, n1, du);
-    for (auto &vector : shear)
-      vector = carried(n0, n1, vector, added);
-    T         twist(0.0);
-    Vec<T, 3> bent{{T(0.0), T(0.0), T(0.0)}};
-    if constexpr (bendings > 0)
+    else
       {
         if constexpr (rotations)
           {
-            twist = dot(nm, turned);
-            bent  = transport(nm, n1, turned - twist * nm);
+            const auto c = rotation_coefficients(dot(m.mean_rotation, m.mean_rotation));
+            n0           = rotate(c, m.mean_rotation, n0);
+            for (auto &vector : shear)
+              vector = rotate(c, m.mean_rotation, vector);
           }
+        for (auto &vector : shear)
+          vector = carried(n0, n1, vector, added);
         for (int i = 0; i < bendings; ++i)
           bending[i] = carried(n0, n1, bending[i], bent);
       }

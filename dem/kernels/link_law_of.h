@@ -43,7 +43,7 @@ namespace dem
    *   put(constants, record), gathered(packs, first)                constants as numbers in records of eight, and back as packs
    *   reference_length(link), begin(constants, link, numbers)       a new link
    *   update(constants, motion, state, work)                        one step, for double and for Pack
-   *   changes_numbers(before, state)                                whether numbers of the state must be stored
+   *   changes_numbers(before, state)                                which numbers of the state must be stored, a bit for each
    *   stiffness, damaged_stiffness, phase, stored, damage_dissipation, damage, exertion(constants, geometry, state, ...),
    *   damaging_strain(constants, state)                             what is asked of single links
    *   tangent(constants, step, before, state, kind)                 linearisation of the update

@@ -189,10 +189,12 @@ namespace dem::link_update
       o = Pack(0.0);
     if constexpr (P::dimension == 3)
       for (int c = 0; c < 3; ++c)
-        out[3 + c] = answer.bending_moment[c] + answer.twisting_moment * frame.direction[c];
+        out[c] = answer.bending_moment[c] + answer.twisting_moment * frame.direction[c];
     else
-      out[5] = answer.bending_moment[0];
-    put_records(out, record);
+      out[2] = answer.bending_moment[0];
+    transpose(out);
+    for (int lane = 0; lane < pack_size; ++lane)
+      store_low_half(out[lane], record + half_record_size * lane);
   }
 
   /** What a block sums up while it goes through its links. */
@@ -251,10 +253,11 @@ namespace dem::link_update
                                     const typename P::template State<Pack> &before,
                                     const typename P::template State<Pack> &state)
   {
-    using H = HistoryColumns<P>;
-    using S = typename H::State;
-    if (P::Law::changes_numbers(before, state))
-      for (int i = 0; i < S::numbers; ++i)
+    using H                = HistoryColumns<P>;
+    using S                = typename H::State;
+    const unsigned changed = P::Law::changes_numbers(before, state);
+    for (int i = 0; i < S::numbers; ++i)
+      if (changed >> i & 1u)
         store(state.number[i], history.column[i] + l);
     for (int c = 0; c < P::across; ++c)
       {
@@ -345,7 +348,7 @@ namespace dem::link_update
     store_history<P>(history, l, before, state);
     const Vec<Pack, 3> force = put_force<P>(frame, answer, eccentric, &links.force[record_size * l]);
     if constexpr (P::moment)
-      put_moment<P>(frame, answer, &links.moment[record_size * l]);
+      put_moment<P>(frame, answer, &links.moment[half_record_size * l]);
     if constexpr (P::periodic)
       for (int i = 0; i < P::dimension; ++i)
         for (int j = 0; j < P::dimension; ++j)

@@ -145,15 +145,20 @@ namespace dem
     }
 
     /** Moments at contact points: what a link does to its first end, it does to its second the other way round. */
-    BRECCIA_KERNEL void add_moments(const LinkSet &links, const std::size_t i, Pack &sum)
+    BRECCIA_KERNEL void add_moments(const LinkSet &links, const std::size_t i, Pack &force)
     {
       if (!links.has_moment)
         return;
       const double *moment = links.moment.data();
+      HalfPack      sum(0.0);
       for (std::int32_t l = links.own_begin[i]; l < links.own_begin[i + 1]; ++l)
-        sum += load(moment + record_size * static_cast<std::size_t>(l));
+        sum += load_half(moment + half_record_size * static_cast<std::size_t>(l));
       for (std::int32_t o = links.other_begin[i]; o < links.other_begin[i + 1]; ++o)
-        sum -= load(moment + record_size * static_cast<std::size_t>(links.others[o]));
+        sum -= load_half(moment + half_record_size * static_cast<std::size_t>(links.others[o]));
+      alignas(64) double record[record_size] = {};
+      for (int c = 0; c < 3; ++c)
+        record[3 + c] = sum[c];
+      force += load(record);
     }
 
     template <bool with_contacts, bool damped, bool equal_radii, bool moments, Surroundings surroundings>
@@ -197,8 +202,8 @@ namespace dem
                                                                                 coefficient, sums);
             }
           accounts[b] = {stdx::reduce(sums.damping_before), stdx::reduce(sums.damping_after),
-                         stdx::reduce(sums.kinetic), stdx::reduce(sums.pushing_before), stdx::reduce(sums.pushing_after),
-                         stdx::reduce(sums.fastest)};
+                         stdx::reduce(sums.kinetic),        stdx::reduce(sums.pushing_before),
+                         stdx::reduce(sums.pushing_after),  stdx::reduce(sums.fastest)};
         }
     }
 
@@ -229,11 +234,8 @@ namespace dem
     }
   } // namespace
 
-  ParticlePass select_particle_pass(const bool         contacts,
-                                    const bool         damped,
-                                    const bool         equal_radii,
-                                    const bool         moments,
-                                    const Surroundings surroundings)
+  ParticlePass select_particle_pass(
+    const bool contacts, const bool damped, const bool equal_radii, const bool moments, const Surroundings surroundings)
   {
     if (contacts)
       return damped ? select_links<true, true>(equal_radii, moments, surroundings) :

@@ -200,12 +200,12 @@ namespace dem
     }
 
     template <typename T, int m>
-    BRECCIA_KERNEL static bool changes_numbers(const State<T, m> &before, const State<T, m> &after)
+    BRECCIA_KERNEL static unsigned changes_numbers(const State<T, m> &before, const State<T, m> &after)
     {
       if constexpr (damages)
-        return any(after.number[0] > before.number[0]);
+        return any(after.number[0] > before.number[0]) ? 3 : 0;
       else
-        return false;
+        return 0;
     }
 
     template <typename S>
@@ -318,9 +318,9 @@ namespace dem
     }
 
     template <typename S>
-    BRECCIA_KERNEL static bool changes_numbers(const S &, const S &)
+    BRECCIA_KERNEL static unsigned changes_numbers(const S &, const S &)
     {
-      return false;
+      return 0;
     }
 
     template <typename S>

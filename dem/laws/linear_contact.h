@@ -118,9 +118,9 @@ namespace dem
     }
 
     template <typename S>
-    BRECCIA_KERNEL static bool changes_numbers(const S &, const S &)
+    BRECCIA_KERNEL static unsigned changes_numbers(const S &, const S &)
     {
-      return false;
+      return 0;
     }
 
     template <typename S>

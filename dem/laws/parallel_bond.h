@@ -87,18 +87,19 @@ namespace dem
 
     static std::array<LinkQuantity, 7> history()
     {
-      return {{{"broken", "-", "1: the bond is broken"},
-               {"installed_strain", "-", "strain of the distance at which the bond was made"},
-               {"bond_radius", "m", "radius of the bond"},
-               {"twist", "rad", "relative rotation about the link since the bond was made", true},
-               {"bond_shear", "-", "tangential displacement since the bond was made, over the reference length"},
-               {"contact_shear", "-", "elastic tangential displacement of the linear contact, over the reference length"},
-               {"bending", "rad", "relative rotation across the link since the bond was made", true}}};
+      return {
+        {{"broken", "-", "1: the bond is broken"},
+         {"installed_strain", "-", "strain of the distance at which the bond was made"},
+         {"bond_radius", "m", "radius of the bond"},
+         {"twist", "rad", "relative rotation about the link since the bond was made", true},
+         {"bond_shear", "-", "tangential displacement since the bond was made, over the reference length"},
+         {"contact_shear", "-", "elastic tangential displacement of the linear contact, over the reference length"},
+         {"bending", "rad", "relative rotation across the link since the bond was made", true}}};
     }
 
     static void put(const Constants &k, double *record)
     {
-      const double all[] = {k.normal,   k.shear,     k.friction,     k.bond_normal, k.bond_shear, k.tensile_strength,
+      const double all[] = {k.normal,   k.shear,     k.friction,     k.bond_normal, k.bond_shear,   k.tensile_strength,
                             k.cohesion, k.tan_angle, k.moment_share, k.area_factor, k.second_moment};
       std::copy(std::begin(all), std::end(all), record);
     }
@@ -126,39 +127,38 @@ namespace dem
     BRECCIA_KERNEL static LinkForce<T, m>
     update(const K &k, const LinkMotion<T, m> &motion, State<T, m> &state, LinkWork<T> &work)
     {
-      const T    nearest = minimum(state.number[installed], T(0.0)); // where the contact begins to push
-      LinkForce<T, m> answer =
-        linear_contact_force(k, T(motion.strain - nearest), motion.area, motion.reference, motion.shear_increment,
-                             state.shear[contact_shear], work);
+      const T         nearest = minimum(state.number[installed], T(0.0)); // where the contact begins to push
+      LinkForce<T, m> answer  = linear_contact_force(k, T(motion.strain - nearest), motion.area, motion.reference,
+                                                     motion.shear_increment, state.shear[contact_shear], work);
 
-      state.number[twist] = state.number[twist] + motion.twist_increment;
-      const T normal      = T(k.bond_normal) * (motion.strain - state.number[installed]); // mean stress of the bond
-      const T per_radian  = state.number[radius] / motion.reference; // strain at the rim
-      const T bend2       = dot(state.bending[0], state.bending[0]);
-      const T bond_slip2  = dot(state.shear[bond_shear], state.shear[bond_shear]);
-      const T turned      = maximum(state.number[twist], T(0.0) - state.number[twist]);
-      const T tension     = normal + T(k.moment_share * k.bond_normal) * per_radian * square_root(bend2);
-      const T shear       = T(k.bond_shear) * (square_root(bond_slip2) + T(k.moment_share) * per_radian * turned);
-      const T shear_limit = maximum(T(k.cohesion) - normal * T(k.tan_angle), T(0.0));
-      const auto whole    = state.number[broken] < T(0.5);
-      const auto breaks   = whole && (tension >= T(k.tensile_strength) || shear >= shear_limit);
-      const auto holds    = whole && !breaks;
+      state.number[twist]    = state.number[twist] + motion.twist_increment;
+      const T    normal      = T(k.bond_normal) * (motion.strain - state.number[installed]); // mean stress of the bond
+      const T    per_radian  = state.number[radius] / motion.reference;                      // strain at the rim
+      const T    bend2       = dot(state.bending[0], state.bending[0]);
+      const T    bond_slip2  = dot(state.shear[bond_shear], state.shear[bond_shear]);
+      const T    turned      = maximum(state.number[twist], T(0.0) - state.number[twist]);
+      const T    tension     = normal + T(k.moment_share * k.bond_normal) * per_radian * square_root(bend2);
+      const T    shear       = T(k.bond_shear) * (square_root(bond_slip2) + T(k.moment_share) * per_radian * turned);
+      const T    shear_limit = maximum(T(k.cohesion) - normal * T(k.tan_angle), T(0.0));
+      const auto whole       = state.number[broken] < T(0.5);
+      const auto breaks      = whole && (tension >= T(k.tensile_strength) || shear >= shear_limit);
+      const auto holds       = whole && !breaks;
 
-      const T area        = motion.area * T(k.area_factor);
-      const T bending     = area * (state.number[radius] * per_radian) * T(k.second_moment * k.bond_normal); // [N m]
-      const T twisting    = area * (state.number[radius] * per_radian) * T(2.0 * k.second_moment * k.bond_shear);
+      const T area     = motion.area * T(k.area_factor);
+      const T bending  = area * (state.number[radius] * per_radian) * T(k.second_moment * k.bond_normal); // [N m]
+      const T twisting = area * (state.number[radius] * per_radian) * T(2.0 * k.second_moment * k.bond_shear);
       if (any(breaks))
         {
           // What the bond carried at the start of the step has worked over half of it, what it would carry at its end has not:
           // so the account balances to second order in the step.
-          const auto product = [](const auto &now, const auto &increment) { return dot(now, now - increment); };
-          const T    strain  = motion.strain - state.number[installed], strain_before = motion.strain_before - state.number[installed];
-          const T    energy =
-            T(0.5) * (area * motion.reference *
-                        (T(k.bond_normal) * strain * strain_before +
-                         T(k.bond_shear) * product(state.shear[bond_shear], motion.shear_increment)) +
-                      bending * product(state.bending[0], motion.bending_increment) +
-                      twisting * state.number[twist] * (state.number[twist] - motion.twist_increment));
+          const auto product    = [](const auto &now, const auto &increment) { return dot(now, now - increment); };
+          const T    strain     = motion.strain - state.number[installed],
+                  strain_before = motion.strain_before - state.number[installed];
+          const T energy        = T(0.5) * (area * motion.reference *
+                                       (T(k.bond_normal) * strain * strain_before +
+                                        T(k.bond_shear) * product(state.shear[bond_shear], motion.shear_increment)) +
+                                     bending * product(state.bending[0], motion.bending_increment) +
+                                     twisting * state.number[twist] * (state.number[twist] - motion.twist_increment));
           work.released += select(breaks, energy, T(0.0));
         }
       const T held           = select(holds, area, T(0.0));
@@ -172,9 +172,10 @@ namespace dem
     }
 
     template <typename S>
-    BRECCIA_KERNEL static bool changes_numbers(const S &, const S &)
+    BRECCIA_KERNEL static unsigned changes_numbers(const S &before, const S &after)
     {
-      return true; // twist, nearly always
+      const bool breaks = any(after.number[broken] > before.number[broken]);
+      return 1u << twist | (breaks ? 1u << broken : 0u);
     }
 
     /** With the contact where the link is closed; the bond alone where it is open. */
@@ -299,8 +300,8 @@ namespace dem
              smallest, largest, true);
       number("Friction angle", p.friction_angle, "degrees", "phi, growth of the bond's shear strength with compression",
              0.0, 89.9, false);
-      number("Radius multiplier", p.radius_multiplier, "-", "lambda, radius of the bond over that of the smaller particle",
-             smallest, largest, false);
+      number("Radius multiplier", p.radius_multiplier, "-",
+             "lambda, radius of the bond over that of the smaller particle", smallest, largest, false);
       number("Moment contribution", p.moment_contribution, "-",
              "beta, share of bending and twist in the stresses that break the bond", 0.0, 1.0, false);
     }

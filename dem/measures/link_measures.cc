@@ -34,7 +34,7 @@ namespace dem
     load.contact = load.first + arm * view.direction;
     load.force   = view.force;
     if (links.has_moment)
-      load.couple = Eigen::Vector3d(&links.moment[record_size * link + 3]);
+      load.couple = Eigen::Vector3d(&links.moment[half_record_size * link]);
     return load;
   }
 

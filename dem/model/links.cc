@@ -82,7 +82,7 @@ namespace dem
       }
     force.assign(record_size * lines, 0.0);
     if (has_moment)
-      moment.assign(record_size * lines, 0.0);
+      moment.assign(half_record_size * lines, 0.0);
     accounts.resize(std::max<std::size_t>(lines / links_per_block, 1));
   }
 
@@ -122,7 +122,7 @@ namespace dem
       history[c][to] = source.history[c][from];
     std::copy_n(&source.force[record_size * from], record_size, &force[record_size * to]);
     if (has_moment)
-      std::copy_n(&source.moment[record_size * from], record_size, &moment[record_size * to]);
+      std::copy_n(&source.moment[half_record_size * from], half_record_size, &moment[half_record_size * to]);
   }
 
   void LinkSet::remove(const std::size_t link)
@@ -130,7 +130,7 @@ namespace dem
     area[link] = 0.0;
     std::fill_n(&force[record_size * link], record_size, 0.0);
     if (has_moment)
-      std::fill_n(&moment[record_size * link], record_size, 0.0);
+      std::fill_n(&moment[half_record_size * link], half_record_size, 0.0);
     --alive;
   }
 

@@ -51,7 +51,7 @@ namespace dem
     Column                    area;             ///< A [m^2]; 0: deleted
     std::vector<Column>       history;          ///< what the law remembers, see `quantities`
     Column                    force; ///< records: f on the first end (3) [N] | half l x f (3) [N m] | (r_J - r_K)/L | 0
-    Column moment; ///< records: 0 0 0 | moment on the first end at the contact point (3) [N m] | 0 0; only with moments
+    Column moment; ///< half records: moment on the first end at the contact point (3) [N m] | 0; only with moments
     std::vector<LinkBlockAccount> accounts;
     Column stress_moments; ///< of each block a record of 16: sum l (x) f by rows (9) [N m] | 0 ..; only if periodic
 

@@ -37,7 +37,7 @@ namespace dem
         0.5 * ((link.length + eccentric) * moved(J, 3) + (link.length - eccentric) * moved(K, 3));
       double work = link.force.dot(opening) - link.direction.cross(link.force).dot(arms);
       if (links.has_moment)
-        work += Eigen::Vector3d(&links.moment[record_size * l + 3]).dot(moved(K, 3) - moved(J, 3));
+        work += Eigen::Vector3d(&links.moment[half_record_size * l]).dot(moved(K, 3) - moved(J, 3));
       return 0.5 * work;
     }
   } // namespace

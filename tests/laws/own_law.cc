@@ -86,9 +86,9 @@ namespace
       return answer;
     }
     template <typename S>
-    static bool changes_numbers(const S &, const S &)
+    static unsigned changes_numbers(const S &, const S &)
     {
-      return true;
+      return 1; // the stretch
     }
     template <typename S>
     static dem::LinkStiffnesses stiffness(const Constants &k, const dem::LinkGeometry &, const S &)

@@ -1,4 +1,4 @@
-// Link updates per second of the CPM kernel, from the 50 mm cube to a million particles, beside the machine's own rates.
+// Link updates per second of the kernels of CPM and parallel bonds, from the 50 mm cube to a million particles, beside the machine's own rates.
 //
 // Run:     build/release/tests/performance/bench_kernel [particles ...]      (a minute; default 14556 100000 1000000)
 // Expect:  the roofline of one link update, then a row per size, state and number of threads
@@ -6,6 +6,7 @@
 // Whole steps of dem::Specimen are timed: link pass, particle pass, accounts, search for contacts. Rotations, damage, friction,
 // contacts and the exactly objective shear update are on.
 #include "dem/laws/cpm.h"
+#include "dem/laws/parallel_bond.h"
 #include "dem/packing/compaction.h"
 #include "dem/packing/tiling.h"
 #include "dem/specimen/specimen.h"
@@ -28,12 +29,24 @@ namespace
   {
     elastic,   ///< below the onset of damage
     softening, ///< every link stretched past it and further at every step: the exponential is evaluated for all
-    materials  ///< elastic, and every other particle of a second material: each link gathers its constants
+    materials, ///< elastic, and every other particle of a second material: each link gathers its constants
+    cemented   ///< links with moments: linear parallel bonds below their strength
   };
 
   const char *name_of(const State state)
   {
-    return state == State::elastic ? "elastic" : state == State::softening ? "softening" : "two materials";
+    switch (state)
+      {
+      case State::elastic:
+        return "elastic";
+      case State::softening:
+        return "softening";
+      case State::materials:
+        return "two materials";
+      case State::cemented:
+        return "parallel bond";
+      }
+    return "";
   }
 
   dem::CpmParameters concrete()
@@ -45,6 +58,17 @@ namespace
     p.relative_ductility   = 30;
     p.cohesion             = 3e6;
     p.friction_coefficient = 0.8;
+    return p;
+  }
+
+  dem::ParallelBondParameters cement()
+  {
+    dem::ParallelBondParameters p;
+    p.effective_modulus    = 25e9;
+    p.stiffness_ratio      = 2.5;
+    p.friction_coefficient = 0.8;
+    p.tensile_strength     = 1e9;
+    p.cohesion             = 1e9;
     return p;
   }
 
@@ -69,7 +93,8 @@ namespace
         for (std::size_t i = 0; i < packing.size(); ++i)
           particles.material.push_back(static_cast<std::int32_t>(i % 2));
       }
-    dem::Specimen specimen(particles, parameters, materials);
+    dem::Specimen specimen = state == State::cemented ? dem::Specimen(particles, parameters, cement()) :
+                                                        dem::Specimen(particles, parameters, materials);
     // A uniform expansion: the lower strain rate stays elastic for the steps timed; the higher one is past the onset of damage in
     // every link before they begin, and far from breaking one when they end.
     const double rate = state == State::softening ? 100.0 : 1e-2;
@@ -131,7 +156,7 @@ namespace
 
   void print_case(const dem::Packing &packing, const int most_threads)
   {
-    for (const State state : {State::elastic, State::softening, State::materials})
+    for (const State state : {State::elastic, State::softening, State::materials, State::cemented})
       {
         dem::Specimen     specimen = specimen_in(state, packing);
         const dem::Counts counts   = specimen.counts();
