@@ -1,5 +1,7 @@
 #include "dem/loading/curve_figures.h"
 
+#include <algorithm>
+
 namespace dem
 {
   namespace
@@ -10,6 +12,13 @@ namespace dem
     constexpr double      growth      = 1.01;
     constexpr std::size_t note_length = 3;
   } // namespace
+
+  bool
+  is_past_peak(const UniaxialFigures &figures, const double strain, const double stress, const double stop_fraction)
+  {
+    return figures.strength > 0 && (stress <= std::max(fallen_part, stop_fraction) * figures.strength ||
+                                    strain >= past_peak_strain * figures.strain_at_peak);
+  }
 
   bool CurveFigures::add(const double strain, const double stress)
   {

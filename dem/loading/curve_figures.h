@@ -12,11 +12,23 @@ namespace dem
     double young_modulus  = 0;
     double strength       = 0; ///< largest stress in the direction of the load [Pa]; 0: there was none
     double strain_at_peak = 0; ///< [-]
-    /** Loaded well beyond that stress: then it is the strength. Otherwise the stress may still grow. */
+    /** See is_past_peak(): then the largest stress is the strength. Otherwise it may still grow. */
     bool peak_passed = false;
 
     bool modulus_found() const { return young_modulus > 0; }
   };
+
+  /** Of its largest: a stress that low has fallen for good. A cascade of cracks may take a tenth, after which the stress grows again. */
+  constexpr double fallen_part = 0.8;
+  /** Of the strain at the largest stress: a test that has gone as far without a larger one is past its peak. */
+  constexpr double past_peak_strain = 1.5;
+
+  /**
+   * Whether the largest stress of a curve of equilibria that ends here is its peak, and not the begin of a local drop: the stress has
+   * fallen to fallen_part of it, or to the part at which the user ends the test if that is more, or the strain has gone far beyond.
+   * @param strain, stress at the end, magnitudes @param stop_fraction part of the peak at which the test ends; 0: none
+   */
+  bool is_past_peak(const UniaxialFigures &figures, double strain, double stress, double stop_fraction);
 
   /**
    * Takes every point of a curve and keeps what its figures need. The modulus wants a third of a peak that nobody knows yet: sums are

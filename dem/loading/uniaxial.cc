@@ -126,8 +126,9 @@ namespace dem
     const double sign = parameters.strain_rate > 0 ? 1 : -1;
     if (record.add(sign * now.strain, sign * now.stress))
       travelled_at_peak = sign * travelled;
-    const bool low = past_peak() && sign * now.stress < parameters.stop_fraction * record.largest_stress();
-    low_steps      = low ? low_steps + 1 : 0;
+    const double part = record.largest_stress() > 0 ? sign * now.stress / record.largest_stress() : 1;
+    low_steps         = past_peak() && part < parameters.stop_fraction ? low_steps + 1 : 0;
+    fallen_steps      = past_peak() && part < std::max(fallen_part, parameters.stop_fraction) ? fallen_steps + 1 : 0;
   }
 
   void UniaxialTest::set_strain_rate(const double strain_rate)
@@ -158,7 +159,9 @@ namespace dem
   UniaxialFigures UniaxialTest::figures() const
   {
     UniaxialFigures found = record.figures();
-    found.peak_passed     = found.strength > 0 && past_peak();
+    // As is_past_peak(), but for waves that dip: a crack stays.
+    found.peak_passed =
+      found.strength > 0 && (fallen_steps > row || std::abs(travelled) >= past_peak_strain * travelled_at_peak);
     return found;
   }
 
@@ -178,6 +181,7 @@ namespace dem
     visitor.scalar("uniaxial/travelled", travelled);
     visitor.scalar("uniaxial/travelled_at_peak", travelled_at_peak);
     visitor.scalar("uniaxial/low_steps", low_steps);
+    visitor.scalar("uniaxial/fallen_steps", fallen_steps);
     record.visit_state(visitor);
   }
 } // namespace dem

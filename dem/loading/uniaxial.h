@@ -82,7 +82,8 @@ namespace dem
     double                      next_time = 0, next_travel = 0, next_strain = 0; ///< see look_ahead()
     UniaxialSample              now       = {0, 0, 0};
     double                      travelled = 0, travelled_at_peak = 0;
-    std::int64_t                low_steps = 0; ///< for how many steps the stress has been below the stop fraction
+    std::int64_t                low_steps    = 0; ///< for how many steps the stress has been below the stop fraction
+    std::int64_t                fallen_steps = 0; ///< and as low as after a peak
     CurveFigures                record;
     std::vector<UniaxialSample> samples;
   };

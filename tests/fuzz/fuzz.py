@@ -401,7 +401,7 @@ def figures_without_value(node, path=""):
         unit, value = node.get("unit"), node.get("value")
         if "value" in node and "unit" in node:
             explained = any(isinstance(v, str) and v and k != "unit" for k, v in node.items())
-            if path != "/strength_ratio" and (value is None or (unit == "Pa" and value == 0)) and not explained:
+            if (value is None or (unit == "Pa" and value == 0)) and not explained:
                 yield path
         for key, child in node.items():
             yield from figures_without_value(child, f"{path}/{key}")

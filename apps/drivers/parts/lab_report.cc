@@ -20,7 +20,10 @@ namespace apps
     {
       if (test.figures.strength <= 0)
         return "the specimen never resisted " + test.name;
-      return fmt::format("the stress still grew at the end of the test, {:.4g} Pa", test.figures.strength);
+      return fmt::format(
+        "the largest stress, {:.4g} Pa, may be passed yet: at the end of the test the stress had not fallen "
+        "to {} of it for good, nor the strain grown to {} times that there",
+        test.figures.strength, dem::fallen_part, dem::past_peak_strain);
     }
 
     nlohmann::json strength_of(const LabNotes &test)
@@ -130,7 +133,7 @@ namespace apps
       f.strength <= 0 ?
                   "no strength: " + why_no_strength(test) :
                   fmt::format("{} {:.3f} MPa at strain {:.3e}{}", f.peak_passed ? "strength" : "largest stress",
-                              1e-6 * f.strength, f.strain_at_peak, f.peak_passed ? "" : " (no peak: it still grows)");
+                              1e-6 * f.strength, f.strain_at_peak, f.peak_passed ? "" : " (no peak: it may be passed yet)");
     const std::string modulus =
       f.modulus_found() ? fmt::format("E {:.2f} GPa", 1e-9 * f.young_modulus) : std::string("E not determined");
     const std::string area =

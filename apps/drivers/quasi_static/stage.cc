@@ -42,8 +42,7 @@ namespace apps
         figures.strength       = sign * s;
         figures.strain_at_peak = sign * e;
       }
-    figures.peak_passed =
-      sign * s < figures.strength; // equilibria do not tremble: the first one below is past the peak
+    figures.peak_passed = dem::is_past_peak(figures, sign * e, sign * s, stop_fraction);
     worst_balance_error = std::max(worst_balance_error, point.balance_error());
     strain_points += point.control == dem::StepControl::strain;
     opening_points += point.control == dem::StepControl::opening;
@@ -92,8 +91,9 @@ namespace apps
     , loaded(model.load(packing))
     , path(loaded, model.material.materials(), model.steps(model.tests[which]))
   {
-    result.load       = model.tests[which];
-    result.notes.name = name;
+    result.load          = model.tests[which];
+    result.stop_fraction = model.steps(model.tests[which]).end_stress;
+    result.notes.name    = name;
     if (!model.is_cell())
       {
         layers                    = model.grip_layers(packing);

@@ -20,8 +20,9 @@ namespace apps
   /** What one quasi-static test found and what it took. */
   struct QuasiStaticResult
   {
-    UniaxialLoad          load = UniaxialLoad::tension;
-    LabNotes              notes; ///< the modulus is that of the first point, if nothing is damaged there
+    UniaxialLoad          load          = UniaxialLoad::tension;
+    double                stop_fraction = 0; ///< of the peak, at which the test ends
+    LabNotes              notes;             ///< the modulus is that of the first point, if nothing is damaged there
     double                worst_balance_error = 0;
     std::int64_t          strain_points = 0, opening_points = 0, relaxed_points = 0; ///< by what controlled them
     std::int64_t          solutions = 0, relaxation_steps = 0;
