@@ -75,6 +75,76 @@ TEST_CASE("Names that the mesh does not have are refused with the nearest one", 
           "", "Materials: the group \"mortar\" of the mesh has no law. Add subsection Materials/mortar.");
 }
 
+TEST_CASE("A mesh without named boundaries is refused with the way to name them", "[apps][S14]")
+{
+  const std::string bare =
+    replaced(replaced(two_squares_mesh(), "1 1 \"left\"\n1 2 \"right\"\n", ""), "4\n2 11", "2\n2 11");
+  refused_with(two_squares_scene(),
+               replaced(replaced(bare, "1 1 2 1 1 1 4\n2 1 2 2 2 3 6\n", ""), "$Elements\n4\n", "$Elements\n2\n"),
+               "the mesh has no boundary of this name. Put its edges into a physical group in Gmsh, Physical "
+               "Curve(\"left\"), and save the mesh with it. It has: none.");
+}
+
+TEST_CASE("Elements too wide for the fracture energy of their concrete are refused by check and run alike",
+          "[apps][S14]")
+{
+  const ScratchFolder folder;
+  folder.file("x.prm", R"(set Kind = continuum
+subsection Model
+  set Dimension = 3
+end
+subsection Mesh
+  set Source = box
+  subsection Box
+    set Size        = 2, 1, 1
+    set Divisions x = 4
+  end
+end
+subsection Materials
+  subsection solid
+    set Law = damage-plastic concrete
+    subsection damage-plastic concrete
+      set Young modulus        = 33e9
+      set Poisson ratio        = 0.2
+      set Compressive strength = 40e6
+      set Tensile strength     = 3e6
+      set Fracture energy      = 100
+    end
+  end
+end
+subsection Boundary conditions
+  subsection left
+    set Displacement x = 0
+    set Displacement y = 0
+    set Displacement z = 0
+  end
+  subsection right
+    set Displacement x = 1e-5*t
+  end
+end
+)");
+  // They are 0.5 m wide, E w_f / f_t is 0.367 m; the load is far from cracking anything.
+  std::string said;
+  for (const char *verb : {"check", "run"})
+    {
+      const Outcome outcome = run(folder.path(), {verb, "x.prm"});
+      INFO(outcome.err);
+      CHECK(outcome.status == 2);
+      CHECK_THAT(outcome.err,
+                 Contains("Materials/solid: element size [m] = 0.5: must be below E w_f / f_t = 0.366667 m"));
+      CHECK((said.empty() || said == outcome.err));
+      said = outcome.err;
+    }
+  const std::vector<std::string> fine    = {"-s", "Mesh/Box/Divisions x=8"};
+  const auto                     checked = [&](std::vector<std::string> words, const std::vector<std::string> &more) {
+    words.insert(words.end(), more.begin(), more.end());
+    return run(folder.path(), words);
+  };
+  const Outcome whole = checked({"check", "x.prm"}, fine);
+  CHECK(whole.status == 0);
+  CHECK_THAT(whole.out, !Contains("warning"));
+}
+
 TEST_CASE("A byte order mark before a scene is passed over", "[apps][S14]")
 {
   refused_with("\xEF\xBB\xBF" + replaced(two_squares_scene(), "subsection right\n", "subsection rigth\n"),

@@ -392,6 +392,11 @@ TEST_CASE("A transfer past its limits is refused", "[apps][slow][S14]")
   CHECK(outcome.status == 2);
   CHECK_THAT(outcome.err, Contains("out of balance by") && Contains("the scene allows 1e-06"));
   CHECK_FALSE(std::filesystem::exists(folder / "results/summary.json"));
+  // The particles need not run again for another limit.
+  const Outcome resumed = run(folder.path(), small({"run", scene, "-o", "results", "--resume"}, "-2.2e-3"));
+  INFO(resumed.err);
+  CHECK(resumed.status == 0);
+  CHECK(std::filesystem::exists(folder / "results/summary.json"));
 }
 
 TEST_CASE("bench sequential tells error and cost of every kernel and mesh", "[apps][slow]")

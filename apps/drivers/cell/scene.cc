@@ -142,7 +142,7 @@ namespace apps
     text += fmt::format("  time step    {:.4g} s\n", body.time_step());
     const double steps = duration / body.time_step();
     text += fmt::format("  steps        {:.0f}\n", steps);
-    const double cost = seconds_per_unit([&](const std::int64_t count) { test.advance(count); });
+    const double cost = seconds_per_step(body, [&](const std::int64_t count) { test.advance(count); });
     return text + duration_line(set_up_seconds + steps * cost);
   }
 

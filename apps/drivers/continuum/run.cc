@@ -138,6 +138,9 @@ namespace apps
   void ContinuumRun<dim>::begin(const std::filesystem::path &folder, const Record &record)
   {
     open(folder);
+    if (!request.quiet)
+      for (const std::string &warning : coarse_elements(*solid, model))
+        on_first_rank([&] { fmt::print(stderr, "breccia: warning: {}\n", warning); });
     if (settle)
       {
         const Progress progress("equilibrium of the start");

@@ -1,5 +1,6 @@
 #include "apps/drivers/continuum/scene.h"
 
+#include "apps/drivers/continuum/expected_duration.h"
 #include "apps/drivers/continuum/run.h"
 #include "apps/drivers/continuum/solid.h"
 #include "apps/drivers/parts/duration.h"
@@ -8,51 +9,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace apps
 {
   namespace
   {
-    /** Whether every step of a static analysis solves the same linear system. */
-    bool is_linear(const ContinuumModel &model)
-    {
-      const auto &groups = model.materials.groups;
-      return !model.solid.large_displacement && std::none_of(groups.begin(), groups.end(), [](const auto &group) {
-        return group->law == MaterialOfGroup::Law::concrete;
-      });
-    }
-
-    /**
-     * Seconds that so many new states take: steps, or samples of an explicit motion. The first ones are computed. Steps of a
-     * material that is not damaged yet need few iterations; later ones are taken to need as many as cracking usually does.
-     */
-    template <int dim>
-    double seconds_of_states(const ContinuumModel &model, const double states)
-    {
-      constexpr double enough = 1, measured_at_most = 10, iterations_when_cracking = 5;
-      const auto       solid = make_solid<dim>(model);
-      const auto       analysis =
-        model.is_static() ? make_static_analysis<dim>(*solid, model) : make_explicit_analysis<dim>(*solid, model);
-      const Stopwatch all;
-      double          first = 0, measured = 0;
-      while (!analysis->finished() && measured < std::min(states, measured_at_most) &&
-             (measured < 2 || all.seconds() < enough))
-        {
-          while (!analysis->advance())
-            continue;
-          first = measured == 0 ? all.seconds() : first;
-          ++measured;
-        }
-      const double each  = measured > 1 ? (all.seconds() - first) / (measured - 1) : first;
-      const auto   costs = analysis->cost();
-      const auto   found = costs.find("newton_iterations");
-      if (found == costs.end() || is_linear(model))
-        return first + (states - 1) * each;
-      const double iteration = all.seconds() / std::max(1.0, found->second);
-      return first + (states - 1) * std::max(each, iterations_when_cracking * iteration);
-    }
-
     template <int dim>
     std::string forecast_of(const ContinuumModel &model)
     {
@@ -60,13 +21,15 @@ namespace apps
       const ContinuumRun<dim> run(RunRequest{}, model); // refuses what a run would refuse
       const double            set_up_seconds = set_up.seconds();
       std::string             text;
+      for (const std::string &warning : coarse_elements(run.body(), model))
+        text += fmt::format("  warning      {}\n", warning);
       text += fmt::format("  elements     {}\n", run.body().mesh().triangulation->n_global_active_cells());
       text += fmt::format("  unknowns     {}\n", run.body().dofs().n_dofs());
       const std::string solver = run.computation().linear_solver();
       double            states;
       if (model.is_static())
         {
-          states = std::ceil(model.control.end / model.control.largest());
+          states = states_of(model);
           text +=
             fmt::format("  solver       {}\n  steps        {:.0f}, and more where they are cut\n", solver, states);
         }
@@ -80,7 +43,7 @@ namespace apps
         }
       try
         {
-          text += duration_line(set_up_seconds + seconds_of_states<dim>(model, states));
+          text += duration_line(set_up_seconds + expected_seconds<dim>(model, states));
         }
       catch (const std::runtime_error &failure)
         {

@@ -1,8 +1,13 @@
 #include "apps/drivers/continuum/solid.h"
 
 #include "apps/scene/nearest_name.h"
+#include "fem/materials/least_extent.h"
+
+#include <deal.II/base/mpi.h>
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace apps
 {
@@ -29,11 +34,13 @@ namespace apps
                         const std::vector<std::string> &known,
                         const Place                    &place,
                         const std::string              &section,
-                        const std::string              &what)
+                        const std::string              &what,
+                        const std::string              &hint)
     {
       if (std::find(known.begin(), known.end(), name) == known.end())
         throw dem::InputError(place.text() + ": " + section + "/" + name + ": the mesh has no " + what +
-                              " of this name. " + did_you_mean(name, known) + " It has: " + listed(known) + ".");
+                              " of this name." + (known.empty() ? " " + hint : " " + did_you_mean(name, known)) +
+                              " It has: " + listed(known) + ".");
     }
 
     template <int dim>
@@ -41,9 +48,13 @@ namespace apps
     {
       const auto groups = names_of(mesh.materials), boundaries = names_of(mesh.boundaries);
       for (const auto &group : model.materials.groups)
-        refuse_unknown(group->group, groups, group->place, "Materials", "group of elements");
+        refuse_unknown(group->group, groups, group->place, "Materials", "group of elements",
+                       "Give all elements a named physical group.");
       for (const auto &boundary : model.loads.boundaries)
-        refuse_unknown(boundary->name, boundaries, boundary->place, "Boundary conditions", "boundary");
+        refuse_unknown(boundary->name, boundaries, boundary->place, "Boundary conditions", "boundary",
+                       fmt::format("Put its {} into a physical group in Gmsh, Physical {}(\"{}\"), and save the mesh "
+                                   "with it.",
+                                   dim == 3 ? "faces" : "edges", dim == 3 ? "Surface" : "Curve", boundary->name));
       for (const std::string &name : groups)
         if (std::none_of(model.materials.groups.begin(), model.materials.groups.end(),
                          [&](const auto &group) { return group->group == name; }))
@@ -104,7 +115,70 @@ namespace apps
       loads.may_move_freely      = !model.is_static();
       return loads;
     }
+    /** Elements of one group of concrete whose size is the mesh's, and how many are wider than it can break in every direction. */
+    struct WideElements
+    {
+      double limit = 0, least = std::numeric_limits<double>::infinity(); ///< width [m]: that can break, that there is
+      std::size_t wide = 0, all = 0;
+    };
+
+    template <int dim>
+    WideElements wide_elements(const fem::Solid<dim> &solid, const MaterialOfGroup &group)
+    {
+      WideElements found;
+      found.limit            = fem::DamagePlasticConcrete(group.concrete).damage_law().largest_size();
+      const auto *const mine = &solid.material(solid.mesh().materials.at(group.group));
+      for (const auto &element : solid.element_points())
+        if (element.material == mine)
+          {
+            double width = std::numeric_limits<double>::infinity();
+            for (int d = 0; d < dim; ++d)
+              width = std::min(width, element.extent.along(Eigen::Vector3d::Unit(d)));
+            if (!(width < found.limit))
+              width = fem::least_extent(element.extent);
+            found.wide += width < found.limit ? 0 : 1;
+            found.least = std::min(found.least, width);
+            ++found.all;
+          }
+      found.least = dealii::Utilities::MPI::min(found.least, solid.communicator());
+      found.wide  = dealii::Utilities::MPI::sum(found.wide, solid.communicator());
+      found.all   = dealii::Utilities::MPI::sum(found.all, solid.communicator());
+      return found;
+    }
+
+    bool takes_its_size_from_the_mesh(const MaterialOfGroup &group)
+    {
+      return group.law == MaterialOfGroup::Law::concrete && group.concrete.element_size == 0;
+    }
+
+    /** Before anything is computed: no element of a group could crack without being refused then. */
+    template <int dim>
+    void refuse_wide_elements(const fem::Solid<dim> &solid, const ContinuumModel &model)
+    {
+      for (const auto &group : model.materials.groups)
+        if (takes_its_size_from_the_mesh(*group))
+          if (const WideElements found = wide_elements(solid, *group); found.all > 0 && found.wide == found.all)
+            {
+              MaterialOfGroup narrowest       = *group;
+              narrowest.concrete.element_size = found.least;
+              narrowest.make_points(solid.options().plane); // says by how much
+            }
+    }
   } // namespace
+
+  template <int dim>
+  std::vector<std::string> coarse_elements(const fem::Solid<dim> &solid, const ContinuumModel &model)
+  {
+    std::vector<std::string> warnings;
+    for (const auto &group : model.materials.groups)
+      if (takes_its_size_from_the_mesh(*group))
+        if (const WideElements found = wide_elements(solid, *group); found.wide > 0)
+          warnings.push_back(
+            fmt::format("{} of {} elements of \"{}\" are wider than E w_f / f_t = {:.4g} m: where one of "
+                        "them cracks the run ends",
+                        found.wide, found.all, group->group, found.limit));
+    return warnings;
+  }
 
   template <int dim>
   std::unique_ptr<fem::Solid<dim>> make_solid(const ContinuumModel &model)
@@ -123,6 +197,7 @@ namespace apps
         for (const auto &group : model.materials.groups)
           solid->assign(group->group, group->make_points(options.plane));
         solid->set_loads(make_loads<dim>(model));
+        refuse_wide_elements(*solid, model);
         return solid;
       }
     catch (const std::invalid_argument &refusal)
@@ -133,4 +208,6 @@ namespace apps
 
   template std::unique_ptr<fem::Solid<2>> make_solid(const ContinuumModel &);
   template std::unique_ptr<fem::Solid<3>> make_solid(const ContinuumModel &);
+  template std::vector<std::string>       coarse_elements(const fem::Solid<2> &, const ContinuumModel &);
+  template std::vector<std::string>       coarse_elements(const fem::Solid<3> &, const ContinuumModel &);
 } // namespace apps

@@ -26,4 +26,11 @@ namespace apps
    */
   template <int dim>
   std::unique_ptr<fem::Solid<dim>> make_solid(const ContinuumModel &model);
+
+  /**
+   * Warnings of elements that are too wide for the fracture energy of their concrete, in every direction: a run ends where one of them
+   * cracks. (make_solid() refuses a group of which every element is.) All ranks together.
+   */
+  template <int dim>
+  std::vector<std::string> coarse_elements(const fem::Solid<dim> &solid, const ContinuumModel &model);
 } // namespace apps

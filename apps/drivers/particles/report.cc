@@ -1,6 +1,7 @@
 #include "apps/drivers/particles/report.h"
 
 #include "apps/drivers/parts/drawn_curve.h"
+#include "apps/drivers/parts/left_out_of_balance.h"
 #include "apps/process/progress.h"
 #include "apps/process/version.h"
 #include "apps/results/warning.h"
@@ -65,6 +66,8 @@ namespace apps
   {
     nlohmann::json terms = {{"balance_error", balance_error()}, {"unit", "J"}};
     specimen.energy().each([&](const std::string &term, const double value) { terms[term] = value; });
+    if (!not_in_balance.empty())
+      terms["not_in_balance"] = not_in_balance;
     return terms;
   }
 
@@ -101,6 +104,7 @@ namespace apps
     if (start)
       text += fmt::format("start        {}\n", text_of(*start));
     text += fmt::format("energy       balance error {:.1e} of the largest energy\n", balance_error());
+    text += balance_note(not_in_balance);
     text += fmt::format("cost         {}, {} steps with {} threads\n", duration_text(wall_seconds), specimen.steps(),
                         omp_get_max_threads());
     return text;

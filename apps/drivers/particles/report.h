@@ -22,6 +22,7 @@ namespace apps
     const StaticStart    &start;
     postprocess::CsvTable series; ///< complete
     double                wall_seconds;
+    std::string           not_in_balance; ///< see left_out_of_balance()
 
     /** summary.json and curve.png. @throws postprocess::OutputError. */
     void write(const std::filesystem::path &folder) const;

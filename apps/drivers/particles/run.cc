@@ -2,6 +2,7 @@
 
 #include "apps/drivers/particles/report.h"
 #include "apps/drivers/parts/duration.h"
+#include "apps/drivers/parts/left_out_of_balance.h"
 #include "apps/process/interrupt.h"
 #include "apps/process/progress.h"
 #include "apps/results/life_cycle.h"
@@ -142,9 +143,15 @@ namespace apps
         postprocess::write_discrete_state(dem::discrete_state(body->specimen()), folder / "state.h5");
         warn_of_missing("crack.png", draw_crack(folder / "crack.png"));
       }
-    const ParticlesReport report{request,     model, body->specimen(),
-                                 materials,   start, postprocess::read_csv_table(folder / "series.csv", true),
-                                 wall_seconds};
+    const ParticlesReport report{
+      request,
+      model,
+      body->specimen(),
+      materials,
+      start,
+      postprocess::read_csv_table(folder / "series.csv", true),
+      wall_seconds,
+      left_out_of_balance(*model.material.materials().bonds(model.physics), body->specimen().particles().radius)};
     report.write(folder);
     return report.text();
   }

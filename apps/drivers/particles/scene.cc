@@ -30,7 +30,7 @@ namespace apps
       text += fmt::format("  start        {}\n", text_of(*start));
     text += fmt::format("  steps        {:.0f}{}\n", steps,
                         model.stops.stops.empty() ? "" : ", fewer where a stop condition comes first");
-    const double cost = seconds_per_unit([&](const std::int64_t count) { body.advance(count); });
+    const double cost = seconds_per_step(specimen, [&](const std::int64_t count) { body.advance(count); });
     return text + duration_line(set_up_seconds + steps * cost);
   }
 

@@ -6,7 +6,7 @@
 
 namespace apps
 {
-  double seconds_per_unit(const std::function<void(std::int64_t)> &work)
+  double seconds_per_unit(const std::function<std::int64_t(std::int64_t)> &work)
   {
     constexpr double enough = 0.5;
     work(1); // the first one makes room for what the others use again
@@ -14,10 +14,21 @@ namespace apps
     std::int64_t    units = 0;
     for (std::int64_t batch = 1; watch.seconds() < enough; batch *= 2)
       {
-        work(batch);
-        units += batch;
+        const std::int64_t done = work(batch);
+        units += done;
+        if (done < batch)
+          break;
       }
-    return watch.seconds() / static_cast<double>(units);
+    return units > 0 ? watch.seconds() / static_cast<double>(units) : 0.0;
+  }
+
+  double seconds_per_step(const dem::Specimen &body, const std::function<void(std::int64_t)> &advance)
+  {
+    return seconds_per_unit([&](const std::int64_t count) {
+      const std::int64_t before = body.steps();
+      advance(count);
+      return body.steps() - before;
+    });
   }
 
   std::string duration_line(const double expected, const double at_most)

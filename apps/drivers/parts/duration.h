@@ -1,5 +1,7 @@
 #pragma once
 
+#include "dem/specimen/specimen.h"
+
 #include <chrono>
 #include <cstdint>
 #include <functional>
@@ -17,8 +19,14 @@ namespace apps
     std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
   };
 
-  /** Seconds of one unit of work, from as many as fit into about half a second. @param work does so many of them */
-  double seconds_per_unit(const std::function<void(std::int64_t)> &work);
+  /**
+   * Seconds of one unit of work, from as many as fit into about half a second.
+   * @param work does so many of them, or fewer where there are no more @return how many it did
+   */
+  double seconds_per_unit(const std::function<std::int64_t(std::int64_t)> &work);
+
+  /** The same of time steps. @param advance takes so many steps, or fewer where its test ends */
+  double seconds_per_step(const dem::Specimen &body, const std::function<void(std::int64_t)> &advance);
 
   /** The line of a forecast. @param at_most [s]; 0: nothing is known of it */
   std::string duration_line(double expected, double at_most = 0);

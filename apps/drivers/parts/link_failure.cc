@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace apps
 {
@@ -52,5 +53,20 @@ namespace apps
         longest.softening     = std::max(longest.softening, one.softening);
       }
     return longest;
+  }
+
+  double strain_of_failure(const dem::LinkLaw &law, const dem::Packing &packing, const dem::UniaxialParameters &test)
+  {
+    const auto [onset, softening] = failure_in_tension(law);
+    if (onset == 0)
+      return std::numeric_limits<double>::infinity();
+    if (test.strain_rate < 0)
+      return 24 * onset;
+    const auto [low, high] =
+      std::minmax_element(packing.centre.begin(), packing.centre.end(),
+                          [axis = test.axis](const auto &a, const auto &b) { return a[axis] < b[axis]; });
+    const double length = (*high)[test.axis] - (*low)[test.axis];
+    const double link   = 2 * *std::max_element(packing.radius.begin(), packing.radius.end());
+    return 1.5 * onset + softening * link / length * std::log(1 / test.stop_fraction);
   }
 } // namespace apps

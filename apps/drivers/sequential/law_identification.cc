@@ -1,5 +1,6 @@
 #include "apps/drivers/sequential/law_identification.h"
 
+#include "apps/drivers/parts/link_failure.h"
 #include "apps/drivers/sequential/particles.h"
 #include "apps/drivers/sequential/scene.h"
 #include "apps/results/warning.h"
@@ -218,16 +219,6 @@ namespace apps
         samples[i] = {flat[11 * i], flat[11 * i + 1], Eigen::Map<const Eigen::Matrix3d>(&flat[11 * i + 2])};
     }
 
-    std::vector<Sample> samples;
-
-  private:
-    static dem::SpecimenParameters specimen_parameters(const ParticleStageSection &stage)
-    {
-      dem::SpecimenParameters p = stage.specimen_parameters();
-      p.loose                   = 0; // no striker
-      return p;
-    }
-
     static dem::UniaxialParameters parameters(const SequentialModel &model)
     {
       const IdentificationSection &asked = model.identification;
@@ -235,6 +226,16 @@ namespace apps
                  model.particles, asked.compresses(model.particles) ? -asked.furthest_strain : asked.furthest_strain);
       p.stop_fraction = asked.stop_fraction;
       p.stop_strain   = asked.furthest_strain;
+      return p;
+    }
+
+    std::vector<Sample> samples;
+
+  private:
+    static dem::SpecimenParameters specimen_parameters(const ParticleStageSection &stage)
+    {
+      dem::SpecimenParameters p = stage.specimen_parameters();
+      p.loose                   = 0; // no striker
       return p;
     }
 
@@ -252,6 +253,20 @@ namespace apps
     law.origin.test = model.identification.compresses(model.particles) ? "compression" : "tension";
   }
 
+  double LawIdentification::smoothed_size() const
+  {
+    return std::max(element_size, concrete_of(model.continuum).nonlocal_length);
+  }
+
+  double LawIdentification::expected_seconds(const dem::Packing &packing) const
+  {
+    Test                          test(model, packing, smoothed_size());
+    const dem::UniaxialParameters asked = Test::parameters(model);
+    const double                  end =
+      strain_of_failure(*model.particles.material.materials().bonds_in_space(model.particles.physics), packing, asked);
+    return apps::expected_seconds(test, std::min(1.0, end / asked.stop_strain));
+  }
+
   bool LawIdentification::complete(const dem::Packing          &packing,
                                    const std::filesystem::path &folder,
                                    const std::string           &deciding_text)
@@ -262,9 +277,7 @@ namespace apps
         law = law_in(file);
         return true;
       }
-    const double smoothed =
-      std::max(element_size, concrete_of(model.continuum).nonlocal_length); // as points of a transfer
-    Test test(model, packing, smoothed);
+    Test test(model, packing, smoothed_size());
     if (!run_particles(test, "identification", states, deciding_text))
       return false;
     fit(test.samples, folder);

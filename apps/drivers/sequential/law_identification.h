@@ -60,11 +60,16 @@ namespace apps
      */
     bool complete(const dem::Packing &packing, const std::filesystem::path &folder, const std::string &deciding_text);
 
+    /** Seconds that it probably takes; its first samples are computed. */
+    double expected_seconds(const dem::Packing &packing) const;
+
     const IdentifiedLaw &result() const { return law; }
 
   private:
     struct Sample;
     class Test;
+
+    double smoothed_size() const; ///< over which points of a transfer average [m]
 
     void fit(const std::vector<Sample> &samples, const std::filesystem::path &folder);
 

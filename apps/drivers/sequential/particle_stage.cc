@@ -1,5 +1,6 @@
 #include "apps/drivers/sequential/particle_stage.h"
 
+#include "apps/drivers/parts/duration.h"
 #include "apps/drivers/parts/specimen_packing.h"
 #include "apps/scene/physics_section.h"
 #include "apps/scene/value_text.h"
@@ -408,6 +409,15 @@ namespace apps
     if (stage.source == Source::impact)
       return std::make_unique<ImpactCase>(stage, packing, stage.velocities_asked().at(number));
     return std::make_unique<UniaxialCase>(stage, packing, stage.instants_asked().at(number));
+  }
+
+  double expected_seconds(ParticleCase &particles, const double part)
+  {
+    constexpr double enough = 0.25;
+    const Stopwatch  watch;
+    while (!particles.finished() && watch.seconds() < enough)
+      particles.advance();
+    return particles.finished() ? watch.seconds() : watch.seconds() * part / particles.done();
   }
 
   std::unique_ptr<ParticleCase> make_reference_case(const ParticleStageSection &stage, const dem::Packing &packing)

@@ -108,6 +108,9 @@ namespace apps
   std::unique_ptr<ParticleCase>
   make_particle_case(const ParticleStageSection &stage, const dem::Packing &packing, std::size_t number);
 
+  /** Seconds that a case takes to its end, or to that part of it; its first samples are computed. */
+  double expected_seconds(ParticleCase &particles, double part = 1);
+
   /** The all-particle run to the end strain; nullptr if none is asked for. */
   std::unique_ptr<ParticleCase> make_reference_case(const ParticleStageSection &stage, const dem::Packing &packing);
 } // namespace apps

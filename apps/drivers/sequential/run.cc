@@ -1,6 +1,7 @@
 #include "apps/drivers/sequential/run.h"
 
 #include "apps/drivers/continuum/summary.h"
+#include "apps/drivers/parts/left_out_of_balance.h"
 #include "apps/drivers/sequential/continuation.h"
 #include "apps/drivers/sequential/study.h"
 #include "apps/drivers/sequential/transfer_output.h"
@@ -133,9 +134,22 @@ namespace apps
                            {"version", version()}};
     if (!ground.doubts.empty())
       json["warnings"] = ground.doubts;
+    if (const std::string left_out = not_in_balance(); !left_out.empty())
+      json["energy"]["not_in_balance"] = left_out;
     if (law)
       json["identification"] = law->json();
     return json;
+  }
+
+  std::string SequentialRun::not_in_balance() const
+  {
+    const ParticleStageSection &stage = model.particles;
+    if (stage.source == ParticleStageSection::Source::file)
+      return "";
+    std::vector<double> radius = ground.packing.radius;
+    if (stage.source == ParticleStageSection::Source::impact)
+      radius.push_back(stage.impact.striker_radius);
+    return left_out_of_balance(*stage.material.materials().bonds(stage.physics), radius);
   }
 
   void SequentialRun::finish(const nlohmann::json &json)
@@ -204,7 +218,7 @@ namespace apps
     postprocess::write_text(running / "study.csv", report.csv());
     warn_of_missing("study.png", report.draw(running / "study.png"));
     finish(json);
-    fmt::print("{}", report.text());
+    fmt::print("{}{}", report.text(), balance_note(not_in_balance()));
     fmt::print("{}", result_listing(request.output_folder));
     return exit_success;
   }

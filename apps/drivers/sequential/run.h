@@ -26,6 +26,7 @@ namespace apps
     bool           find_law();
     bool           continue_case(std::size_t number, const TransferRecord &record) const;
     nlohmann::json summary() const;
+    std::string    not_in_balance() const; ///< see left_out_of_balance()
     void           finish(const nlohmann::json &json);
 
     const SequentialModel       &model;

@@ -1,5 +1,8 @@
 #include "apps/drivers/sequential/scene.h"
 
+#include "apps/drivers/continuum/expected_duration.h"
+#include "apps/drivers/parts/duration.h"
+#include "apps/drivers/sequential/law_identification.h"
 #include "apps/drivers/sequential/outline.h"
 #include "apps/drivers/sequential/run.h"
 
@@ -114,9 +117,31 @@ namespace apps
     return found;
   }
 
+  namespace
+  {
+    double seconds_of_particles(const ParticleStageSection &stage, const dem::Packing &packing)
+    {
+      double seconds = 0;
+      for (std::size_t k = 0; k < stage.cases(); ++k)
+        seconds += expected_seconds(*make_particle_case(stage, packing, k));
+      if (const auto reference = make_reference_case(stage, packing))
+        seconds += expected_seconds(*reference);
+      return seconds;
+    }
+
+    /** One continuation, which begins in the virgin solid here. */
+    double seconds_of_continuation(const ContinuumModel &model)
+    {
+      return model.solid.dimension == 2 ? expected_seconds<2>(model, states_of(model)) :
+                                          expected_seconds<3>(model, states_of(model));
+    }
+  } // namespace
+
   std::string SequentialScene::forecast() const
   {
-    const SequentialGroundwork ground = groundwork();
+    const Stopwatch            set_up;
+    const SequentialGroundwork ground         = groundwork();
+    const double               set_up_seconds = set_up.seconds();
     std::string text = fmt::format("  transfers    {}\n  elements     {}\n  unknowns     {}\n", model.particles.cases(),
                                    ground.elements, ground.unknowns);
     const auto  first = make_particle_case(model.particles, ground.packing, 0);
@@ -127,7 +152,18 @@ namespace apps
       text += fmt::format("  start        {}\n", text_of(*start));
     for (const std::string &doubt : ground.doubts)
       text += fmt::format("  warning      {}\n", doubt);
-    return text;
+    double seconds = set_up_seconds + seconds_of_particles(model.particles, ground.packing);
+    if (model.transfer.identifies())
+      seconds += LawIdentification(model, ground.origin, ground.element_size).expected_seconds(ground.packing);
+    try
+      {
+        seconds += static_cast<double>(model.particles.cases()) * seconds_of_continuation(model.continuum);
+      }
+    catch (const std::runtime_error &failure)
+      {
+        return text + fmt::format("  warning      the first step of an undamaged solid fails: {}\n", failure.what());
+      }
+    return text + duration_line(seconds);
   }
 
   int SequentialScene::run(const RunRequest &request) const

@@ -90,26 +90,34 @@ namespace apps
     Section                  &m      = s.section("Limits", "Doubt past which the transfer is refused");
     coupling::TransferLimits &limits = options.limits;
     m.number("Empty", limits.empty, "-", Range::between(0, 1), Need::optional)
-      .means("Share of the points: no particle within reach");
+      .means("Share of the points: no particle within reach")
+      .housekeeping();
     m.number("Sparse", limits.sparse, "-", Range::between(0, 1), Need::optional)
-      .means("Share of the points: fewer particles than asked for");
+      .means("Share of the points: fewer particles than asked for")
+      .housekeeping();
     m.number("Fully damaged", limits.fully_damaged, "-", Range::between(0, 1), Need::optional)
-      .means("Share of the points: damage at or past 1");
+      .means("Share of the points: damage at or past 1")
+      .housekeeping();
     m.number("Outside yield surface", limits.outside, "-", Range::between(0, 1), Need::optional)
       .means(
         "Share of the points: so far outside that more than a tenth of the stress (of the tensile strength, if that is "
-        "larger) is lost");
+        "larger) is lost")
+      .housekeeping();
     m.number("Mean stress", limits.mean_stress, "-", Range::at_least(0), Need::optional)
-      .means("Difference of points and particles over the larger of mean stress and tensile strength");
+      .means("Difference of points and particles over the larger of mean stress and tensile strength")
+      .housekeeping();
     m.number("Cut forces", limits.cut_force, "-", Range::at_least(0), Need::optional)
       .means(
         "Largest difference of the force over a cut, over the larger of what is there and what the tensile strength "
-        "makes");
+        "makes")
+      .housekeeping();
     m.number("Extents", extents, "-", Range::at_least(0), Need::optional)
       .means("Difference of length between particles and mesh (beyond two particle radii), and of Study/Length and "
-             "Study/Area from the mesh");
+             "Study/Area from the mesh")
+      .housekeeping();
     m.number("Imbalance", limits.imbalance, "-", Range::at_least(0), Need::optional)
-      .means("Unbalanced force over the forces at hand before the equilibrium iteration (not a share)");
+      .means("Unbalanced force over the forces at hand before the equilibrium iteration (not a share)")
+      .housekeeping();
   }
 
   void TransferSection::validate(const Section &root) const

@@ -1,11 +1,11 @@
 #include "apps/drivers/uniaxial/run.h"
 
+#include "apps/drivers/parts/left_out_of_balance.h"
 #include "apps/drivers/parts/specimen_packing.h"
 #include "apps/drivers/uniaxial/summary.h"
 #include "apps/process/interrupt.h"
 #include "apps/results/life_cycle.h"
 #include "apps/results/warning.h"
-#include "dem/kernels/first_order_shear.h"
 #include "postprocess/packing_io.h"
 #include "postprocess/summary.h"
 
@@ -19,16 +19,6 @@ namespace apps
   namespace
   {
     constexpr const char *packing_name = "packing.h5";
-
-    /** Work on links whose shear force is not conjugate to their strain (doc/theory/shear-kinematics.md, 3). */
-    std::string left_out_of_balance(const dem::LinkLaw &law, const dem::Packing &packing)
-    {
-      const auto columns       = law.columns();
-      const bool first_order   = std::any_of(columns.begin(), columns.end(),
-                                             [](const dem::LinkQuantity &c) { return c.name == dem::surface_gap; });
-      const auto [least, most] = std::minmax_element(packing.radius.begin(), packing.radius.end());
-      return first_order && *least < *most ? "work of spins on links between unequal radii (first-order shear)" : "";
-    }
   } // namespace
 
   UniaxialRun::UniaxialRun(const RunRequest &asked, const UniaxialModel &what)
@@ -126,7 +116,7 @@ namespace apps
   {
     const UniaxialReport report{
       request, complete, test->materials, wall_seconds,
-      left_out_of_balance(*model.material.materials().bonds(model.specimen.physics), packing)};
+      left_out_of_balance(*model.material.materials().bonds(model.specimen.physics), packing.radius)};
     postprocess::write_json(folder / "summary.json", report.summary());
     warn_of_missing("curve.png", report.draw_curve(folder / "curve.png"));
     return report.text();

@@ -57,29 +57,14 @@ namespace apps
 
   namespace
   {
-    /**
-     * Strain at which a test probably ends, for the forecast of its duration. In tension one crack opens, through links about a
-     * particle's diameter long, as their law softens; in compression the peak has come at about twelve times the limit
-     * elastic strain of the links in concrete (doc/theory/laboratory-test.md), and the fall behind it takes as long again.
-     */
     double expected_end(const UniaxialModel &asked, const dem::Packing &packing, const UniaxialLoad load)
     {
       const dem::UniaxialParameters test = asked.loading.parameters(load);
       if (!asked.specimen.physics.damage)
         return test.stop_strain;
-      const auto [onset, softening] =
-        failure_in_tension(*asked.material.materials().bonds_in_space(asked.specimen.physics));
-      if (onset == 0)
-        return test.stop_strain;
-      const auto [low, high] =
-        std::minmax_element(packing.centre.begin(), packing.centre.end(),
-                            [axis = test.axis](const auto &a, const auto &b) { return a[axis] < b[axis]; });
-      const double length = (*high)[test.axis] - (*low)[test.axis];
-      const double link   = 2 * *std::max_element(packing.radius.begin(), packing.radius.end());
-      const double end    = load == UniaxialLoad::tension ?
-                              1.5 * onset + softening * link / length * std::log(1 / test.stop_fraction) :
-                              24 * onset;
-      return std::min(end, test.stop_strain);
+      return std::min(
+        test.stop_strain,
+        strain_of_failure(*asked.material.materials().bonds_in_space(asked.specimen.physics), packing, test));
     }
 
     std::string megabytes(const std::size_t bytes)
@@ -122,7 +107,7 @@ namespace apps
           static_cast<double>(most) * expected_end(asked, packing, load) / asked.loading.parameters(load).stop_strain;
         text += fmt::format("  {:<12} at most {} steps\n", name_of(load), most);
       }
-    const double cost = seconds_per_unit([&](const std::int64_t count) { body.advance(count); });
+    const double cost = seconds_per_step(body, [&](const std::int64_t count) { body.advance(count); });
     return text + duration_line(set_up_seconds + expected * cost, set_up_seconds + steps * cost);
   }
 

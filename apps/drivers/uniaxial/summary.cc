@@ -1,5 +1,6 @@
 #include "apps/drivers/uniaxial/summary.h"
 
+#include "apps/drivers/parts/left_out_of_balance.h"
 #include "apps/process/progress.h"
 #include "apps/process/version.h"
 #include "postprocess/plot.h"
@@ -122,8 +123,7 @@ namespace apps
     if (const StaticStart &start = results.front().start)
       text += fmt::format("start        {}\n", text_of(*start));
     text += fmt::format("energy       balance error {:.1e} at worst\n", worst_balanced(results).worst_balance_error);
-    if (!not_in_balance.empty())
-      text += fmt::format("             not in the balance: {}\n", not_in_balance);
+    text += balance_note(not_in_balance);
     text += fmt::format("cost         {}, {:.1f} million link updates/s with {} threads\n", duration_text(wall_seconds),
                         1e-6 * updates_per_second(results), omp_get_max_threads());
     return text;

@@ -13,6 +13,7 @@ namespace fem
 
     constexpr double nearly_damaged = 1 - 1e-6; // stands for full damage in an initial state
     constexpr int    finest         = 64;       // times the number of parts asked for
+    constexpr double flat           = 1e-6;     // extent over size of an element across its plane
 
     /// Ductility of softening x_s from the ratio of negative to total plastic volume, and its slope.
     std::pair<double, double> softening_ductility(const double a_s, const double ratio)
@@ -275,7 +276,10 @@ namespace fem
     if (p.element_size > 0)
       return p.element_size;
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> total(strain_tensor(state.strain));
-    const double                                         size = element.along(total.eigenvectors().col(2));
+    double                                               size = element.along(total.eigenvectors().col(2));
+    if (size <
+        flat * element.mean_size) // a plane element that opens across its plane: the mesh divides the next direction
+      size = element.along(total.eigenvectors().col(1));
     require_size(size);
     return size;
   }

@@ -1,0 +1,72 @@
+#include "apps/drivers/continuum/expected_duration.h"
+
+#include "apps/drivers/continuum/analysis.h"
+#include "apps/drivers/continuum/solid.h"
+#include "apps/drivers/parts/duration.h"
+#include "dem/core/errors.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace apps
+{
+  namespace
+  {
+    /** Whether every step of a static analysis solves the same linear system. */
+    bool is_linear(const ContinuumModel &model)
+    {
+      const auto &groups = model.materials.groups;
+      return !model.solid.large_displacement && std::none_of(groups.begin(), groups.end(), [](const auto &group) {
+        return group->law == MaterialOfGroup::Law::concrete;
+      });
+    }
+
+    template <int dim>
+    double measured_seconds(const ContinuumModel &model, const double states)
+    {
+      constexpr double enough = 1, measured_at_most = 10, iterations_when_cracking = 5;
+      const auto       solid = make_solid<dim>(model);
+      const auto       analysis =
+        model.is_static() ? make_static_analysis<dim>(*solid, model) : make_explicit_analysis<dim>(*solid, model);
+      const Stopwatch all;
+      double          first = 0, measured = 0;
+      while (!analysis->finished() && measured < std::min(states, measured_at_most) &&
+             (measured < 2 || all.seconds() < enough))
+        {
+          while (!analysis->advance())
+            continue;
+          first = measured == 0 ? all.seconds() : first;
+          ++measured;
+        }
+      const double each  = measured > 1 ? (all.seconds() - first) / (measured - 1) : first;
+      const auto   costs = analysis->cost();
+      const auto   found = costs.find("newton_iterations");
+      if (found == costs.end() || is_linear(model))
+        return first + (states - 1) * each;
+      const double iteration = all.seconds() / std::max(1.0, found->second);
+      return first + (states - 1) * std::max(each, iterations_when_cracking * iteration);
+    }
+  } // namespace
+
+  double states_of(const ContinuumModel &model) { return std::ceil(model.control.end / model.control.largest()); }
+
+  template <int dim>
+  double expected_seconds(const ContinuumModel &model, const double states)
+  {
+    try
+      {
+        return measured_seconds<dim>(model, states);
+      }
+    catch (const dem::InputError &)
+      {
+        throw;
+      }
+    catch (const std::invalid_argument &refusal)
+      {
+        throw dem::InputError(refusal.what()); // as a run refuses it
+      }
+  }
+
+  template double expected_seconds<2>(const ContinuumModel &, double);
+  template double expected_seconds<3>(const ContinuumModel &, double);
+} // namespace apps
