@@ -85,4 +85,14 @@ namespace postprocess
                   unit.name + "]' noenhanced\n";
     return unit;
   }
+
+  std::string colour_bar(const GnuplotJob &job, const PictureFrame &frame)
+  {
+    constexpr double least = 200; // [pixel]
+    if (frame.box.sizes().y() / frame.box.sizes().maxCoeff() * frame.longer_side >= least)
+      return "";
+    return "set rmargin at screen " + std::to_string(1 - 120.0 / job.width) + "\nset colorbox user origin screen " +
+           std::to_string(1 - 100.0 / job.width) + "," + std::to_string(0.5 - 0.5 * least / job.height) +
+           " size screen 0.02," + std::to_string(least / job.height) + "\n";
+  }
 } // namespace postprocess

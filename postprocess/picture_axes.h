@@ -42,4 +42,7 @@ namespace postprocess
    * @throws std::invalid_argument for a box that is empty or not finite
    */
   LengthUnit set_axes(GnuplotJob &job, const PictureFrame &frame);
+
+  /** Place of the colour bar, for a script after set_axes(): beside a flat body it is higher than the body, so that its ticks have room. */
+  std::string colour_bar(const GnuplotJob &job, const PictureFrame &frame);
 } // namespace postprocess

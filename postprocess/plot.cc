@@ -100,7 +100,7 @@ namespace postprocess
     elements_of(const PlotPanel &panel, const PlotSeries &series, const std::string &file, const std::size_t number)
     {
       const std::string colour =
-        " lc rgb '" + (series.colour.empty() ? std::string(colours[number % colours.size()]) : series.colour) + "'";
+        " lc rgb '" + (series.colour.empty() ? std::string(series_colour(number)) : series.colour) + "'";
       const std::string marker = " pt " + std::to_string(markers[number % markers.size()]) + " ps 0.9";
       const std::string source = gnuplot_quoted(file) + " using 1:";
 
@@ -191,6 +191,8 @@ namespace postprocess
       return job;
     }
   } // namespace
+
+  const char *series_colour(const std::size_t number) { return colours[number % colours.size()]; }
 
   std::string plot(const std::filesystem::path &path, const std::vector<PlotPanel> &panels) noexcept
   {

@@ -276,12 +276,13 @@ namespace postprocess
         const auto shown  = shown_particles(particles, view);
         const auto cracks = find_cracks(particles, links, view);
 
-        GnuplotJob   job;
-        const double scale =
-          set_axes(job, {frame_of(particles, view, shown), view.name_of_right(), view.name_of_up(), 760, 230, 150, 480})
-            .per_metre;
+        GnuplotJob         job;
+        const PictureFrame frame{
+          frame_of(particles, view, shown), view.name_of_right(), view.name_of_up(), 760, 230, 150, 480};
+        const double scale    = set_axes(job, frame).per_metre;
         job.data["particles"] = circle_rows(particles, view, shown, scale);
         job.script += "set title " + gnuplot_quoted(title) + " noenhanced\nset cblabel 'Damage'\nset cbrange [0:1]\n" +
+                      colour_bar(job, frame) +
                       "set palette defined (0 '#f0f0f0', 1 '#5b7fb0')\nset style fill solid 1 noborder\n" +
                       "set key outside below center Left reverse samplen 2\n" +
                       "plot 'particles' using 1:2:3:4 with circles lc palette notitle";

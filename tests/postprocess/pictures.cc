@@ -238,6 +238,13 @@ TEST_CASE("lengths are drawn in the unit of their size, with ticks that have roo
   job                  = {};
   set_axes(job, pillar);
   CHECK_THAT(job.script, Contains("set xtics 0.5\n"));
+  // Its colour bar is as high as it; that of a beam 2 m long and 0.1 m high is higher than the beam: 200 of 480 pixels.
+  CHECK(colour_bar(job, pillar).empty());
+  pillar.box = Eigen::AlignedBox2d(Eigen::Vector2d(0, 0), Eigen::Vector2d(2, 0.1));
+  job        = {};
+  set_axes(job, pillar);
+  CHECK(job.height == 480);
+  CHECK_THAT(colour_bar(job, pillar), Contains("size screen 0.02,0.416667"));
   pillar.box.setEmpty();
   CHECK_THROWS_AS(set_axes(job, pillar), std::invalid_argument);
 }

@@ -97,7 +97,8 @@ namespace apps
           panel->x_label = "Shear ratio G/E of the links";
           panel->log_x   = true;
         }
-      for (std::size_t first = 0; first < points.size();)
+      std::size_t colour = 0; // one for each interaction ratio
+      for (std::size_t first = 0; first < points.size(); ++colour)
         {
           const double ratio = points[first].interaction_ratio;
           std::size_t  next  = first;
@@ -106,10 +107,16 @@ namespace apps
           for (const Way &way : {ways[0], ways[2]})
             {
               postprocess::PlotSeries E, nu;
-              E.name  = fmt::format("{} {}", way.name, ratio);
-              E.style = way.found == &HomogenisationAnswer::relaxed ? postprocess::PlotSeries::Style::points :
-                                                                      postprocess::PlotSeries::Style::line;
-              nu      = E;
+              E.name   = fmt::format("{} {}", way.name, ratio);
+              E.style  = way.found == &HomogenisationAnswer::relaxed ? postprocess::PlotSeries::Style::points :
+                                                                       postprocess::PlotSeries::Style::line;
+              E.colour = postprocess::series_colour(colour);
+              nu       = E;
+              if (E.style == postprocess::PlotSeries::Style::line) // the closed form knows the shear ratio only
+                {
+                  nu.name   = "statistics, any interaction ratio";
+                  nu.colour = "#000000";
+                }
               for (std::size_t i = first; i < next; ++i)
                 {
                   const auto e = points[i].figure(way.found, &dem::ElasticConstants::young);
@@ -129,7 +136,8 @@ namespace apps
               if (E.x.empty())
                 continue;
               young.series.push_back(E);
-              poisson.series.push_back(nu);
+              if (nu.style == postprocess::PlotSeries::Style::points || first == 0)
+                poisson.series.push_back(nu);
             }
           first = next;
         }
