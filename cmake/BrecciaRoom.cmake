@@ -6,6 +6,13 @@ function(breccia_precompile target)
   endif()
 endfunction()
 
+# The headers that another target has parsed, where the flags of both are the same.
+function(breccia_share_precompiled target from)
+  if(BRECCIA_PRECOMPILE)
+    target_precompile_headers(${target} REUSE_FROM ${from})
+  endif()
+endfunction()
+
 # breccia_room(NAME [SOURCES file...] [LIBRARIES target...] [PRIVATE_LIBRARIES target...] [PRECOMPILED header...] [NATIVE])
 #
 # One library for the room NAME: sources sorted and listed one by one; LIBRARIES are those that its own

@@ -36,7 +36,7 @@ TEST_CASE("every kernel returns a uniform field, also at faces, edges and corner
        {Kernel::nearest, Kernel::ball, Kernel::gaussian, Kernel::moving_least_squares, Kernel::specimen})
     for (const Eigen::Vector3d &x : probes)
       {
-        const Average a = Averaging(field, by(kernel)).at(x, 0.03);
+        const coupling::Average a = Averaging(field, by(kernel)).at(x, 0.03);
         // Weights sum to one to rounding; a linear fit at a corner magnifies it about tenfold.
         CHECK((a.stress - base).norm() <= 1e-13 * base.norm());
         CHECK((a.damage - 1e-7 * slope).norm() <= 1e-13 * 1e-7 * slope.norm());
@@ -49,7 +49,7 @@ TEST_CASE("moving least squares returns a linear field from disordered particles
   const Averaging     averaging(field, by(Kernel::moving_least_squares));
   for (const Eigen::Vector3d &x : probes)
     {
-      const Average a = averaging.at(x, 0.03);
+      const coupling::Average a = averaging.at(x, 0.03);
       CHECK(a.linear);
       CHECK((a.stress - linear(x)).norm() <= 1e-12 * base.norm());
     }
@@ -109,8 +109,8 @@ TEST_CASE("rotating the particles and the point rotates the tensors", "[coupling
        {Kernel::nearest, Kernel::ball, Kernel::gaussian, Kernel::moving_least_squares, Kernel::specimen})
     for (const Eigen::Vector3d &x : probes)
       {
-        const Average a = Averaging(field, by(kernel, 0.0213)).at(x, 0.03),
-                      b = Averaging(turned, by(kernel, 0.0213)).at(R * x, 0.03);
+        const coupling::Average a = Averaging(field, by(kernel, 0.0213)).at(x, 0.03),
+                                b = Averaging(turned, by(kernel, 0.0213)).at(R * x, 0.03);
         CHECK(a.particles == b.particles);
         CHECK((b.stress - R * a.stress * R.transpose()).norm() <= 1e-10 * a.stress.norm());
         CHECK((b.damage - R * a.damage * R.transpose()).norm() <= 1e-10 * a.damage.norm());
@@ -119,8 +119,8 @@ TEST_CASE("rotating the particles and the point rotates the tensors", "[coupling
 
 TEST_CASE("a point out of reach knows nothing, and says so", "[coupling]")
 {
-  const ParticleField field = fields::box({0.1, 0.1, 0.1}, {9, 9, 9}, 0, linear, linear);
-  const Average       far   = Averaging(field, by(Kernel::gaussian)).at({1, 1, 1}, 0.01);
+  const ParticleField     field = fields::box({0.1, 0.1, 0.1}, {9, 9, 9}, 0, linear, linear);
+  const coupling::Average far   = Averaging(field, by(Kernel::gaussian)).at({1, 1, 1}, 0.01);
   CHECK(far.particles == 0);
   CHECK(far.stress.norm() == 0);
   CHECK(Averaging(field, by(Kernel::nearest)).at({1, 1, 1}, 0.01).particles == 1);
@@ -128,8 +128,8 @@ TEST_CASE("a point out of reach knows nothing, and says so", "[coupling]")
 
 TEST_CASE("moving least squares falls back to the average where particles determine no plane", "[coupling]")
 {
-  const ParticleField field = fields::box({0.1, 0.1, 0.1}, {20, 20, 1}, 0, linear, linear); // a sheet
-  const Average       a     = Averaging(field, by(Kernel::moving_least_squares)).at({0.05, 0.05, 0.05}, 0.01);
+  const ParticleField     field = fields::box({0.1, 0.1, 0.1}, {20, 20, 1}, 0, linear, linear); // a sheet
+  const coupling::Average a     = Averaging(field, by(Kernel::moving_least_squares)).at({0.05, 0.05, 0.05}, 0.01);
   CHECK_FALSE(a.linear);
   CHECK((a.stress - linear({0.05, 0.05, 0.05})).norm() <= 1e-10 * base.norm()); // symmetric about the point
 }
@@ -144,7 +144,7 @@ TEST_CASE("in the plane the linear fit leaves the third direction alone", "[coup
       field.place[i][2] = 0;
       field.stress[i]   = in_plane(field.place[i]);
     }
-  const Average a = Averaging(field, by(Kernel::moving_least_squares)).at({0, 0.05, 0}, 0.02);
+  const coupling::Average a = Averaging(field, by(Kernel::moving_least_squares)).at({0, 0.05, 0}, 0.02);
   CHECK(a.linear);
   CHECK((a.stress - in_plane({0, 0.05, 0})).norm() <= 1e-12 * base.norm());
 }
