@@ -1,5 +1,7 @@
 #include "postprocess/fields.h"
 
+#include "fem/points/all.h"
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -9,8 +11,7 @@ namespace postprocess
   {
     constexpr Field::Of points = Field::Of::points, cells = Field::Of::cells;
 
-    constexpr const char *several = "several materials", *periodic = "periodic cells",
-                         *concrete = "damage-plastic concrete";
+    constexpr const char *several = "several materials", *periodic = "periodic cells";
 
     FieldFile particle_fields()
     {
@@ -65,14 +66,48 @@ namespace postprocess
               {{"displacement", "m", 3, points, "", ""},
                {"reaction", "N", 3, points, "internal less external force", ""},
                {"stress", "Pa", 6, points, "average at the node, tension positive", ""},
-               {"strain", "-", 6, points, "average at the node; tensor shears, half the engineering ones", ""},
-               {"plastic_strain", "-", 6, points, "average at the node; tensor shears", concrete},
-               {"damage", "-", 1, cells, "largest in the element", concrete},
-               {"crack_opening", "m", 1, cells, "largest in the element", concrete},
-               {"kappa_P", "-", 1, cells, "hardening variable, largest in the element", concrete},
-               {"kappa_D", "-", 1, cells, "damage-driving variable, largest in the element", concrete},
-               {"element_size", "m", 1, cells, "across the crack, with which the law regularises", concrete},
-               {"localised_at", "-", 1, cells, "damage-driving variable at which the size was fixed", concrete}}};
+               {"strain", "-", 6, points, "average at the node; tensor shears, half the engineering ones", ""}}};
+    }
+
+    Field field_of(const fem::PointQuantity &of, const char *material)
+    {
+      using Kind         = fem::PointQuantity::Kind;
+      const bool  number = of.kind == Kind::number;
+      std::string meaning(of.meaning);
+      meaning += (meaning.empty() ? "" : ", ") + std::string(number ? "largest in the element" : "average at the node");
+      if (of.kind == Kind::strain)
+        meaning += "; tensor shears";
+      return {of.name, of.unit, of.values(), number ? cells : points, meaning, material};
+    }
+
+    /** What a material shows of its history; a field that others have too is theirs together. */
+    template <typename Law>
+    void add_history(std::vector<Field> &fields)
+    {
+      for (const fem::PointQuantity &of : fem::quantities_of<Law>())
+        {
+          if (of.shown == fem::PointQuantity::Shown::nowhere)
+            continue;
+          const auto known =
+            std::find_if(fields.begin(), fields.end(), [&](const Field &f) { return f.name == of.name; });
+          if (known == fields.end())
+            fields.push_back(field_of(of, Law::name));
+          else
+            known->only += std::string(", ") + Law::name;
+        }
+    }
+
+    template <typename... Laws>
+    void add_histories(std::vector<Field> &fields, const std::tuple<Laws...> * /*of these types*/)
+    {
+      (add_history<Laws>(fields), ...);
+    }
+
+    FieldFile solid_fields_with_histories()
+    {
+      FieldFile file = solid_fields();
+      add_histories(file.fields, static_cast<const fem::Materials *>(nullptr));
+      return file;
     }
 
     FieldFile transferred_particle_fields()
@@ -105,8 +140,8 @@ namespace postprocess
                {"damage_tensor", "-", 6, points, "average of the particles around", ""},
                {"damage", "-", 1, points, "scalar damage handed over", ""},
                {"raw_damage", "-", 1, points, "the same before limits", ""},
-               {"kappa_D", "-", 1, points, "damage-driving variable handed over", ""},
-               {"kappa_P", "-", 1, points, "hardening variable handed over", ""},
+               {"damage_driving", "-", 1, points, "variable that drives the damage, as handed over", ""},
+               {"hardening", "-", 1, points, "hardening variable handed over", ""},
                {"particles", "", 1, points, "how many particles the averages are of", ""},
                {"offset", "-", 1, points,
                 "distance from the point to the centre of the averages' weights, in widths of the kernel: how "
@@ -132,7 +167,7 @@ namespace postprocess
 
   const std::vector<FieldFile> &field_files()
   {
-    static const std::vector<FieldFile> all = {particle_fields(), link_fields(), solid_fields(),
+    static const std::vector<FieldFile> all = {particle_fields(), link_fields(), solid_fields_with_histories(),
                                                transferred_particle_fields(), integration_point_fields()};
     return all;
   }

@@ -47,7 +47,7 @@ namespace postprocess
           FieldWriter(file, &grid).add(array);
           return;
         }
-      if (!field.unit.empty())
+      if (!field.unit.empty() && field.unit != "-")
         array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), field.unit.c_str());
       values.AddArray(array);
     }

@@ -68,15 +68,15 @@ namespace apps
     std::vector<Variant> lengths_of(const SequentialModel &model, const bool quick)
     {
       std::vector<Variant> all;
-      for (const auto &group : model.continuum.materials.groups)
-        if (group->law == MaterialOfGroup::Law::concrete && group->concrete.nonlocal_length > 0)
+      for (const MaterialOfGroup *group : model.receivers())
+        if (const double whole = group->chosen().constants->averaging_length(); whole > 0)
           for (const double share : quick ? std::vector<double>{0, 1} : std::vector<double>{0, 0.25, 0.5, 1})
             {
-              const double length = share * group->concrete.nonlocal_length;
+              const double length = share * whole;
               all.push_back({"length",
                              fmt::format("{:g} m", length),
                              {fmt::format("Continuum/Materials/{}/{}/Nonlocal length={}", group->group,
-                                          fem::DamagePlasticConcrete::name, length)}});
+                                          group->law->name(), length)}});
             }
       return all;
     }

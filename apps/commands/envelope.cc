@@ -4,7 +4,7 @@
 #include "apps/process/exit_status.h"
 #include "apps/process/version.h"
 #include "apps/results/result_folder.h"
-#include "apps/scene/continuum_law_block.h"
+#include "apps/scene/constant_entries.h"
 #include "apps/scene/overrides.h"
 #include "apps/scene/reader.h"
 #include "postprocess/atomic_file.h"
@@ -102,7 +102,7 @@ namespace apps
     {
       fem::DamagePlasticParameters parameters;
       Section                      constants;
-      declare_continuum_law<fem::DamagePlasticConcrete>(constants, parameters);
+      fem::DamagePlasticConcrete::describe(parameters, ConstantEntries{constants});
       assign(constants, read_overrides(options.constants), "command line");
       try
         {

@@ -2,6 +2,7 @@
 #include "apps/commands/scene_options.h"
 #include "apps/drivers/paths/material_path.h"
 #include "apps/process/exit_status.h"
+#include "apps/scene/constant_entries.h"
 #include "apps/scene/nearest_name.h"
 #include "apps/scene/overrides.h"
 #include "apps/scene/reader.h"
@@ -55,25 +56,26 @@ namespace apps
       return path;
     }
 
-    const DrivenMaterial &material_named(const std::string &name)
+    const fem::MaterialKind &material_named(const std::string &name)
     {
       std::vector<std::string> names;
-      for (const DrivenMaterial &material : driven_materials())
+      for (const auto &kind : fem::material_kinds())
         {
-          if (same_name(material.name, name))
-            return material;
-          names.push_back(material.name);
+          if (same_name(kind->name(), name))
+            return *kind;
+          names.push_back(kind->name());
         }
       throw dem::InputError("command line: material \"" + name + "\" is not known. " + did_you_mean(name, names));
     }
 
     int point_test(const PointTestOptions &options)
     {
-      const DrivenMaterial &material = material_named(options.material);
-      const MaterialPath    path     = read_path(options.path);
-      Section               constants;
-      const auto            read = [&] { assign(constants, read_overrides(options.constants), "command line"); };
-      postprocess::write_text(options.output, material.drive(constants, read, path).as_csv());
+      const auto         constants = material_named(options.material).constants();
+      const MaterialPath path      = read_path(options.path);
+      Section            entries;
+      constants->visit(ConstantEntries{entries});
+      assign(entries, read_overrides(options.constants), "command line");
+      postprocess::write_text(options.output, drive(*constants, path).as_csv());
       return exit_success;
     }
   } // namespace
@@ -84,8 +86,8 @@ namespace apps
     CLI::App  &command = *program.add_subcommand(
        "point-test", "Drive one material point along a path of strains and stresses and write its answer");
     std::string materials;
-    for (const DrivenMaterial &material : driven_materials())
-      materials += (materials.empty() ? "" : ", ") + material.name;
+    for (const auto &kind : fem::material_kinds())
+      materials += (materials.empty() ? "" : ", ") + kind->name();
     command.add_option("--material", options->material, "Material: " + materials)->required()->type_name("NAME");
     add_overrides(command, options->constants, "Constant of the material, e.g. -s \"Young modulus=30e9\"; repeatable");
     command

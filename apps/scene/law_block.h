@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/scene/section.h"
+#include "apps/scene/constant_entries.h"
 #include "dem/laws/registry.h"
 
 namespace apps
@@ -22,8 +22,7 @@ namespace apps
                 const double upper,
                 const bool   required) override
     {
-      block.number(key, member, unit, Range::between(lower, upper), required ? Need::required : Need::optional)
-        .means(meaning);
+      ConstantEntries{block}(key, member, unit, meaning, lower, upper, required);
     }
     void choice(const char                      *key,
                 const std::vector<std::string>  &words,

@@ -170,8 +170,8 @@ namespace coupling
   void SolidParticipant<dim>::save()
   {
     saved = Saved{motion.state(), {}};
-    solid.visit_histories([&](const char *, double *values, const int count) {
-      saved->histories.insert(saved->histories.end(), values, values + count);
+    solid.visit_histories([&](const fem::PointQuantity &of, const double *values) {
+      saved->histories.insert(saved->histories.end(), values, values + of.values());
     });
   }
 
@@ -182,9 +182,9 @@ namespace coupling
       throw std::logic_error("participant: no state has been saved.");
     motion.restore(saved->motion);
     std::size_t next = 0;
-    solid.visit_histories([&](const char *, double *values, const int count) {
-      std::copy_n(&saved->histories[next], count, values);
-      next += static_cast<std::size_t>(count);
+    solid.visit_histories([&](const fem::PointQuantity &of, double *values) {
+      std::copy_n(saved->histories.begin() + static_cast<std::ptrdiff_t>(next), of.values(), values);
+      next += static_cast<std::size_t>(of.values());
     });
   }
 

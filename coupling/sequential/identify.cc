@@ -1,7 +1,8 @@
 #include "coupling/sequential/identify.h"
 
 #include "dem/core/errors.h"
-#include "fem/materials/mixed_control.h"
+#include "fem/points/driven_point.h"
+#include "fem/points/registry.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,31 +10,37 @@
 
 namespace coupling
 {
-  ContinuumReference::ContinuumReference(const fem::DamagePlasticConcrete::Parameters &material,
-                                         const double                                  size,
-                                         const bool                                    compression,
-                                         const double                                  strain_step,
-                                         const double                                  lowest)
+  ContinuumReference::ContinuumReference(const fem::MaterialConstants &material,
+                                         const double                  size,
+                                         const bool                    compression,
+                                         const double                  strain_step,
+                                         const double                  lowest)
   {
-    constexpr int                    most_steps = 100000;
-    const fem::DamagePlasticConcrete law(material);
-    const fem::ElementExtent         extent = fem::ElementExtent::uniform(size);
-    const double                     unit   = compression ? material.compressive_strength : material.tensile_strength;
-    fem::DamagePlasticState          state;
-    fem::MixedTarget                 target;
+    constexpr int            most_steps = 100000;
+    const auto               point      = material.make_point();
+    const fem::ElementExtent extent     = fem::ElementExtent::uniform(size);
+    const auto               strengths  = material.uniaxial_strengths();
+    const double             unit       = compression ? strengths.compression : strengths.tension;
+    fem::MixedTarget         target;
     target.stress_given = {{false, true, true, true, true, true}};
     samples.push_back({0, 0, 0});
     for (int n = 1; n <= most_steps; ++n)
       {
-        target.value[0]     = (compression ? -1 : 1) * n * strain_step;
-        state               = fem::solve_mixed(law, target, state, extent, unit).response.trial;
-        const double stress = std::abs(state.stress[0]);
+        target.value[0] = (compression ? -1 : 1) * n * strain_step;
+        point->go_to(target, extent, unit, fem::Increments::followed);
+        const double stress = std::abs(point->stress()[0]);
         if (stress > largest)
           {
             largest = stress;
             at_peak = samples.size();
           }
-        samples.push_back({stress, state.kappa_p, state.damage});
+        samples.push_back({stress, 0, 0});
+        point->visit([&here = samples.back()](const fem::PointQuantity &of, const double *value) {
+          if (of.role == fem::PointQuantity::Role::hardening)
+            here.hardening = *value;
+          if (of.role == fem::PointQuantity::Role::damage)
+            here.damage = *value;
+        });
         if (stress < lowest * largest)
           return;
       }
@@ -47,9 +54,9 @@ namespace coupling
         {
           const Sample &a = samples[i - 1], &b = samples[i];
           const double  part = b.stress > a.stress ? (wanted - a.stress) / (b.stress - a.stress) : 1;
-          return std::min(1.0, a.kappa_p + part * (b.kappa_p - a.kappa_p));
+          return std::min(1.0, a.hardening + part * (b.hardening - a.hardening));
         }
-    return std::min(1.0, samples[at_peak].kappa_p);
+    return std::min(1.0, samples[at_peak].hardening);
   }
 
   double ContinuumReference::damage_at(const double relative_stress) const
@@ -113,7 +120,7 @@ namespace coupling
       return v.size() > 0 ? v.norm() / std::sqrt(static_cast<double>(v.size())) : 0;
     }
 
-    /** Start and slope of kappa_P over raw damage; what may not be exceeded is cut off, the slope first. */
+    /** Start and slope of the hardening over raw damage; what may not be exceeded is cut off, the slope first. */
     void fit_hardening(const std::vector<Wanted> &undamaged, Identification &found)
     {
       MappingLaw                            &law       = found.law;

@@ -1,9 +1,13 @@
 #pragma once
 
 #include "coupling/sequential/mapping_law.h"
-#include "fem/materials/damage_plastic/concrete.h"
 
 #include <vector>
+
+namespace fem
+{
+  class MaterialConstants;
+}
 
 namespace coupling
 {
@@ -21,23 +25,20 @@ namespace coupling
   public:
     /**
      * Load a point with free sides until its stress has fallen to `lowest` of its peak.
-     * @param size of the element [m] @param compression or else tension @param strain_step of the path [-]
-     * @throws fem::MaterialFailure; std::invalid_argument from the law
+     * @param material that takes initial states @param size of the element [m] @param compression or else tension @param strain_step of the path [-]
+     * @throws fem::MaterialFailure; std::invalid_argument for its constants
      */
-    ContinuumReference(const fem::DamagePlasticConcrete::Parameters &material,
-                       double                                        size,
-                       bool                                          compression,
-                       double                                        strain_step,
-                       double                                        lowest);
+    ContinuumReference(
+      const fem::MaterialConstants &material, double size, bool compression, double strain_step, double lowest);
 
     double peak() const { return largest; }            ///< stress in magnitude [Pa]
-    double hardening_at(double relative_stress) const; ///< kappa_P at most 1, before the peak
+    double hardening_at(double relative_stress) const; ///< at most 1, before the peak
     double damage_at(double relative_stress) const;    ///< omega, after the peak
 
   private:
     struct Sample
     {
-      double stress, kappa_p, damage;
+      double stress, hardening, damage;
     };
     std::vector<Sample> samples;
     std::size_t         at_peak = 0;

@@ -81,7 +81,7 @@ namespace coupling
     MappedDamage mapped;
     mapped.raw = std::pow(law.factor * std::max(0.0, measure), law.exponent);
     if (mapped.raw < law.switch_damage)
-      mapped.kappa_p = law.hardening_start + law.hardening_slope * mapped.raw;
+      mapped.hardening = law.hardening_start + law.hardening_slope * mapped.raw;
     else
       mapped.damage = std::min(1.0, mapped.raw);
     return mapped;

@@ -9,7 +9,7 @@
 namespace coupling
 {
   /**
-   * From a damage tensor of links to the scalar damage and hardening of damage-plastic concrete
+   * From a damage tensor of links to the scalar damage and hardening of a material
    * (doc/theory/sequential-transfer.md, 3):
    *
    *   raw = (factor max(0, c1 Omega1 + c2 Omega2 + c3 Omega3))^exponent,  Omega1 >= Omega2 >= Omega3,
@@ -43,9 +43,9 @@ namespace coupling
   /** What a law makes of a tensor. */
   struct MappedDamage
   {
-    double raw     = 0; ///< before the switch, may exceed 1
-    double damage  = 0; ///< omega in [0, 1]
-    double kappa_p = 0; ///< of an undamaged point; of a damaged one it follows from omega and the element size
+    double raw       = 0; ///< before the switch, may exceed 1
+    double damage    = 0; ///< omega in [0, 1]
+    double hardening = 0; ///< kappa_P of an undamaged point; else it follows from omega and element size
   };
 
   /** Eigenvalues in descending order, as the law takes them (with the published factor if it says so). */

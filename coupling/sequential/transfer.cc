@@ -1,7 +1,6 @@
 #include "coupling/sequential/transfer.h"
 
 #include "dem/core/errors.h"
-#include "fem/solid/nonlocal_points.h"
 
 #include <deal.II/base/mpi.h>
 
@@ -32,8 +31,7 @@ namespace coupling
     /** What particles are smoothed over by themselves: the element, or the length over which the material averages its damage. */
     double own_size(const fem::MaterialPoints &material, const fem::ElementExtent &extent)
     {
-      const auto *averaging = dynamic_cast<const fem::NonlocalPoints *>(&material);
-      return std::max(extent.mean_size, averaging ? averaging->length() : 0.0);
+      return std::max(extent.mean_size, material.averaging_length());
     }
 
     template <int dim>
@@ -63,9 +61,9 @@ namespace coupling
       fem::InitialPointState given;
       if (point.average.particles == 0)
         return given; // virgin
-      given.stress  = fem::stress_voigt(point.average.stress);
-      given.damage  = point.mapped.damage;
-      given.kappa_p = point.mapped.kappa_p;
+      given.stress    = fem::stress_voigt(point.average.stress);
+      given.damage    = point.mapped.damage;
+      given.hardening = point.mapped.hardening;
       return given;
     }
 
@@ -153,14 +151,15 @@ namespace coupling
         }
     }
 
-    /** Names of the history's columns that a transfer shows. */
+    /** What a transfer shows of a history. */
     void read_history(fem::MaterialPoints &material, const std::size_t index, MappedPoint &point)
     {
-      material.visit(index, [&point](const std::string &name, const double *value, int) {
-        if (name == "kappa_D")
-          point.kappa_d = *value;
-        if (name == "kappa_P")
-          point.kappa_p = *value;
+      using Role = fem::PointQuantity::Role;
+      material.visit(index, [&point](const fem::PointQuantity &of, const double *value) {
+        if (of.role == Role::damage_driving)
+          point.damage_driving = *value;
+        if (of.role == Role::hardening)
+          point.hardening = *value;
       });
     }
 
@@ -185,7 +184,7 @@ namespace coupling
     std::size_t       visited = 0;
     solid.visit_points(rest, [&](const fem::PointView<dim> &view) {
       const auto &owner = owners.at(visited++ / per);
-      if (view.material->linear())
+      if (!view.material->takes_initial_state())
         {
           ++report.count.elastic;
           return;
@@ -203,7 +202,7 @@ namespace coupling
 
     std::size_t next = 0;
     solid.visit_points(rest, [&](const fem::PointView<dim> &view) {
-      if (view.material->linear())
+      if (!view.material->takes_initial_state())
         return;
       MappedPoint          &point = report.points.at(next++);
       const Eigen::Matrix3d given = point.average.stress;

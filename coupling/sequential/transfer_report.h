@@ -41,7 +41,8 @@ namespace coupling
     double          size;   ///< of its element [m]
     Average         average;
     MappedDamage    mapped;
-    double          kappa_d, kappa_p; ///< as initialised
+    /** As initialised: what drives the damage, and how far the point has hardened. */
+    double damage_driving, hardening;
     double
       returned; ///< |stress of the point at zero strain - stress given| [Pa]: outside the yield surface it is returned to it
   };

@@ -18,21 +18,32 @@ namespace fem
   class AnisotropicElastic
   {
   public:
-    using Parameters                  = AnisotropicElasticParameters;
-    static constexpr const char *name = "anisotropic elastic";
+    using Parameters                     = AnisotropicElasticParameters;
+    static constexpr const char *name    = "anisotropic elastic";
+    static constexpr const char *meaning = "Any stiffness, e.g. a homogenised one";
 
     struct State
     {
     };
 
-    template <typename Entry>
-    static void describe(Parameters &p, Entry &&entry)
+    template <typename Number>
+    static void describe(Parameters &p, Number &&number)
     {
       static constexpr const char *names[21] = {"D11", "D12", "D13", "D14", "D15", "D16", "D22",
                                                 "D23", "D24", "D25", "D26", "D33", "D34", "D35",
                                                 "D36", "D44", "D45", "D46", "D55", "D56", "D66"};
       for (unsigned int i = 0; i < 21; ++i)
-        entry(names[i], p.upper[i], "stiffness [Pa], order xx yy zz yz zx xy, engineering shear", -1e300, 1e300);
+        number(names[i], p.upper[i], "Pa", "stiffness, order xx yy zz yz zx xy, engineering shear", -1e300, 1e300,
+               true);
+    }
+
+    /// @param stiffness [Pa], symmetric
+    static void take_stiffness(Parameters &p, const Stiffness &stiffness)
+    {
+      unsigned int next = 0;
+      for (int i = 0; i < 6; ++i)
+        for (int j = i; j < 6; ++j)
+          p.upper[next++] = stiffness(i, j);
     }
 
     template <typename Column>
@@ -54,6 +65,11 @@ namespace fem
     }
 
     const Stiffness &elastic_stiffness() const { return stiffness; }
+
+    double stored_energy(const Voigt &strain, const Voigt &stress, const State &) const
+    {
+      return 0.5 * stress.dot(strain);
+    }
 
   private:
     Stiffness stiffness;

@@ -18,21 +18,29 @@ namespace fem
   class IsotropicElastic
   {
   public:
-    using Parameters                  = IsotropicElasticParameters;
-    static constexpr const char *name = "isotropic elastic";
+    using Parameters                     = IsotropicElasticParameters;
+    static constexpr const char *name    = "isotropic elastic";
+    static constexpr const char *meaning = "Hooke's law";
 
     struct State
     {
     };
 
-    template <typename Entry> // entry(name, value, meaning with unit, lower bound, upper bound)
-    static void describe(Parameters &p, Entry &&entry)
+    template <typename Number> // number(key, member, unit, meaning, lower bound, upper bound, required)
+    static void describe(Parameters &p, Number &&number)
     {
-      entry("Young modulus", p.young_modulus, "E [Pa]", 1e-300, 1e300);
-      entry("Poisson ratio", p.poisson_ratio, "nu [-]", -0.9999999, 0.4999999);
+      number("Young modulus", p.young_modulus, "Pa", "E", 1e-300, 1e300, true);
+      number("Poisson ratio", p.poisson_ratio, "-", "nu", -0.9999999, 0.4999999, true);
     }
 
-    template <typename Column> // column(name, first value, number of values)
+    /// @throws std::invalid_argument for what is softer than gels: a number in another unit.
+    static void check(const Parameters &p)
+    {
+      demand(p.young_modulus >= 1e3, "Young modulus [Pa]", p.young_modulus,
+             "no solid is as soft. Is it in Pa? 25 GPa are 25e9.");
+    }
+
+    template <typename Column> // column(quantity, first value)
     static void describe_state(State &, Column &&)
     {
     }
@@ -54,6 +62,11 @@ namespace fem
     }
 
     const Stiffness &elastic_stiffness() const { return stiffness; }
+
+    double stored_energy(const Voigt &strain, const Voigt &stress, const State &) const
+    {
+      return 0.5 * stress.dot(strain);
+    }
 
   private:
     Stiffness stiffness;

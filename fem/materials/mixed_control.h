@@ -8,23 +8,9 @@
 
 namespace fem
 {
-  /// How a step is integrated whose components are given partly in stress.
-  enum class Increments
-  {
-    followed, ///< in as many parts as its path needs
-    whole     ///< as one increment of the law, however long, as in published runs of one increment a step
-  };
-
   namespace mixed_control
   {
-    /// Strain at which a damaging law cracks, f_t / E.
-    template <typename Law>
-    double cracking_strain(const Law &law)
-    {
-      return law.parameters().tensile_strength / law.parameters().young_modulus;
-    }
-
-    // Lengths of strain increments, in units of the strain at which the material cracks.
+    // Lengths of strain increments, in units of strain_scale(): that at which the material cracks.
     constexpr double short_step = 0.25; ///< is solved at once
     constexpr double sure_step  = 0.25; ///< longest of a walk whose end may be believed
     constexpr double leap       = 2.0;  ///< lands on another answer
@@ -43,11 +29,11 @@ namespace fem
     double
     difference(const Law &law, const MixedSolution<Law> &a, const MixedSolution<Law> &b, const double strain_unit)
     {
-      const double crack = cracking_strain(law);
+      const double crack = law.strain_scale();
       const double stress =
         std::fmax(b.response.stress.cwiseAbs().maxCoeff(), 0.01 * crack * law.elastic_stiffness()(0, 0));
       const double d = (a.response.stress - b.response.stress).cwiseAbs().maxCoeff() / stress;
-      if (b.response.trial.damage > lost)
+      if (Law::damage_of(b.response.trial) > lost)
         return d;
       return std::fmax(d, (a.strain - b.strain).cwiseAbs().maxCoeff() / std::fmax(strain_unit, 0.01 * crack));
     }
@@ -90,7 +76,7 @@ namespace fem
     MixedSolution<Law> follow(const Law &law, const MixedPath<Law> &path, const typename Law::State &committed)
     {
       using Walk              = typename MixedPath<Law>::Walk;
-      const double      crack = cracking_strain(law);
+      const double      crack = law.strain_scale();
       int               steps = 1;
       std::vector<Walk> walks;
       int               agreed = 0;
@@ -110,7 +96,7 @@ namespace fem
             }
           if (n < 2 || !walks[n - 2].complete())
             continue;
-          if (committed.damage <= lost)
+          if (Law::damage_of(committed) <= lost)
             {
               if (now.longest > sure_step * crack)
                 continue;
@@ -121,7 +107,7 @@ namespace fem
           const double change = difference(law, walks[n - 2].end, now.end, strain_unit(path, now.end));
           // Two walks of few steps agree by chance. A point that has left its reference size in one of the steps moves by leaps
           // when steps are divided.
-          const bool leaps  = now.end.response.trial.localised_at != committed.localised_at;
+          const bool leaps  = Law::leapt(committed, now.end.response.trial);
           const int  needed = leaps || steps < few ? 2 : 1;
           agreed            = change <= settled(steps) ? agreed + 1 : 0;
           if (agreed >= needed)
@@ -144,7 +130,8 @@ namespace fem
   /**
    * Answer of a point of which some components are given in stress.
    *
-   * Used for plane stress, for uniaxial paths, and wherever a test machine leaves a component free.
+   * Used for plane stress, for uniaxial paths, and wherever a test machine leaves a component free. A law with history says of itself
+   * strain_scale(), damage_of(), was_elastic() and leapt(), and its states have the members strain and stress.
    *
    * A softening law has several answers far from its last state, one of them fully damaged. The right one is the end of the
    * path on which every given strain and stress goes straight from the last state to the target. A step that does not
@@ -177,11 +164,11 @@ namespace fem
       {
         using namespace mixed_control;
         const MixedPath<Law> path(law, target, committed, element, stress_unit);
-        const double         short_strain = short_step * cracking_strain(law);
+        const double         short_strain = short_step * law.strain_scale();
         if (const auto found = path.elastic())
           return *found;
         if (path.given_increment() <= short_strain)
-          if (const auto found = path.whole(committed.strain, leap * cracking_strain(law)))
+          if (const auto found = path.whole(committed.strain, leap * law.strain_scale()))
             if (path.increment_to(found->strain) <= short_strain)
               return *found;
         const MixedSolution<Law> followed = follow(law, path, committed);
@@ -213,7 +200,7 @@ namespace fem
     Stiffness tangent = Stiffness::Zero();
     if constexpr (!std::is_empty_v<typename Law::State>)
       {
-        const double crack = mixed_control::cracking_strain(law);
+        const double crack = law.strain_scale();
         const double size  = 1e-6 * std::fmax((at.strain - committed.strain).cwiseAbs().maxCoeff(), 0.01 * crack);
         for (int j = 0; j < 6; ++j)
           {

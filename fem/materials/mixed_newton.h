@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fem/materials/element_extent.h"
+#include "fem/materials/mixed_target.h"
 #include "fem/materials/response.h"
 
 #include <array>
@@ -9,13 +10,6 @@
 
 namespace fem
 {
-  /// Which stress components are prescribed; the others are prescribed in strain.
-  struct MixedTarget
-  {
-    std::array<bool, 6> stress_given{};
-    Voigt               value = Voigt::Zero(); ///< strain [-] or stress [Pa], component by component
-  };
-
   /// Strain that meets a target, and the answer of the law there.
   template <typename Law>
   struct MixedSolution

@@ -36,7 +36,7 @@ namespace fem
       if (!strain.allFinite() || !(increment_to(strain) <= longest_elastic))
         return std::nullopt;
       auto answer = newton_mixed(law, strain, target, committed, element, stress_unit, longest_elastic, 1);
-      if (answer && answer->response.trial.plastic_strain == committed.plastic_strain)
+      if (answer && Law::was_elastic(committed, answer->response.trial))
         return answer;
       return std::nullopt;
     }
@@ -118,7 +118,7 @@ namespace fem
     /// Strain at the target if the point only unloads.
     Voigt predictor() const
     {
-      const Stiffness stiffness = (1 - committed.damage) * law.elastic_stiffness();
+      const Stiffness stiffness = (1 - Law::damage_of(committed)) * law.elastic_stiffness();
       Stiffness       rows      = Stiffness::Identity();
       Voigt           right;
       for (int i = 0; i < 6; ++i)

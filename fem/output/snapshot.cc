@@ -220,26 +220,6 @@ namespace fem
       std::map<std::string, std::vector<double>> fields;
     };
 
-    /// "crack opening [m]" as a field is called, without blanks, as ParaView's expressions need it, and its unit.
-    struct FieldName
-    {
-      explicit FieldName(const std::string &column)
-        : plain(column.substr(0, column.find(" [")))
-      {
-        std::replace_if(
-          plain.begin(), plain.end(), [](const char c) { return c == ' ' || c == '-'; }, '_');
-        if (const auto open = column.find(" ["); open != std::string::npos)
-          unit = column.substr(open + 2, column.size() - open - 3);
-      }
-      std::string plain, unit;
-    };
-
-    bool ends_with_strain(const std::string &name)
-    {
-      const std::string end = "strain";
-      return name.size() >= end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
-    }
-
     /// Nodes and elements of what this rank owns; nodes are shared between elements.
     template <int dim>
     class Nodes
@@ -286,35 +266,52 @@ namespace fem
       std::unordered_map<types::global_dof_index, std::int64_t> numbers;
     };
 
-    void append(SolidSnapshot::Field &field, const std::array<double, 6> &tensor)
+    void append(SolidSnapshot::Field &field, const std::array<double, 6> &tensor, const PointQuantity::Kind kind)
     {
-      const double shear = ends_with_strain(field.name) ? 0.5 : 1; // engineering shears
+      const double shear = kind == PointQuantity::Kind::strain ? 0.5 : 1; // engineering shears
       for (const int c : viewer_order)
         field.values.push_back(static_cast<float>((c < 3 ? 1 : shear) * tensor[static_cast<std::size_t>(c)]));
+    }
+
+    /// What is shown of the points of a solid, by its name: stress and strain, and what its materials show of their histories.
+    template <int dim>
+    std::map<std::string, PointQuantity> shown_quantities(const Solid<dim> &solid)
+    {
+      using Kind                                 = PointQuantity::Kind;
+      std::map<std::string, PointQuantity> shown = {{"stress", {"stress", "Pa", "", Kind::stress}},
+                                                    {"strain", {"strain", "-", "", Kind::strain}}};
+      for (const auto &group : solid.groups())
+        for (const PointQuantity &of : group.second->quantities())
+          if (of.shown != PointQuantity::Shown::nowhere)
+            {
+              const auto [known, is_new] = shown.emplace(of.name, of);
+              if (!is_new && (known->second.kind != of.kind || std::string(known->second.unit) != of.unit))
+                throw std::logic_error(std::string(group.second->material_name()) + ": another quantity is called " +
+                                       of.name);
+            }
+      return shown;
     }
   }
 
   template <int dim>
   SolidSnapshot take_snapshot(Solid<dim> &solid, const Vector &displacement, const Vector &reaction)
   {
-    VertexAverages<dim>                averages(solid);
-    ElementMaxima                      maxima(solid.mesh().triangulation->n_active_cells());
-    std::map<std::string, std::string> units;
-    unsigned int                       q = 0;
+    VertexAverages<dim>                        averages(solid);
+    ElementMaxima                              maxima(solid.mesh().triangulation->n_active_cells());
+    const std::map<std::string, PointQuantity> shown = shown_quantities(solid);
+    unsigned int                               q     = 0;
     solid.visit_points(displacement, [&](const PointView<dim> &point) {
       const Point<dim> unit = solid.quadrature().point(q);
       q                     = (q + 1) % solid.quadrature().size();
       averages.add(point, unit, "stress", point.stress.data());
       averages.add(point, unit, "strain", point.strain.data());
-      point.material->visit(point.index, [&](const char *column, const double *values, const int count) {
-        const FieldName name(column);
-        if (name.plain.compare(0, 4, "old_") == 0) // the strain and stress above
+      point.material->visit(point.index, [&](const PointQuantity &of, const double *values) {
+        if (of.shown == PointQuantity::Shown::nowhere)
           return;
-        units[name.plain] = name.unit;
-        if (count == 6)
-          averages.add(point, unit, name.plain, values);
-        else if (count == 1)
-          maxima.add(point.cell->active_cell_index(), name.plain, *values);
+        if (of.kind == PointQuantity::Kind::number)
+          maxima.add(point.cell->active_cell_index(), of.name, *values);
+        else
+          averages.add(point, unit, of.name, values);
       });
     });
     averages.finish();
@@ -325,9 +322,9 @@ namespace fem
     snapshot.element_nodes = static_cast<int>(shape.nodes.size());
     snapshot.at_nodes      = {{"displacement", "m", 3, {}}, {"reaction", "N", 3, {}}};
     for (const std::string &name : averages.names())
-      snapshot.at_nodes.push_back({name, units[name], 6, {}});
+      snapshot.at_nodes.push_back({name, shown.at(name).unit, 6, {}});
     for (const std::string &name : maxima.names(solid.communicator()))
-      snapshot.of_elements.push_back({name, units[name], 1, {}});
+      snapshot.of_elements.push_back({name, shown.at(name).unit, 1, {}});
 
     Nodes<dim> nodes(solid, shape);
     for (const auto &cell : solid.dofs().active_cell_iterators())
@@ -348,7 +345,10 @@ namespace fem
               snapshot.at_nodes[1].values.push_back(c < dim ? static_cast<float>(reaction[nodes.dof(n, c)]) : 0.0f);
             }
           for (std::size_t f = 2; f < snapshot.at_nodes.size(); ++f)
-            append(snapshot.at_nodes[f], averages.at(cell, shape.nodes[n], snapshot.at_nodes[f].name));
+            {
+              SolidSnapshot::Field &field = snapshot.at_nodes[f];
+              append(field, averages.at(cell, shape.nodes[n], field.name), shown.at(field.name).kind);
+            }
         });
       }
     return snapshot;

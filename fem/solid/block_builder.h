@@ -1,7 +1,7 @@
 #pragma once
 
+#include "fem/points/material_points.h"
 #include "fem/solid/element_blocks.h"
-#include "fem/solid/material_points.h"
 
 #include <deal.II/fe/fe_values.h>
 

@@ -16,7 +16,7 @@ namespace fem
   {
     bool any = false;
     for (const auto &e : solid.element_points())
-      any = any || dynamic_cast<NonlocalPoints *>(e.material);
+      any = any || dynamic_cast<AveragedPoints *>(e.material);
     return Utilities::MPI::max(any ? 1 : 0, solid.communicator()) == 1;
   }
 
@@ -36,13 +36,13 @@ namespace fem
   {
     const FiniteElement<dim> &fe = solid.dofs().get_fe();
     FEValues<dim> values(solid.mapping(), fe, solid.quadrature(), update_quadrature_points | update_JxW_values);
-    std::map<NonlocalPoints *, std::pair<std::vector<Eigen::Vector3d>, std::vector<double>>> found;
+    std::map<AveragedPoints *, std::pair<std::vector<Eigen::Vector3d>, std::vector<double>>> found;
     for (const auto &cell : solid.dofs().active_cell_iterators())
       {
         const auto &owner = solid.element_points()[elements.size()];
         Element     e{cell,
                   std::vector<types::global_dof_index>(fe.n_dofs_per_cell()),
-                  dynamic_cast<NonlocalPoints *>(owner.material),
+                  dynamic_cast<AveragedPoints *>(owner.material),
                   owner.first,
                   {},
                   {},

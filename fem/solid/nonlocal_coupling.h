@@ -1,7 +1,9 @@
 #pragma once
 
-#include "fem/solid/nonlocal_points.h"
+#include "fem/points/averaged_points.h"
 #include "fem/solid/solid.h"
+
+#include <map>
 
 namespace fem
 {
@@ -33,7 +35,7 @@ namespace fem
     {
       typename dealii::DoFHandler<dim>::active_cell_iterator cell;
       std::vector<dealii::types::global_dof_index>           dofs;
-      NonlocalPoints                                        *points; ///< nullptr: local material
+      AveragedPoints                                        *points; ///< nullptr: local material
       std::size_t                                            first;  ///< of its points
       std::vector<std::size_t>                               neighbours;
       Eigen::MatrixXd force_by_average, variable_by_displacement; ///< a column per point
@@ -50,6 +52,6 @@ namespace fem
 
     const Solid<dim>                                    &solid;
     std::vector<Element>                                 elements;
-    std::map<NonlocalPoints *, std::vector<std::size_t>> element_of; ///< of each point
+    std::map<AveragedPoints *, std::vector<std::size_t>> element_of; ///< of each point
   };
 }

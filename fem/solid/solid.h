@@ -1,9 +1,9 @@
 #pragma once
 
 #include "fem/mesh/mesh.h"
+#include "fem/points/material_points.h"
 #include "fem/solid/element_blocks.h"
 #include "fem/solid/loads.h"
-#include "fem/solid/material_points.h"
 
 #include <deal.II/base/quadrature.h>
 #include <deal.II/dofs/dof_handler.h>
@@ -126,6 +126,9 @@ namespace fem
       std::size_t     first    = 0;
       ElementExtent   extent;
     };
+
+    /// The material of each group of elements, by its name; the same on every rank.
+    const std::map<std::string, std::unique_ptr<MaterialPoints>> &groups() const { return materials; }
 
     /// Material of the elements with this number.
     const MaterialPoints &material(const dealii::types::material_id id) const { return *material_of.at(id); }

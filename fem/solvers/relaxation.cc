@@ -22,7 +22,7 @@ namespace fem
     {
       std::vector<double> values;
       solid.visit_histories(
-        [&](const char *, const double *first, const int count) { values.insert(values.end(), first, first + count); });
+        [&](const PointQuantity &of, const double *first) { values.insert(values.end(), first, first + of.values()); });
       return values;
     }
 
@@ -30,9 +30,9 @@ namespace fem
     void put_histories(Solid<dim> &solid, const std::vector<double> &values)
     {
       auto next = values.begin();
-      solid.visit_histories([&](const char *, double *first, const int count) {
-        std::copy_n(next, count, first);
-        next += count;
+      solid.visit_histories([&](const PointQuantity &of, double *first) {
+        std::copy_n(next, of.values(), first);
+        next += of.values();
       });
     }
   }

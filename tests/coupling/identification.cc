@@ -1,5 +1,6 @@
 #include "coupling/sequential/identify.h"
 #include "dem/core/errors.h"
+#include "fem/points/material_kind_of.h"
 #include "tests/fem/concrete_fixture.h"
 
 #include <catch2/catch.hpp>
@@ -8,11 +9,11 @@ using namespace coupling;
 
 namespace
 {
-  fem::DamagePlasticParameters concrete()
+  fem::MaterialConstantsOf<fem::DamagePlasticConcrete> concrete()
   {
     auto p              = material_m2();
     p.largest_increment = 2e-4;
-    return p;
+    return fem::MaterialConstantsOf<fem::DamagePlasticConcrete>(p);
   }
 } // namespace
 

@@ -172,7 +172,7 @@ TEST_CASE("published states map to the published damage and hardening, by the de
       fem::InitialPointState given;
       given.stress     = voigt_of(c.stress);
       given.damage     = mapped.damage;
-      given.kappa_p    = mapped.kappa_p;
+      given.hardening  = mapped.hardening;
       const auto state = concrete.initial_state(given, {});
       CHECK(state.kappa_d == Approx(c.kappa_d).epsilon(5e-4));
       CHECK(state.kappa_p == Approx(c.kappa_p).epsilon(5e-4));
@@ -189,7 +189,7 @@ TEST_CASE("continuations of the published states follow the published stresses",
       fem::InitialPointState given;
       given.stress      = voigt_of(c.stress);
       given.damage      = mapped.damage;
-      given.kappa_p     = mapped.kappa_p;
+      given.hardening   = mapped.hardening;
       auto        state = concrete.initial_state(given, {});
       std::size_t next  = 0;
       for (int step = 0; next < c.after.size(); ++step)

@@ -88,7 +88,7 @@ TEST_CASE("a uniform stress and damage field is transferred exactly to any mesh"
           {
             CHECK(p.mapped.damage == Approx(expected.damage).epsilon(1e-12));
             // 1 - omega = exp(-(h/w_f)(kappa_D + omega f_t/E)) holds with the point's own element size
-            const double right = std::exp(-(p.size / 3e-4) * (p.kappa_d + p.mapped.damage * 3e6 / 30e9));
+            const double right = std::exp(-(p.size / 3e-4) * (p.damage_driving + p.mapped.damage * 3e6 / 30e9));
             CHECK(1 - p.mapped.damage == Approx(right).epsilon(1e-10));
           }
       }
@@ -184,7 +184,7 @@ TEST_CASE("rotating particles and mesh together rotates the result", "[coupling]
       CHECK((b.points[i].average.stress - R * a.points[i].average.stress * R.transpose()).norm() <=
             1e-10 * stress.norm());
       CHECK(b.points[i].mapped.damage == Approx(a.points[i].mapped.damage).epsilon(1e-10));
-      CHECK(b.points[i].kappa_d == Approx(a.points[i].kappa_d).epsilon(1e-10));
+      CHECK(b.points[i].damage_driving == Approx(a.points[i].damage_driving).epsilon(1e-10));
     }
 }
 

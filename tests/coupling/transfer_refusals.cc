@@ -53,7 +53,7 @@ TEST_CASE("points without particles are counted, left virgin, and refused past t
   CHECK(report.count.empty == 32);
   for (const MappedPoint &p : report.points)
     if (p.average.particles == 0)
-      CHECK((p.kappa_p == 0 && p.kappa_d == 0 && p.average.stress.norm() == 0));
+      CHECK((p.hardening == 0 && p.damage_driving == 0 && p.average.stress.norm() == 0));
 }
 
 TEST_CASE("points at or past full damage are counted, taken as 1 - 1e-6, and refused past the limit", "[coupling]")

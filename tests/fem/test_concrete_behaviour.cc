@@ -164,7 +164,7 @@ TEST_CASE("concrete from a given state: the stress comes back at zero strain, da
   given.damage = 1.2;
   CHECK_THROWS_WITH(law.initial_state(given, {}), Catch::Contains("initial damage = 1.2"));
   given.damage  = 0;
-  given.kappa_p = 1.5;
+  given.hardening = 1.5;
   CHECK_THROWS_WITH(law.initial_state(given, {}), Catch::Contains("initial kappa_P = 1.5"));
 }
 

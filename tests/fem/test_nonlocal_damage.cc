@@ -1,4 +1,4 @@
-#include "fem/solid/nonlocal_weights.h"
+#include "fem/points/nonlocal_weights.h"
 #include "fem/solvers/step_control.h"
 #include "tests/fem/concrete_fixture.h"
 #include "tests/fem/solid_fixture.h"

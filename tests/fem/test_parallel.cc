@@ -121,12 +121,12 @@ TEST_CASE("ranks: concrete restored in the middle of a run goes on to the same l
           REQUIRE(report.converged);
         }
       std::vector<double> history;
-      straight->solid.visit_histories([&](const char *, const double *values, const int count) {
-        history.insert(history.end(), values, values + count);
+      straight->solid.visit_histories([&](const fem::PointQuantity &of, const double *values) {
+        history.insert(history.end(), values, values + of.values());
       });
       std::size_t next = 0;
-      resumed->solid.visit_histories([&](const char *, double *values, const int count) {
-        for (int i = 0; i < count; ++i)
+      resumed->solid.visit_histories([&](const fem::PointQuantity &of, double *values) {
+        for (int i = 0; i < of.values(); ++i)
           values[i] = history[next++];
       });
       resumed->solver->restore(straight->solver->state());

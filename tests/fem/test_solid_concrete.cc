@@ -285,12 +285,12 @@ TEST_CASE("a static run restored in its middle goes on to the same last bit", "[
   for (int step = 1; step <= 4; ++step)
     REQUIRE(straight->solver->advance_to(step).converged);
   std::vector<double> history;
-  straight->solid.visit_histories([&](const char *, const double *values, const int count) {
-    history.insert(history.end(), values, values + count);
+  straight->solid.visit_histories([&](const fem::PointQuantity &of, const double *values) {
+    history.insert(history.end(), values, values + of.values());
   });
   std::size_t next = 0;
-  resumed->solid.visit_histories([&](const char *, double *values, const int count) {
-    for (int i = 0; i < count; ++i)
+  resumed->solid.visit_histories([&](const fem::PointQuantity &of, double *values) {
+    for (int i = 0; i < of.values(); ++i)
       values[i] = history[next++];
   });
   CHECK(next == history.size());

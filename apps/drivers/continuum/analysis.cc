@@ -22,13 +22,14 @@ namespace apps
   void visit_histories(dem::StateVisitor &visitor, fem::Solid<dim> &solid)
   {
     dem::Column values;
-    solid.visit_histories(
-      [&](const char *, const double *first, const int count) { values.insert(values.end(), first, first + count); });
+    solid.visit_histories([&](const fem::PointQuantity &of, const double *first) {
+      values.insert(values.end(), first, first + of.values());
+    });
     visitor.column("histories", values);
     std::size_t next = 0;
-    solid.visit_histories([&](const char *, double *first, const int count) {
-      std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(next), count, first);
-      next += static_cast<std::size_t>(count);
+    solid.visit_histories([&](const fem::PointQuantity &of, double *first) {
+      std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(next), of.values(), first);
+      next += static_cast<std::size_t>(of.values());
     });
   }
 

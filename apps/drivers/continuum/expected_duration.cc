@@ -16,9 +16,8 @@ namespace apps
     bool is_linear(const ContinuumModel &model)
     {
       const auto &groups = model.materials.groups;
-      return !model.solid.large_displacement && std::none_of(groups.begin(), groups.end(), [](const auto &group) {
-        return group->law == MaterialOfGroup::Law::concrete;
-      });
+      return !model.solid.large_displacement &&
+             std::none_of(groups.begin(), groups.end(), [](const auto &group) { return group->law->has_history(); });
     }
 
     template <int dim>

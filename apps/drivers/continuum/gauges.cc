@@ -5,7 +5,6 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <cstring>
 
 namespace apps
 {
@@ -69,24 +68,45 @@ namespace apps
           {
             throw dem::InputError(p->place.text() + ": Points/" + p->name + ": " + refusal.what());
           }
+    watch_histories();
     fem::Vector rest = solid.make_vector();
     rest.update_ghost_values();
     start_at(rest);
   }
 
   template <int dim>
-  std::vector<postprocess::SeriesColumn> ContinuumGauges<dim>::columns() const
+  bool ContinuumGauges<dim>::Watched::is(const fem::PointQuantity &of) const
   {
-    std::vector<postprocess::SeriesColumn> all;
+    return role != fem::PointQuantity::Role::other ? of.role == role : quantity == of.name;
+  }
+
+  template <int dim>
+  void ContinuumGauges<dim>::watch_histories()
+  {
+    using Quantity = fem::PointQuantity;
+    watched        = {{"largest_damage", "-", Quantity::Role::damage, ""},
+                      {"largest_crack_opening", "m", Quantity::Role::crack_opening, ""}};
+    for (const auto &group : solid.groups())
+      for (const Quantity &of : group.second->quantities())
+        if (of.shown == Quantity::Shown::series && of.kind == Quantity::Kind::number &&
+            std::none_of(watched.begin(), watched.end(), [&of](const Watched &w) { return w.is(of); }))
+          watched.push_back({std::string("largest_") + of.name, of.unit, Quantity::Role::other, of.name});
+  }
+
+  template <int dim>
+  std::vector<GaugeColumn> ContinuumGauges<dim>::columns() const
+  {
+    using Told = GaugeColumn::Told;
+    std::vector<GaugeColumn> all;
     for (const auto *resultants : {&loads, &reactions})
       for (const Resultant &r : *resultants)
-        all.push_back({r.name, "N"});
+        all.push_back({{r.name, "N"}, Told::peak});
     for (const Displacement &d : displacements)
-      all.push_back({d.name, "m"});
-    for (const char *energy : {"energy_stored", "energy_dissipated"})
-      all.push_back({energy, "J"});
-    all.push_back({"largest_damage", "-"});
-    all.push_back({"largest_crack_opening", "m"});
+      all.push_back({{d.name, "m"}, Told::last, "final_" + d.name});
+    all.push_back({{"energy_stored", "J"}});
+    all.push_back({{"energy_dissipated", "J"}, Told::last, "dissipated_energy"});
+    for (const Watched &w : watched)
+      all.push_back({{w.name, w.unit}, Told::last, w.name});
     return all;
   }
 
@@ -100,27 +120,23 @@ namespace apps
   typename ContinuumGauges<dim>::Points ContinuumGauges<dim>::read_points(const fem::Vector &displacement,
                                                                           const double       work) const
   {
-    Points found;
-    found.stored = work;
+    Points found{work, std::vector<double>(watched.size(), 0.0)};
     if (solid.linear()) // nothing is dissipated
       return found;
     found.stored = 0;
     solid.visit_points(displacement, [&](const fem::PointView<dim> &point) {
-      fem::Voigt elastic = point.strain;
-      point.material->visit(point.index, [&](const char *column, const double *values, const int count) {
-        const auto is = [column](const char *wanted) { return std::strncmp(column, wanted, std::strlen(wanted)) == 0; };
-        if (is("plastic strain"))
-          for (int i = 0; i < count; ++i)
-            elastic[i] -= values[i];
-        else if (is("damage"))
-          found.damage = std::max(found.damage, *values);
-        else if (is("crack opening"))
-          found.crack_opening = std::max(found.crack_opening, *values);
+      found.stored += point.volume * point.material->stored_energy(point.index, point.strain, point.stress);
+      point.material->visit(point.index, [&](const fem::PointQuantity &of, const double *value) {
+        for (std::size_t w = 0; w < watched.size(); ++w)
+          if (watched[w].is(of))
+            found.largest[w] = std::max(found.largest[w], *value);
       });
-      found.stored += 0.5 * point.volume * point.stress.dot(elastic);
     });
     const MPI_Comm comm = solid.communicator();
-    return {sum(found.stored, comm), max(found.damage, comm), max(found.crack_opening, comm)};
+    found.stored        = sum(found.stored, comm);
+    for (double &largest : found.largest)
+      largest = max(largest, comm);
+    return found;
   }
 
   template <int dim>
@@ -151,7 +167,8 @@ namespace apps
     for (double &value : row)
       value = sum(value, solid.communicator());
     const Points points = read_points(*state.displacement, work);
-    row.insert(row.end(), {points.stored, work + stored_at_start - points.stored, points.damage, points.crack_opening});
+    row.insert(row.end(), {points.stored, work + stored_at_start - points.stored});
+    row.insert(row.end(), points.largest.begin(), points.largest.end());
     return row;
   }
 

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "apps/drivers/continuum/gauge_column.h"
 #include "apps/drivers/continuum/model.h"
 #include "dem/core/state.h"
 #include "fem/solid/solid.h"
-#include "postprocess/series.h"
 
 namespace apps
 {
@@ -15,7 +15,7 @@ namespace apps
 
   /**
    * What is read from a solid after every step: resultants of loads and reactions, displacements at named points, energy
-   * stored, largest damage and crack opening.
+   * stored, largest damage and crack opening, and what else its materials want to have watched.
    */
   template <int dim>
   class ContinuumGauges
@@ -24,7 +24,7 @@ namespace apps
     /** @throws dem::InputError for a point outside the solid. */
     ContinuumGauges(fem::Solid<dim> &solid, const ContinuumModel &model);
 
-    std::vector<postprocess::SeriesColumn> columns() const;
+    std::vector<GaugeColumn> columns() const;
 
     /** One value per column, the same on every rank. @param work done by the stresses [J]: what is not stored is dissipated. */
     std::vector<double> read(const SolidState &state, double work) const;
@@ -47,17 +47,29 @@ namespace apps
       std::string                                                     name;
       std::vector<std::pair<dealii::types::global_dof_index, double>> weights;
     };
+    /** A quantity of histories of which the series has the largest value: by its role, or by its name. */
+    struct Watched
+    {
+      std::string              name, unit; ///< column
+      fem::PointQuantity::Role role;
+      std::string              quantity;
+
+      bool is(const fem::PointQuantity &of) const;
+    };
     struct Points
     {
-      double stored = 0, damage = 0, crack_opening = 0;
+      double              stored = 0;
+      std::vector<double> largest; ///< of each watched quantity, 0 at least
     };
 
+    void   watch_histories();
     Points read_points(const fem::Vector &displacement, double work) const;
 
     fem::Solid<dim>          &solid;
     double                    stored_at_start = 0; ///< when dissipation began to count [J]
     std::vector<Resultant>    loads, reactions;
     std::vector<Displacement> displacements;
+    std::vector<Watched>      watched;
   };
 
   /** A name as part of a column: without blanks and slashes. */

@@ -1,8 +1,7 @@
 #include "apps/drivers/continuum/materials.h"
 
-#include "apps/scene/continuum_law_block.h"
+#include "apps/scene/constant_entries.h"
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
@@ -12,91 +11,104 @@ namespace apps
 {
   namespace
   {
-    constexpr double softest = 1e3; // [Pa]: gels are about as soft
-  }
+    /** Where a stiffness may stand in for the constants; they are then not needed. */
+    void declare_stiffness_file(Section &section, MaterialOfGroup::Block &block)
+    {
+      section.file("Stiffness file", block.stiffness_file)
+        .means("homogenised.json of breccia homogenise, in place of the entries");
+      section.find_entry("Stiffness file")->required = false;
+      section
+        .choice("Stiffness way", block.stiffness_way,
+                {{"relaxed", std::string("relaxed")},
+                 {"affine", std::string("affine")},
+                 {"statistics", std::string("statistics")}},
+                Need::optional)
+        .means("Which of the three stiffnesses of the file");
+    }
+
+    fem::Stiffness stiffness_in(const std::string &file, const std::string &way)
+    {
+      std::ifstream stream(file);
+      if (!stream)
+        throw std::invalid_argument(file + ": cannot be opened.");
+      const nlohmann::json json = nlohmann::json::parse(stream, nullptr, false);
+      const auto           path = nlohmann::json::json_pointer("/" + way + "/stiffness");
+      fem::Stiffness       D;
+      try
+        {
+          for (std::size_t i = 0; i < 6; ++i)
+            for (std::size_t j = 0; j < 6; ++j)
+              D(static_cast<int>(i), static_cast<int>(j)) = json.at(path).at(i).at(j).get<double>();
+        }
+      catch (const nlohmann::json::exception &)
+        {
+          throw std::invalid_argument(file + ": has no 6 x 6 matrix of numbers at \"" + path.to_string() +
+                                      "\". Give a homogenised.json of breccia homogenise.");
+        }
+      // A stiffness from an iterative solution is symmetric to its tolerance only.
+      const fem::Stiffness symmetric = 0.5 * (D + D.transpose());
+      if ((D - symmetric).norm() > 1e-6 * D.norm())
+        throw std::invalid_argument(file + ": the matrix at \"" + path.to_string() + "\" is not symmetric.");
+      return symmetric;
+    }
+  } // namespace
 
   void MaterialOfGroup::declare(Section &section, const std::function<bool()> &is_explicit)
   {
-    const auto is = [this](const Law wanted) { return [this, wanted] { return law == wanted; }; };
+    const auto              &kinds = fem::material_kinds();
+    std::vector<std::string> names;
+    for (const auto &kind : kinds)
+      names.push_back(kind->name());
+    law = kinds.front().get();
     section
-      .choice("Law", law,
-              {{fem::IsotropicElastic::name, Law::isotropic},
-               {fem::AnisotropicElastic::name, Law::anisotropic},
-               {fem::DamagePlasticConcrete::name, Law::concrete}},
-              Need::required)
+      .choice_of(
+        "Law", names, 0, [this, &kinds](const std::size_t i) { law = kinds.at(i).get(); }, Need::required)
       .means("Law of the group; the section of its name holds its constants");
     section.number("Density", density, "kg/m^3", Range::positive(), Need::required)
       .means("Mass per volume")
       .only_if(is_explicit, "Model/Analysis = explicit");
 
-    Section &hooke = section.section(fem::IsotropicElastic::name, "Hooke's law");
-    hooke.only_if(is(Law::isotropic), "Law = isotropic elastic");
-    declare_continuum_law<fem::IsotropicElastic>(hooke, isotropic);
-
-    Section &full = section.section(fem::AnisotropicElastic::name, "Any stiffness, e.g. a homogenised one");
-    full.only_if(is(Law::anisotropic), "Law = anisotropic elastic");
-    full.file("Stiffness file", stiffness_file)
-      .means("homogenised.json of breccia homogenise, in place of the entries");
-    full.find_entry("Stiffness file")->required = false;
-    full
-      .choice("Stiffness way", stiffness_way,
-              {{"relaxed", std::string("relaxed")},
-               {"affine", std::string("affine")},
-               {"statistics", std::string("statistics")}},
-              Need::optional)
-      .means("Which of the three stiffnesses of the file");
-    declare_continuum_law<fem::AnisotropicElastic>(full, anisotropic);
-    for (const auto &entry : full.entries())
-      if (entry->name[0] == 'D')
-        entry->only_if([this] { return stiffness_file.empty(); }, "there is no Stiffness file");
-
-    Section &concrete_block =
-      section.section(fem::DamagePlasticConcrete::name, "Grassl and Jirasek (2006): plasticity and damage");
-    concrete_block.only_if(is(Law::concrete), "Law = damage-plastic concrete");
-    declare_continuum_law<fem::DamagePlasticConcrete>(concrete_block, concrete);
-  }
-
-  fem::AnisotropicElastic MaterialOfGroup::anisotropic_law() const
-  {
-    if (stiffness_file.empty())
-      return fem::AnisotropicElastic(anisotropic);
-    std::ifstream stream(stiffness_file);
-    if (!stream)
-      throw std::invalid_argument(stiffness_file + ": cannot be opened.");
-    const nlohmann::json json = nlohmann::json::parse(stream, nullptr, false);
-    const auto           path = nlohmann::json::json_pointer("/" + stiffness_way + "/stiffness");
-    fem::Stiffness       D;
-    try
+    for (const auto &kind : kinds)
       {
-        for (std::size_t i = 0; i < 6; ++i)
-          for (std::size_t j = 0; j < 6; ++j)
-            D(static_cast<int>(i), static_cast<int>(j)) = json.at(path).at(i).at(j).get<double>();
+        Section &entries = section.section(kind->name(), kind->meaning());
+        entries.only_if([this, kind] { return law == kind.get(); }, "Law = " + kind->name());
+        Block &block    = blocks[kind->name()];
+        block.constants = kind->constants();
+        if (kind->takes_stiffness())
+          declare_stiffness_file(entries, block);
+        const std::size_t first = entries.entries().size();
+        block.constants->visit(ConstantEntries{entries});
+        for (std::size_t i = first; kind->takes_stiffness() && i < entries.entries().size(); ++i)
+          entries.entries()[i]->only_if([&block] { return block.stiffness_file.empty(); },
+                                        "there is no Stiffness file");
       }
-    catch (const nlohmann::json::exception &)
-      {
-        throw std::invalid_argument(stiffness_file + ": has no 6 x 6 matrix of numbers at \"" + path.to_string() +
-                                    "\". Give a homogenised.json of breccia homogenise.");
-      }
-    // A stiffness from an iterative solution is symmetric to its tolerance only.
-    const fem::Stiffness symmetric = 0.5 * (D + D.transpose());
-    if ((D - symmetric).norm() > 1e-6 * D.norm())
-      throw std::invalid_argument(stiffness_file + ": the matrix at \"" + path.to_string() + "\" is not symmetric.");
-    return fem::AnisotropicElastic(symmetric);
   }
 
   std::unique_ptr<fem::MaterialPoints> MaterialOfGroup::make_points(const fem::Plane plane) const
   {
     try
       {
-        if (law == Law::isotropic && isotropic.young_modulus < softest)
-          throw std::invalid_argument(fmt::format("Young modulus = {} Pa: no solid is as soft. Is it in Pa? 25 GPa are "
-                                                  "25e9.",
-                                                  isotropic.young_modulus));
-        if (law == Law::isotropic)
-          return fem::make_points(fem::IsotropicElastic(isotropic), plane);
-        if (law == Law::anisotropic)
-          return fem::make_points(anisotropic_law(), plane);
-        return fem::make_points(fem::DamagePlasticConcrete(concrete), plane);
+        const Block &block = chosen();
+        if (block.stiffness_file.empty())
+          {
+            block.constants->check();
+            return block.constants->make_points(plane);
+          }
+        const auto read = block.constants->copy();
+        read->take_stiffness(stiffness_in(block.stiffness_file, block.stiffness_way));
+        return read->make_points(plane);
+      }
+    catch (const std::invalid_argument &refusal)
+      {
+        throw dem::InputError(place.text() + ": Materials/" + group + ": " + refusal.what());
+      }
+  }
+
+  void MaterialOfGroup::require_element_size(const double size) const
+  {
+    try
+      {
+        chosen().constants->require_element_size(size);
       }
     catch (const std::invalid_argument &refusal)
       {
@@ -120,14 +132,13 @@ namespace apps
     for (const auto &group : groups)
       {
         const Section &s = *root.find_section("Materials")->find_section(group->group);
-        if (large_displacement && group->law == MaterialOfGroup::Law::concrete)
+        if (large_displacement && group->law->has_history())
           s.refuse("Law", "is a small-strain law. Large displacements need an elastic material.");
-        if (group->law == MaterialOfGroup::Law::anisotropic && !group->stiffness_file.empty() &&
-            !std::filesystem::is_regular_file(group->stiffness_file))
-          s.find_section(fem::AnisotropicElastic::name)
-            ->refuse("Stiffness file", "there is no such file (" +
-                                         std::filesystem::absolute(group->stiffness_file).lexically_normal().string() +
-                                         ").");
+        const std::string &file = group->chosen().stiffness_file;
+        if (!file.empty() && !std::filesystem::is_regular_file(file))
+          s.find_section(group->law->name())
+            ->refuse("Stiffness file",
+                     "there is no such file (" + std::filesystem::absolute(file).lexically_normal().string() + ").");
         group->make_points(fem::Plane::strain); // refuses constants that do not fit together
       }
   }

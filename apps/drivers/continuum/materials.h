@@ -1,11 +1,9 @@
 #pragma once
 
 #include "apps/scene/section.h"
-#include "fem/materials/anisotropic_elastic.h"
-#include "fem/materials/damage_plastic/concrete.h"
-#include "fem/materials/isotropic_elastic.h"
-#include "fem/solid/material_points.h"
+#include "fem/points/registry.h"
 
+#include <map>
 #include <memory>
 
 namespace apps
@@ -13,30 +11,29 @@ namespace apps
   /** Sub-section of "Materials": the law of one group of elements. */
   struct MaterialOfGroup
   {
-    enum class Law
+    /** The block of one law. */
+    struct Block
     {
-      isotropic,
-      anisotropic,
-      concrete
+      std::unique_ptr<fem::MaterialConstants> constants;
+      std::string                             stiffness_file; ///< of `breccia homogenise`; "": the constants
+      std::string                             stiffness_way = "relaxed";
     };
 
-    std::string                            group;
-    Place                                  place;
-    Law                                    law     = Law::isotropic;
-    double                                 density = 0; ///< [kg/m^3], in explicit analyses
-    fem::IsotropicElasticParameters        isotropic;
-    fem::AnisotropicElasticParameters      anisotropic;
-    std::string                            stiffness_file; ///< of `breccia homogenise`; "": the entries
-    std::string                            stiffness_way = "relaxed";
-    fem::DamagePlasticConcrete::Parameters concrete;
+    std::string                  group;
+    Place                        place;
+    const fem::MaterialKind     *law     = nullptr; ///< the chosen one
+    double                       density = 0;       ///< [kg/m^3], in explicit analyses
+    std::map<std::string, Block> blocks;            ///< of every law, by its name
 
     void declare(Section &section, const std::function<bool()> &is_explicit);
+
+    const Block &chosen() const { return blocks.at(law->name()); }
 
     /** Room for points of this law. @throws dem::InputError naming the group and the constant that is refused. */
     std::unique_ptr<fem::MaterialPoints> make_points(fem::Plane plane) const;
 
-  private:
-    fem::AnisotropicElastic anisotropic_law() const;
+    /** @throws dem::InputError for elements wider than the law can soften in [m]. */
+    void require_element_size(double size) const;
   };
 
   /** Section "Materials": a law for every named group of elements. */

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <map>
 #include <type_traits>
 #include <vector>
@@ -22,6 +21,20 @@ namespace apps
     /** A facet as plain numbers, to be sent: x, y, u, v of four corners, and the value. */
     constexpr std::size_t facet_length = 17;
 
+    bool is_damage(const fem::PointQuantity &of) { return of.role == fem::PointQuantity::Role::damage; }
+
+    template <int dim>
+    bool can_be_damaged(const fem::Solid<dim> &solid)
+    {
+      for (const auto &group : solid.groups())
+        {
+          const auto quantities = group.second->quantities();
+          if (std::any_of(quantities.begin(), quantities.end(), is_damage))
+            return true;
+        }
+      return false;
+    }
+
     /** Largest damage of the points of every owned element, by its index. */
     template <int dim>
     std::map<unsigned int, double> damage_of_elements(fem::Solid<dim> &solid, const fem::Vector &displacement)
@@ -29,8 +42,8 @@ namespace apps
       std::map<unsigned int, double> damage;
       solid.visit_points(displacement, [&](const fem::PointView<dim> &point) {
         double &largest = damage[point.cell->active_cell_index()];
-        point.material->visit(point.index, [&](const char *column, const double *value, const int) {
-          if (std::strcmp(column, "damage") == 0)
+        point.material->visit(point.index, [&](const fem::PointQuantity &of, const double *value) {
+          if (is_damage(of))
             largest = std::max(largest, *value);
         });
       });
@@ -240,7 +253,7 @@ namespace apps
                           const std::filesystem::path &file,
                           const std::string           &title)
   {
-    if (solid.linear())
+    if (!can_be_damaged(solid))
       return "";
     const auto          damage = damage_of_elements(solid, displacement);
     const PicturePlane  plane  = plane_of(solid, displacement, damage);

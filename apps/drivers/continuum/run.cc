@@ -74,8 +74,8 @@ namespace apps
   std::vector<postprocess::SeriesColumn> ContinuumRun<dim>::series_columns() const
   {
     std::vector<postprocess::SeriesColumn> all = analysis->columns();
-    for (const auto &column : gauges->columns())
-      all.push_back(column);
+    for (const GaugeColumn &gauge : gauges->columns())
+      all.push_back(gauge.column);
     for (const char *energy : {"energy_external", "energy_internal"})
       all.push_back({energy, "J"});
     all.push_back({"energy_balance_error", "-"});
@@ -272,6 +272,7 @@ namespace apps
       warn_of_missing("damage.png", problem);
       const ContinuumReport report{request,
                                    postprocess::read_csv_table(folder / "series.csv", true),
+                                   gauges->columns(),
                                    size,
                                    analysis->cost(),
                                    analysis->linear_solver(),

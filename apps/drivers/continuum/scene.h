@@ -15,6 +15,8 @@ namespace apps
     bool        shares_ranks() const override { return true; }
     int         run(const RunRequest &request) const override;
 
+    const ContinuumModel &parameters() const { return model; }
+
   private:
     ContinuumModel model;
   };

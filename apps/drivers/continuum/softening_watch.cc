@@ -2,8 +2,6 @@
 
 #include "apps/process/mpi_session.h"
 
-#include <cstring>
-
 namespace apps
 {
   namespace
@@ -14,9 +12,9 @@ namespace apps
     std::vector<double> damage_of(fem::Solid<dim> &solid)
     {
       std::vector<double> damage;
-      solid.visit_histories([&damage](const char *name, const double *first, const int count) {
-        if (std::strcmp(name, "damage") == 0)
-          damage.insert(damage.end(), first, first + count);
+      solid.visit_histories([&damage](const fem::PointQuantity &of, const double *value) {
+        if (of.role == fem::PointQuantity::Role::damage)
+          damage.push_back(*value);
       });
       return damage;
     }

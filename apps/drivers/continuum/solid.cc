@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace apps
@@ -115,7 +116,8 @@ namespace apps
       loads.may_move_freely      = !model.is_static();
       return loads;
     }
-    /** Elements of one group of concrete whose size is the mesh's, and how many are wider than it can break in every direction. */
+
+    /** Elements of one group whose softening goes by the size of the mesh, and how many are too wide for it in every direction. */
     struct WideElements
     {
       double limit = 0, least = std::numeric_limits<double>::infinity(); ///< width [m]: that can break, that there is
@@ -126,7 +128,7 @@ namespace apps
     WideElements wide_elements(const fem::Solid<dim> &solid, const MaterialOfGroup &group)
     {
       WideElements found;
-      found.limit            = fem::DamagePlasticConcrete(group.concrete).damage_law().largest_size();
+      found.limit            = group.chosen().constants->largest_element_size();
       const auto *const mine = &solid.material(solid.mesh().materials.at(group.group));
       for (const auto &element : solid.element_points())
         if (element.material == mine)
@@ -148,7 +150,7 @@ namespace apps
 
     bool takes_its_size_from_the_mesh(const MaterialOfGroup &group)
     {
-      return group.law == MaterialOfGroup::Law::concrete && group.concrete.element_size == 0;
+      return std::isfinite(group.chosen().constants->largest_element_size());
     }
 
     /** Before anything is computed: no element of a group could crack without being refused then. */
@@ -158,11 +160,7 @@ namespace apps
       for (const auto &group : model.materials.groups)
         if (takes_its_size_from_the_mesh(*group))
           if (const WideElements found = wide_elements(solid, *group); found.all > 0 && found.wide == found.all)
-            {
-              MaterialOfGroup narrowest       = *group;
-              narrowest.concrete.element_size = found.least;
-              narrowest.make_points(solid.options().plane); // says by how much
-            }
+            group->require_element_size(found.least); // says by how much
     }
   } // namespace
 

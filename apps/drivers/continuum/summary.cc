@@ -18,8 +18,6 @@ namespace apps
 {
   namespace
   {
-    bool starts_with(const std::string &text, const char *start) { return text.rfind(start, 0) == 0; }
-
     nlohmann::json quantity(const double value, const std::string &unit)
     {
       return {{"value", value}, {"unit", unit.empty() ? "-" : unit}};
@@ -38,24 +36,30 @@ namespace apps
   {
     nlohmann::json     found;
     const std::string &clock = series.names.front();
-    for (std::size_t i = 0; i < series.names.size(); ++i)
+    const auto         has   = [this](const std::string &name) {
+      return std::count(series.names.begin(), series.names.end(), name) > 0;
+    };
+    const bool has_opening = has("opening");
+    const auto tell_peak   = [&](const postprocess::SeriesColumn &column) {
+      const auto       &values = series.column(column.name);
+      const std::size_t row    = peak_row(values);
+      nlohmann::json   &peak   = found["peak_" + column.name];
+      peak                     = quantity(values[row], column.unit);
+      peak["at_" + clock]      = series.columns[0][row];
+      if (has_opening)
+        peak["at_opening"] = series.column("opening")[row];
+    };
+    if (has("load_factor"))
+      tell_peak({"load_factor", "-"});
+    for (const GaugeColumn &gauge : gauges)
       {
-        const std::string &name   = series.names[i];
-        const auto        &values = series.columns[i];
-        const std::size_t  row    = peak_row(values);
-        if (starts_with(name, "reaction_") || starts_with(name, "load_"))
-          {
-            found["peak_" + name]                = quantity(values[row], series.units[i]);
-            found["peak_" + name]["at_" + clock] = series.columns[0][row];
-            if (std::count(series.names.begin(), series.names.end(), "opening") > 0)
-              found["peak_" + name]["at_opening"] = series.column("opening")[row];
-          }
-        if (starts_with(name, "displacement_") || name == "opening")
-          found["final_" + name] = quantity(values.back(), series.units[i]);
+        if (gauge.told == GaugeColumn::Told::peak)
+          tell_peak(gauge.column);
+        if (gauge.told == GaugeColumn::Told::last)
+          found[gauge.told_as] = quantity(last(gauge.column.name), gauge.column.unit);
       }
-    found["dissipated_energy"]     = quantity(last("energy_dissipated"), "J");
-    found["largest_damage"]        = quantity(last("largest_damage"), "-");
-    found["largest_crack_opening"] = quantity(last("largest_crack_opening"), "m");
+    if (has_opening)
+      found["final_opening"] = quantity(last("opening"), "m");
     return found;
   }
 
@@ -80,7 +84,7 @@ namespace apps
       summary["cost"]["point_updates_per_second"] = cost.at("steps") * size.points / cost.at("stepping_seconds");
     summary["energy"] = {{"balance_error", worst_balance()}, {"unit", "J"}};
     for (const std::string &name : series.names)
-      if (starts_with(name, "energy_") && name != "energy_balance_error")
+      if (name.rfind("energy_", 0) == 0 && name != "energy_balance_error")
         summary["energy"][name.substr(7)] = last(name);
     return summary;
   }

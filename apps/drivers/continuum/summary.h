@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/drivers/continuum/gauge_column.h"
 #include "apps/scene/scene.h"
 #include "postprocess/csv_table.h"
 
@@ -26,6 +27,7 @@ namespace apps
   {
     RunRequest                    request;
     postprocess::CsvTable         series;
+    std::vector<GaugeColumn>      gauges; ///< of the solid, among the columns of the series
     ContinuumSize                 size;
     std::map<std::string, double> cost;
     std::string                   linear_solver;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/scene/section.h"
+#include "fem/points/registry.h"
 
 #include <array>
 #include <string>
@@ -26,17 +26,9 @@ namespace apps
     std::string as_csv() const;
   };
 
-  /** A material that can be driven alone. */
-  struct DrivenMaterial
-  {
-    std::string name;
-    /**
-     * Declare the constants in the section, let `read` fill them, and drive one point along the path, straight from row to row.
-     * @throws dem::InputError naming the row that could not be reached, and how far it could.
-     */
-    MaterialHistory (*drive)(Section &constants, const std::function<void()> &read, const MaterialPath &path);
-  };
-
-  /** Every material of `breccia point-test`; a new one is one line in material_path.cc. */
-  const std::vector<DrivenMaterial> &driven_materials();
+  /**
+   * Drive one point of a material along the path, straight from row to row.
+   * @throws dem::InputError for constants without meaning, and naming the row that could not be reached, and how far it could.
+   */
+  MaterialHistory drive(const fem::MaterialConstants &constants, const MaterialPath &path);
 } // namespace apps

@@ -23,11 +23,9 @@ namespace apps
     constexpr std::int64_t samples_to_furthest = 1000;
     constexpr double       poor_fit            = 0.1; ///< of damage, root mean square
 
-    const fem::DamagePlasticConcrete::Parameters &concrete_of(const ContinuumModel &model)
+    const fem::MaterialConstants &material_of(const SequentialModel &model)
     {
-      return (*std::find_if(model.materials.groups.begin(), model.materials.groups.end(),
-                            [](const auto &g) { return g->law == MaterialOfGroup::Law::concrete; }))
-        ->concrete;
+      return *model.receivers().front()->chosen().constants;
     }
 
     nlohmann::json quantity(const double value, const char *unit) { return {{"value", value}, {"unit", unit}}; }
@@ -255,7 +253,7 @@ namespace apps
 
   double LawIdentification::smoothed_size() const
   {
-    return std::max(element_size, concrete_of(model.continuum).nonlocal_length);
+    return std::max(element_size, material_of(model).averaging_length());
   }
 
   double LawIdentification::expected_seconds(const dem::Packing &packing) const
@@ -295,10 +293,9 @@ namespace apps
     for (auto s = samples.begin(); s != samples.end(); ++s)
       observations.push_back({s->damage, std::abs(s->stress) / law.particle_peak, s > peak});
 
-    const auto                        &material    = concrete_of(model.continuum);
     const bool                         compression = law.origin.test == "compression";
-    const double                       size        = material.element_size > 0 ? material.element_size : element_size;
-    const coupling::ContinuumReference reference(material, size, compression, compression ? 1e-5 : 1e-6, 0.05);
+    const coupling::ContinuumReference reference(material_of(model), element_size, compression,
+                                                 compression ? 1e-5 : 1e-6, 0.05);
     law.continuum_peak = reference.peak();
     law.found          = coupling::identify(observations, reference, {});
     warn_of_missing("identified.png",

@@ -17,15 +17,9 @@ namespace apps
 {
   namespace
   {
-    using Names = std::vector<std::string>;
+    constexpr const char *of_no_matter_to_particles[] = {"Box size", "Density", "Seed", "Cell particles"};
 
-    const Names of_no_matter_to_particles = {"Box size", "Density", "Seed", "Cell particles"};
-    const Names of_no_matter_to_concrete  = {"Element size", "Reference size", "Largest increment"};
-
-    bool among(const Names &names, const std::string &name)
-    {
-      return std::find(names.begin(), names.end(), name) != names.end();
-    }
+    using Leaves = std::function<bool(const std::string &)>; // what is of no matter
 
     /** Numbers however they were written, in full. */
     std::string plain(const std::string &value)
@@ -49,27 +43,27 @@ namespace apps
       return fmt::format("{:x}", postprocess::Digest().add(content).value());
     }
 
-    void add(const Section &section, const Names &but, postprocess::Digest &digest)
+    void add(const Section &section, const Leaves &leaves_out, postprocess::Digest &digest)
     {
       if (!section.needed())
         return;
       digest.add(section.name() + "{");
       for (const auto &entry : section.entries())
-        if (entry->needed() && !among(but, entry->name) && !entry->value.empty())
+        if (entry->needed() && !leaves_out(entry->name) && !entry->value.empty())
           {
             digest.add(entry->name + "=");
             digest.add(entry->type == "file" ? content_of(*entry) : plain(entry->value));
             digest.add(";");
           }
       for (const auto &inner : section.sections())
-        add(*inner, but, digest);
+        add(*inner, leaves_out, digest);
       digest.add("}");
     }
 
     std::string digits(const postprocess::Digest &digest) { return fmt::format("{:016x}", digest.value()); }
   } // namespace
 
-  std::string LawOrigin::text() const { return test + ", particles " + particles + ", concrete " + concrete; }
+  std::string LawOrigin::text() const { return test + ", particles " + particles + ", concrete " + continuum; }
 
   std::optional<LawOrigin> LawOrigin::read(const std::string &text)
   {
@@ -101,7 +95,7 @@ namespace apps
     if (found_for->particles != here.particles)
       return "the mapping law was identified for other particles (their size, packing, links or physics differ)." +
              way_out;
-    if (found_for->concrete != here.concrete)
+    if (found_for->continuum != here.continuum)
       return "the mapping law was identified for another concrete (constants of the continuum differ)." + way_out;
     if (!here.test.empty() && found_for->test != here.test)
       return "the mapping law was identified in " + found_for->test + ", and these particles are under " + here.test +
@@ -111,17 +105,22 @@ namespace apps
 
   std::string digest_of_particles(const Section &particles)
   {
+    const auto leaves_out = [](const std::string &name) {
+      return std::find(std::begin(of_no_matter_to_particles), std::end(of_no_matter_to_particles), name) !=
+             std::end(of_no_matter_to_particles);
+    };
     postprocess::Digest digest;
     for (const char *name : {"Specimen", "Material", "Materials", "Regions", "Physics"})
       if (const Section *section = particles.find_section(name))
-        add(*section, of_no_matter_to_particles, digest);
+        add(*section, leaves_out, digest);
     return digits(digest);
   }
 
-  std::string digest_of_concrete(const Section &law)
+  std::string digest_of_material(const Section &law, const fem::MaterialKind &kind)
   {
     postprocess::Digest digest;
-    add(law, of_no_matter_to_concrete, digest);
+    add(
+      law, [&kind](const std::string &name) { return kind.is_numerical(name); }, digest);
     return digits(digest);
   }
 } // namespace apps

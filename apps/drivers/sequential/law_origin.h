@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/scene/section.h"
+#include "fem/points/registry.h"
 
 #include <optional>
 #include <string>
@@ -8,14 +9,14 @@
 namespace apps
 {
   /**
-   * For whom a mapping law was identified: the test, and digests of what the particles and the concrete are made of. What leaves a law
+   * For whom a mapping law was identified: the test, and digests of what the particles and the continuum are made of. What leaves a law
    * as it is does not count: the size of the specimen, the seed of its packing, densities, and the size of elements.
    */
   struct LawOrigin
   {
     std::string test;      ///< "compression" or "tension"
     std::string particles; ///< 16 hexadecimal digits
-    std::string concrete;  ///< the same
+    std::string continuum; ///< the same
 
     /** "compression, particles 0123456789abcdef, concrete fedcba9876543210" */
     std::string text() const;
@@ -34,6 +35,6 @@ namespace apps
   /** Of the sections Specimen, Material or Materials, Regions and Physics in a section. @throws dem::InputError for an unreadable packing */
   std::string digest_of_particles(const Section &particles);
 
-  /** Of the section of the concrete law of one group of elements. */
-  std::string digest_of_concrete(const Section &law);
+  /** Of the section of the law of one group of elements, but for its numerical constants. */
+  std::string digest_of_material(const Section &law, const fem::MaterialKind &kind);
 } // namespace apps

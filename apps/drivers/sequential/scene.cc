@@ -16,11 +16,31 @@ namespace apps
   double SequentialModel::tensile_strength() const
   {
     double least = std::numeric_limits<double>::max();
-    for (const auto &group : continuum.materials.groups)
-      if (group->law == MaterialOfGroup::Law::concrete)
-        least = std::min(least, group->concrete.tensile_strength);
+    for (const MaterialOfGroup *group : receivers())
+      least = std::min(least, group->chosen().constants->uniaxial_strengths().tension);
     return least;
   }
+
+  std::vector<const MaterialOfGroup *> SequentialModel::receivers() const
+  {
+    std::vector<const MaterialOfGroup *> found;
+    for (const auto &group : continuum.materials.groups)
+      if (group->law->takes_initial_state())
+        found.push_back(group.get());
+    return found;
+  }
+
+  namespace
+  {
+    std::string names_of_receiving_laws()
+    {
+      std::string names;
+      for (const auto &kind : fem::material_kinds())
+        if (kind->takes_initial_state())
+          names += (names.empty() ? "" : " or ") + kind->name();
+      return names;
+    }
+  } // namespace
 
   void SequentialScene::declare(Section &scene)
   {
@@ -75,11 +95,10 @@ namespace apps
                                               "must be that of the particles (Particles/Physics/Dimension).");
     if (model.study.sign != 1 && model.study.sign != -1)
       scene.find_section("Study")->refuse("Sign", "must be 1 or -1.");
-    const auto &groups = model.continuum.materials.groups;
-    if (std::none_of(groups.begin(), groups.end(),
-                     [](const auto &g) { return g->law == MaterialOfGroup::Law::concrete; }))
+    if (model.receivers().empty())
       continuum.find_section("Materials")
-        ->refuse("Law", "at least one group must be damage-plastic concrete, or there is nothing to transfer to.");
+        ->refuse("Law",
+                 "at least one group must be " + names_of_receiving_laws() + ", or there is nothing to transfer to.");
   }
 
   SequentialGroundwork SequentialScene::groundwork() const
@@ -101,17 +120,16 @@ namespace apps
     if (model.particles.source != Source::file)
       found.origin.particles = digest_of_particles(*root->find_section("Particles"));
     const Section &materials = *root->find_section("Continuum")->find_section("Materials");
-    for (const auto &group : model.continuum.materials.groups)
-      if (group->law == MaterialOfGroup::Law::concrete)
-        {
-          const std::string digest =
-            digest_of_concrete(*materials.find_section(group->group)->find_section(fem::DamagePlasticConcrete::name));
-          if (found.origin.concrete.empty())
-            found.origin.concrete = digest;
-          else if (found.origin.concrete != digest)
-            found.doubts.push_back("the groups of elements are of several concretes, and the mapping law is one: \"" +
-                                   group->group + "\" differs from the first.");
-        }
+    for (const MaterialOfGroup *group : model.receivers())
+      {
+        const std::string digest =
+          digest_of_material(*materials.find_section(group->group)->find_section(group->law->name()), *group->law);
+        if (found.origin.continuum.empty())
+          found.origin.continuum = digest;
+        else if (found.origin.continuum != digest)
+          found.doubts.push_back("the groups of elements are of several materials, and the mapping law is one: \"" +
+                                 group->group + "\" differs from the first.");
+      }
     if (const std::string doubt = doubt_about_law(model.transfer, found.origin); !doubt.empty())
       found.doubts.push_back(doubt);
     return found;

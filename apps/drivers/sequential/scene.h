@@ -26,7 +26,10 @@ namespace apps
     ContinuumModel        continuum;
     Study                 study;
 
-    /** Of the weakest concrete [Pa]. */
+    /** Groups of elements that states are transferred to. */
+    std::vector<const MaterialOfGroup *> receivers() const;
+
+    /** Of the weakest of them [Pa]. */
     double tensile_strength() const;
   };
 
@@ -43,7 +46,7 @@ namespace apps
 
   /**
    * Scene kind "sequential": an event simulated with particles, handed over once or at several instants, and carried on by a
-   * continuum of damage-plastic concrete.
+   * continuum that can be damaged.
    */
   class SequentialScene : public Scene
   {

@@ -45,7 +45,7 @@ namespace apps
     postprocess::PointCloud cloud_of(const coupling::TransferReport &report)
     {
       postprocess::PointCloud      cloud;
-      std::vector<double>          volume, particles, offset, raw, damage, kappa_d, kappa_p, returned;
+      std::vector<double>          volume, particles, offset, raw, damage, driving, hardening, returned;
       std::vector<Eigen::Matrix3d> stress, tensor;
       for (const coupling::MappedPoint &p : report.points)
         {
@@ -55,15 +55,15 @@ namespace apps
           offset.push_back(p.average.offset);
           raw.push_back(p.mapped.raw);
           damage.push_back(p.mapped.damage);
-          kappa_d.push_back(p.kappa_d);
-          kappa_p.push_back(p.kappa_p);
+          driving.push_back(p.damage_driving);
+          hardening.push_back(p.hardening);
           returned.push_back(p.returned);
           stress.push_back(p.average.stress);
           tensor.push_back(p.average.damage);
         }
-      cloud.scalars = {{"volume", volume},   {"particles", particles},     {"offset", offset},
-                       {"raw_damage", raw},  {"damage", damage},           {"kappa_D", kappa_d},
-                       {"kappa_P", kappa_p}, {"returned_stress", returned}};
+      cloud.scalars = {{"volume", volume},       {"particles", particles},     {"offset", offset},
+                       {"raw_damage", raw},      {"damage", damage},           {"damage_driving", driving},
+                       {"hardening", hardening}, {"returned_stress", returned}};
       cloud.tensors = {{"stress", stress}, {"damage_tensor", tensor}};
       return cloud;
     }

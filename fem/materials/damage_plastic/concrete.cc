@@ -303,9 +303,9 @@ namespace fem
     s.stress = given.stress;
     if (given.damage == 0)
       {
-        demand(given.kappa_p >= 0 && given.kappa_p < 1, "initial kappa_P", given.kappa_p,
+        demand(given.hardening >= 0 && given.hardening < 1, "initial kappa_P", given.hardening,
                "must lie in [0, 1) where there is no damage.");
-        s.kappa_p        = given.kappa_p;
+        s.kappa_p        = given.hardening;
         s.plastic_strain = -compliance * given.stress;
         return s;
       }

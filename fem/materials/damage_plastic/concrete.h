@@ -3,6 +3,9 @@
 #include "fem/materials/damage_plastic/damage_law.h"
 #include "fem/materials/damage_plastic/return_mapping.h"
 #include "fem/materials/element_extent.h"
+#include "fem/materials/initial_state.h"
+#include "fem/materials/mixed_target.h"
+#include "fem/materials/point_quantity.h"
 
 namespace fem
 {
@@ -22,14 +25,6 @@ namespace fem
     Voigt  stress         = Voigt::Zero();
   };
 
-  /// What a discrete model, or the user, knows about a point before the first step.
-  struct InitialPointState
-  {
-    Voigt  stress  = Voigt::Zero(); ///< [Pa], at zero strain
-    double damage  = 0.0;           ///< omega in [0, 1]; 1 is taken as 1 - 1e-6
-    double kappa_p = 0.0;           ///< used where the point is undamaged; must then be below 1
-  };
-
   /**
    * Damage-plastic concrete, Grassl and Jirasek (2006), IJSS 43, 7166.
    *
@@ -44,28 +39,35 @@ namespace fem
   class DamagePlasticConcrete
   {
   public:
-    using Parameters                  = DamagePlasticParameters;
-    using State                       = DamagePlasticState;
-    static constexpr const char *name = "damage-plastic concrete";
+    using Parameters                     = DamagePlasticParameters;
+    using State                          = DamagePlasticState;
+    static constexpr const char *name    = "damage-plastic concrete";
+    static constexpr const char *meaning = "Grassl and Jirasek (2006): plasticity and damage";
 
-    template <typename Entry>
-    static void describe(Parameters &p, Entry &&entry)
+    template <typename Number>
+    static void describe(Parameters &p, Number &&number)
     {
-      Parameters::describe(p, std::forward<Entry>(entry));
+      Parameters::describe(p, std::forward<Number>(number));
     }
 
-    template <typename Column> // column(name with unit, first value, number of values)
+    static bool is_numerical(const std::string &key) { return Parameters::is_numerical(key); }
+
+    template <typename Column>
     static void describe_state(State &s, Column &&column)
     {
-      column("plastic strain", s.plastic_strain.data(), 6);
-      column("kappa_P", &s.kappa_p, 1);
-      column("kappa_D", &s.kappa_d, 1);
-      column("damage", &s.damage, 1);
-      column("element size [m]", &s.size, 1);
-      column("localised at", &s.localised_at, 1);
-      column("crack opening [m]", &s.crack_opening, 1);
-      column("old strain", s.strain.data(), 6);
-      column("old stress [Pa]", s.stress.data(), 6);
+      using Kind  = PointQuantity::Kind;
+      using Role  = PointQuantity::Role;
+      using Shown = PointQuantity::Shown;
+      column(PointQuantity{"plastic_strain", "-", "", Kind::strain}, s.plastic_strain.data());
+      column(PointQuantity{"kappa_P", "-", "hardening variable", Kind::number, Role::hardening}, &s.kappa_p);
+      column(PointQuantity{"kappa_D", "-", "damage-driving variable", Kind::number, Role::damage_driving}, &s.kappa_d);
+      column(PointQuantity{"damage", "-", "", Kind::number, Role::damage}, &s.damage);
+      column(PointQuantity{"element_size", "m", "across the crack, with which the law regularises"}, &s.size);
+      column(PointQuantity{"localised_at", "-", "damage-driving variable at which the size was fixed"},
+             &s.localised_at);
+      column(PointQuantity{"crack_opening", "m", "", Kind::number, Role::crack_opening}, &s.crack_opening);
+      column(PointQuantity{"strain", "-", "", Kind::strain, Role::other, Shown::nowhere}, s.strain.data());
+      column(PointQuantity{"stress", "Pa", "", Kind::stress, Role::other, Shown::nowhere}, s.stress.data());
     }
 
     /// @throws std::invalid_argument on a parameter out of its range.
@@ -77,10 +79,37 @@ namespace fem
     evaluate(const Voigt &strain, const State &committed, const ElementExtent &element, bool with_tangent = true) const;
 
     /// History that answers the given stress to zero strain (doc/theory/damage-plastic-concrete.md, 5).
-    /// @throws std::invalid_argument on damage outside [0, 1] or an undamaged kappa_P outside [0, 1).
+    /// @throws std::invalid_argument on damage outside [0, 1] or an undamaged hardening outside [0, 1).
     State initial_state(const InitialPointState &given, const ElementExtent &element) const;
 
     const Stiffness &elastic_stiffness() const noexcept { return stiffness; }
+
+    /// The elastic part [J/m^3].
+    double stored_energy(const Voigt &strain, const Voigt &stress, const State &state) const
+    {
+      const Voigt elastic = strain - state.plastic_strain;
+      return 0.5 * stress.dot(elastic);
+    }
+
+    UniaxialStrengths uniaxial_strengths() const { return {p.tensile_strength, p.compressive_strength}; }
+
+    // What solve_mixed() asks.
+    double        strain_scale() const { return p.tensile_strength / p.young_modulus; }
+    Increments    increments() const { return p.largest_increment > 0 ? Increments::followed : Increments::whole; }
+    static double damage_of(const State &s) { return s.damage; }
+    static bool   was_elastic(const State &from, const State &to) { return to.plastic_strain == from.plastic_strain; }
+    static bool   leapt(const State &from, const State &to) { return to.localised_at != from.localised_at; }
+
+    /// Widest element in which softening does not snap back [m]; infinite where the size is given.
+    double largest_element_size() const
+    {
+      return p.element_size > 0 ? std::numeric_limits<double>::infinity() : law.largest_size();
+    }
+    /// @throws std::invalid_argument for a wider element
+    void require_size(double size) const;
+
+    double averaging_length() const { return p.nonlocal_length; }
+    double averaging_factor() const { return p.nonlocal_factor; }
 
     const ReturnMapping &plasticity() const noexcept { return return_mapping; }
 
@@ -100,6 +129,9 @@ namespace fem
                                   d_kappa_d = Eigen::Matrix<double, 1, 6>::Zero();
       double fraction                       = 0; // of the step done
       int    substeps                       = 1;
+
+      double driving() const { return kappa_d; }
+      Voigt  driving_by_strain() const { return d_kappa_d.transpose(); }
     };
 
     /// First half of evaluate(). @throws MaterialFailure
@@ -130,7 +162,6 @@ namespace fem
                                            bool                               with_tangent,
                                            const Eigen::Matrix<double, 4, 6> &trial_by_strain) const;
     double               effective_size(const State &state, const ElementExtent &element) const;
-    void                 require_size(double size) const;
 
     Parameters    p;
     Stiffness     stiffness, compliance;

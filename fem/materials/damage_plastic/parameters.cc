@@ -9,7 +9,8 @@ namespace fem
   void DamagePlasticParameters::validate() const
   {
     DamagePlasticParameters copy = *this;
-    describe(copy, [](const char *name, const double &value, const char *, const double lower, const double upper) {
+    describe(copy, [](const char *name, const double &value, const char *, const char *, const double lower,
+                      const double upper, bool) {
       std::ostringstream rule;
       rule << "must lie in [" << lower << ", " << upper << "].";
       demand(value >= lower && value <= upper, name, value, rule.str());

@@ -3,6 +3,8 @@
 #include "fem/materials/damage_plastic/softening_curve.h"
 #include "fem/materials/response.h"
 
+#include <string>
+
 namespace fem
 {
   /// Damage-plastic concrete. Defaults are those of Grassl and Jirasek (2006); a constant without one is required.
@@ -47,39 +49,48 @@ namespace fem
     /// @throws std::invalid_argument naming the first entry that breaks a rule.
     void validate() const;
 
-    template <typename Entry> // entry(name, value, meaning with unit, lower bound, upper bound)
-    static void describe(DamagePlasticParameters &p, Entry &&entry)
+    /// Constants of the mesh and of the algorithm, which leave the material what it is.
+    static bool is_numerical(const std::string &key)
     {
-      entry("Young modulus", p.young_modulus, "E [Pa]", 1e-300, 1e300);
-      entry("Poisson ratio", p.poisson_ratio, "nu [-]", 0.0, 0.4999999);
-      entry("Compressive strength", p.compressive_strength, "f_c [Pa], uniaxial", 1e-300, 1e300);
-      entry("Tensile strength", p.tensile_strength, "f_t [Pa], uniaxial, below f_c", 1e-300, 1e300);
-      entry("Crack opening", p.crack_opening, "w_f [m], unit of the softening curve; 0: from G_f", 0.0, 1e300);
-      entry("Fracture energy", p.fracture_energy, "G_f [J/m^2], w_f f_t where softening is exponential; 0: from w_f",
-            0.0, 1e300);
-      entry("Eccentricity", p.eccentricity, "e [-], roundness of the deviatoric section", 0.5 + 1e-9, 1.0);
-      entry("Initial hardening", p.initial_hardening, "q_0 [-], first yield over strength", 1e-6, 1.0 - 1e-9);
-      entry("Hardening A", p.hardening_a, "A_h [-], hardening ductility", 1e-300, 1e300);
-      entry("Hardening B", p.hardening_b, "B_h [-], hardening ductility", 1e-300, 1e300);
-      entry("Hardening C", p.hardening_c, "C_h [-], hardening ductility", 1e-300, 1e300);
-      entry("Hardening D", p.hardening_d, "D_h [-], hardening ductility", 1e-300, 1e300);
-      entry("Softening A", p.softening, "A_s [-], softening ductility in compression", 0.0, 1e300);
-      entry("Dilation", p.dilation, "D_f [-], lateral over axial plastic strain, uniaxial compression", -0.9999,
-            -0.5001);
-      entry("Element size", p.element_size, "h_el [m]; 0: from the mesh", 0.0, 1e300);
-      entry("Reference size", p.reference_size, "h_ref [m], element size before localisation; 0: off", 0.0, 1e300);
-      entry("Vertex norm", p.vertex_norm, "factor of the volumetric part in the vertex return [-]", 1.0 / 9.0,
-            1.0 / 3.0);
-      entry("Softening exponent", p.softening_exponent,
-            "n [-]: strength left (1 - r) exp(-y^n) + r exp(-y/b) at the opening y w_f; 1: exponential", 1.0, 4.0);
-      entry("Residual share", p.residual_share, "r [-], part of the strength that is lost slowly", 0.0, 0.9);
-      entry("Residual stretch", p.residual_stretch, "b [-], how much more slowly", 1.0, 1e6);
-      entry("Nonlocal length", p.nonlocal_length,
-            "radius over which kappa_D of neighbouring points is averaged [m]; 0: each point for itself", 0.0, 1e300);
-      entry("Nonlocal factor", p.nonlocal_factor,
-            "m [-]: the average counts m times, the point itself 1 - m times; 1 leaves localised plastic flow free",
-            1.0, 10.0);
-      entry("Largest increment", p.largest_increment, "strain per sub-step [-]; 0: a step is one sub-step", 0.0, 1e300);
+      return key == "Element size" || key == "Reference size" || key == "Largest increment";
+    }
+
+    template <typename Number> // number(key, member, unit, meaning, lower bound, upper bound, required)
+    static void describe(DamagePlasticParameters &p, Number &&number)
+    {
+      number("Young modulus", p.young_modulus, "Pa", "E", 1e-300, 1e300, true);
+      number("Poisson ratio", p.poisson_ratio, "-", "nu", 0.0, 0.4999999, true);
+      number("Compressive strength", p.compressive_strength, "Pa", "f_c, uniaxial", 1e-300, 1e300, true);
+      number("Tensile strength", p.tensile_strength, "Pa", "f_t, uniaxial, below f_c", 1e-300, 1e300, true);
+      number("Crack opening", p.crack_opening, "m", "w_f, unit of the softening curve; 0: from G_f", 0.0, 1e300, false);
+      number("Fracture energy", p.fracture_energy, "J/m^2", "G_f, w_f f_t where softening is exponential; 0: from w_f",
+             0.0, 1e300, false);
+      number("Eccentricity", p.eccentricity, "-", "e, roundness of the deviatoric section", 0.5 + 1e-9, 1.0, false);
+      number("Initial hardening", p.initial_hardening, "-", "q_0, first yield over strength", 1e-6, 1.0 - 1e-9, false);
+      number("Hardening A", p.hardening_a, "-", "A_h, hardening ductility", 1e-300, 1e300, false);
+      number("Hardening B", p.hardening_b, "-", "B_h, hardening ductility", 1e-300, 1e300, false);
+      number("Hardening C", p.hardening_c, "-", "C_h, hardening ductility", 1e-300, 1e300, false);
+      number("Hardening D", p.hardening_d, "-", "D_h, hardening ductility", 1e-300, 1e300, false);
+      number("Softening A", p.softening, "-", "A_s, softening ductility in compression", 0.0, 1e300, false);
+      number("Dilation", p.dilation, "-", "D_f, lateral over axial plastic strain, uniaxial compression", -0.9999,
+             -0.5001, false);
+      number("Element size", p.element_size, "m", "h_el; 0: from the mesh", 0.0, 1e300, false);
+      number("Reference size", p.reference_size, "m", "h_ref, element size before localisation; 0: off", 0.0, 1e300,
+             false);
+      number("Vertex norm", p.vertex_norm, "-", "factor of the volumetric part in the vertex return", 1.0 / 9.0,
+             1.0 / 3.0, false);
+      number("Softening exponent", p.softening_exponent, "-",
+             "n: strength left (1 - r) exp(-y^n) + r exp(-y/b) at the opening y w_f; 1: exponential", 1.0, 4.0, false);
+      number("Residual share", p.residual_share, "-", "r, part of the strength that is lost slowly", 0.0, 0.9, false);
+      number("Residual stretch", p.residual_stretch, "-", "b, how much more slowly", 1.0, 1e6, false);
+      number("Nonlocal length", p.nonlocal_length, "m",
+             "radius over which kappa_D of neighbouring points is averaged; 0: each point for itself", 0.0, 1e300,
+             false);
+      number("Nonlocal factor", p.nonlocal_factor, "-",
+             "m: the average counts m times, the point itself 1 - m times; 1 leaves localised plastic flow free", 1.0,
+             10.0, false);
+      number("Largest increment", p.largest_increment, "-", "strain per sub-step; 0: a step is one sub-step", 0.0,
+             1e300, false);
     }
   };
 }

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "fem/materials/damage_plastic/concrete.h"
+#include "fem/materials/element_extent.h"
+#include "fem/materials/initial_state.h"
+#include "fem/materials/point_quantity.h"
+#include "fem/materials/response.h"
 
-#include <functional>
 #include <memory>
-#include <string>
-#include <vector>
 
 namespace fem
 {
@@ -22,9 +22,6 @@ namespace fem
     Voigt     stress;
     Stiffness tangent;
   };
-
-  /// Called with the name of a state column, its first value and the number of values.
-  using StateColumn = std::function<void(const char *, double *, int)>;
 
   /// All integration points of one material: a committed history, and the trial one of the last evaluation.
   class MaterialPoints
@@ -46,19 +43,32 @@ namespace fem
     /// The last evaluation of every point becomes its history.
     virtual void commit() = 0;
 
-    /// @throws std::invalid_argument if the material has no history to set, or the values are out of range.
+    /// Whether points can begin with a stress and damage from elsewhere.
+    virtual bool takes_initial_state() const = 0;
+
+    /// @throws std::invalid_argument if the material takes none, or the values are out of range.
     virtual void set_initial(std::size_t point, const InitialPointState &given, const ElementExtent &element) = 0;
+
+    /// The columns of a history, in the order of visit(); none where nothing is remembered.
+    virtual std::vector<PointQuantity> quantities() const = 0;
 
     /// Visits the committed history of a point; writing through the pointers changes it (restart).
     virtual void visit(std::size_t point, const StateColumn &column) = 0;
+
+    /// What a point could give back, at the strain and stress that its committed history belongs to [J/m^3].
+    virtual double stored_energy(std::size_t point, const Voigt &strain, const Voigt &stress) const = 0;
 
     virtual const Stiffness &elastic_stiffness() const = 0;
 
     /// Whether stress is linear in strain: one iteration is then enough, and the tangent symmetric.
     virtual bool linear() const = 0;
+
+    /// Over which the damage of neighbours is averaged [m]; 0: each point is for itself.
+    virtual double averaging_length() const { return 0; }
   };
 
-  std::unique_ptr<MaterialPoints> make_points(const class IsotropicElastic &law, Plane plane);
-  std::unique_ptr<MaterialPoints> make_points(const class AnisotropicElastic &law, Plane plane);
-  std::unique_ptr<MaterialPoints> make_points(const DamagePlasticConcrete &law, Plane plane);
+  /// Points of one law. Of the materials in fem/points/all.h they are compiled in fem; for any other law include points_of.h.
+  /// @throws std::invalid_argument for what is not built for plane stress.
+  template <typename Law>
+  std::unique_ptr<MaterialPoints> make_points(const Law &law, Plane plane);
 }

@@ -1,4 +1,4 @@
-#include "fem/solid/nonlocal_weights.h"
+#include "fem/points/nonlocal_weights.h"
 
 #include <deal.II/numerics/rtree.h>
 

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "postprocess/series.h"
+
+#include <string>
+
+namespace apps
+{
+  /** A column of the series, and what a summary tells of it. */
+  struct GaugeColumn
+  {
+    enum class Told
+    {
+      not_at_all,
+      peak, ///< as peak_<name>: where it is largest in magnitude
+      last  ///< at the end
+    };
+    postprocess::SeriesColumn column;
+    Told                      told    = Told::not_at_all;
+    std::string               told_as = ""; ///< of the last value: its name in the summary
+  };
+} // namespace apps

@@ -1,0 +1,112 @@
+#pragma once
+
+#include "fem/points/averaged_points.h"
+#include "fem/points/nonlocal_weights.h"
+
+namespace fem
+{
+  /**
+   * AveragedPoints of a law with averaging_length(), averaging_factor(), flow(strain, state, with_tangent), which gives a Law::March
+   * with driving() and driving_by_strain(), and damage(march, driving, strain, state, element, with_tangent).
+   */
+  template <typename Law>
+  class AveragedPointsOf : public AveragedPoints
+  {
+  public:
+    explicit AveragedPointsOf(const Law &law_)
+      : law(law_)
+    {
+    }
+
+    const char                *material_name() const override { return Law::name; }
+    const Stiffness           &elastic_stiffness() const override { return law.elastic_stiffness(); }
+    bool                       linear() const override { return false; }
+    double                     averaging_length() const override { return law.averaging_length(); }
+    bool                       takes_initial_state() const override { return true; }
+    std::vector<PointQuantity> quantities() const override { return quantities_of<Law>(); }
+
+    void allocate(const std::size_t n_points) override
+    {
+      committed.assign(n_points, {});
+      trial.assign(n_points, {});
+      flown.assign(n_points, {});
+      driving.assign(n_points, 0.0);
+      responses.assign(n_points, Voigt::Zero());
+    }
+
+    void place(const std::vector<Eigen::Vector3d> &places, const std::vector<double> &volumes) override
+    {
+      const double m = law.averaging_factor();
+      weights        = NonlocalWeights(places, volumes, law.averaging_length());
+      coupled.assign(places.size(), {});
+      for (std::size_t i = 0; i < places.size(); ++i)
+        {
+          coupled[i] = weights.row(i);
+          for (auto &[j, weight] : coupled[i])
+            weight = m * weight + (j == i ? 1 - m : 0.0);
+        }
+    }
+
+    void flow(const std::size_t point, const Voigt &strain, const bool with_tangent) override
+    {
+      flown[point] = law.flow(strain, committed[point], with_tangent);
+    }
+
+    void average() override
+    {
+      for (std::size_t i = 0; i < flown.size(); ++i)
+        driving[i] = flown[i].driving();
+      driving = weights.averaged(driving, law.averaging_factor());
+    }
+
+    void evaluate(const std::size_t    point,
+                  const Voigt         &strain,
+                  const ElementExtent &element,
+                  const bool           with_tangent,
+                  PointAnswer         &answer) override
+    {
+      const auto done = law.damage(flown[point], driving[point], strain, committed[point], element, with_tangent);
+      trial[point]    = done.response.trial;
+      answer.stress   = done.response.stress;
+      if (!with_tangent)
+        return;
+      answer.tangent = done.response.tangent;
+      responses[point] =
+        Law::damage_of(trial[point]) > Law::damage_of(committed[point]) ? done.stress_by_driving : Voigt(Voigt::Zero());
+    }
+
+    Voigt        influence(const std::size_t point) const override { return flown[point].driving_by_strain(); }
+    const Voigt &response(const std::size_t point) const override { return responses[point]; }
+    const std::vector<std::pair<std::size_t, double>> &couplings(const std::size_t point) const override
+    {
+      return coupled[point];
+    }
+
+    void commit() override { committed = trial; }
+
+    void set_initial(const std::size_t point, const InitialPointState &given, const ElementExtent &element) override
+    {
+      trial[point] = committed[point] = law.initial_state(given, element);
+    }
+
+    void visit(const std::size_t point, const StateColumn &column) override
+    {
+      Law::describe_state(committed[point], column);
+      trial[point] = committed[point];
+    }
+
+    double stored_energy(const std::size_t point, const Voigt &strain, const Voigt &stress) const override
+    {
+      return law.stored_energy(strain, stress, committed[point]);
+    }
+
+  private:
+    Law                                                      law;
+    NonlocalWeights                                          weights;
+    std::vector<std::vector<std::pair<std::size_t, double>>> coupled;
+    std::vector<typename Law::State>                         committed, trial;
+    std::vector<typename Law::March>                         flown;
+    std::vector<double>                                      driving;
+    std::vector<Voigt>                                       responses;
+  };
+}
