@@ -1,0 +1,114 @@
+// What the gauges of a solid read, against closed forms, at displacements made by hand.
+#include "apps/drivers/continuum/gauges.h"
+#include "apps/drivers/continuum/scene.h"
+#include "apps/drivers/continuum/solid.h"
+#include "apps/drivers/load.h"
+#include "apps/process/mpi_session.h"
+#include "tests/apps/scratch_folder.h"
+
+#include <catch2/catch.hpp>
+#include <deal.II/dofs/dof_tools.h>
+
+using namespace apps_tests;
+
+namespace
+{
+  constexpr double E = 2e9, strain = 1e-4;
+
+  /** A box of 2 m x 1 m x 0.1 m, nu = 0, pulled at its right end and held at its left. */
+  std::string bar(const std::string &more = "")
+  {
+    return "set Kind = continuum\nsubsection Model\n  set Dimension = 2\n  set Thickness = 0.1\nend\n"
+           "subsection Mesh\n  set Source = box\n  subsection Box\n    set Size = 2, 1, 0\n    set Divisions x = 4\n"
+           "    set Divisions y = 2\n  end\nend\n"
+           "subsection Materials\n  subsection solid\n    set Law = isotropic elastic\n    subsection isotropic "
+           "elastic\n"
+           "      set Young modulus = 2e9\n      set Poisson ratio = 0\n    end\n  end\nend\n"
+           "subsection Boundary conditions\n  subsection left\n    set Displacement x = 0\n    set Displacement y = 0\n"
+           "  end\n  subsection right\n    set Traction x = 2e5*t\n  end\nend\n"
+           "subsection Points\n  subsection three quarters\n    set Position = 1.5, 0.5, 0\n  end\nend\n" +
+           more;
+  }
+
+  struct Gauged
+  {
+    explicit Gauged(const std::string &scene_text)
+      : scene((apps::start_mpi(), apps::load_scene(folder.file("bar.prm", scene_text), {})))
+      , model(dynamic_cast<const apps::ContinuumScene &>(*scene.scene).parameters())
+      , solid(apps::make_solid<2>(model))
+      , gauges(*solid, model)
+    {
+    }
+
+    /** By column, of u = strain x along x under the loads of a time. */
+    std::map<std::string, double> read(const double time, const double work)
+    {
+      std::map<dealii::types::global_dof_index, dealii::Point<2>> place;
+      dealii::DoFTools::map_dofs_to_support_points(solid->mapping(), solid->dofs(), place);
+      fem::Vector u = solid->make_vector(), internal = u, external = u;
+      for (const auto &node : place)
+        u[node.first] = 0;
+      std::vector<dealii::types::global_dof_index> indices(solid->dofs().get_fe().n_dofs_per_cell());
+      for (const auto &cell : solid->dofs().active_cell_iterators())
+        {
+          cell->get_dof_indices(indices);
+          for (unsigned int i = 0; i < indices.size(); ++i)
+            if (solid->dofs().get_fe().system_to_component_index(i).first == 0)
+              u[indices[i]] = strain * place[indices[i]][0];
+        }
+      u.update_ghost_values();
+      solid->internal_force(u, internal);
+      solid->external_force(time, external);
+      const std::vector<double>     row = gauges.read({&u, &internal, &external}, work);
+      std::map<std::string, double> values;
+      const auto                    columns = gauges.columns();
+      REQUIRE(row.size() == columns.size());
+      for (std::size_t i = 0; i < row.size(); ++i)
+        values[columns[i].column.name] = row[i];
+      return values;
+    }
+
+    const ScratchFolder            folder;
+    const apps::LoadedScene        scene;
+    const apps::ContinuumModel    &model;
+    std::unique_ptr<fem::Solid<2>> solid;
+    apps::ContinuumGauges<2>       gauges;
+  };
+} // namespace
+
+TEST_CASE("Gauges of a solid read loads, reactions, displacements and energies as closed forms say", "[apps]")
+{
+  Gauged     bar_gauges(bar());
+  const auto read = bar_gauges.read(0.5, 7.0);
+  CHECK(read.at("load_x") == Approx(1e5 * 0.1));
+  CHECK(read.at("reaction_left_x") == Approx(-E * strain * 0.1));
+  CHECK(std::abs(read.at("reaction_left_y")) < 1e-9);
+  CHECK(read.at("displacement_three_quarters_x") == Approx(1.5 * strain));
+  CHECK(read.at("displacement_three_quarters_y") == 0);
+  CHECK(read.at("energy_stored") == 7.0); // linear: the work itself
+  CHECK(read.at("energy_dissipated") == 0);
+  CHECK(read.at("largest_damage") == 0);
+  CHECK(bar_gauges.gauges.first_reaction() == "reaction_left_x");
+  CHECK(read.count("load_y") == 0); // nothing acts along it
+  CHECK(read.count("reaction_right_x") == 0);
+}
+
+TEST_CASE("Gauges count as dissipated what a solid that need not be elastic does not store", "[apps]")
+{
+  const std::string text  = bar();
+  std::string       large = text;
+  large.replace(large.find("set Thickness"), 0, "set Large displacement = true\n  ");
+  Gauged       gauged(large);
+  const double green  = strain + 0.5 * strain * strain; // St. Venant-Kirchhoff
+  const double stored = 0.5 * E * green * green * 2 * 1 * 0.1;
+  const auto   read   = gauged.read(0.5, 1.25 * stored);
+  CHECK(read.at("energy_stored") == Approx(stored).epsilon(1e-12));
+  CHECK(read.at("energy_dissipated") == Approx(0.25 * stored).epsilon(1e-9));
+}
+
+TEST_CASE("A point of the gauges outside the solid is refused at its place", "[apps]")
+{
+  std::string text = bar();
+  text.replace(text.find("1.5, 0.5"), 8, "2.5, 0.5");
+  CHECK_THROWS_WITH(Gauged(text), Catch::Contains("bar.prm") && Catch::Contains("Points/three quarters: "));
+}
