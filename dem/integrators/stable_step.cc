@@ -65,9 +65,13 @@ namespace dem
     }
   } // namespace
 
-  double stable_step(const Particles &particles, const std::vector<LawfulLinks> &all, const bool rotations)
+  double stable_step(const Particles                &particles,
+                     const std::vector<LawfulLinks> &all,
+                     const bool                      rotations,
+                     const std::vector<double>      &of_surfaces)
   {
-    std::vector<double> sum(particles.count, 0.0);
+    std::vector<double> sum = of_surfaces;
+    sum.resize(particles.count, 0.0);
     for (const LawfulLinks &of : all)
       {
         StiffnessSeen seen(particles, of, rotations);
@@ -88,9 +92,10 @@ namespace dem
   double stable_step_of(const Particles                &particles,
                         const std::vector<LawfulLinks> &all,
                         const bool                      rotations,
-                        const std::int32_t              particle)
+                        const std::int32_t              particle,
+                        const double                    of_surfaces)
   {
-    double sum = 0;
+    double sum = of_surfaces;
     for (const LawfulLinks &of : all)
       sum += stiffness_around(particles, of, rotations, particle);
     return std::sqrt(2.0 * particles.mass[particle] / sum);

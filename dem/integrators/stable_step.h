@@ -23,14 +23,20 @@ namespace dem
  * kappa_c = max(k_N, k_T (1 + m d^2/I) + k_bending m/I, k_twist m/I) of a link seen from the particle: stretching, twisting, and
  * what turns it across the link are independent motions. Links count with their undamaged stiffness, so the bound stays valid while
  * they soften. Infinite when no particle has a link.
+ *
+ * @param of_surfaces sum of kappa_c over contacts with surfaces, of each particle [N/m]; empty: none
  */
-  double stable_step(const Particles &particles, const std::vector<LawfulLinks> &links, bool rotations);
+  double stable_step(const Particles                &particles,
+                     const std::vector<LawfulLinks> &links,
+                     bool                            rotations,
+                     const std::vector<double>      &of_surfaces = {});
 
-  /** The same bound of one particle alone [s], in time proportional to its links. @pre it has one */
+  /** The same bound of one particle alone [s], in time proportional to its links. @pre something acts on it */
   double stable_step_of(const Particles                &particles,
                         const std::vector<LawfulLinks> &links,
                         bool                            rotations,
-                        std::int32_t                    particle);
+                        std::int32_t                    particle,
+                        double                          of_surfaces = 0);
 
   /**
  * Sharp critical step 2/sqrt(largest eigenvalue of M^-1 K) of the undamaged links at the present positions [s], by Lanczos iteration

@@ -165,6 +165,7 @@ namespace dem
     void particle_pass(Particles                         &particles,
                        const LinkSet                     &bonds,
                        const LinkSet                     *contacts,
+                       const Column                      &surfaces,
                        const StepHalves                  &step,
                        const double                       damping,
                        const Eigen::Vector3d             &gravity,
@@ -193,9 +194,12 @@ namespace dem
                   if constexpr (with_contacts)
                     add_moments(*contacts, i, force);
                 }
-              constexpr bool pushed = surroundings == Surroundings::pushed;
+              constexpr bool touched = surroundings == Surroundings::touched;
+              constexpr bool pushed  = surroundings == Surroundings::pushed || touched;
               if constexpr (surroundings == Surroundings::weight || pushed)
                 force += Pack(particles.mass[i]) * fall;
+              if constexpr (touched)
+                force += load(&surfaces[record_size * i]);
               if constexpr (pushed)
                 force += load(&particles.pushed[record_size * i]);
               integrate<damped, surroundings == Surroundings::periodic, pushed>(particles, i, force, lanes, lengths,
@@ -216,6 +220,8 @@ namespace dem
           return particle_pass<with_contacts, damped, equal_radii, moments, Surroundings::weight>;
         case Surroundings::pushed:
           return particle_pass<with_contacts, damped, equal_radii, moments, Surroundings::pushed>;
+        case Surroundings::touched:
+          return particle_pass<with_contacts, damped, equal_radii, moments, Surroundings::touched>;
         case Surroundings::periodic:
           return particle_pass<with_contacts, damped, equal_radii, moments, Surroundings::periodic>;
         default:

@@ -40,11 +40,13 @@ namespace dem
  * u_(n-1/2) + dt a exactly. Damping and kinetic energy are those of u.
  *
  * @param contacts may be null: there are none
+ * @param surfaces force (3) [N] | moment (3) [N m] | 0 0 of surfaces on each particle; looked at by a pass for touched ones only
  * @param gravity  acceleration [m/s^2]; not looked at by a pass without weight
  */
   using ParticlePass = void (*)(Particles                         &particles,
                                 const LinkSet                     &bonds,
                                 const LinkSet                     *contacts,
+                                const Column                      &surfaces,
                                 const StepHalves                  &step,
                                 double                             damping,
                                 const Eigen::Vector3d             &gravity,
@@ -56,6 +58,7 @@ namespace dem
     free,
     weight,  ///< every particle weighs
     pushed,  ///< every particle weighs, and forces from outside push some
+    touched, ///< surfaces touch some, besides weight and push
     periodic ///< in a cell, where nothing can weigh: it would fall for ever
   };
 

@@ -89,8 +89,10 @@ namespace dem
             ++moving;
           }
       }
-    const double      of_links = sum_of_forces(self->bonds) + sum_of_forces(self->contacts);
-    const std::size_t links    = self->bonds.alive + self->touching_contacts();
+    double            of_links = sum_of_forces(self->bonds) + sum_of_forces(self->contacts);
+    const std::size_t links    = self->bonds.alive + self->touching_contacts() + self->surfaces.list().size();
+    for (const SurfaceContact &contact : self->surfaces.list())
+      of_links += contact.force.norm();
     if (moving == 0 || on_particles == 0)
       return 0.0;
     return on_particles / static_cast<double>(moving) / (of_links / static_cast<double>(links));

@@ -215,6 +215,7 @@ namespace dem
 
   void Specimen::Implementation::begin()
   {
+    const double of_surfaces = surfaces.empty() ? 0.0 : begin_surfaces(); // may shorten the step
     // Velocities are those of half a step before the first forces: so are the energies that the account starts from.
     double of_links = 0, of_weight = 0;
     for (std::size_t i = 0; i < particles.count; ++i)
@@ -226,7 +227,7 @@ namespace dem
           if (stored_at_start > 0) // otherwise links carry nothing yet
             of_links += (particles.force[record_size * i + c] - weight) * moved;
         }
-    initial         = kinetic_of_velocities() + stored_at_start + of_links;
+    initial         = kinetic_of_velocities() + stored_at_start + of_links + of_surfaces;
     weight_at_start = weight_work() - of_weight;
   }
 
@@ -234,8 +235,8 @@ namespace dem
   {
     bond_pass(bonds, particles, *bond_law);
     // A step of no length: forces are summed up, nothing moves, and the last motion is done with.
-    select_particle_pass(false, false, equal_radii, moments(), surroundings())(particles, bonds, nullptr, {0.0, 0.0},
-                                                                               0.0, parameters.gravity, accounts);
+    select_particle_pass(false, false, equal_radii, moments(), surroundings())(particles, bonds, nullptr,
+                                                                               surfaces.on_particles(), {0.0, 0.0}, 0.0, parameters.gravity, accounts);
     sum_pulls();
   }
 
@@ -342,6 +343,8 @@ namespace dem
       refuse("must be found before the first step.");
     if (self->parameters.physics.periodic)
       refuse("a periodic cell has no supports and no weight.");
+    if (!self->surfaces.empty())
+      refuse("walls only push, and the static solver knows no contact. Let the weight settle in motion.");
     return self->find_equilibrium();
   }
 } // namespace dem

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dem/contacts/contact_search.h"
+#include "dem/facets/surface_contacts.h"
 #include "dem/integrators/stable_step.h"
 #include "dem/kernels/particle_pass.h"
 #include "dem/measures/link_measures.h"
@@ -62,6 +63,7 @@ namespace dem
     double        start_margin; ///< gap that the interaction ratio leaves between unlinked particles [m]
     ContactSearch search;
     LinkPass      bond_pass, contact_pass;
+    SurfaceContacts surfaces;
     double        space_per_solid = 1; ///< volume with voids over that of the particles, to share out stress
     std::size_t   made_links      = 0;
 
@@ -95,7 +97,13 @@ namespace dem
     /** Contacts that carry something: those that wait do not count. */
     std::size_t              touching_contacts() const;
     std::vector<LawfulLinks> all_links() const { return {{bonds, *bond_law}, {contacts, *contact_law}}; }
-    double stable() const { return dem::stable_step(particles, all_links(), parameters.physics.rotations); }
+    double stable() const
+    {
+      return dem::stable_step(particles, all_links(), parameters.physics.rotations,
+                              surfaces.stiffness_seen(particles, shape, parameters.physics.rotations));
+    }
+    /** The same of one particle. */
+    double stable(std::int32_t particle) const;
     /** Stable step (5.1) of particles that have no links yet: for as many contacts as equal spheres can have at once [s]. */
     double step_of_lone_particles() const;
     /** Particles' kinetic energy with the velocities as they are [J]. */
@@ -103,6 +111,7 @@ namespace dem
     Surroundings surroundings() const
     {
       return parameters.physics.periodic  ? Surroundings::periodic :
+             surfaces.touching()          ? Surroundings::touched :
              !particles.pushed.empty()    ? Surroundings::pushed :
              parameters.gravity.isZero(0) ? Surroundings::free :
                                             Surroundings::weight;
@@ -139,6 +148,17 @@ namespace dem
     void make_contacts();
     /** Take out contacts that wait for particles far away by now. */
     void drop_distant_contacts();
+    /** Not below the largest displacement of a particle in the step [m]. */
+    double largest_displacement() const;
+    /** Forces of surfaces at t_n, unless they are known; new contacts may shorten the step. */
+    void find_surface_forces();
+    /** Look where particles are before the first step. @return energy of surfaces that the account starts from [J] @throws InputError */
+    double begin_surfaces();
+    /** Move the surfaces, and take up what they have done in the halves of this step. */
+    void advance_surfaces(const StepHalves &halves);
+    /** A particle that passes its radius in a step may pass a surface unseen. @throws NumericalError naming it */
+    void   refuse_too_fast(double displacement_of_surfaces) const;
+    double smallest_radius = 0; ///< [m], once there are surfaces
     /** NaN and infinity spread to velocities within a step. */
     void check_numbers() const;
   };

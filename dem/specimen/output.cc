@@ -29,16 +29,17 @@ namespace dem
     if (s.step_count == 0)
       {
         e.kinetic = s.kinetic_of_velocities();
-        e.initial = e.kinetic + s.stored_at_start;
+        e.initial = e.kinetic + s.stored_at_start + s.surfaces.stored(s.shape, s.particles);
       }
     else
       for (const auto &block : s.accounts)
         e.kinetic += block.kinetic;
     e.elastic =
-      elastic_energy(s.particles, s.bonds, *s.bond_law) + elastic_energy(s.particles, s.contacts, *s.contact_law);
+      elastic_energy(s.particles, s.bonds, *s.bond_law) + elastic_energy(s.particles, s.contacts, *s.contact_law) +
+      s.surfaces.stored(s.shape, s.particles);
     e.damage   = damage_dissipation(s.particles, s.bonds, *s.bond_law) + s.broken_damage;
-    e.friction = plastic_dissipation(s.bonds) + plastic_dissipation(s.contacts);
-    e.released = s.released + released_in_place(s.bonds);
+    e.friction = plastic_dissipation(s.bonds) + plastic_dissipation(s.contacts) + s.surfaces.friction();
+    e.released = s.released + released_in_place(s.bonds) + s.surfaces.released();
     e.damping  = s.damped_before + s.damped_now;
     return e;
   }
@@ -70,6 +71,9 @@ namespace dem
     std::vector<Eigen::Matrix3d> moments(n, Eigen::Matrix3d::Zero());
     add_stress_moments(p, self->bonds, moments);
     add_stress_moments(p, self->contacts, moments);
+    for (const SurfaceContact &contact : self->surfaces.list())
+      moments[static_cast<std::size_t>(contact.particle)] +=
+        contact.distance * contact.direction * contact.force.transpose();
     LinkReader reader(p, self->bonds, *self->bond_law);
     for (std::size_t l = 0; l < self->bonds.count; ++l)
       if (self->bonds.is_alive(l) && !self->bonds.is_broken(l))

@@ -264,7 +264,7 @@ namespace dem
   {
     const std::size_t in_place = self->bonds.broken();
     return {self->particles.count, self->bonds.alive - in_place, self->touching_contacts() + in_place,
-            self->crack_log.size() / 2, self->search.searches()};
+            self->crack_log.size() / 2, self->search.searches(), self->surfaces.list().size()};
   }
 
   std::size_t Specimen::bytes() const { return self->particles.bytes() + self->bonds.bytes() + self->contacts.bytes(); }
@@ -399,6 +399,7 @@ namespace dem
         visitor.column(name + "/own_rates", s.grips[g].own_rates);
       }
     visit_kicks(visitor, s.kicks);
+    s.surfaces.visit_state(visitor);
     Column kinetic(s.accounts.size());
     for (std::size_t b = 0; b < kinetic.size(); ++b)
       kinetic[b] = s.accounts[b].kinetic;

@@ -19,6 +19,10 @@
 
 namespace dem
 {
+  struct ForceServo;
+  struct Surface;
+  struct SurfaceParameters;
+
   /** How the specimen is made from a packing and integrated in time. */
   struct SpecimenParameters
   {
@@ -103,11 +107,21 @@ namespace dem
     double          volume; ///< at t_n [m^3]
   };
 
+  /** One particle on one surface, as an observer sees it, at t_n. */
+  struct WallContact
+  {
+    std::size_t     particle, surface;
+    Eigen::Vector3d place; ///< [m]
+    Eigen::Vector3d force; ///< on the particle [N]
+    double          overlap; ///< [m]
+  };
+
   /** How much there is of what, at this moment. */
   struct Counts
   {
     std::size_t  particles = 0, links = 0 /* cohesive, alive */, contacts = 0, broken = 0;
     std::int64_t neighbour_searches = 0; ///< since the start: how often motion could have made a contact nobody watched
+    std::size_t  wall_contacts      = 0; ///< of particles with surfaces, at t_n
   };
 
   /**
@@ -177,6 +191,36 @@ namespace dem
    * before the first step it is initial energy.
    */
     void apply_impulse(std::size_t particle, const Eigen::Vector3d &change, const Eigen::Vector3d &spin);
+
+    /**
+   * A surface that particles touch from now on: a wall, or the boundary of somebody else's body. It rests until it is led.
+   * @return its number, from 0 @throws InputError for a facet that is none; in a periodic cell; and before the first step for
+   * particles behind it or in it by more than half their radius
+   */
+    std::size_t add_surface(const SurfaceParameters &surface);
+    /** Move it as a rigid body: velocity [m/s] and spin [rad/s] of the step to come. @param about where the axis passes now [m]; moves with it */
+    void set_surface_motion(std::size_t            surface,
+                            const Eigen::Vector3d &velocity,
+                            const Eigen::Vector3d &spin  = {0, 0, 0},
+                            const Eigen::Vector3d &about = {0, 0, 0});
+    /** Hold it at a force from now on; call it again for another force. @throws InputError for a servo that is none */
+    void hold_surface(std::size_t surface, const ForceServo &servo);
+    /** Each vertex moves on its own [m/s] from the next step on. @throws InputError for another number of them, or for a plane */
+    void set_vertex_velocities(std::size_t surface, const std::vector<Eigen::Vector3d> &velocity);
+    /** Put the vertices to where their owner has them [m], to the last bit: no motion, only what rounding left between the two. */
+    void place_vertices(std::size_t surface, const std::vector<Eigen::Vector3d> &place);
+    /**
+   * Find the forces of all surfaces where everything is now; the step to come takes these. For an owner of vertices who needs them before
+   * he can say how his vertices move on: at t_n both sides then feel the same force, and move with it.
+   */
+    void find_surface_forces();
+    /** The surface as it is: its vertices, and the forces on it at t_n and all that it has taken. */
+    const Surface &surface(std::size_t number) const;
+    std::size_t    surfaces() const;
+    void           clear_vertex_impulses(std::size_t surface); ///< Surface::impulse is zero again
+    std::vector<WallContact> wall_contacts() const;
+    /** How often facets near particles were searched, and how many pairs were tested for it, since the start. */
+    std::array<std::int64_t, 2> surface_searches() const;
 
     /**
    * Deform the periodic cell, and the particles with it, at velocity gradient G [1/s] from the next step on.

@@ -51,10 +51,16 @@ namespace dem
       sum_stress();
     settle_events(bonds, *bond_law);
     settle_events(contacts, *contact_law);
+    if (!surfaces.empty())
+      find_surface_forces();
+    if (surfaces.touching() && particles.pushed.empty())
+      particles.pushed.assign(record_size * particles.count, 0.0);
     const StepHalves halves{0.5 * (step_count == 0 ? time_step : last_step), 0.5 * time_step};
     select_particle_pass(contacts.alive > 0, parameters.damping > 0, equal_radii, moments(), surroundings())(
-      particles, bonds, &contacts, halves, parameters.damping, parameters.gravity, accounts);
+      particles, bonds, &contacts, surfaces.on_particles(), halves, parameters.damping, parameters.gravity, accounts);
     account(halves);
+    if (!surfaces.empty())
+      advance_surfaces(halves);
     if (parameters.physics.periodic)
       particles.cell.advance(time_step);
     ++step_count;
@@ -207,12 +213,24 @@ namespace dem
       search.watch(particles, {J, K, links.periodic ? links.image[l] : 0});
   }
 
-  void Specimen::Implementation::make_contacts()
+  double Specimen::Implementation::largest_displacement() const
   {
     double fastest = 0;
     for (const auto &block : accounts)
       fastest = std::max(fastest, block.fastest);
-    if (!search.moved(std::sqrt(fastest), (time_step * particles.cell.gradient()).norm()))
+    return std::sqrt(fastest);
+  }
+
+  double Specimen::Implementation::stable(const std::int32_t particle) const
+  {
+    const bool rotations = parameters.physics.rotations;
+    return stable_step_of(particles, all_links(), rotations, particle,
+                          surfaces.stiffness_seen(particles, shape, rotations, particle));
+  }
+
+  void Specimen::Implementation::make_contacts()
+  {
+    if (!search.moved(largest_displacement(), (time_step * particles.cell.gradient()).norm()))
       return;
     const auto searches = search.searches();
     const auto born     = search.look(particles, bonds, contacts);
@@ -224,8 +242,7 @@ namespace dem
     // Links only soften, but contacts stiffen the particles they join: keep the factor on the present bound.
     for (const auto &pair : born)
       for (const std::int32_t i : {pair.first, pair.second})
-        longest_step = std::min(longest_step, parameters.step_factor * stable_step_of(particles, all_links(),
-                                                                                      parameters.physics.rotations, i));
+        longest_step = std::min(longest_step, parameters.step_factor * stable(i));
     time_step = std::min(time_step, longest_step);
   }
 

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "dem/facets/facet_mesh.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace dem
+{
+  /** Nearest point of one facet within the radius of a sphere. */
+  struct NearPoint
+  {
+    std::int32_t    facet; ///< of its surface
+    FacetPoint      point;
+    double          distance;  ///< from the centre [m], in (0, radius)
+    Eigen::Vector3d direction; ///< from the centre, unit
+  };
+
+  /** Where a sphere touches a surface: one contact, whatever the number of facets that it stands on. */
+  struct ContactZone
+  {
+    /** A facet's part in it. */
+    struct Part
+    {
+      std::int32_t          facet;
+      std::array<double, 3> weight; ///< of its corners; all weights of a zone add up to 1
+    };
+
+    Eigen::Vector3d   place;     ///< sum of weight and corner [m]
+    double            distance;  ///< of the place from the centre [m]
+    double            overlap;   ///< mean of the points that weigh [m]
+    Eigen::Vector3d   direction; ///< from the centre to the place, unit
+    double            share;     ///< of a whole contact, (0, 1]: less where its cap overlaps with that of a deeper zone
+    std::int32_t      facet;     ///< the deepest
+    std::vector<Part> parts;
+  };
+
+  /**
+   * Sorts nearest points into zones (doc/theory/facets.md, 2).
+   *
+   * The deepest point cuts a cap from the sphere: all that lies beyond the tangential plane there. A nearest point of another facet
+   * within that cap is the same contact: always where the surface is flat or convex there (the point then lies in the plane or beyond
+   * it), so that faces, edges and corners count once. In a hollow it lies above the plane; both then weigh in the mean place by their
+   * heights above each other's planes, which vanish where either begins or ends to be, so that place and force are continuous. Points
+   * outside the cap are zones of their own, grown from nothing while the caps part.
+   *
+   * @param near within the radius; is sorted
+   */
+  std::vector<ContactZone> contact_zones(std::vector<NearPoint> &near, const Eigen::Vector3d &centre, double radius);
+} // namespace dem

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "dem/facets/surface.h"
+#include "dem/model/particles.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace dem
+{
+  /** A facet that a particle may touch. */
+  struct NearFacet
+  {
+    std::int32_t surface, facet;
+    double       gap; ///< when the list was made [m]; negative: overlap
+  };
+
+  /**
+   * Which facets are near which particles: nothing is looked at while nothing can touch.
+   *
+   * Proof by distance, as of contacts between particles (doc/theory/contacts.md): `path` is the sum over steps of the largest
+   * displacement of any particle plus that of any vertex. A pair cannot come nearer by more than that, so (1) the list of pairs nearer
+   * than a margin is complete until `path` reaches the margin, and (2) a pair need not be looked at before `path` reaches its gap.
+   *
+   * Lists are made from a grid of the particles of each size class (radii within a factor of two), each facet looking at the cells
+   * around it: linear in both.
+   */
+  class NearFacets
+  {
+  public:
+    /** Largest displacements of the last step [m]. */
+    void moved(const double of_particles, const double of_vertices) { path += of_particles + of_vertices; }
+    /** Whether any pair can touch now. */
+    bool can_touch() const { return stale || path >= next_look; }
+    /** Make the lists good for where everything is now. @pre can_touch() */
+    void look(const Particles &particles, const std::vector<Surface> &surfaces);
+    /** Forget all lists: places have changed otherwise than by steps. */
+    void forget() { stale = true; }
+
+    const std::vector<std::int32_t> &particles() const { return listed; } ///< those that have a facet near, ascending
+    /** Facets of the k-th of them. */
+    const NearFacet *begin(const std::size_t k) const { return near.data() + from[k]; }
+    const NearFacet *end(const std::size_t k) const { return near.data() + from[k + 1]; }
+    /** Whether the k-th of them can touch any of its facets now. */
+    bool within_reach(const std::size_t k) const { return smallest[k] <= path; }
+    bool within_reach(const NearFacet &pair) const { return pair.gap <= path; }
+
+    std::int64_t searches() const { return search_count; } ///< how often lists were made
+    std::int64_t tested() const { return test_count; }     ///< pairs whose distance was found for them, so far
+
+  private:
+    struct FoundPair
+    {
+      std::int32_t particle;
+      NearFacet    pair;
+    };
+
+    bool   still_good(const Particles &particles, const std::vector<Surface> &surfaces);
+    void   make_lists(const Particles &particles, const std::vector<Surface> &surfaces);
+    void   tabulate(const std::vector<FoundPair> &found, std::size_t particles);
+    double displacement(const Particles &particles, const std::vector<Surface> &surfaces) const;
+
+    bool                         stale  = true;
+    double                       margin = 0, path = 0, next_look = 0;
+    std::vector<Eigen::Vector3d> particle_reference;
+    std::vector<Eigen::Vector3d> vertex_reference; ///< of all surfaces, one after another
+    std::vector<std::int32_t>    listed;
+    std::vector<std::size_t>     from = {0};
+    std::vector<NearFacet>       near;
+    std::vector<double>          smallest; ///< gap of each particle of the list
+    std::int64_t                 search_count = 0, test_count = 0;
+  };
+} // namespace dem

@@ -1,0 +1,99 @@
+#pragma once
+
+#include "dem/core/state.h"
+#include "dem/facets/facet_mesh.h"
+#include "dem/laws/linear_contact.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace dem
+{
+  /** A surface that particles touch, before it is one of a specimen. */
+  struct SurfaceParameters
+  {
+    std::string             name; ///< for messages
+    FacetMesh               mesh;
+    LinearContactParameters contact; ///< with any particle of radius r: k_n = A E* / r, A = pi r^2 (discs 2 r t)
+  };
+
+  /**
+   * Holds a wall at a force: it moves along a direction at the speed
+   *
+   *     v = min(max(gain (F* - F) / (K dt), -largest), largest)
+   *
+   * with K the stiffness of its present contacts along the direction, or at the largest speed while it touches nothing. That is a
+   * dashpot in series with the contacts, which only takes energy from what it pushes, and lets an error of the force fade by (1 - gain)
+   * in each step: stable for a gain up to 1 (doc/theory/facets.md, 4).
+   */
+  struct ForceServo
+  {
+    Eigen::Vector3d direction     = {0, 0, 0}; ///< unit
+    double          force         = 0;         ///< F*, of the wall on the particles along the direction [N]
+    double          largest_speed = 0;         ///< [m/s], > 0
+    double          gain          = 0.1;       ///< in (0, 1]
+  };
+
+  /** Box around a facet, and its plane. */
+  struct FacetBounds
+  {
+    Eigen::Vector3d low, high;
+    Eigen::Vector3d normal,
+      low_corner; ///< of the plane (unit; zero: of a segment in space there is none), and a point on it
+  };
+
+  /** A surface in motion, and what particles have done to it. */
+  struct Surface
+  {
+    /** Who moves it. */
+    enum class Led
+    {
+      rigidly,  ///< velocity and spin
+      by_force, ///< a servo
+      by_vertex ///< somebody else, each vertex on its own
+    };
+
+    std::string            name;
+    FacetMesh              mesh;
+    LinearContactConstants contact;
+    Led                    led      = Led::rigidly;
+    Eigen::Vector3d        velocity = {0, 0, 0}, spin = {0, 0, 0}; ///< of a rigid one [m/s], [rad/s]
+    Eigen::Vector3d        centre = {0, 0, 0};                     ///< that it spins about; moves with it [m]
+    Eigen::Vector3d        turn   = {0, 0, 0};                     ///< rotation vector of its last step, if rigid
+    Eigen::Vector3d        travel = {0, 0, 0};                     ///< of the centre since the start [m]
+    ForceServo             servo;
+
+    std::vector<Eigen::Vector3d> place, motion; ///< of vertices: now [m], displacement of the last step [m]
+    std::vector<Eigen::Vector3d> rate;          ///< velocities given to the vertices, if they are led one by one [m/s]
+    std::vector<Eigen::Vector3d> force;         ///< of particles on vertices at t_n [N]
+    std::vector<Eigen::Vector3d> impulse;       ///< of that since it was last cleared [N s]
+    std::vector<double>          stiffness;     ///< of contacts at vertices: sum of k_n N_i at t_n [N/m]
+
+    Eigen::Vector3d total_force = {0, 0, 0}, total_moment = {0, 0, 0};  ///< on it, about the origin, at t_n [N], [N m]
+    Eigen::Vector3d momentum = {0, 0, 0}, angular_momentum = {0, 0, 0}; ///< that it has taken since the start
+    double          work     = 0; ///< that it has done on the particles by t_n + half a step [J]
+    double          along    = 0; ///< stiffness of its contacts along the servo's direction [N/m]
+    std::int64_t    touching = 0; ///< contacts at t_n
+
+    Surface(const SurfaceParameters &parameters, bool friction);
+
+    /** Of a facet where it is now; of a plane signed [m]. */
+    double      distance(std::size_t facet, const Eigen::Vector3d &x) const;
+    FacetBounds bounds(std::size_t facet) const;
+    /** Rotation vector of a facet in the last step, to second order [rad]. */
+    Eigen::Vector3d turn_of(std::size_t facet) const;
+    /** Sums over its contacts are found anew. */
+    void clear_totals();
+    /** Let the servo choose the velocity of the step to come. @param step [s] */
+    void serve(double step);
+    /** Move over a step [s]. @return the largest displacement of a vertex [m] */
+    double advance(double step);
+    bool   still() const { return led == Led::rigidly && velocity.isZero(0) && spin.isZero(0); }
+
+    void visit_state(StateVisitor &visitor, const std::string &group);
+
+  private:
+    bool moved = false; ///< in the last step: otherwise motion is zero already
+  };
+} // namespace dem

@@ -1,0 +1,515 @@
+#include "dem/facets/surface_contacts.h"
+
+#include "dem/core/errors.h"
+#include "dem/kernels/kinematics.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace dem
+{
+  namespace
+  {
+    /** Particles that one thread looks at in a row. */
+    constexpr std::size_t particles_per_piece = 32;
+
+    Vec<double, 3>  plain(const Eigen::Vector3d &v) { return {{v[0], v[1], v[2]}}; }
+    Eigen::Vector3d vector(const Vec<double, 3> &v) { return {v[0], v[1], v[2]}; }
+
+    Eigen::Vector3d record(const Column &column, const std::int32_t particle, const int from)
+    {
+      return Eigen::Vector3d(
+        &column[record_size * static_cast<std::size_t>(particle) + static_cast<std::size_t>(from)]);
+    }
+
+    double area_of(const SurfaceContact &contact, const ParticleShape &shape, const double radius)
+    {
+      return contact.share * shape.link_area(radius, radius);
+    }
+
+    [[noreturn]] void refuse_sunk(const Particles &p, const std::int32_t i, const Surface &surface)
+    {
+      std::ostringstream message;
+      message << "particle " << p.number[static_cast<std::size_t>(i)] + 1 << " has sunk into wall " << surface.name
+              << " by its radius. Raise the wall's Effective modulus, or lower the load or Time/Step factor.";
+      throw NumericalError(message.str());
+    }
+  } // namespace
+
+  struct SurfaceContacts::Block
+  {
+    std::vector<SurfaceContact> contacts;
+    std::vector<VertexPart>     parts;
+    std::vector<NearPoint>      near; ///< kept for its memory
+    std::int32_t                sunk = -1, sunk_into = 0;
+  };
+
+  std::size_t SurfaceContacts::add(const SurfaceParameters &parameters, const int dimension, const bool friction)
+  {
+    check_facets(parameters.mesh, parameters.name, dimension);
+    all.emplace_back(parameters, friction);
+    forget_places();
+    return all.size() - 1;
+  }
+
+  template <typename Use>
+  void SurfaceContacts::for_parts(const SurfaceContact &contact, const Use &use)
+  {
+    Surface &surface = all[static_cast<std::size_t>(contact.surface)];
+    for (std::int32_t k = contact.parts_begin; k < contact.parts_end; ++k)
+      {
+        const auto [vertex, weight] = vertex_parts[static_cast<std::size_t>(k)];
+        use(surface, static_cast<std::size_t>(vertex), weight);
+      }
+  }
+
+  const std::vector<std::int32_t> &SurfaceContacts::find_forces(const Particles &particles, const ParticleShape &shape)
+  {
+    born.clear();
+    if (found)
+      return born;
+    for (Surface &surface : all)
+      surface.clear_totals();
+    for (const SurfaceContact &contact : contacts)
+      {
+        std::fill_n(&records[record_size * static_cast<std::size_t>(contact.particle)], record_size, 0.0);
+        for_parts(contact, [&](Surface &surface, const std::size_t vertex, double) {
+          surface.force[vertex].setZero();
+          surface.stiffness[vertex] = 0;
+        });
+      }
+    if (!contacts.empty() || near.can_touch())
+      {
+        if (near.can_touch())
+          near.look(particles, all);
+        find_contacts(particles, shape);
+        hand_out(particles, shape);
+      }
+    found = true;
+    return born;
+  }
+
+  void SurfaceContacts::check_start(const Particles &particles)
+  {
+    near.look(particles, all);
+    for (std::size_t k = 0; k < near.particles().size(); ++k)
+      for (const NearFacet *pair = near.begin(k); pair != near.end(k); ++pair)
+        {
+          const auto     i       = static_cast<std::size_t>(near.particles()[k]);
+          const Surface &surface = all[static_cast<std::size_t>(pair->surface)];
+          const double   radius  = particles.radius_of(i),
+                       inside =
+                         radius - surface.distance(static_cast<std::size_t>(pair->facet), particles.position_of(i));
+          if (inside <= 0.5 * radius)
+            continue;
+          std::ostringstream message;
+          message << "wall " << surface.name << ": particle " << particles.number[i] + 1 << " at ("
+                  << particles.position_of(i).transpose() << ") m lies in it";
+          if (surface.mesh.is_plane() && inside > radius)
+            message << " or behind it, by " << inside;
+          else
+            message << " by " << inside;
+          message << " m; up to half its radius (" << radius << " m) is taken. Move one of the two.";
+          throw InputError(message.str());
+        }
+  }
+
+  void SurfaceContacts::find_contacts(const Particles &particles, const ParticleShape &shape)
+  {
+    std::vector<std::size_t> active;
+    for (std::size_t k = 0; k < near.particles().size(); ++k)
+      if (near.within_reach(k))
+        active.push_back(k);
+    std::vector<Block> blocks((active.size() + particles_per_piece - 1) / particles_per_piece);
+    const auto         pieces = static_cast<std::ptrdiff_t>(blocks.size());
+#pragma omp parallel for schedule(static) if (pieces > 1)
+    for (std::ptrdiff_t b = 0; b < pieces; ++b)
+      {
+        const std::size_t from = static_cast<std::size_t>(b) * particles_per_piece,
+                          to   = std::min(from + particles_per_piece, active.size());
+        for (std::size_t k = from; k < to; ++k)
+          touch(particles, shape, active[k], blocks[static_cast<std::size_t>(b)]);
+      }
+    std::vector<SurfaceContact> now;
+    vertex_parts.clear();
+    for (const Block &block : blocks)
+      {
+        if (block.sunk >= 0)
+          refuse_sunk(particles, block.sunk, all[static_cast<std::size_t>(block.sunk_into)]);
+        const auto shift = static_cast<std::int32_t>(vertex_parts.size());
+        for (SurfaceContact contact : block.contacts)
+          {
+            contact.parts_begin += shift;
+            contact.parts_end += shift;
+            now.push_back(contact);
+          }
+        vertex_parts.insert(vertex_parts.end(), block.parts.begin(), block.parts.end());
+      }
+    settle(std::move(now), particles, shape);
+  }
+
+  namespace
+  {
+    /** Nearest points within the radius of the facets of one surface; false where the centre is on or behind one. */
+    bool points_within(const Surface          &surface,
+                       const NearFacets       &lists,
+                       const NearFacet        *from,
+                       const NearFacet        *to,
+                       const Eigen::Vector3d  &centre,
+                       const double            radius,
+                       std::vector<NearPoint> &points)
+    {
+      points.clear();
+      for (; from != to; ++from)
+        {
+          if (!lists.within_reach(*from))
+            continue;
+          const auto            facet  = static_cast<std::size_t>(from->facet);
+          const FacetPoint      point  = closest_on_facet(surface.mesh, surface.place, facet, centre);
+          const Eigen::Vector3d branch = point.place - centre;
+          const double          distance =
+            surface.mesh.is_plane() ? surface.mesh.normal.dot(centre - surface.place[0]) : branch.norm();
+          if (distance >= radius)
+            continue;
+          if (!(distance > 1e-9 * radius))
+            return false;
+          points.push_back({from->facet, point, distance,
+                            surface.mesh.is_plane() ? Eigen::Vector3d(-surface.mesh.normal) : branch / distance});
+        }
+      return true;
+    }
+  } // namespace
+
+  void SurfaceContacts::touch(const Particles     &particles,
+                              const ParticleShape &shape,
+                              const std::size_t    listed,
+                              Block               &block) const
+  {
+    const std::int32_t    i      = near.particles()[listed];
+    const Eigen::Vector3d centre = particles.position_of(static_cast<std::size_t>(i));
+    const double          radius = particles.radius_of(static_cast<std::size_t>(i));
+    auto                  before = std::lower_bound(contacts.begin(), contacts.end(), i,
+                                                    [](const SurfaceContact &c, const std::int32_t p) { return c.particle < p; });
+    for (const NearFacet *from = near.begin(listed), *end = near.end(listed); from != end;)
+      {
+        const std::int32_t s  = from->surface;
+        const NearFacet   *to = from;
+        while (to != end && to->surface == s)
+          ++to;
+        const Surface &surface = all[static_cast<std::size_t>(s)];
+        const bool     outside = points_within(surface, near, from, to, centre, radius, block.near);
+        from                   = to;
+        if (!outside)
+          {
+            block.sunk      = i;
+            block.sunk_into = s;
+            return;
+          }
+        if (block.near.empty())
+          continue;
+        while (before != contacts.end() && before->particle == i && before->surface < s)
+          ++before;
+        auto before_end = before;
+        while (before_end != contacts.end() && before_end->particle == i && before_end->surface == s)
+          ++before_end;
+        std::vector<bool> taken(static_cast<std::size_t>(before_end - before), false);
+        for (const ContactZone &zone : contact_zones(block.near, centre, radius))
+          {
+            SurfaceContact now{};
+            now.particle       = i;
+            now.surface        = s;
+            now.facet          = zone.facet;
+            now.place          = zone.place;
+            now.direction      = zone.direction;
+            now.distance       = zone.distance;
+            now.share          = zone.share;
+            now.overlap        = zone.overlap;
+            now.parts_begin    = static_cast<std::int32_t>(block.parts.size());
+            const auto corners = static_cast<std::size_t>(surface.mesh.corners);
+            for (const ContactZone::Part &part : zone.parts)
+              for (std::size_t c = 0; c < corners; ++c)
+                if (part.weight[c] != 0)
+                  block.parts.push_back({surface.mesh.facet[static_cast<std::size_t>(part.facet)][c], part.weight[c]});
+            now.parts_end = static_cast<std::int32_t>(block.parts.size());
+            // History goes with the zone that lies nearest to where it was: over edges, from facet to facet.
+            const SurfaceContact *same = nullptr;
+            double                most = 0.5; // within 60 degrees
+            for (auto old = before; old != before_end; ++old)
+              if (!taken[static_cast<std::size_t>(old - before)] && old->direction.dot(now.direction) > most)
+                {
+                  most = old->direction.dot(now.direction);
+                  same = &*old;
+                }
+            if (same)
+              taken[static_cast<std::size_t>(same - &*before)] = true;
+            follow(particles, shape, same, now, block.parts);
+            block.contacts.push_back(now);
+          }
+      }
+  }
+
+  void SurfaceContacts::follow(const Particles               &particles,
+                               const ParticleShape           &shape,
+                               const SurfaceContact          *before,
+                               SurfaceContact                &now,
+                               const std::vector<VertexPart> &parts_of_now) const
+  {
+    const std::int32_t    i       = now.particle;
+    const Surface        &surface = all[static_cast<std::size_t>(now.surface)];
+    const double          radius  = particles.radius_of(static_cast<std::size_t>(i));
+    const Eigen::Vector3d moved = record(particles.motion, i, 0), turn = record(particles.motion, i, 3),
+                          arm_turn = record(particles.pose, i, 3);
+    Eigen::Vector3d carried_along  = Eigen::Vector3d::Zero();
+    for (std::int32_t k = now.parts_begin; k < now.parts_end; ++k)
+      carried_along += parts_of_now[static_cast<std::size_t>(k)].weight *
+                       surface.motion[static_cast<std::size_t>(parts_of_now[static_cast<std::size_t>(k)].vertex)];
+    // As of a link from the sphere, with all of its length as arm, to the point of the surface (doc/theory/facets.md, 3).
+    const Eigen::Vector3d branch = now.distance * now.direction, opening = carried_along - moved,
+                          middle = branch - 0.5 * opening, slip = opening - arm_turn.cross(middle);
+    const Vec<double, 3> n1 = plain(now.direction);
+    Vec<double, 3>       n0 = n1, shear = {{0, 0, 0}};
+    Eigen::Vector3d      mean = now.direction;
+    if (before)
+      {
+        const Vec<double, 3> mean_turn = plain(0.5 * (turn + surface.turn_of(static_cast<std::size_t>(now.facet))));
+        const auto           c         = rotation_coefficients(dot(mean_turn, mean_turn));
+        n0                             = rotate(c, mean_turn, plain(before->direction));
+        shear                          = rotate(c, mean_turn, plain(before->shear));
+        mean                           = (now.direction + before->direction).normalized();
+      }
+    const Eigen::Vector3d across = slip - mean.dot(slip) * mean;
+    const Vec<double, 3>  added  = (1 / radius) * transport(plain(mean), n1, plain(across));
+    shear                        = carried(n0, n1, shear, added);
+
+    LinkWork<double> work;
+    const auto       answer = linear_contact_force<LinearContactConstants, double, 3>(
+      surface.contact, -now.overlap / radius, area_of(now, shape, radius), radius, added, shear, work);
+    now.shear      = vector(shear);
+    now.force      = answer.normal * now.direction + vector(answer.shear);
+    now.dissipated = work.friction;
+  }
+
+  void
+  SurfaceContacts::settle(std::vector<SurfaceContact> &&now, const Particles &particles, const ParticleShape &shape)
+  {
+    // Both lists are sorted alike: by particle and surface. What is there fewer times now has let go.
+    const auto same = [](const SurfaceContact &a, const SurfaceContact &b) {
+      return a.particle == b.particle && a.surface == b.surface;
+    };
+    const auto before = [](const SurfaceContact &a, const SurfaceContact &b) {
+      return a.particle != b.particle ? a.particle < b.particle : a.surface < b.surface;
+    };
+    auto old = contacts.begin();
+    for (auto next = now.begin(); next != now.end() || old != contacts.end();)
+      {
+        if (next == now.end() || (old != contacts.end() && before(*old, *next)))
+          {
+            SurfaceContact gone = *old++;
+            gone.overlap        = 0; // only shear is left
+            let_go += stored(gone, shape, particles);
+          }
+        else if (old == contacts.end() || !same(*old, *next))
+          {
+            if (born.empty() || born.back() != next->particle)
+              born.push_back(next->particle);
+            ++next;
+          }
+        else
+          ++old, ++next;
+      }
+    contacts = std::move(now);
+    for (const SurfaceContact &contact : contacts)
+      slid += contact.dissipated;
+  }
+
+  void SurfaceContacts::hand_out(const Particles &particles, const ParticleShape &shape)
+  {
+    if (!contacts.empty() && records.empty())
+      records.assign(record_size * particles.count, 0.0);
+    for (const SurfaceContact &contact : contacts)
+      {
+        Surface     &surface = all[static_cast<std::size_t>(contact.surface)];
+        const double radius  = particles.radius_of(static_cast<std::size_t>(contact.particle));
+        const double area    = area_of(contact, shape, radius);
+        const double normal = area * surface.contact.normal / radius, shear = area * surface.contact.shear / radius;
+        double      *sum             = &records[record_size * static_cast<std::size_t>(contact.particle)];
+        const Eigen::Vector3d moment = (contact.distance * contact.direction).cross(contact.force);
+        for (int c = 0; c < 3; ++c)
+          {
+            sum[c] += contact.force[c];
+            sum[3 + c] += moment[c];
+          }
+        for_parts(contact, [&](Surface &of, const std::size_t vertex, const double weight) {
+          of.force[vertex] -= weight * contact.force;
+          of.stiffness[vertex] += weight * std::max(normal, shear);
+        });
+        surface.total_force -= contact.force;
+        surface.total_moment -= contact.place.cross(contact.force);
+        const double along = contact.direction.dot(surface.servo.direction), squared = along * along;
+        surface.along += squared * normal + (surface.servo.direction.squaredNorm() - squared) * shear;
+        ++surface.touching;
+      }
+  }
+
+  double SurfaceContacts::advance(const double step)
+  {
+    double largest = 0;
+    for (Surface &surface : all)
+      {
+        surface.serve(step);
+        largest = std::max(largest, surface.advance(step));
+      }
+    found = false;
+    return largest;
+  }
+
+  void SurfaceContacts::collect_impulses(const double kick)
+  {
+    for (Surface &surface : all)
+      if (surface.touching > 0)
+        {
+          surface.momentum += kick * surface.total_force;
+          surface.angular_momentum += kick * surface.total_moment;
+        }
+    for (const SurfaceContact &contact : contacts)
+      for_parts(contact, [&](Surface &surface, const std::size_t vertex, const double weight) {
+        surface.impulse[vertex] -= kick * weight * contact.force;
+      });
+  }
+
+  double SurfaceContacts::work_of_last_motion() const
+  {
+    double work = 0;
+    for (const SurfaceContact &contact : contacts)
+      {
+        const Surface &surface = all[static_cast<std::size_t>(contact.surface)];
+        for (std::int32_t k = contact.parts_begin; k < contact.parts_end; ++k)
+          {
+            const auto [vertex, weight] = vertex_parts[static_cast<std::size_t>(k)];
+            work += 0.5 * weight * contact.force.dot(surface.motion[static_cast<std::size_t>(vertex)]);
+          }
+      }
+    return work;
+  }
+
+  double
+  SurfaceContacts::stored(const SurfaceContact &contact, const ParticleShape &shape, const Particles &particles) const
+  {
+    const double                    radius = particles.radius_of(static_cast<std::size_t>(contact.particle));
+    LinearContact::State<double, 3> state;
+    state.shear[0] = plain(contact.shear);
+    return LinearContact::stored(all[static_cast<std::size_t>(contact.surface)].contact,
+                                 {-contact.overlap / radius, contact.distance, radius, area_of(contact, shape, radius)},
+                                 state);
+  }
+
+  double SurfaceContacts::stored(const ParticleShape &shape, const Particles &particles) const
+  {
+    double sum = 0;
+    for (const SurfaceContact &contact : contacts)
+      sum += stored(contact, shape, particles);
+    return sum;
+  }
+
+  double SurfaceContacts::kappa(const SurfaceContact &contact,
+                                const Particles      &particles,
+                                const ParticleShape  &shape,
+                                const bool            rotations) const
+  {
+    const auto   i      = static_cast<std::size_t>(contact.particle);
+    const double radius = particles.radius_of(i);
+    const auto  &law    = all[static_cast<std::size_t>(contact.surface)].contact;
+    const double lever  = rotations ? particles.mass[i] * radius * radius / particles.inertia[i] : 0.0;
+    return shape.link_area(radius, radius) / radius * std::max(law.normal, law.shear * (1 + lever));
+  }
+
+  std::vector<double>
+  SurfaceContacts::stiffness_seen(const Particles &particles, const ParticleShape &shape, const bool rotations) const
+  {
+    std::vector<double> sum(contacts.empty() ? 0 : particles.count, 0.0);
+    for (const SurfaceContact &contact : contacts)
+      sum[static_cast<std::size_t>(contact.particle)] += kappa(contact, particles, shape, rotations);
+    return sum;
+  }
+
+  double SurfaceContacts::stiffness_seen(const Particles     &particles,
+                                         const ParticleShape &shape,
+                                         const bool           rotations,
+                                         const std::int32_t   particle) const
+  {
+    double sum = 0;
+    for (auto c = std::lower_bound(contacts.begin(), contacts.end(), particle,
+                                   [](const SurfaceContact &a, const std::int32_t p) { return a.particle < p; });
+         c != contacts.end() && c->particle == particle; ++c)
+      sum += kappa(*c, particles, shape, rotations);
+    return sum;
+  }
+
+  namespace
+  {
+    constexpr std::size_t numbers_of_contact = 16;
+    constexpr std::size_t indices_of_contact = 5;
+
+    void put(const SurfaceContact &c, Column &numbers, std::vector<std::int32_t> &indices)
+    {
+      for (const Eigen::Vector3d &v : {c.place, c.direction, c.shear, c.force})
+        numbers.insert(numbers.end(), v.data(), v.data() + 3);
+      numbers.insert(numbers.end(), {c.distance, c.share, c.overlap, c.dissipated});
+      indices.insert(indices.end(), {c.particle, c.surface, c.facet, c.parts_begin, c.parts_end});
+    }
+
+    SurfaceContact get(const double *n, const std::int32_t *i)
+    {
+      return {i[0],
+              i[1],
+              i[2],
+              i[3],
+              i[4],
+              Eigen::Vector3d(n),
+              Eigen::Vector3d(n + 3),
+              Eigen::Vector3d(n + 6),
+              Eigen::Vector3d(n + 9),
+              n[12],
+              n[13],
+              n[14],
+              n[15]};
+    }
+  } // namespace
+
+  void SurfaceContacts::visit_state(StateVisitor &visitor)
+  {
+    if (all.empty())
+      return;
+    for (std::size_t s = 0; s < all.size(); ++s)
+      all[s].visit_state(visitor, "surfaces/" + std::to_string(s));
+    Column                    numbers, weights;
+    std::vector<std::int32_t> indices, vertices;
+    for (const SurfaceContact &contact : contacts)
+      put(contact, numbers, indices);
+    for (const VertexPart &part : vertex_parts)
+      {
+        weights.push_back(part.weight);
+        vertices.push_back(part.vertex);
+      }
+    visitor.column("surface_contacts/on_particles", records);
+    visitor.column("surface_contacts/numbers", numbers);
+    visitor.column("surface_contacts/indices", indices);
+    visitor.column("surface_contacts/weights", weights);
+    visitor.column("surface_contacts/vertices", vertices);
+    visitor.scalar("surface_contacts/friction", slid);
+    visitor.scalar("surface_contacts/released", let_go);
+    std::int64_t is_found = found ? 1 : 0;
+    visitor.scalar("surface_contacts/found", is_found);
+    found = is_found != 0;
+    contacts.clear();
+    for (std::size_t c = 0; c < indices.size() / indices_of_contact; ++c)
+      contacts.push_back(get(&numbers[numbers_of_contact * c], &indices[indices_of_contact * c]));
+    vertex_parts.clear();
+    for (std::size_t k = 0; k < vertices.size(); ++k)
+      vertex_parts.push_back({vertices[k], weights[k]});
+    near.forget(); // what is near follows from the places
+  }
+} // namespace dem

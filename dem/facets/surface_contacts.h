@@ -1,0 +1,123 @@
+#pragma once
+
+#include "dem/core/state.h"
+#include "dem/facets/contact_zones.h"
+#include "dem/facets/near_facets.h"
+#include "dem/facets/surface.h"
+#include "dem/model/particles.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace dem
+{
+  /** One sphere on one surface. */
+  struct SurfaceContact
+  {
+    std::int32_t    particle, surface, facet; ///< in the order of Particles; the deepest facet
+    std::int32_t    parts_begin, parts_end;   ///< its share of corners, in SurfaceContacts::parts()
+    Eigen::Vector3d place;                    ///< [m]
+    Eigen::Vector3d direction;                ///< from the centre to it, unit
+    Eigen::Vector3d shear;                    ///< elastic tangential displacement of the surface over the radius [-]
+    Eigen::Vector3d force;                    ///< on the particle [N]
+    double          distance;                 ///< of the place from the centre [m]
+    double          share;                    ///< of a whole contact
+    double          overlap;                  ///< [m]
+    double          dissipated;               ///< by sliding, in this step [J]
+  };
+
+  /** Part of a contact's force that a vertex of its surface takes. */
+  struct VertexPart
+  {
+    std::int32_t vertex;
+    double       weight;
+  };
+
+  /**
+   * The surfaces of a specimen and all contacts of particles with them: geometry, law, forces on both sides and their energy
+   * (doc/theory/facets.md). Same bits for any number of threads.
+   */
+  class SurfaceContacts
+  {
+  public:
+    bool empty() const { return all.empty(); }
+
+    /** @param friction whether it limits shear @throws InputError for a surface that is none */
+    std::size_t                 add(const SurfaceParameters &parameters, int dimension, bool friction);
+    const std::vector<Surface> &surfaces() const { return all; }
+    /** To lead it: from the next step on. */
+    Surface &surface(const std::size_t number) { return all.at(number); }
+
+    /**
+     * Forces of all contacts where everything is now, unless they are known already: what find_forces() of a step finds, that step
+     * integrates.
+     * @return particles that have a contact that they did not have before
+     */
+    const std::vector<std::int32_t> &find_forces(const Particles &particles, const ParticleShape &shape);
+    /** @throws InputError for a particle behind a surface or in it by more than half its radius */
+    void check_start(const Particles &particles);
+    bool touching() const { return !contacts.empty(); }
+
+    /** Records of force (3) [N] | moment (3) [N m] | 0 0 on each particle; empty as long as none has been touched. */
+    const Column &on_particles() const { return records; }
+
+    /** Let servos choose their speed, and move all surfaces over a step [s]. @return the largest displacement of a vertex [m] */
+    double advance(double step);
+    /** Note how far anything has moved [m]. */
+    void moved(const double largest_particle, const double largest_vertex)
+    {
+      near.moved(largest_particle, largest_vertex);
+    }
+    /** Impulses and angular impulses of the forces over both halves of the steps that meet [s]. */
+    void collect_impulses(double kick);
+    /** Particles or vertices have been put elsewhere. */
+    void forget_places() { near.forget(), found = false; }
+
+    double
+    work_of_last_motion() const; ///< of the forces over the half step that led here, of surfaces on particles [J]
+    double stored(const ParticleShape &shape, const Particles &particles) const; ///< in contacts [J]
+    double friction() const { return slid; }                                     ///< dissipated since the start [J]
+    double released() const { return let_go; } ///< still stored in shear where contacts ended, since the start [J]
+
+    /** Sum of kappa_c over contacts, for the stable step of each particle [N/m]; empty: none touches. */
+    std::vector<double> stiffness_seen(const Particles &particles, const ParticleShape &shape, bool rotations) const;
+    /** The same of one particle. */
+    double
+    stiffness_seen(const Particles &particles, const ParticleShape &shape, bool rotations, std::int32_t particle) const;
+
+    const std::vector<SurfaceContact> &list() const { return contacts; } ///< by particle, surface and depth
+    const std::vector<VertexPart>     &parts() const { return vertex_parts; }
+    const NearFacets                  &near_facets() const { return near; }
+
+    void visit_state(StateVisitor &visitor);
+
+  private:
+    struct Block;
+
+    /** Call use(surface, vertex, weight) for every vertex that has part in a contact. */
+    template <typename Use>
+    void for_parts(const SurfaceContact &contact, const Use &use);
+
+    void   find_contacts(const Particles &particles, const ParticleShape &shape);
+    void   touch(const Particles &particles, const ParticleShape &shape, std::size_t listed, Block &block) const;
+    void   follow(const Particles               &particles,
+                  const ParticleShape           &shape,
+                  const SurfaceContact          *before,
+                  SurfaceContact                &now,
+                  const std::vector<VertexPart> &parts_of_now) const;
+    void   settle(std::vector<SurfaceContact> &&now, const Particles &particles, const ParticleShape &shape);
+    void   hand_out(const Particles &particles, const ParticleShape &shape);
+    double stored(const SurfaceContact &contact, const ParticleShape &shape, const Particles &particles) const;
+    double
+    kappa(const SurfaceContact &contact, const Particles &particles, const ParticleShape &shape, bool rotations) const;
+
+    std::vector<Surface>        all;
+    NearFacets                  near;
+    std::vector<SurfaceContact> contacts;
+    std::vector<VertexPart>     vertex_parts;
+    Column                      records;
+    std::vector<std::int32_t>   born;
+    bool                        found = false; ///< forces are those of where everything is
+    double                      slid = 0, let_go = 0;
+  };
+} // namespace dem

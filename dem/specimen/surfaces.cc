@@ -1,0 +1,175 @@
+// Walls and other surfaces of a specimen: how they are added and led, and what they do in a step.
+
+#include "dem/core/errors.h"
+#include "dem/specimen/implementation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace dem
+{
+  namespace
+  {
+    std::string too_fast(const Particles &p, const std::size_t i, const double distance)
+    {
+      std::ostringstream message;
+      message << "particle " << p.number[i] + 1 << " moves by " << distance << " m in a step, more than its radius ("
+              << p.radius_of(i) << " m): it could pass a wall unseen. Lower Time/Step factor or the speed.";
+      return message.str();
+    }
+
+    /** @throws InputError */
+    void check_speeds(const Particles &p, const double step)
+    {
+      for (std::size_t i = 0; i < p.count; ++i)
+        {
+          const double distance = step * Eigen::Vector3d(&p.velocity[record_size * i]).norm();
+          if (distance > p.radius_of(i))
+            throw InputError(too_fast(p, i, distance));
+        }
+    }
+  } // namespace
+
+  void Specimen::Implementation::find_surface_forces()
+  {
+    for (const std::int32_t i : surfaces.find_forces(particles, shape))
+      longest_step = std::min(longest_step, parameters.step_factor * stable(i));
+    time_step = std::min(time_step, longest_step);
+  }
+
+  double Specimen::Implementation::begin_surfaces()
+  {
+    surfaces.check_start(particles);
+    check_speeds(particles, time_step);
+    find_surface_forces();
+    double energy = surfaces.stored(shape, particles);
+    if (surfaces.touching())
+      for (std::size_t at = 0; at < record_size * particles.count; ++at)
+        energy += 0.5 * time_step * particles.velocity[at] * surfaces.on_particles()[at];
+    return energy;
+  }
+
+  void Specimen::Implementation::advance_surfaces(const StepHalves &halves)
+  {
+    surfaces.collect_impulses(halves.before + halves.after);
+    work_now += surfaces.work_of_last_motion();
+    const double of_vertices = surfaces.advance(time_step);
+    work_after += surfaces.work_of_last_motion();
+    refuse_too_fast(of_vertices);
+    surfaces.moved(largest_displacement(), of_vertices);
+  }
+
+  void Specimen::Implementation::refuse_too_fast(const double of_surfaces) const
+  {
+    if (largest_displacement() + of_surfaces < smallest_radius)
+      return;
+    for (std::size_t i = 0; i < particles.count; ++i)
+      {
+        const double distance = Eigen::Vector3d(&particles.motion[record_size * i]).norm() + of_surfaces;
+        if (distance > particles.radius_of(i))
+          throw NumericalError(too_fast(particles, i, distance));
+      }
+  }
+
+  std::size_t Specimen::add_surface(const SurfaceParameters &surface)
+  {
+    if (self->parameters.physics.periodic)
+      throw InputError("wall " + surface.name + ": a periodic cell has no place for walls.");
+    self->smallest_radius = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < self->particles.count; ++i)
+      self->smallest_radius = std::min(self->smallest_radius, self->particles.radius_of(i));
+    const Physics &physics = self->parameters.physics;
+    return self->surfaces.add(surface, physics.dimension, physics.friction);
+  }
+
+  void Specimen::set_surface_motion(const std::size_t      number,
+                                    const Eigen::Vector3d &velocity,
+                                    const Eigen::Vector3d &spin,
+                                    const Eigen::Vector3d &about)
+  {
+    Surface &surface = self->surfaces.surface(number);
+    if (surface.mesh.is_plane() && !spin.isZero(0))
+      throw InputError("wall " + surface.name + ": an unbounded plane does not spin. Take a plate of facets.");
+    surface.led      = Surface::Led::rigidly;
+    surface.velocity = velocity;
+    surface.spin     = spin;
+    surface.centre   = about;
+  }
+
+  void Specimen::hold_surface(const std::size_t number, const ForceServo &servo)
+  {
+    Surface &surface = self->surfaces.surface(number);
+    if (!(servo.direction.norm() > 0 && servo.largest_speed > 0 && servo.gain > 0 && servo.gain <= 1 &&
+          std::isfinite(servo.force)))
+      throw InputError(
+        "wall " + surface.name +
+        ": a servo needs a direction, a finite force, a largest speed above 0 m/s and a gain in (0, 1].");
+    surface.led             = Surface::Led::by_force;
+    surface.servo           = servo;
+    surface.servo.direction = servo.direction.normalized();
+    surface.spin.setZero();
+  }
+
+  void Specimen::set_vertex_velocities(const std::size_t number, const std::vector<Eigen::Vector3d> &velocity)
+  {
+    Surface &surface = self->surfaces.surface(number);
+    if (surface.mesh.is_plane())
+      throw InputError("wall " + surface.name + ": the vertices of an unbounded plane do not move one by one.");
+    if (velocity.size() != surface.place.size())
+      throw InputError("wall " + surface.name + " of " + std::to_string(surface.place.size()) +
+                       " vertices: velocities of " + std::to_string(velocity.size()) + " were given.");
+    surface.led  = Surface::Led::by_vertex;
+    surface.rate = velocity;
+  }
+
+  void Specimen::place_vertices(const std::size_t number, const std::vector<Eigen::Vector3d> &place)
+  {
+    Surface &surface = self->surfaces.surface(number);
+    if (place.size() != surface.place.size())
+      throw InputError("wall " + surface.name + " of " + std::to_string(surface.place.size()) +
+                       " vertices: places of " + std::to_string(place.size()) + " were given.");
+    double furthest = 0;
+    for (std::size_t v = 0; v < place.size(); ++v)
+      furthest = std::max(furthest, (place[v] - surface.place[v]).norm());
+    surface.place = place;
+    self->surfaces.moved(0, furthest);
+  }
+
+  void Specimen::find_surface_forces()
+  {
+    if (self->step_count == 0)
+      {
+        self->surfaces.check_start(self->particles);
+        check_speeds(self->particles, self->time_step);
+      }
+    self->find_surface_forces();
+  }
+
+  const Surface &Specimen::surface(const std::size_t number) const { return self->surfaces.surfaces().at(number); }
+  std::size_t    Specimen::surfaces() const { return self->surfaces.surfaces().size(); }
+
+  void Specimen::clear_vertex_impulses(const std::size_t number)
+  {
+    auto &impulse = self->surfaces.surface(number).impulse;
+    std::fill(impulse.begin(), impulse.end(), Eigen::Vector3d::Zero());
+  }
+
+  std::vector<WallContact> Specimen::wall_contacts() const
+  {
+    std::vector<WallContact> out;
+    for (const SurfaceContact &contact : self->surfaces.list())
+      {
+        const auto i = static_cast<std::size_t>(contact.particle);
+        out.push_back({static_cast<std::size_t>(self->particles.number[i]), static_cast<std::size_t>(contact.surface),
+                       contact.place, contact.force, contact.overlap});
+      }
+    return out;
+  }
+
+  std::array<std::int64_t, 2> Specimen::surface_searches() const
+  {
+    return {self->surfaces.near_facets().searches(), self->surfaces.near_facets().tested()};
+  }
+} // namespace dem

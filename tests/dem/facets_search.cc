@@ -1,0 +1,114 @@
+// Which facets are near which spheres: none is missed, nothing is looked at in vain, and the cost is linear.
+#include "facets_fixture.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <set>
+
+using namespace walls;
+
+namespace
+{
+  using Touching = std::set<std::pair<std::size_t, std::size_t>>; ///< particle, surface
+
+  Touching by_all_pairs(const dem::Specimen &specimen)
+  {
+    Touching found;
+    for (std::size_t i = 0; i < specimen.counts().particles; ++i)
+      for (std::size_t s = 0; s < specimen.surfaces(); ++s)
+        {
+          const dem::Surface &surface = specimen.surface(s);
+          const auto          ball    = specimen.particle(i);
+          for (std::size_t f = 0; f < surface.mesh.size(); ++f)
+            if (surface.distance(f, ball.position) < ball.radius)
+              found.insert({i, s});
+        }
+    return found;
+  }
+
+  Touching as_found(const dem::Specimen &specimen)
+  {
+    Touching found;
+    for (const dem::WallContact &contact : specimen.wall_contacts())
+      found.insert({contact.particle, contact.surface});
+    return found;
+  }
+} // namespace
+
+TEST_CASE("no sphere that touches a facet is missed, whatever moves and whatever the sizes", "[dem][facets][slow]")
+{
+  dem::UniformRandom random(21);
+  dem::Packing       packing;
+  for (int i = 0; i < 120; ++i)
+    {
+      packing.centre.push_back(random_place(random, 0.3));
+      packing.radius.push_back(0.002 * std::pow(10.0, random())); // a decade of sizes
+    }
+  dem::SpecimenParameters p = loose();
+  p.physics.contacts        = false; // they pass through each other: the walls are what is looked at
+  dem::Specimen specimen(packing, p, contact(0, 1e4));
+  // A net of small facets that is led, a large plate that turns, a mast of slivers, a box around all.
+  const auto net = specimen.add_surface(
+    wall(patch(0.35, 20, [](double x, double) { return 0.03 * std::sin(20 * x) - 0.36; }), 0, 1e5));
+  const auto plate = specimen.add_surface(wall(dem::plate({0.45, -0.3, -0.3}, {0.1, 0.6, 0}, {0, 0, 0.6}), 0, 1e5));
+  specimen.add_surface(wall(dem::cylinder({0, 0.5, -0.4}, {0, 0.5, 0.4}, 0.05, 40, true), 0, 1e5));
+  specimen.add_surface(
+    wall(dem::box({-0.6, -0.6, -0.5}, {0.6, 0.6, 0.35}, {true, true, true, true, true, true}), 0, 1e5));
+  for (std::size_t i = 0; i < packing.size(); ++i)
+    specimen.set_velocity(i, random_place(random, 2), {0, 0, 0});
+  std::size_t contacts = 0;
+  for (int k = 0; k < 80; ++k)
+    {
+      std::vector<Vector3d> velocity;
+      for (const Vector3d &x : specimen.surface(net).place)
+        velocity.push_back({0, 0, 0.5 * std::sin(9 * x.y() + 100 * specimen.time())});
+      specimen.set_vertex_velocities(net, velocity);
+      specimen.set_surface_motion(plate, {-0.3, 0, 0}, {0, 0.5, 1},
+                                  k == 0 ? Vector3d(0.5, 0, 0) : specimen.surface(plate).centre);
+      specimen.find_surface_forces();
+      const Touching found = as_found(specimen);
+      REQUIRE(found == by_all_pairs(specimen));
+      contacts += found.size();
+      specimen.advance(50);
+    }
+  CHECK(contacts > 50);
+  CHECK(specimen.surface_searches()[0] < 1000); // of 4000 steps
+}
+
+TEST_CASE("nothing is looked at while nothing can touch", "[dem][facets]")
+{
+  std::vector<Vector3d> centres;
+  for (int i = 0; i < 100; ++i)
+    centres.push_back({0.03 * (i % 10), 0.03 * (i / 10), 0.0499});
+  dem::Specimen specimen(balls(centres, 0.01), loose(), contact());
+  specimen.add_surface(wall(patch(1, 30)));
+  for (std::size_t i = 0; i < centres.size(); ++i)
+    specimen.set_velocity(i, {0.02, 0.01, 0}, {0, 0, 0});
+  specimen.advance(1);
+  const auto first = specimen.surface_searches();
+  CHECK(first[0] == 1);
+  specimen.advance(200); // 1.1e-4 m of a margin of 3.3e-3 m
+  CHECK(specimen.surface_searches() == first);
+}
+
+TEST_CASE("pairs that are tested for a list grow in proportion to spheres and facets", "[dem][facets]")
+{
+  std::vector<double> per_item;
+  for (const int side : {16, 32, 64})
+    {
+      std::vector<Vector3d> centres;
+      for (int k = 0; k < 4; ++k)
+        for (int j = 0; j < side; ++j)
+          for (int i = 0; i < side; ++i)
+            centres.push_back(0.021 * Vector3d(i, j, k + 0.55) - 0.0105 * Vector3d(side, side, 0));
+      dem::Specimen specimen(balls(centres, 0.01), loose(), contact());
+      specimen.add_surface(wall(patch(0.0105 * side, side)));
+      specimen.find_surface_forces();
+      per_item.push_back(double(specimen.surface_searches()[1]) / double(centres.size() + 2 * side * side));
+    }
+  INFO(per_item[0] << " " << per_item[1] << " " << per_item[2]);
+  CHECK(per_item[2] < 15);
+  CHECK(per_item[2] == Approx(per_item[1]).epsilon(0.1));
+  CHECK(per_item[1] == Approx(per_item[0]).epsilon(0.15));
+}
