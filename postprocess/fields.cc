@@ -56,6 +56,15 @@ namespace postprocess
          {"to_image", "", 1, cells, "1: the link leads to a periodic image of its second particle", periodic}}};
     }
 
+    FieldFile wall_fields()
+    {
+      return {"walls",
+              "particles_walls.pvd",
+              "the facets of walls at their present places; unbounded planes are left out",
+              {{"force", "N", 3, points, "of the particles on the wall, shared out to its corners", ""},
+               {"wall", "", 1, cells, "number of the wall in the scene, from 0", ""}}};
+    }
+
     FieldFile solid_fields()
     {
       return {"solid",
@@ -167,8 +176,12 @@ namespace postprocess
 
   const std::vector<FieldFile> &field_files()
   {
-    static const std::vector<FieldFile> all = {particle_fields(), link_fields(), solid_fields_with_histories(),
-                                               transferred_particle_fields(), integration_point_fields()};
+    static const std::vector<FieldFile> all = {particle_fields(),
+                                               link_fields(),
+                                               wall_fields(),
+                                               solid_fields_with_histories(),
+                                               transferred_particle_fields(),
+                                               integration_point_fields()};
     return all;
   }
 

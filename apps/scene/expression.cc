@@ -72,6 +72,14 @@ namespace apps
 
   bool Expression::varies_in_time() const { return given() && parser->formula.GetUsedVar().count("t") > 0; }
 
+  bool Expression::varies_in_space() const
+  {
+    if (!given())
+      return false;
+    const auto used = parser->formula.GetUsedVar();
+    return used.count("x") + used.count("y") + used.count("z") > 0;
+  }
+
   double Expression::operator()(const double x, const double y, const double z, const double t) const
   {
     parser->x          = x;

@@ -27,6 +27,9 @@ namespace apps
     /** Whether t occurs in it; a formula that is not given does not vary. */
     bool varies_in_time() const;
 
+    /** Whether a place, x, y or z, occurs in it. */
+    bool varies_in_space() const;
+
     /** @throws dem::NumericalError naming the formula and the place if the value is not a finite number. */
     double operator()(double x, double y, double z, double t) const;
 

@@ -15,6 +15,8 @@ namespace apps
     , body(particles, what.parameters(), what.material.materials())
     , groups(what.groups_in(particles))
     , motion(body, what.motion, groups)
+    , forces(body, what.forces, groups)
+    , walls(body, what.walls)
   {
     constexpr double limit = 1e12; // a year at thirty thousand steps a second
     const double     steps = what.end_time / body.time_step();
@@ -29,23 +31,34 @@ namespace apps
     const StaticStart found = start_statically(body, model->gravity);
     model->initial_velocity.give(body, *packing, groups);
     motion.lead_next_step(); // what is held moves as prescribed from the start
+    if (!model->walls.walls.empty())
+      body.find_surface_forces(); // refuses particles that lie in a wall
     return found;
+  }
+
+  void ParticlesBody::lead_next_step()
+  {
+    if (motion.varies())
+      motion.lead_next_step();
+    if (walls.varies())
+      walls.lead_next_step();
+    forces.apply();
   }
 
   void ParticlesBody::advance_to(const double time)
   {
+    forces.apply(); // no part of a checkpoint
     body.advance(std::numeric_limits<std::int64_t>::max(), [&] {
-      if (motion.varies())
-        motion.lead_next_step();
+      lead_next_step();
       return body.time() < time && !interrupted();
     });
   }
 
   void ParticlesBody::advance(const std::int64_t steps)
   {
+    forces.apply();
     body.advance(steps, [&] {
-      if (motion.varies())
-        motion.lead_next_step();
+      lead_next_step();
       return true;
     });
   }
@@ -53,13 +66,13 @@ namespace apps
   std::vector<double> ParticlesBody::row() const
   {
     const dem::ParticleOutput particles = body.particles();
-    const ObservedSpecimen    seen{body, particles, motion, groups};
+    const ObservedSpecimen    seen{body, particles, motion, groups, walls};
     std::vector<double>       row = {body.time()};
     for (const GaugeSection &gauge : model->gauges.gauges)
       row.push_back(value_of(gauge, seen));
     const dem::Counts counts = body.counts();
     row.insert(row.end(), {static_cast<double>(counts.links), static_cast<double>(counts.broken),
-                           static_cast<double>(counts.contacts)});
+                           static_cast<double>(counts.contacts + counts.wall_contacts)});
     body.energy().each([&](const std::string_view, const double value) { row.push_back(value); });
     return row;
   }

@@ -29,6 +29,7 @@ namespace apps
     /** Numbers of the columns of the series, now. */
     std::vector<double>  row() const;
     const dem::Specimen &specimen() const { return body; }
+    const Walls         &all_walls() const { return walls; }
     /** A reader must have been made from the same model and packing. */
     void visit_state(dem::StateVisitor &visitor) { body.visit_state(visitor); }
 
@@ -38,5 +39,10 @@ namespace apps
     dem::Specimen         body;
     ParticleGroups        groups;
     PrescribedMotion      motion;
+    AppliedForces         forces;
+    Walls                 walls;
+
+    /** What the next step does: motion, walls and forces. */
+    void lead_next_step();
   };
 } // namespace apps

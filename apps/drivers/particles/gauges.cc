@@ -1,5 +1,6 @@
 #include "apps/drivers/particles/gauges.h"
 
+#include "apps/scene/nearest_name.h"
 #include "apps/scene/same_name.h"
 
 #include <algorithm>
@@ -17,15 +18,25 @@ namespace apps
               {"distance", Quantity::distance},
               {"reaction", Quantity::reaction},
               {"reaction moment", Quantity::reaction_moment},
+              {"wall force", Quantity::wall_force},
+              {"wall moment", Quantity::wall_moment},
+              {"wall travel", Quantity::wall_travel},
+              {"wall impulse", Quantity::wall_impulse},
               {"kinetic energy", Quantity::kinetic_energy},
               {"broken links", Quantity::broken_links},
               {"unbalanced ratio", Quantity::unbalanced_ratio}},
              Need::required)
       .means("position, displacement, velocity: of the centre of mass of the group; distance: from it to that of the "
              "other group; reaction: force that the prescribed motion exerts on the group; reaction moment: sum of its "
-             "moments on the particles about their own centres; kinetic energy: of the group; broken links: that have "
+             "moments on the particles about their own centres; wall force, wall moment: of the particles on the wall, "
+             "about the "
+             "origin; wall travel: of the wall since the start; wall impulse: momentum that it has taken; kinetic "
+             "energy: of the group; broken links: that have "
              "an end in it; unbalanced ratio: mean force on all free particles over mean force of links and contacts");
     s.text("Group", group, Need::optional).means("What is measured");
+    s.text("Wall", wall, Need::required)
+      .means("Of section Walls")
+      .only_if([this] { return of_wall(); }, "Quantity is of a wall");
     s.text("Other group", other, Need::required)
       .means("To which the distance is measured")
       .only_if([this] { return quantity == Quantity::distance; }, "Quantity = distance");
@@ -35,12 +46,16 @@ namespace apps
       .only_if([this] { return is_vector(); }, "Quantity is a vector");
   }
 
-  void
-  GaugeSection::validate(const Section &section, const GroupNames &names, const PrescribedMotionSection &motion) const
+  void GaugeSection::validate(const Section                 &section,
+                              const GroupNames              &names,
+                              const PrescribedMotionSection &motion,
+                              const WallsSection            &walls) const
   {
     names.require(section, "Group", group);
     if (quantity == Quantity::distance)
       names.require(section, "Other group", other);
+    if (of_wall() && !walls.knows(wall))
+      section.refuse("Wall", "there is no such wall. " + did_you_mean(wall, walls.names()));
     const bool held = std::any_of(motion.motions.begin(), motion.motions.end(),
                                   [&](const MotionFormulas &m) { return same_name(m.group, group); });
     if ((quantity == Quantity::reaction || quantity == Quantity::reaction_moment) && !held)
@@ -54,9 +69,13 @@ namespace apps
       case Quantity::velocity:
         return "m/s";
       case Quantity::reaction:
+      case Quantity::wall_force:
         return "N";
       case Quantity::reaction_moment:
+      case Quantity::wall_moment:
         return "N m";
+      case Quantity::wall_impulse:
+        return "N s";
       case Quantity::kinetic_energy:
         return "J";
       case Quantity::broken_links:
@@ -95,13 +114,15 @@ namespace apps
     }
   } // namespace
 
-  void
-  GaugesSection::validate(const Section &root, const GroupNames &names, const PrescribedMotionSection &motion) const
+  void GaugesSection::validate(const Section                 &root,
+                               const GroupNames              &names,
+                               const PrescribedMotionSection &motion,
+                               const WallsSection            &walls) const
   {
     for (const GaugeSection &gauge : gauges)
       refuse_name(*root.find_section("Gauges")->find_section(gauge.name));
     for (const GaugeSection &gauge : gauges)
-      gauge.validate(*root.find_section("Gauges")->find_section(gauge.name), names, motion);
+      gauge.validate(*root.find_section("Gauges")->find_section(gauge.name), names, motion, walls);
   }
 
   namespace
@@ -149,8 +170,8 @@ namespace apps
     double unbalanced_ratio(const dem::Specimen &specimen)
     {
       const dem::Counts counts = specimen.counts();
-      return counts.links + counts.contacts > 0 ? specimen.unbalanced_ratio() :
-                                                  std::numeric_limits<double>::quiet_NaN();
+      return counts.links + counts.contacts + counts.wall_contacts > 0 ? specimen.unbalanced_ratio() :
+                                                                         std::numeric_limits<double>::quiet_NaN();
     }
 
     Eigen::Vector3d vector_of(const GaugeSection &gauge, const ObservedSpecimen &seen)
@@ -169,6 +190,14 @@ namespace apps
           return seen.motion.reaction(gauge.group);
         case Quantity::reaction_moment:
           return seen.motion.reaction_moment(gauge.group);
+        case Quantity::wall_force:
+          return seen.walls.surface(gauge.wall).total_force;
+        case Quantity::wall_moment:
+          return seen.walls.surface(gauge.wall).total_moment;
+        case Quantity::wall_travel:
+          return seen.walls.surface(gauge.wall).travel;
+        case Quantity::wall_impulse:
+          return seen.walls.surface(gauge.wall).momentum;
         default:
           return mean(p.position, members, p);
         }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/drivers/particles/motion.h"
+#include "apps/drivers/particles/walls.h"
 #include "dem/specimen/specimen.h"
 
 #include <list>
@@ -20,6 +21,10 @@ namespace apps
       distance,
       reaction,
       reaction_moment,
+      wall_force,
+      wall_moment,
+      wall_travel,
+      wall_impulse,
       kinetic_energy, // vectors until here, numbers from here on
       broken_links,
       unbalanced_ratio
@@ -35,11 +40,15 @@ namespace apps
     std::string name;
     Quantity    quantity  = Quantity::displacement;
     Component   component = Component::size;
-    std::string group     = GroupNames::all, other;
+    std::string group     = GroupNames::all, other, wall;
 
     void declare(Section &section);
     /** @throws dem::InputError. */
-    void        validate(const Section &section, const GroupNames &names, const PrescribedMotionSection &motion) const;
+    void        validate(const Section                 &section,
+                         const GroupNames              &names,
+                         const PrescribedMotionSection &motion,
+                         const WallsSection            &walls) const;
+    bool        of_wall() const { return quantity >= Quantity::wall_force && quantity <= Quantity::wall_impulse; }
     bool        is_vector() const { return quantity < Quantity::kinetic_energy; }
     const char *unit() const;
   };
@@ -51,7 +60,10 @@ namespace apps
 
     void declare(Section &root);
     /** @throws dem::InputError. */
-    void validate(const Section &root, const GroupNames &names, const PrescribedMotionSection &motion) const;
+    void validate(const Section                 &root,
+                  const GroupNames              &names,
+                  const PrescribedMotionSection &motion,
+                  const WallsSection            &walls) const;
   };
 
   /** What a specimen looks like at one moment, for all gauges. */
@@ -61,6 +73,7 @@ namespace apps
     const dem::ParticleOutput &particles;
     const PrescribedMotion    &motion;
     const ParticleGroups      &groups;
+    const Walls               &walls;
   };
 
   /** Value of a gauge. Means over a group are weighted by mass: they are those of its centre of mass. */

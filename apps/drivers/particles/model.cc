@@ -44,6 +44,8 @@ namespace apps
     gravity.declare(root);
     groups.declare(root);
     motion.declare(root);
+    forces.declare(root);
+    walls.declare(root);
     initial_velocity.declare(root);
     gauges.declare(root);
     stops.declare(root);
@@ -65,8 +67,10 @@ namespace apps
     more.validate(root, physics.dimension, material, names);
     groups.validate(root, physics.dimension, names);
     motion.validate(root, physics, names);
+    forces.validate(root, physics.dimension, names);
+    walls.validate(root, physics.dimension);
     initial_velocity.validate(root, physics, names);
-    gauges.validate(root, names, motion);
+    gauges.validate(root, names, motion, walls);
     stops.validate(root, column_names());
     curve_horizontal();
     curve_vertical();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/drivers/particles/forces.h"
 #include "apps/drivers/particles/gauges.h"
 #include "apps/drivers/particles/initial_velocity.h"
 #include "apps/drivers/particles/more_particles.h"
@@ -23,6 +24,8 @@ namespace apps
     GravitySection          gravity;
     GroupsSection           groups;
     PrescribedMotionSection motion;
+    ForcesSection           forces;
+    WallsSection            walls;
     InitialVelocitySection  initial_velocity;
     GaugesSection           gauges;
     StopsSection            stops;

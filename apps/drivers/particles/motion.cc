@@ -1,7 +1,5 @@
 #include "apps/drivers/particles/motion.h"
 
-#include "apps/scene/formula_variables.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -42,7 +40,7 @@ namespace apps
       .named_sections("GROUP", [this](Section &opened) {
         MotionFormulas &added = motions.emplace_back();
         added.group           = opened.name();
-        added.declare(opened, "Prescribed, by time t; empty: free");
+        added.declare(opened, "Prescribed, by the present place x, y, z of each particle and time t; empty: free");
       });
   }
 
@@ -55,9 +53,6 @@ namespace apps
       {
         const Section &section = *all.find_section(motion.group);
         motion.validate(section, physics);
-        for (int c = 0; c < 6; ++c)
-          if (varies_in_space(section.find_entry(component_names[c])->value))
-            section.refuse(component_names[c], "all particles of a group move alike: a formula of t alone.");
       }
   }
 
@@ -95,9 +90,10 @@ namespace apps
         for (int c = 0; c < 6; ++c)
           {
             grip.prescribed[static_cast<std::size_t>(c)] = motion.component(c).given();
-            varying                                      = varying || motion.component(c).varies_in_time();
+            varying = varying || motion.component(c).varies_in_time() || motion.component(c).varies_in_space();
           }
         grip_of[motion.group] = body.add_grip(grip);
+        members.push_back(grip.particles);
       }
     lead_next_step();
   }
@@ -107,7 +103,24 @@ namespace apps
     const double          middle = specimen->time() + 0.5 * specimen->time_step();
     const Eigen::Vector3d nowhere(0, 0, 0);
     for (std::size_t g = 0; g < motions.size(); ++g)
-      specimen->set_grip_velocity(g, value_of(motions[g].velocity, nowhere, middle),
-                                  value_of(motions[g].spin, nowhere, middle));
+      {
+        bool by_place = false;
+        for (int c = 0; c < 6; ++c)
+          by_place = by_place || motions[g].component(c).varies_in_space();
+        if (!by_place)
+          {
+            specimen->set_grip_velocity(g, value_of(motions[g].velocity, nowhere, middle),
+                                        value_of(motions[g].spin, nowhere, middle));
+            continue;
+          }
+        std::vector<Eigen::Vector3d> velocity, spin;
+        for (const std::size_t i : members[g])
+          {
+            const Eigen::Vector3d place = specimen->particle(i).position;
+            velocity.push_back(value_of(motions[g].velocity, place, middle));
+            spin.push_back(value_of(motions[g].spin, place, middle));
+          }
+        specimen->set_grip_velocities(g, velocity, spin);
+      }
   }
 } // namespace apps

@@ -60,6 +60,7 @@ namespace apps
   private:
     dem::Specimen                                   *specimen;
     std::vector<MotionFormulas>                      motions; ///< numbered as the grips
+    std::vector<std::vector<std::size_t>>            members; ///< of each
     std::map<std::string, std::size_t, OrderOfNames> grip_of; ///< by group
     bool                                             varying = false;
   };

@@ -51,7 +51,7 @@ namespace apps
   void ParticlesRun::open(const std::filesystem::path &folder)
   {
     if (model.output.snapshots > 0)
-      snapshots.open(folder, "particles");
+      snapshots.open(folder, "particles", !model.walls.walls.empty());
   }
 
   void ParticlesRun::begin(const std::filesystem::path &folder, const Record &record)

@@ -22,6 +22,8 @@ namespace apps
     text += fmt::format("  links        {}\n", specimen.counts().links);
     text += MaterialCounts(packing.material_names, specimen.particles().material, specimen.links().law).text();
     text += fmt::format("  groups       {}\n", text_of(model.groups_in(packing)));
+    if (!model.walls.walls.empty())
+      text += fmt::format("  walls        {}\n", body.all_walls().text());
     text += fmt::format("  time step    {:.4g} s = {} of the bound of its particles\n", specimen.time_step(),
                         model.time.step_factor);
     text +=

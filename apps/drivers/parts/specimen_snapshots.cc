@@ -4,13 +4,16 @@
 #include "dem/observation/link_images.h"
 #include "postprocess/vtk_links.h"
 #include "postprocess/vtk_particles.h"
+#include "postprocess/vtk_walls.h"
 
 namespace apps
 {
-  void SpecimenSnapshots::open(const std::filesystem::path &folder, const std::string &name)
+  void SpecimenSnapshots::open(const std::filesystem::path &folder, const std::string &name, const bool with_walls)
   {
     particles.emplace(folder, name + "_particles");
     links.emplace(folder, name + "_links");
+    if (with_walls)
+      walls.emplace(folder, name + "_walls");
   }
 
   void SpecimenSnapshots::take(const dem::Specimen &specimen)
@@ -27,11 +30,16 @@ namespace apps
     else
       postprocess::write_vtk_links(links->next(), joined, state, time);
     links->add(time);
+    if (!walls)
+      return;
+    postprocess::write_vtk_walls(walls->next(), specimen, time);
+    walls->add(time);
   }
 
   void SpecimenSnapshots::visit_state(RunState &state)
   {
     visit_snapshots(state, "particle_snapshots", particles);
     visit_snapshots(state, "link_snapshots", links);
+    visit_snapshots(state, "wall_snapshots", walls);
   }
 } // namespace apps

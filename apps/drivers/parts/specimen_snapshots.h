@@ -10,12 +10,12 @@
 
 namespace apps
 {
-  /** Snapshots of a specimen for ParaView: NAME_particles.pvd and NAME_links.pvd with their files. None until they are opened. */
+  /** Snapshots of a specimen for ParaView: NAME_particles.pvd, NAME_links.pvd and, of walls, NAME_walls.pvd with their files. None until they are opened. */
   class SpecimenSnapshots
   {
   public:
     /** @throws postprocess::OutputError. */
-    void open(const std::filesystem::path &folder, const std::string &name);
+    void open(const std::filesystem::path &folder, const std::string &name, bool with_walls = false);
     bool wanted() const { return particles.has_value(); }
     /** If wanted. @throws postprocess::OutputError. */
     void take(const dem::Specimen &specimen);
@@ -23,6 +23,6 @@ namespace apps
     void visit_state(RunState &state);
 
   private:
-    std::optional<postprocess::PvdCollection> particles, links;
+    std::optional<postprocess::PvdCollection> particles, links, walls;
   };
 } // namespace apps

@@ -1,0 +1,44 @@
+#include "apps/drivers/particles/forces.h"
+
+namespace apps
+{
+  void ForcesSection::declare(Section &root)
+  {
+    root
+      .section("Forces", "One sub-section per group that is pushed from outside, named after the group; of groups with "
+                         "the same particle all count")
+      .named_sections("GROUP", [this](Section &opened) {
+        GroupForce &added = forces.emplace_back();
+        added.group       = opened.name();
+        declare_components(opened, "Force", added.force, "N",
+                           "On each particle of the group, by its place x, y, z and time t; empty: none");
+      });
+  }
+
+  void ForcesSection::validate(const Section &root, const int dimension, const GroupNames &names) const
+  {
+    const Section &all = *root.find_section("Forces");
+    names.require_sections(all);
+    for (const GroupForce &given : forces)
+      if (dimension == 2 && given.force[2].given())
+        all.find_section(given.group)->refuse("Force z", "in two dimensions forces lie in the plane.");
+  }
+
+  AppliedForces::AppliedForces(dem::Specimen &body, const ForcesSection &section, const ParticleGroups &found)
+    : specimen(&body)
+    , forces(section.forces.begin(), section.forces.end())
+    , groups(&found)
+  {
+  }
+
+  void AppliedForces::apply()
+  {
+    if (forces.empty())
+      return;
+    specimen->clear_forces();
+    for (const GroupForce &given : forces)
+      for (const std::size_t i : groups->at(given.group))
+        specimen->add_force(i, value_of(given.force, specimen->particle(i).position, specimen->time()),
+                            Eigen::Vector3d::Zero());
+  }
+} // namespace apps

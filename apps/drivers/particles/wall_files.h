@@ -1,0 +1,14 @@
+#pragma once
+
+#include "dem/facets/facet_mesh.h"
+
+#include <string>
+
+namespace apps
+{
+  /**
+   * Triangles of a file: STL (text or binary), or Gmsh (.msh) with triangles and quadrilaterals, which are split.
+   * @param scale by which its lengths are multiplied @throws dem::InputError naming the file and the place
+   */
+  dem::FacetMesh read_wall(const std::string &file, double scale);
+} // namespace apps

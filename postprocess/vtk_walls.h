@@ -1,0 +1,14 @@
+#pragma once
+
+#include "dem/specimen/specimen.h"
+
+#include <filesystem>
+
+namespace postprocess
+{
+  /**
+   * Write the surfaces of a specimen as facets of a VTK file (.vtp) for ParaView, with the fields "walls" of field_files(). Unbounded
+   * planes are left out. @throws OutputError.
+   */
+  void write_vtk_walls(const std::filesystem::path &path, const dem::Specimen &specimen, double time);
+} // namespace postprocess
