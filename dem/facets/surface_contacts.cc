@@ -380,17 +380,20 @@ namespace dem
       });
   }
 
-  double SurfaceContacts::work_of_last_motion() const
+  double SurfaceContacts::add_work_of_last_motion()
   {
     double work = 0;
     for (const SurfaceContact &contact : contacts)
       {
-        const Surface &surface = all[static_cast<std::size_t>(contact.surface)];
+        Surface &surface = all[static_cast<std::size_t>(contact.surface)];
+        double   of_this = 0;
         for (std::int32_t k = contact.parts_begin; k < contact.parts_end; ++k)
           {
             const auto [vertex, weight] = vertex_parts[static_cast<std::size_t>(k)];
-            work += 0.5 * weight * contact.force.dot(surface.motion[static_cast<std::size_t>(vertex)]);
+            of_this += 0.5 * weight * contact.force.dot(surface.motion[static_cast<std::size_t>(vertex)]);
           }
+        surface.work += of_this;
+        work += of_this;
       }
     return work;
   }

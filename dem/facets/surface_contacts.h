@@ -73,8 +73,8 @@ namespace dem
     /** Particles or vertices have been put elsewhere. */
     void forget_places() { near.forget(), found = false; }
 
-    double
-    work_of_last_motion() const; ///< of the forces over the half step that led here, of surfaces on particles [J]
+    /** Enter the work of surfaces on particles over the half step that led here in their accounts. @return its sum [J] */
+    double add_work_of_last_motion();
     double stored(const ParticleShape &shape, const Particles &particles) const; ///< in contacts [J]
     double friction() const { return slid; }                                     ///< dissipated since the start [J]
     double released() const { return let_go; } ///< still stored in shear where contacts ended, since the start [J]

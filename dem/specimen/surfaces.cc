@@ -54,9 +54,9 @@ namespace dem
   void Specimen::Implementation::advance_surfaces(const StepHalves &halves)
   {
     surfaces.collect_impulses(halves.before + halves.after);
-    work_now += surfaces.work_of_last_motion();
+    work_now += surfaces.add_work_of_last_motion();
     const double of_vertices = surfaces.advance(time_step);
-    work_after += surfaces.work_of_last_motion();
+    work_after += surfaces.add_work_of_last_motion();
     refuse_too_fast(of_vertices);
     surfaces.moved(largest_displacement(), of_vertices);
   }
