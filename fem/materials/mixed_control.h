@@ -18,16 +18,14 @@ namespace fem
     constexpr double lost = 0.999; ///< damage beyond which strains that answer to stresses are not determined
 
     constexpr int finest = 1024; ///< steps of a walk
-    constexpr int few    = 16;   ///< steps of a walk that may agree with another by chance
 
     /// Change of the answer with half as many steps that counts as none: long walks gather more error.
     constexpr double settled(const int steps) { return steps < 128 ? 2.5e-3 : 1e-3; }
 
-    /// Difference of two answers to one target: stresses over the largest one, strains over a strain of the caller's. Strains
-    /// of what has lost its stiffness do not count.
+    /// Difference of two answers to one target: stresses over the larger one, strains over the increment. Strains of what has
+    /// lost its stiffness do not count.
     template <typename Law>
-    double
-    difference(const Law &law, const MixedSolution<Law> &a, const MixedSolution<Law> &b, const double strain_unit)
+    double difference(const Law &law, const MixedSolution<Law> &a, const MixedSolution<Law> &b, const double increment)
     {
       const double crack = law.strain_scale();
       const double stress =
@@ -35,14 +33,7 @@ namespace fem
       const double d = (a.response.stress - b.response.stress).cwiseAbs().maxCoeff() / stress;
       if (Law::damage_of(b.response.trial) > lost)
         return d;
-      return std::fmax(d, (a.strain - b.strain).cwiseAbs().maxCoeff() / std::fmax(strain_unit, 0.01 * crack));
-    }
-
-    /// What strains are measured by: a step that ends near zero strain is as exact there as one that begins at zero.
-    template <typename Law>
-    double strain_unit(const MixedPath<Law> &path, const MixedSolution<Law> &end)
-    {
-      return std::fmin(path.increment_to(end.strain), end.strain.cwiseAbs().maxCoeff());
+      return std::fmax(d, (a.strain - b.strain).cwiseAbs().maxCoeff() / std::fmax(increment, 0.01 * crack));
     }
 
     /// The rows of what is given in stress condensed, zero outside what is given in strain.
@@ -104,12 +95,10 @@ namespace fem
               if (now.longest > 0.75 * walks[n - 2].longest)
                 continue;
             }
-          const double change = difference(law, walks[n - 2].end, now.end, strain_unit(path, now.end));
-          // Two walks of few steps agree by chance. A point that has left its reference size in one of the steps moves by leaps
-          // when steps are divided.
-          const bool leaps  = Law::leapt(committed, now.end.response.trial);
-          const int  needed = leaps || steps < few ? 2 : 1;
-          agreed            = change <= settled(steps) ? agreed + 1 : 0;
+          const double change = difference(law, walks[n - 2].end, now.end, path.increment_to(now.end.strain));
+          // A point that has left its reference size in one of the steps moves by leaps when steps are divided.
+          const int needed = Law::leapt(committed, now.end.response.trial) ? 2 : 1;
+          agreed           = change <= settled(steps) ? agreed + 1 : 0;
           if (agreed >= needed)
             return now.end;
         }
