@@ -6,7 +6,7 @@ Nothing may end by a signal, a hang, "a mistake in the program", or with status 
 for. Every mutation follows from the seed and its number alone, so that what was found can be done again:
 
     fuzz.py build/release/apps/breccia --seed 7 --mutations 1000
-    fuzz.py build/release/apps/breccia --seed 7 --only 123 --keep /tmp/case
+    fuzz.py build/release/apps/breccia --seed 7 --only 123 --keep case
 """
 
 import argparse
