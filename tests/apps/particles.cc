@@ -1,12 +1,10 @@
 // Scenes of kind "particles", through the program: closed forms, groups, stops, resuming, refusals.
-#include "postprocess/csv_table.h"
-#include "tests/apps/program.h"
+#include "tests/apps/particle_runs.h"
 #include "tests/apps/scenes.h"
 #include "tests/apps/scratch_folder.h"
 #include "tests/places.h"
 
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -22,50 +20,10 @@ namespace
 {
   constexpr double pi = 3.14159265358979323846;
 
-  struct Results
-  {
-    nlohmann::json        summary;
-    postprocess::CsvTable series;
-
-    double figure(const char *gauge, const char *when) const
-    {
-      return summary["figures"][gauge][when]["value"].get<double>();
-    }
-    double balance_error() const { return summary["energy"]["balance_error"].get<double>(); }
-  };
-
-  Outcome outcome_of(const ScratchFolder            &folder,
-                     const std::string              &command,
-                     const std::string              &scene,
-                     const std::vector<std::string> &changes)
-  {
-    std::vector<std::string> words = {command, scene};
-    if (command == "run")
-      words.insert(words.end(), {"-o", "results"});
-    for (const std::string &change : changes)
-      words.insert(words.end(), {"-s", change});
-    return run(folder.path(), words);
-  }
-
-  Results
-  results_of(const ScratchFolder &folder, const std::string &scene, const std::vector<std::string> &changes = {})
-  {
-    const Outcome outcome = outcome_of(folder, "run", scene, changes);
-    INFO(outcome.err);
-    REQUIRE(outcome.status == 0);
-    return {nlohmann::json::parse(content_of(folder / "results/summary.json")),
-            postprocess::read_csv_table(folder / "results/series.csv", true)};
-  }
-
   std::string shipped(const char *name) { return places::sources() + "/apps/scenes/" + name; }
 
   /** Two balls of 10 mm, one of them on its way to the other; contacts of 1e7 Pa without friction, no weight. */
-  const std::string collision = R"(set Kind = particles
-subsection Specimen
-  set Source  = none
-  set Density = 2500
-end
-subsection More particles
+  const std::string collision = loose_balls("1e7") + R"(subsection More particles
   subsection first
     set Centre = 0, 0, 0
     set Radius = 0.01
@@ -73,12 +31,6 @@ subsection More particles
   subsection second
     set Centre = 0.021, 0, 0
     set Radius = 0.01
-  end
-end
-subsection Material
-  set Law = linear
-  subsection linear
-    set Effective modulus = 1e7
   end
 end
 subsection Initial velocity
@@ -381,176 +333,4 @@ TEST_CASE("Contacts take the law that is chosen for them, apart from that of the
   const Outcome missing = outcome_of(folder, "run", "x.prm", {"Material/Contacts=CPM"});
   CHECK(missing.status == 2);
   CHECK_THAT(missing.err, Contains("CPM") && Contains("Normal modulus"));
-}
-
-namespace
-{
-  /** A ball of 10 mm, 1 mm above a wall, falls. */
-  const std::string above_wall = R"(set Kind = particles
-subsection Specimen
-  set Source  = none
-  set Density = 2500
-end
-subsection More particles
-  subsection ball
-    set Centre = 0, 0, 0.011
-    set Radius = 0.01
-  end
-end
-subsection Material
-  set Law = linear
-  subsection linear
-    set Effective modulus = 1e6
-  end
-end
-subsection Gravity
-  set Acceleration        = 0, 0, -9.81
-  set Initial equilibrium = none
-end
-subsection Walls
-  subsection floor
-    set Shape             = plate
-    set Corner            = -1, -1, 0
-    set First edge        = 2, 0, 0
-    set Second edge       = 0, 2, 0
-    set Effective modulus = 1e6
-  end
-end
-subsection Gauges
-  subsection height
-    set Quantity  = position
-    set Component = z
-  end
-  subsection floor
-    set Quantity  = wall force
-    set Wall      = floor
-    set Component = z
-  end
-  subsection impulse
-    set Quantity  = wall impulse
-    set Wall      = floor
-    set Component = z
-  end
-  subsection velocity
-    set Quantity  = velocity
-    set Component = z
-  end
-end
-subsection Time
-  set End time    = 0.1
-  set Step factor = 0.1
-  set Damping     = 0
-end
-subsection Output
-  set Samples   = 1000
-  set Snapshots = 0
-end
-)";
-} // namespace
-
-TEST_CASE("A ball bounces on a wall of any shape, which takes its momentum", "[apps][particles][walls]")
-{
-  const ScratchFolder folder;
-  folder.file("x.prm", above_wall);
-  folder.file("floor.stl", R"(solid floor
-facet normal 0 0 1
-outer loop
-vertex -1000 -1000 0
-vertex 1000 -1000 0
-vertex 1000 1000 0
-endloop
-endfacet
-facet normal 0 0 1
-outer loop
-vertex -1000 -1000 0
-vertex 1000 1000 0
-vertex -1000 1000 0
-endloop
-endfacet
-endsolid floor
-)");
-  folder.file("floor.msh", R"($MeshFormat
-2.2 0 8
-$EndMeshFormat
-$Nodes
-4
-1 -1 -1 0
-2 1 -1 0
-3 1 1 0
-4 -1 1 0
-$EndNodes
-$Elements
-1
-1 3 2 1 1 1 2 3 4
-$EndElements
-)");
-  const double        mass = 2500 * 4.0 / 3 * pi * 1e-6;
-  const std::string   wall = "Walls/floor/";
-  std::vector<double> heights;
-  for (const std::vector<std::string> &changes :
-       std::vector<std::vector<std::string>>{{},
-                                             {wall + "Shape=plane"},
-                                             {wall + "Shape=box", wall + "Lower=-1, -1, -1", wall + "Upper=1, 1, 0"},
-                                             {wall + "Shape=file", wall + "File=floor.stl", wall + "Scale=1e-3"},
-                                             {wall + "Shape=file", wall + "File=floor.msh"}})
-    {
-      const Results found = results_of(folder, "x.prm", changes);
-      CHECK(found.figure("height", "largest") == Approx(0.011).margin(1e-5));
-      CHECK(found.figure("height", "least") < 0.01);
-      CHECK(found.figure("floor", "least") < 0);
-      CHECK(found.balance_error() < 1e-3);
-      // momentum of the ball less that of its weight
-      const double time = found.series.column("time").back();
-      CHECK(found.figure("impulse", "end") ==
-            Approx(-mass * (found.figure("velocity", "end") + 9.81 * time)).margin(1e-4 * mass));
-      heights.push_back(found.figure("height", "end"));
-      std::filesystem::remove_all(folder / "results");
-    }
-  for (const double height : heights)
-    CHECK(height == Approx(heights.front()).epsilon(1e-9));
-}
-
-TEST_CASE("A wall moves as its formula says, and a force by formula pushes", "[apps][particles][walls]")
-{
-  const ScratchFolder folder;
-  folder.file("x.prm", above_wall);
-  const Results pushed = results_of(folder, "x.prm", {"Gravity/Acceleration=0, 0, 0", "Forces/all/Force z=1e-3*t"});
-  const double  mass = 2500 * 4.0 / 3 * pi * 1e-6, time = pushed.series.column("time").back();
-  CHECK(pushed.figure("height", "end") == Approx(0.011 + 1e-3 * time * time * time / (6 * mass)).epsilon(1e-4));
-  CHECK(pushed.balance_error() < 1e-3);
-  std::filesystem::remove_all(folder / "results");
-  const Results lifted = results_of(folder, "x.prm",
-                                    {"Walls/floor/Velocity z=0.2*t", "Gauges/way/Quantity=wall travel",
-                                     "Gauges/way/Wall=floor", "Time/Damping=0.3", "Output/Snapshots=3"});
-  CHECK(lifted.figure("way", "end") == Approx(0.1 * time * time).epsilon(1e-3));
-  CHECK(lifted.figure("height", "end") == Approx(0.01 + 0.1 * time * time).margin(2e-4));
-  CHECK(std::filesystem::exists(folder / "results/particles_walls.pvd"));
-  const Outcome checked = outcome_of(folder, "check", "x.prm", {});
-  CHECK_THAT(checked.out, Contains("walls        floor (2 facets)"));
-}
-
-TEST_CASE("Walls that cannot be are refused with the place and the reason", "[apps][particles][walls][S14]")
-{
-  const ScratchFolder folder;
-  folder.file("x.prm", above_wall);
-  folder.file("bad.stl", "solid x\nvertex 1 2\n");
-  folder.file("none.stl", "no such thing");
-  const auto refused = [&](const std::vector<std::string> &changes, const std::string &words) {
-    const Outcome outcome = outcome_of(folder, "run", "x.prm", changes);
-    INFO(outcome.err);
-    CHECK(outcome.status == 2);
-    CHECK_THAT(outcome.err, Contains(words));
-    CHECK_FALSE(std::filesystem::exists(folder / "results"));
-  };
-  const std::string wall = "Walls/floor/";
-  refused({wall + "Second edge=1, 0, 0"}, "wall floor: facet 1 has zero area");
-  refused({"More particles/ball/Centre=0, 0, 0.004"}, "wall floor: particle 1 at");
-  refused({"Initial velocity/ball/Velocity z=1e5"}, "more than its radius");
-  refused({wall + "Velocity x=x"}, "a wall moves as a rigid body");
-  refused({wall + "Shape=plane", wall + "Spin x=1"}, "an unbounded plane does not spin");
-  refused({wall + "Control=force", wall + "Direction=0, 0, 1", wall + "Largest speed=1"}, "Say how hard");
-  refused({wall + "Shape=file", wall + "File=bad.stl"}, "bad.stl:2");
-  refused({wall + "Shape=file", wall + "File=none.stl"}, "is no STL file");
-  refused({"Gauges/floor/Wall=flor"}, "there is no such wall. Did you mean \"floor\"?");
-  refused({"Gravity/Initial equilibrium=static"}, "walls only push");
 }
