@@ -1,6 +1,6 @@
 #include "fem/solid/nonlocal_coupling.h"
 
-#include "fem/solid/element_kernel.h"
+#include "fem/solid/element_sweep.h"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
@@ -112,9 +112,7 @@ namespace fem
         }
       catch (const MaterialFailure &problem)
         {
-          std::ostringstream text;
-          text << "element " << e.cell->id() << " at " << e.cell->center() << ": " << problem.what();
-          throw MaterialFailure(text.str());
+          throw in_element(e.cell, problem);
         }
     });
     for (const auto &entry : element_of)

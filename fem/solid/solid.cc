@@ -1,7 +1,7 @@
 #include "fem/solid/solid.h"
 
 #include "fem/solid/block_builder.h"
-#include "fem/solid/element_kernel.h"
+#include "fem/solid/element_sweep.h"
 #include "fem/solid/nonlocal_coupling.h"
 
 #include <deal.II/base/mpi.h>
@@ -146,91 +146,50 @@ namespace fem
     matrix.reinit(pattern);
   }
 
+  namespace
+  {
+    /// action(vector or matrix) on everything that a sweep gives.
+    template <typename Action>
+    void each_of(const Sweep &wanted, const Action &action)
+    {
+      if (wanted.internal_force)
+        action(*wanted.internal_force);
+      if (wanted.tangent)
+        action(*wanted.tangent);
+      for (const auto &product : wanted.products)
+        action(*product.second);
+    }
+  } // namespace
+
   template <int dim>
   void Solid<dim>::sweep(const Vector &displacement, const Sweep &wanted)
   {
-    const unsigned int n = element->n_dofs_per_cell();
-    FEValues<dim>      values(*geometry, *element, points, update_gradients | update_JxW_values);
-    ElementKernel<dim> kernel(*element, points.size(), settings.large_displacement, settings.mean_dilatation);
-    std::vector<types::global_dof_index> indices(n);
-    Eigen::VectorXd                      u(n), f(n), g(n);
-    Eigen::MatrixXd                      k(n, n);
-    FullMatrix<double>                   local(n, n);
-    const bool                           stiffness = wanted.tangent || !wanted.products.empty();
-    const double                         thickness = dim == 2 ? settings.thickness : 1.0;
-    if (wanted.internal_force)
-      *wanted.internal_force = 0;
-    if (wanted.tangent)
-      *wanted.tangent = 0;
-    for (const auto &product : wanted.products)
-      *product.second = 0;
-
+    const bool stiffness = wanted.tangent || !wanted.products.empty();
+    each_of(wanted, [](auto &sum) { sum = 0; });
     if (nonlocal)
       nonlocal->flow(displacement, stiffness);
-    std::string failure;
-    std::size_t next = 0;
+
+    // A failure is told once all ranks know of it: the others wait for this one in what follows.
+    ElementSweep<dim> at_hand(*this);
+    std::string       failure;
+    std::size_t       next = 0;
     for (const auto &cell : dof_handler.active_cell_iterators())
       if (cell->is_locally_owned() && failure.empty())
-        {
-          const ElementPoints &e = elements[next++];
-          values.reinit(cell);
-          cell->get_dof_indices(indices);
-          for (unsigned int i = 0; i < n; ++i)
-            u[i] = displacement[indices[i]];
-          kernel.reinit(values, u);
-          f.setZero();
-          k.setZero();
-          try
-            {
-              PointAnswer answer;
-              for (unsigned int q = 0; q < points.size(); ++q)
-                {
-                  e.material->evaluate(e.first + q, kernel.strain(q), e.extent, stiffness, answer);
-                  kernel.add_force(answer.stress, f);
-                  if (stiffness)
-                    kernel.add_stiffness(answer.stress, answer.tangent, k);
-                }
-              if (!f.allFinite())
-                throw MaterialFailure("the force of the element is not a number.");
-            }
-          catch (const MaterialFailure &problem)
-            {
-              std::ostringstream text;
-              text << "element " << cell->id() << " at " << cell->center() << ": " << problem.what();
-              failure = text.str();
-              break;
-            }
-          f *= thickness;
-          k *= thickness;
-          if (wanted.internal_force)
-            for (unsigned int i = 0; i < n; ++i)
-              (*wanted.internal_force)[indices[i]] += f[i];
-          for (const auto &product : wanted.products)
-            {
-              for (unsigned int i = 0; i < n; ++i)
-                g[i] = (*product.first)[indices[i]];
-              const Eigen::VectorXd kg = k * g;
-              for (unsigned int i = 0; i < n; ++i)
-                (*product.second)[indices[i]] += kg[i];
-            }
-          if (wanted.tangent)
-            {
-              for (unsigned int i = 0; i < n; ++i)
-                for (unsigned int j = 0; j < n; ++j)
-                  local(i, j) = k(i, j);
-              supports.distribute_local_to_global(local, indices, *wanted.tangent);
-            }
-        }
+        try
+          {
+            at_hand.reinit(cell, displacement);
+            at_hand.integrate(elements[next++], stiffness);
+            at_hand.add_to(wanted);
+          }
+        catch (const MaterialFailure &problem)
+          {
+            failure = problem.what();
+          }
     if (Utilities::MPI::max(failure.empty() ? 0 : 1, communicator()) == 1)
       throw MaterialFailure(failure.empty() ? "a point on another rank found no stress." : failure);
     if (nonlocal && stiffness)
       nonlocal->add_tangent(displacement, wanted);
-    if (wanted.internal_force)
-      wanted.internal_force->compress(VectorOperation::add);
-    for (const auto &product : wanted.products)
-      product.second->compress(VectorOperation::add);
-    if (wanted.tangent)
-      wanted.tangent->compress(VectorOperation::add);
+    each_of(wanted, [](auto &sum) { sum.compress(VectorOperation::add); });
   }
 
   template <int dim>
@@ -279,29 +238,22 @@ namespace fem
   template <int dim>
   void Solid<dim>::visit_points(const Vector &displacement, const std::function<void(const PointView<dim> &)> &visit)
   {
-    const unsigned int n = element->n_dofs_per_cell();
-    FEValues<dim> values(*geometry, *element, points, update_gradients | update_quadrature_points | update_JxW_values);
-    ElementKernel<dim> kernel(*element, points.size(), settings.large_displacement, settings.mean_dilatation);
-    std::vector<types::global_dof_index> indices(n);
-    Eigen::VectorXd                      u(n);
-    std::size_t                          next = 0;
-    PointAnswer                          answer;
+    ElementSweep<dim> at_hand(*this, update_quadrature_points);
+    const double      thickness = dim == 2 ? settings.thickness : 1.0;
+    std::size_t       next      = 0;
+    PointAnswer       answer;
     if (nonlocal)
       nonlocal->flow(displacement, false);
     for (const auto &cell : dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
         {
           const ElementPoints &e = elements[next++];
-          values.reinit(cell);
-          cell->get_dof_indices(indices);
-          for (unsigned int i = 0; i < n; ++i)
-            u[i] = displacement[indices[i]];
-          kernel.reinit(values, u);
+          at_hand.reinit(cell, displacement);
           for (unsigned int q = 0; q < points.size(); ++q)
             {
-              const Voigt strain = kernel.strain(q);
+              const Voigt strain = at_hand.strain(q);
               e.material->evaluate(e.first + q, strain, e.extent, false, answer);
-              visit({cell, values.quadrature_point(q), values.JxW(q) * (dim == 2 ? settings.thickness : 1.0), strain,
+              visit({cell, at_hand.at_points().quadrature_point(q), at_hand.at_points().JxW(q) * thickness, strain,
                      answer.stress, e.material, e.first + q});
             }
         }

@@ -21,7 +21,17 @@ namespace apps
 
   void WallSection::declare(Section &s)
   {
-    const auto is = [this](const Shape wanted) { return [this, wanted] { return shape == wanted; }; };
+    declare_shape(s);
+    declare_plane_and_plate(s);
+    declare_box(s);
+    declare_cylinder(s);
+    declare_file(s);
+    declare_contact(s);
+    declare_control(s);
+  }
+
+  void WallSection::declare_shape(Section &s)
+  {
     s.choice("Shape", shape,
              {{"plane", Shape::plane},
               {"plate", Shape::plate},
@@ -33,59 +43,80 @@ namespace apps
         "plane: unbounded, particles on the side of its normal; plate: a parallelogram; box: along the axes; "
         "cylinder: the mantle of one; file: triangles. In two dimensions a line, a segment, a rectangle, a circle. "
         "All but a plane push from both sides");
-    s.vector("Point", point, "m", Range(), Need::optional)
-      .means("On the plane")
-      .only_if(is(Shape::plane), "Shape = plane");
+  }
+
+  void WallSection::declare_plane_and_plate(Section &s)
+  {
+    const auto plane = [this] { return shape == Shape::plane; };
+    const auto plate = [this] { return shape == Shape::plate; };
+    s.vector("Point", point, "m", Range(), Need::optional).means("On the plane").only_if(plane, "Shape = plane");
     s.vector("Normal", normal, "-", Range(), Need::optional)
       .means("Of the plane, to where the particles are; of any length")
-      .only_if(is(Shape::plane), "Shape = plane");
-    s.vector("Corner", corner, "m", Range(), Need::required)
-      .means("Of the plate")
-      .only_if(is(Shape::plate), "Shape = plate");
+      .only_if(plane, "Shape = plane");
+    s.vector("Corner", corner, "m", Range(), Need::required).means("Of the plate").only_if(plate, "Shape = plate");
     s.vector("First edge", first_edge, "m", Range(), Need::required)
       .means("Of the plate, from its corner; in two dimensions the segment")
-      .only_if(is(Shape::plate), "Shape = plate");
+      .only_if(plate, "Shape = plate");
     s.vector("Second edge", second_edge, "m", Range(), Need::optional)
       .means("Of the plate, from its corner; not in two dimensions")
-      .only_if(is(Shape::plate), "Shape = plate");
+      .only_if(plate, "Shape = plate");
+  }
+
+  void WallSection::declare_box(Section &s)
+  {
+    const auto chosen = [this] { return shape == Shape::box; };
     s.vector("Lower", lower, "m", Range(), Need::required)
       .means("Corner of the box with the least coordinates")
-      .only_if(is(Shape::box), "Shape = box");
+      .only_if(chosen, "Shape = box");
     s.vector("Upper", upper, "m", Range(), Need::required)
       .means("Corner of the box with the largest coordinates")
-      .only_if(is(Shape::box), "Shape = box");
+      .only_if(chosen, "Shape = box");
     s.choices("Open sides", open, {{"-x", 0}, {"+x", 1}, {"-y", 2}, {"+y", 3}, {"-z", 4}, {"+z", 5}}, Need::optional)
       .means("That the box does not have")
-      .only_if(is(Shape::box), "Shape = box");
+      .only_if(chosen, "Shape = box");
+  }
+
+  void WallSection::declare_cylinder(Section &s)
+  {
+    const auto chosen = [this] { return shape == Shape::cylinder; };
     s.vector("From", from, "m", Range(), Need::required)
       .means("Where the axis of the cylinder begins; in two dimensions the centre of the circle")
-      .only_if(is(Shape::cylinder), "Shape = cylinder");
+      .only_if(chosen, "Shape = cylinder");
     s.vector("To", to, "m", Range(), Need::optional)
       .means("Where the axis of the cylinder ends; not in two dimensions")
-      .only_if(is(Shape::cylinder), "Shape = cylinder");
+      .only_if(chosen, "Shape = cylinder");
     s.number("Radius", radius, "m", Range::positive(), Need::required)
       .means("Of the cylinder")
-      .only_if(is(Shape::cylinder), "Shape = cylinder");
+      .only_if(chosen, "Shape = cylinder");
     s.integer("Sides", around, "", Range::between(3, 100000), Need::optional)
       .means("Plane sides that stand for its mantle; their edges lie on it")
-      .only_if(is(Shape::cylinder), "Shape = cylinder");
-    s.flag("Ends", ends)
-      .means("The cylinder is closed by discs at both ends")
-      .only_if(is(Shape::cylinder), "Shape = cylinder");
+      .only_if(chosen, "Shape = cylinder");
+    s.flag("Ends", ends).means("The cylinder is closed by discs at both ends").only_if(chosen, "Shape = cylinder");
+  }
+
+  void WallSection::declare_file(Section &s)
+  {
+    const auto chosen = [this] { return shape == Shape::file; };
     s.file("File", file)
       .means("STL (text or binary), or Gmsh (.msh, text): its triangles and quadrilaterals; from the scene's folder")
-      .only_if(is(Shape::file), "Shape = file");
+      .only_if(chosen, "Shape = file");
     s.number("Scale", scale, "-", Range::positive(), Need::optional)
       .means("By which lengths of the file are multiplied to be metres")
-      .only_if(is(Shape::file), "Shape = file");
+      .only_if(chosen, "Shape = file");
+  }
 
+  void WallSection::declare_contact(Section &s)
+  {
     s.number("Effective modulus", contact.effective_modulus, "Pa", Range::positive(), Need::required)
       .means("E*: normal stiffness with a sphere of radius r is pi r E*; with a disc 2 t E*");
     s.number("Stiffness ratio", contact.stiffness_ratio, "-", Range::positive(), Need::optional)
       .means("Normal over shear stiffness");
     s.number("Friction coefficient", contact.friction_coefficient, "-", Range::at_least(0), Need::optional)
       .means("Shear force that sliding keeps over the normal one");
+  }
 
+  void WallSection::declare_control(Section &s)
+  {
     s.choice("Control", control, {{"motion", Control::motion}, {"force", Control::force}}, Need::optional)
       .means("motion: it rests, or moves as said; force: it moves along a direction until it presses with a force");
     const auto moved = [this] { return control == Control::motion; };

@@ -56,6 +56,15 @@ namespace apps
     /** @throws dem::InputError for a file that holds no wall */
     dem::FacetMesh mesh(int dimension) const;
     bool           is_plane() const { return shape == Shape::plane; }
+
+  private:
+    void declare_shape(Section &section);
+    void declare_plane_and_plate(Section &section);
+    void declare_box(Section &section);
+    void declare_cylinder(Section &section);
+    void declare_file(Section &section);
+    void declare_contact(Section &section);
+    void declare_control(Section &section);
   };
 
   /** Section "Walls": what particles touch besides each other. */

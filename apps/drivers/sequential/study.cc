@@ -2,8 +2,6 @@
 
 #include "apps/drivers/continuum/summary.h"
 #include "postprocess/csv_table.h"
-#include "postprocess/drawn_unit.h"
-#include "postprocess/plot.h"
 #include "postprocess/summary.h"
 
 #include <fmt/format.h>
@@ -18,8 +16,6 @@ namespace apps
 {
   namespace
   {
-    constexpr const char *grey = "#9a9a9a", *black = "#000000";
-
     /** Linear between samples whose abscissae grow in magnitude; NaN outside. */
     double interpolated(const std::vector<double> &x, const std::vector<double> &y, const double at)
     {
@@ -126,91 +122,6 @@ namespace apps
                                 "\n";
       }
     return text;
-  }
-
-  std::string StudyReport::draw(const std::filesystem::path &file) const
-  {
-    const bool                          stresses = model.particles.source == ParticleStageSection::Source::uniaxial;
-    const double                        up       = stresses && model.particles.compresses() ? -1 : 1;
-    std::vector<postprocess::PlotPanel> panels;
-    postprocess::PlotPanel              together;
-    double                              widest = 0, highest = 0;
-    for (const ContinuationCurve &curve : curves)
-      {
-        widest  = std::max(widest, std::abs(curve.furthest()));
-        highest = std::max(highest, std::abs(curve.peak()));
-      }
-    const auto along = postprocess::drawn_unit(widest, units.horizontal),
-               force = postprocess::drawn_unit(highest, units.vertical);
-    for (std::size_t k = 0; k < curves.size(); ++k)
-      {
-        postprocess::PlotSeries after;
-        after.style  = postprocess::PlotSeries::Style::line;
-        after.colour = black;
-        after.name   = "continuum";
-        for (std::size_t i = 0; i < curves[k].horizontal.size(); ++i)
-          {
-            after.x.push_back(stresses ? up * 1e3 * (curves[k].offset + curves[k].horizontal[i]) :
-                                         along.scale * curves[k].horizontal[i]);
-            after.y.push_back(stresses ? up * 1e-6 * curves[k].vertical[i] : force.scale * curves[k].vertical[i]);
-          }
-        if (!stresses)
-          {
-            after.colour.clear();
-            after.name = particles[k].name;
-            together.series.push_back(after);
-            continue;
-          }
-        postprocess::PlotSeries before;
-        before.style  = postprocess::PlotSeries::Style::line;
-        before.colour = grey;
-        before.name   = "particles to the hand-over";
-        before.x      = scaled(particles[k].curve_strain, up * 1e3);
-        before.y      = scaled(particles[k].curve_stress, up * 1e-6);
-        postprocess::PlotPanel panel;
-        panel.title   = "handed over at " + particles[k].name;
-        panel.x_label = "Strain [1e-3]";
-        panel.y_label = "Stress [MPa]";
-        if (all_particles)
-          {
-            postprocess::PlotSeries reference;
-            reference.style  = postprocess::PlotSeries::Style::line;
-            reference.name   = "particles alone";
-            reference.colour = "#d0d0d0";
-            reference.x      = scaled(all_particles->curve_strain, up * 1e3);
-            reference.y      = scaled(all_particles->curve_stress, up * 1e-6);
-            panel.series.push_back(reference);
-          }
-        panel.series.push_back(before);
-        panel.series.push_back(after);
-        panels.push_back(panel);
-      }
-    if (!together.series.empty())
-      {
-        together.title   = "Continuations";
-        together.x_label = postprocess::readable(model.study.horizontal) + along.label;
-        together.y_label = postprocess::readable(model.study.vertical) + force.label;
-        panels.push_back(together);
-      }
-    postprocess::PlotPanel  rest;
-    postprocess::PlotSeries left;
-    left.style = postprocess::PlotSeries::Style::line_and_points;
-    for (std::size_t k = 0; k < curves.size(); ++k)
-      {
-        if (!std::isfinite(curves[k].peak()))
-          continue;
-        left.x.push_back(stresses ? up * 1e3 * particles[k].severity : particles[k].severity);
-        left.y.push_back((stresses ? 1e-6 : force.scale) * curves[k].peak());
-      }
-    rest.title   = "What the continuum still carries";
-    rest.x_label = stresses ? "Strain reached by the particles [1e-3]" : "Energy of the blow [J]";
-    rest.y_label =
-      stresses ? "Largest stress [MPa]" : postprocess::readable(model.study.vertical) + ", largest" + force.label;
-    if (stresses)
-      left.style = postprocess::PlotSeries::Style::points; // monotonic and unloaded states at the same strain
-    rest.series = {left};
-    panels.push_back(rest);
-    return postprocess::plot(file, panels);
   }
 
   nlohmann::json StudyReport::json() const

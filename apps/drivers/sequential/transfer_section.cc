@@ -24,8 +24,15 @@ namespace apps
 
   void TransferSection::declare(Section &root)
   {
-    using coupling::Kernel;
     Section &s = root.section("Transfer", "How stress and damage of the particles become the start of the continuum");
+    declare_averaging(s);
+    declare_law(s.section("Mapping law", "From the damage tensor to the scalar damage of the continuum"));
+    declare_limits(s.section("Limits", "Doubt past which the transfer is refused"));
+  }
+
+  void TransferSection::declare_averaging(Section &s)
+  {
+    using coupling::Kernel;
     s.choice("Kernel", options.averaging.kernel,
              {{"nearest", Kernel::nearest},
               {"ball", Kernel::ball},
@@ -51,8 +58,10 @@ namespace apps
       .means(
         "reference: where the particles were at first, as the continuum's undeformed shape; present: where they are");
     s.flag("Leave out gripped particles", field.leave_out_held).means("They are no free material");
+  }
 
-    Section &l = s.section("Mapping law", "From the damage tensor to the scalar damage of the continuum");
+  void TransferSection::declare_law(Section &l)
+  {
     l.text("Law", law, Need::optional)
       .means(
         "identify: found for this scene's particles and concrete before anything is handed over; own: the constants "
@@ -86,8 +95,10 @@ namespace apps
         "Particles and concrete that the constants belong to, as breccia transfer --identify writes it; a run with "
         "others warns")
       .only_if(own, when);
+  }
 
-    Section                  &m      = s.section("Limits", "Doubt past which the transfer is refused");
+  void TransferSection::declare_limits(Section &m)
+  {
     coupling::TransferLimits &limits = options.limits;
     m.number("Empty", limits.empty, "-", Range::between(0, 1), Need::optional)
       .means("Share of the points: no particle within reach")

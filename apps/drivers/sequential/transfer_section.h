@@ -26,5 +26,10 @@ namespace apps
 
     /** With the law that is named, or the scene's own constants; a law that is yet to be identified: the published one. */
     coupling::TransferOptions chosen() const;
+
+  private:
+    void declare_averaging(Section &section);
+    void declare_law(Section &section);
+    void declare_limits(Section &section);
   };
 } // namespace apps
