@@ -15,12 +15,14 @@ namespace coupling
   void walk_window(const Participant &participant, const double window, const int steps, const Step &take)
   {
     constexpr double rounding = 1e-12;
-    const double     end      = participant.time() + window;
-    for (int left = steps; end - participant.time() > rounding * window; left = std::max(left - 1, 1))
+    double           rest     = window; // not a difference of times, which would round it
+    for (int left = steps; rest > rounding * window; left = std::max(left - 1, 1))
       {
-        const double rest = end - participant.time(), longest = participant.stable_step();
-        const double needed = std::ceil(rest / longest * (1 - rounding));
-        take(std::min(rest / std::max<double>(left, needed), longest));
+        const double longest = participant.stable_step();
+        const double needed  = std::ceil(rest / longest * (1 - rounding));
+        const double step    = std::min(rest / std::max<double>(left, needed), longest);
+        take(step);
+        rest -= step;
       }
   }
 } // namespace coupling

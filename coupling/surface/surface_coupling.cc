@@ -2,8 +2,9 @@
 
 #include "dem/facets/surface.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
-#include <cmath>
 
 namespace coupling
 {
@@ -12,92 +13,105 @@ namespace coupling
   template <int dim>
   SurfaceCoupling<dim>::SurfaceCoupling(dem::Specimen                   &specimen_,
                                         const fem::Solid<dim>           &solid,
-                                        fem::ExplicitSolver<dim>        &motion_,
                                         SolidParticipant<dim>           &participant_,
                                         const SurfaceCouplingParameters &parameters)
     : specimen(specimen_)
-    , motion(motion_)
     , participant(participant_)
+    , own_name(parameters.name)
     , facets(boundary_facets(solid, participant, parameters.boundaries))
     , number(specimen.add_surface({parameters.name, facets.mesh, parameters.contact}))
+    , force(facets.carrier.size(), Vector3d::Zero())
+    , place(facets.mesh.vertex)
     , last_motion(facets.carrier.size(), Vector3d::Zero())
   {
     specimen.set_vertex_velocities(number, last_motion);
   }
 
   template <int dim>
-  std::vector<Vector3d> SurfaceCoupling<dim>::places() const
-  {
-    std::vector<Vector3d> all;
-    all.reserve(facets.carrier.size());
-    for (const std::size_t carrier : facets.carrier)
-      all.push_back(participant.position(carrier));
-    return all;
-  }
-
-  template <int dim>
-  double SurfaceCoupling<dim>::stable_step() const
+  double SurfaceCoupling<dim>::added_eigenvalue() const
   {
     const dem::Surface &surface = specimen.surface(number);
-    double              contact = 0; // [1/s^2]
+    double              most    = 0;
     for (std::size_t v = 0; v < facets.carrier.size(); ++v)
-      contact = std::max(contact, surface.stiffness[v] / participant.mass(facets.carrier[v]));
-    const double safety = motion.step() / motion.critical_step();
-    const double own    = motion.largest_element_eigenvalue();
-    return std::min(specimen.longest_step(), 2 * safety / std::sqrt(own + contact));
+      most = std::max(most, surface.stiffness[v] / participant.mass(facets.carrier[v]));
+    return most;
   }
 
   template <int dim>
   void SurfaceCoupling<dim>::kinematics_to_dem()
   {
-    specimen.place_vertices(number, places());
+    for (std::size_t v = 0; v < place.size(); ++v)
+      place[v] = participant.position(facets.carrier[v]);
+    specimen.place_vertices(number, place);
   }
 
   template <int dim>
-  void SurfaceCoupling<dim>::forces_to_fem(const std::vector<Vector3d> &force, const double window)
+  void SurfaceCoupling<dim>::forces_to_fem(const double kick, const double share)
   {
+    const dem::Surface &surface = specimen.surface(number);
     for (std::size_t v = 0; v < force.size(); ++v)
       {
+        force[v] = share * surface.force[v] + surface.impulse[v] / kick;
+        if (force[v].isZero(0))
+          continue;
         participant.add_force(facets.carrier[v], force[v]);
-        exchanged.to_solid += window * force[v];
+        exchanged.to_solid += kick * force[v];
+        exchanged.turn_to_solid += kick * place[v].cross(force[v]);
+      }
+    settle();
+  }
+
+  template <int dim>
+  void SurfaceCoupling<dim>::solid_has_moved()
+  {
+    for (std::size_t v = 0; v < place.size(); ++v)
+      {
+        const Vector3d now = participant.position(facets.carrier[v]), moved = now - place[v];
+        // The force works over the half steps before and after.
+        exchanged.work_on_solid += 0.5 * force[v].dot(last_motion[v] + moved);
+        last_motion[v] = moved;
+        place[v]       = now;
       }
   }
 
   template <int dim>
-  void SurfaceCoupling<dim>::advance(const double step, const int particle_steps)
+  void SurfaceCoupling<dim>::motion_to_dem(const double window)
   {
-    kinematics_to_dem();
-    const dem::Surface   &surface = specimen.surface(number);
-    std::vector<Vector3d> force;
-    if (particle_steps == 1)
-      {
-        specimen.set_time_step(step);
-        specimen.find_surface_forces();
-        force = surface.force;
-      }
-    else
-      for (const Vector3d &impulse : surface.impulse)
-        force.push_back(impulse / step);
-    specimen.clear_vertex_impulses(number);
-    forces_to_fem(force, step);
-
-    std::vector<Vector3d> velocity = places();
-    for (Vector3d &v : velocity)
-      v = -v;
-    participant.advance(step, 1);
-    for (std::size_t v = 0; v < velocity.size(); ++v)
-      {
-        const Vector3d moved = velocity[v] + participant.position(facets.carrier[v]);
-        // The force of t_n works over the half steps before and after.
-        exchanged.work_on_solid += 0.5 * force[v].dot(last_motion[v] + moved);
-        last_motion[v] = moved;
-        velocity[v]    = moved / step;
-      }
+    const std::vector<Vector3d> &before = specimen.surface(number).place;
+    std::vector<Vector3d>        velocity(place.size());
+    for (std::size_t v = 0; v < place.size(); ++v)
+      velocity[v] = (place[v] - before[v]) / window;
     specimen.set_vertex_velocities(number, velocity);
-    specimen.set_time_step(step / particle_steps);
-    specimen.advance(particle_steps);
-    exchanged.to_particles      = -surface.momentum;
-    exchanged.work_on_particles = surface.work;
+  }
+
+  template <int dim>
+  SurfaceBalance SurfaceCoupling<dim>::balance() const
+  {
+    const dem::Surface &surface = specimen.surface(number);
+    SurfaceBalance      found   = exchanged;
+    found.to_particles          = -surface.momentum;
+    found.turn_to_particles     = -surface.angular_momentum;
+    found.work_on_particles     = surface.work;
+    return found;
+  }
+
+  template <int dim>
+  void SurfaceCoupling<dim>::visit_state(dem::StateVisitor &visitor)
+  {
+    const std::string group  = "coupling_" + own_name + "_";
+    const char        axis[] = "xyz";
+    for (int d = 0; d < 3; ++d)
+      {
+        visitor.scalar(group + "to_solid_" + axis[d], exchanged.to_solid[d]);
+        visitor.scalar(group + "turn_to_solid_" + axis[d], exchanged.turn_to_solid[d]);
+      }
+    visitor.scalar(group + "work_on_solid", exchanged.work_on_solid);
+    dem::Column motion(3 * last_motion.size());
+    for (std::size_t i = 0; i < motion.size(); ++i)
+      motion[i] = last_motion[i / 3][static_cast<Eigen::Index>(i % 3)];
+    visitor.column(group + "last_motion", motion);
+    for (std::size_t i = 0; i < motion.size(); ++i)
+      last_motion[i / 3][static_cast<Eigen::Index>(i % 3)] = motion[i];
   }
 
   template class SurfaceCoupling<2>;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "coupling/surface/boundary_facets.h"
+#include "dem/core/state.h"
 #include "dem/laws/linear_contact.h"
 #include "dem/specimen/specimen.h"
 
@@ -22,6 +23,8 @@ namespace coupling
   {
     Eigen::Vector3d to_particles      = Eigen::Vector3d::Zero(); ///< momentum [N s]
     Eigen::Vector3d to_solid          = Eigen::Vector3d::Zero(); ///< momentum [N s]
+    Eigen::Vector3d turn_to_particles = Eigen::Vector3d::Zero(); ///< angular momentum about the origin [N m s]
+    Eigen::Vector3d turn_to_solid     = Eigen::Vector3d::Zero(); ///< the same
     double          work_on_particles = 0;                       ///< by the moving surface [J]
     double          work_on_solid     = 0;                       ///< by the forces of the particles [J]
 
@@ -30,12 +33,8 @@ namespace coupling
   };
 
   /**
-   * Particles and an elastic or damaging solid that touch (doc/theory/surface-coupling.md): the faces of the solid's boundary are facets
-   * of the specimen, whose vertices move as the nodes do, and forces go back to the nodes by the same weights.
-   *
-   * Synchronous by default: both sides feel the force of where both are at t_n, and move with it; momentum is kept and the power of both
-   * sides is equal to rounding. With k > 1 steps of the particles in one of the solid, nodes move evenly through the window, and the solid
-   * feels the mean force of the window before: momentum is kept (what is on its way included), energy to first order in the window.
+   * Particles on the boundary of a solid (doc/theory/surface-coupling.md): the faces of the boundary are facets of the specimen, whose
+   * vertices move as the nodes do, and forces go back to the nodes by the same weights. ConcurrentMotion says when.
    */
   template <int dim>
   class SurfaceCoupling
@@ -44,33 +43,45 @@ namespace coupling
     /** All must outlive the coupling. @throws std::invalid_argument as boundary_facets(), dem::InputError as Specimen::add_surface() */
     SurfaceCoupling(dem::Specimen                   &specimen,
                     const fem::Solid<dim>           &solid,
-                    fem::ExplicitSolver<dim>        &motion,
                     SolidParticipant<dim>           &participant,
                     const SurfaceCouplingParameters &parameters);
 
+    /** Bound of what its contacts add now to the squares of the solid's frequencies: max_i sum_c k_c N_i / m_i [1/s^2]. */
+    double added_eigenvalue() const;
+
+    /** The vertices are where the nodes are. */
+    void kinematics_to_dem();
+
     /**
-     * Longest step that both sides take together now [s]. The solid's: 2 s / sqrt(omega^2 + max_i sum_c k_c N_i / m_i), omega its
-     * own largest frequency, s its safety; the second term bounds the eigenvalues of the contacts by their row sums.
+     * Push the nodes in the solid's next step.
+     * @param kick time that forces push for in it [s] @param share of the forces of t_n; whatever else particles have given since the
+     * last call and settle() comes on top, as its mean
      */
-    double stable_step() const;
+    void forces_to_fem(double kick, double share);
+    /** The solid has taken that step: account of its work. */
+    void solid_has_moved();
+    /** The vertices move, in the particles' steps to come, evenly to where the nodes are now. @param window of those steps [s] */
+    void motion_to_dem(double window);
 
-    /** One step of the solid. @param particle_steps of the same length in it, > 0 */
-    void advance(double step, int particle_steps = 1);
+    /** What the particles have given in their last steps has reached the solid already. */
+    void settle() { specimen.clear_vertex_impulses(number); }
 
-    const SurfaceBalance &balance() const { return exchanged; }
-    std::size_t           surface() const { return number; } ///< of the specimen
+    SurfaceBalance     balance() const;
+    const std::string &name() const { return own_name; }
+    std::size_t        surface() const { return number; } ///< of the specimen
+
+    /** What is neither the specimen's nor the solid's. */
+    void visit_state(dem::StateVisitor &visitor);
 
   private:
-    std::vector<Eigen::Vector3d> places() const;
-    void                         kinematics_to_dem();
-    void                         forces_to_fem(const std::vector<Eigen::Vector3d> &force, double window);
-
     dem::Specimen               &specimen;
-    fem::ExplicitSolver<dim>    &motion;
     SolidParticipant<dim>       &participant;
+    std::string                  own_name;
     BoundaryFacets               facets;
     std::size_t                  number;
-    SurfaceBalance               exchanged;
-    std::vector<Eigen::Vector3d> last_motion; ///< of the vertices in the step that led here [m]
+    std::vector<Eigen::Vector3d> force;       ///< of the particles on the vertices [N]
+    std::vector<Eigen::Vector3d> place;       ///< of the nodes, last looked at [m]
+    std::vector<Eigen::Vector3d> last_motion; ///< of the nodes in the solid's step that led here [m]
+    SurfaceBalance               exchanged;   ///< its part that the specimen does not know
   };
 } // namespace coupling

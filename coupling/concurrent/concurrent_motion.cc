@@ -1,0 +1,130 @@
+#include "coupling/concurrent/concurrent_motion.h"
+
+#include "coupling/participants/window.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace coupling
+{
+  template <int dim>
+  ConcurrentMotion<dim>::ConcurrentMotion(dem::Specimen            &specimen_,
+                                          const fem::Solid<dim>    &solid_,
+                                          fem::ExplicitSolver<dim> &motion_,
+                                          SolidParticipant<dim>    &participant_,
+                                          std::function<void()>     lead_)
+    : specimen(specimen_)
+    , solid(solid_)
+    , motion(motion_)
+    , participant(participant_)
+    , particles(specimen_)
+    , lead(std::move(lead_))
+  {
+  }
+
+  template <int dim>
+  const SurfaceCoupling<dim> &ConcurrentMotion<dim>::add_surface(const SurfaceCouplingParameters &parameters)
+  {
+    couplings.push_back(std::make_unique<SurfaceCoupling<dim>>(specimen, solid, participant, parameters));
+    return *couplings.back();
+  }
+
+  template <int dim>
+  double ConcurrentMotion<dim>::solid_step() const
+  {
+    const double safety = motion.step() / motion.critical_step();
+    return 2 * safety / std::sqrt(motion.largest_element_eigenvalue() + stiffest);
+  }
+
+  template <int dim>
+  WindowSteps ConcurrentMotion<dim>::next_window(const double rest) const
+  {
+    constexpr double rounding = 1e-12;
+    const double     of_solid = solid_step(), of_particles = particle_step();
+    const auto       ratio = [this](const double longer, const double shorter) {
+      return static_cast<int>(std::clamp(std::floor(longer / shorter), 1.0, static_cast<double>(largest_ratio)));
+    };
+    WindowSteps steps;
+    double      longest;
+    if (of_particles < of_solid)
+      {
+        steps.particles = ratio(of_solid, of_particles);
+        longest         = std::min(of_solid, steps.particles * of_particles);
+      }
+    else
+      {
+        // A force that is held while light nodes move under it must not let them pass the place where it would turn round.
+        const double held = stiffest > 0 ? 1 / std::sqrt(stiffest) : of_particles;
+        steps.solid       = ratio(std::max(std::min(of_particles, held), of_solid), of_solid);
+        longest           = std::min(of_particles, steps.solid * of_solid);
+      }
+    steps.window = rest / std::max(1.0, std::ceil(rest / longest * (1 - rounding)));
+    return steps;
+  }
+
+  template <int dim>
+  WindowSteps ConcurrentMotion<dim>::advance(const double rest)
+  {
+    double added = 0;
+    for (const auto &c : couplings)
+      c->kinematics_to_dem();
+    specimen.find_surface_forces();
+    for (const auto &c : couplings)
+      added += c->added_eigenvalue();
+    stiffest                = std::max(stiffest, added);
+    const WindowSteps steps = next_window(rest);
+    move_solid(steps);
+    for (const auto &c : couplings)
+      c->motion_to_dem(steps.window);
+    move_particles(steps);
+    return steps;
+  }
+
+  template <int dim>
+  void ConcurrentMotion<dim>::move_solid(const WindowSteps &steps)
+  {
+    const double step   = steps.window / steps.solid;
+    const double before = last_solid_step > 0 ? last_solid_step : step;
+    // Leapfrog: forces act over half the step before and half the step after. Both sides get the same impulse.
+    const double of_particles = 0.5 * ((last_particle_step > 0 ? last_particle_step : steps.window) + steps.window);
+    const double of_solid     = 0.5 * (before + step) + (steps.solid - 1) * step;
+    const double share        = steps.particles > 1 ? 0.0 : of_particles / of_solid;
+    for (int n = 0; n < steps.solid; ++n)
+      {
+        for (const auto &c : couplings)
+          c->forces_to_fem(n == 0 ? 0.5 * (before + step) : step, share);
+        participant.advance(step, 1);
+        for (const auto &c : couplings)
+          c->solid_has_moved();
+      }
+    last_solid_step = step;
+  }
+
+  template <int dim>
+  void ConcurrentMotion<dim>::move_particles(const WindowSteps &steps)
+  {
+    walk_window(particles, steps.window, steps.particles, [this](const double step) {
+      specimen.set_time_step(step);
+      if (lead)
+        lead();
+      specimen.advance(1);
+      last_particle_step = step;
+    });
+    if (steps.particles == 1)
+      for (const auto &c : couplings)
+        c->settle();
+  }
+
+  template <int dim>
+  void ConcurrentMotion<dim>::visit_state(dem::StateVisitor &visitor)
+  {
+    visitor.scalar("stiffest_contacts", stiffest);
+    visitor.scalar("last_particle_step", last_particle_step);
+    visitor.scalar("last_solid_step", last_solid_step);
+    for (const auto &c : couplings)
+      c->visit_state(visitor);
+  }
+
+  template class ConcurrentMotion<2>;
+  template class ConcurrentMotion<3>;
+} // namespace coupling

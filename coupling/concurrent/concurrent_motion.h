@@ -1,0 +1,78 @@
+#pragma once
+
+#include "coupling/participants/particle_participant.h"
+#include "coupling/surface/surface_coupling.h"
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace coupling
+{
+  /** Steps of either side in one window of time; at least one of them is 1. */
+  struct WindowSteps
+  {
+    double window    = 0; ///< [s]
+    int    particles = 1, solid = 1;
+  };
+
+  /**
+   * Particles and a solid that move together, a window of time after another (doc/theory/surface-coupling.md, 2): adapters carry the
+   * solid's motion to the particles, and their forces back.
+   *
+   * Synchronous by default: both sides feel the force of where both are at t_n, and move with it; momentum is kept and the power of both
+   * sides is equal to rounding. Sub-cycled, the side with the shorter stable step takes several in a window. Where these are the
+   * particles', nodes move evenly through the window, and the solid feels the mean force of the window before; where they are the
+   * solid's, the forces of the window's start push it through all of them. Momentum is kept (what is on its way included), energy to
+   * first order in the window.
+   */
+  template <int dim>
+  class ConcurrentMotion
+  {
+  public:
+    /** All must outlive it. @param lead what the particles' next step asks for from outside: motion, walls, forces; called before each */
+    ConcurrentMotion(dem::Specimen            &specimen,
+                     const fem::Solid<dim>    &solid,
+                     fem::ExplicitSolver<dim> &motion,
+                     SolidParticipant<dim>    &participant,
+                     std::function<void()>     lead = {});
+
+    /** Before the first window. @throws as SurfaceCoupling */
+    const SurfaceCoupling<dim>                               &add_surface(const SurfaceCouplingParameters &parameters);
+    const std::vector<std::unique_ptr<SurfaceCoupling<dim>>> &surfaces() const { return couplings; }
+
+    /** Steps of the one side in one of the other, at most. 1: none. */
+    void set_largest_ratio(int ratio) { largest_ratio = ratio; }
+
+    /**
+     * Longest step of the solid now, contacts included [s]: 2 s / sqrt(omega^2 + max_i sum_c k_c N_i / m_i), omega its own largest
+     * frequency, s its safety; the second term bounds the eigenvalues of the contacts by their row sums, and is the largest so far:
+     * steps do not change with every contact that comes and goes.
+     */
+    double solid_step() const;
+    double particle_step() const { return specimen.longest_step(); }
+    /** The window that would be taken now, of those that end together after the rest [s]. */
+    WindowSteps next_window(double rest) const;
+
+    /** One window, no longer than the rest [s]. @return what was taken. @throws what either side throws */
+    WindowSteps advance(double rest);
+
+    /** What is neither the specimen's nor the solid's. A reader must have the same surfaces. */
+    void visit_state(dem::StateVisitor &visitor);
+
+  private:
+    void move_solid(const WindowSteps &steps);
+    void move_particles(const WindowSteps &steps);
+
+    dem::Specimen                                     &specimen;
+    const fem::Solid<dim>                             &solid;
+    fem::ExplicitSolver<dim>                          &motion;
+    SolidParticipant<dim>                             &participant;
+    ParticleParticipant                                particles;
+    std::function<void()>                              lead;
+    std::vector<std::unique_ptr<SurfaceCoupling<dim>>> couplings;
+    int                                                largest_ratio = 1;
+    double                                             stiffest      = 0; ///< sum of added eigenvalues so far [1/s^2]
+    double last_particle_step = 0, last_solid_step = 0;                   ///< [s]; 0: none yet
+  };
+} // namespace coupling
