@@ -2,6 +2,7 @@
 
 #include "apps/drivers/cell/scene.h"
 #include "apps/drivers/continuum/scene.h"
+#include "apps/drivers/coupled/scene.h"
 #include "apps/drivers/homogenisation/scene.h"
 #include "apps/drivers/particles/scene.h"
 #include "apps/drivers/quasi_static/scene.h"
@@ -24,6 +25,7 @@ namespace apps
     static const std::vector<SceneKind> kinds = {
       {"cell", "a periodic cell led in time along a path of strains and stresses", make<CellScene>},
       {"continuum", "a solid of finite elements, static past its peak or explicit", make<ContinuumScene>},
+      {"coupled", "particles and a solid of finite elements that touch, in motion", make<CoupledScene>},
       {"homogenisation", "macroscopic stiffness of periodic packings, swept over link parameters",
        make<HomogenisationScene>},
       {"particles", "specimens and loose particles, bonded or not, moved and thrown by formula", make<ParticlesScene>},

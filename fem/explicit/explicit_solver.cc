@@ -42,6 +42,7 @@ namespace fem
     if (!(options.damping >= 0))
       throw std::invalid_argument("Damping = " + std::to_string(options.damping) + " 1/s: must not be negative.");
     lump_mass();
+    find_weight();
     find_step();
     held.resize(u.locally_owned_size());
     for (unsigned int i = 0; i < held.size(); ++i)
@@ -100,6 +101,24 @@ namespace fem
         }
     lumped.compress(VectorOperation::add);
     lumped.update_ghost_values();
+  }
+
+  template <int dim>
+  void ExplicitSolver<dim>::find_weight()
+  {
+    if (options.gravity == std::array<double, 3>{0, 0, 0})
+      return;
+    weight         = solid.make_vector();
+    const auto &fe = solid.dofs().get_fe();
+    std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+    for (const auto &cell : solid.dofs().active_cell_iterators())
+      if (!cell->is_artificial())
+        {
+          cell->get_dof_indices(indices);
+          for (unsigned int i = 0; i < indices.size(); ++i)
+            if (weight.in_local_range(indices[i]))
+              weight[indices[i]] = lumped[indices[i]] * options.gravity[fe.system_to_component_index(i).first];
+        }
   }
 
   template <int dim>
@@ -190,6 +209,8 @@ namespace fem
   void ExplicitSolver<dim>::find_external_force()
   {
     solid.external_force(current_time, f_ext);
+    if (weight.size() > 0)
+      f_ext += weight;
     if (outside.force.size() > 0)
       f_ext += outside.force;
   }

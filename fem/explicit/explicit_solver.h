@@ -2,6 +2,8 @@
 
 #include "fem/solid/solid.h"
 
+#include <array>
+
 namespace fem
 {
   struct ExplicitOptions
@@ -9,6 +11,7 @@ namespace fem
     std::map<std::string, double> density;       ///< [kg/m^3], for every material name of the mesh
     double                        damping = 0.0; ///< alpha of the damping force alpha M v [1/s]
     double                        safety  = 0.9; ///< step over the critical step of the elements
+    std::array<double, 3>         gravity = {0, 0, 0}; ///< acceleration of what falls; its work is external work [m/s^2]
   };
 
   /// Energies [J]; `external + start = kinetic + internal + damped` up to balance().
@@ -105,6 +108,7 @@ namespace fem
 
   private:
     void         lump_mass();
+    void         find_weight();
     void         find_step();
     double       kicked(unsigned int i, double old, double kick) const; ///< velocity after a kick by the present forces
     void         keep_account(double length, double pushed);
@@ -117,6 +121,7 @@ namespace fem
     ExplicitOutside   outside;
     double            last_length = 0;
     Vector            u, v, f_int, f_ext, lumped;
+    Vector            weight; ///< of every displacement along its own axis [N]; empty: none
     Vector            mean;                              ///< velocity at the last whole step, for the damping work
     Vector            moved, target, f_before, e_before; ///< of a step
     double            step_limit   = 0;

@@ -104,7 +104,8 @@ namespace apps
   {
     Section &s = root.section("Motion", "How an explicit analysis goes on");
     s.only_if(std::move(is_explicit), "Model/Analysis = explicit");
-    s.number("End time", end_time, "s", Range::positive(), Need::required).means("Of the motion");
+    if (ends_itself)
+      s.number("End time", end_time, "s", Range::positive(), Need::required).means("Of the motion");
     s.number("Damping", damping, "1/s", Range::at_least(0), Need::optional)
       .means("alpha of the damping force alpha M v, which halves vibrations in 1.4/alpha");
     s.number("Safety", safety, "-", {std::numeric_limits<double>::min(), 1.0, false}, Need::optional)
@@ -148,7 +149,27 @@ namespace apps
     output.declare(root, dynamics);
   }
 
+  void ContinuumModel::declare_as_part(Section &root)
+  {
+    solid.analysis     = SolidSection::Analysis::dynamics;
+    motion.ends_itself = false;
+    solid.declare(root);
+    mesh.declare(root, solid.dimension);
+    materials.declare(root, [] { return true; });
+    loads.declare(root);
+    motion.declare(root, [] { return true; });
+  }
+
   void ContinuumModel::validate(const Section &root) const
+  {
+    validate_as_part(root);
+    std::vector<std::string> points;
+    for (const auto &point : loads.points)
+      points.push_back(point->name);
+    control.validate(root, points);
+  }
+
+  void ContinuumModel::validate_as_part(const Section &root) const
   {
     const Section &s = *root.find_section("Model");
     if (solid.large_displacement && solid.mean_dilatation)
@@ -156,9 +177,5 @@ namespace apps
     mesh.validate(root, solid.dimension);
     materials.validate(root, solid.large_displacement);
     loads.validate(root, solid.dimension);
-    std::vector<std::string> points;
-    for (const auto &point : loads.points)
-      points.push_back(point->name);
-    control.validate(root, points);
   }
 } // namespace apps

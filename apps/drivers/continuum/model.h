@@ -66,6 +66,7 @@ namespace apps
   {
     double                    end_time = 0, damping = 0, safety = 0.9;
     std::array<Expression, 3> initial_velocity;
+    bool                      ends_itself = true; ///< otherwise the scene says when
 
     void declare(Section &root, std::function<bool()> is_explicit);
   };
@@ -92,8 +93,11 @@ namespace apps
     ContinuumOutputSection output;
 
     void declare(Section &root);
+    /** The sections of a solid that moves together with something else: the scene says where that ends and what is written. */
+    void declare_as_part(Section &root);
     /** Rules between entries. @throws dem::InputError. */
     void validate(const Section &root) const;
+    void validate_as_part(const Section &root) const;
 
     bool is_static() const { return solid.analysis == SolidSection::Analysis::statics; }
   };

@@ -63,13 +63,23 @@ namespace apps
     });
   }
 
-  std::vector<double> ParticlesBody::row() const
+  std::vector<double> ParticlesBody::gauges() const
   {
+    std::vector<double> values;
+    if (model->gauges.gauges.empty())
+      return values;
     const dem::ParticleOutput particles = body.particles();
     const ObservedSpecimen    seen{body, particles, motion, groups, walls};
-    std::vector<double>       row = {body.time()};
     for (const GaugeSection &gauge : model->gauges.gauges)
-      row.push_back(value_of(gauge, seen));
+      values.push_back(value_of(gauge, seen));
+    return values;
+  }
+
+  std::vector<double> ParticlesBody::row() const
+  {
+    std::vector<double> row = {body.time()};
+    for (const double value : gauges())
+      row.push_back(value);
     const dem::Counts counts = body.counts();
     row.insert(row.end(), {static_cast<double>(counts.links), static_cast<double>(counts.broken),
                            static_cast<double>(counts.contacts + counts.wall_contacts)});

@@ -26,9 +26,15 @@ namespace apps
     /** So many steps, whatever the time. */
     void advance(std::int64_t steps);
 
+    /** What the next step does: motion, walls and forces. Whoever advances the specimen himself calls it before each step. */
+    void lead_next_step();
+
+    /** Values of the gauges, now. */
+    std::vector<double> gauges() const;
     /** Numbers of the columns of the series, now. */
     std::vector<double>  row() const;
     const dem::Specimen &specimen() const { return body; }
+    dem::Specimen       &specimen() { return body; } ///< for what is coupled with it
     const Walls         &all_walls() const { return walls; }
     /** A reader must have been made from the same model and packing. */
     void visit_state(dem::StateVisitor &visitor) { body.visit_state(visitor); }
@@ -41,8 +47,5 @@ namespace apps
     PrescribedMotion      motion;
     AppliedForces         forces;
     Walls                 walls;
-
-    /** What the next step does: motion, walls and forces. */
-    void lead_next_step();
   };
 } // namespace apps

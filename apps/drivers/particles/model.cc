@@ -31,32 +31,50 @@ namespace apps
 
   void ParticlesModel::declare(Section &root)
   {
+    declare_as_part(root);
+    declare_course(root);
+  }
+
+  void ParticlesModel::declare_as_part(Section &root)
+  {
     SpecimenSection::Use use;
     use.other_particles = true;
     source.declare(root, physics.dimension, use);
     more.declare(root);
     material.declare(root);
     declare_physics(root, physics);
-    time.declare(root);
-    root.find_section("Time")
-      ->number("End time", end_time, "s", Range::positive(), Need::required)
-      .means("When the run ends, unless a stop condition ends it before");
-    gravity.declare(root);
     groups.declare(root);
     motion.declare(root);
     forces.declare(root);
     walls.declare(root);
     initial_velocity.declare(root);
     gauges.declare(root);
+  }
+
+  void ParticlesModel::declare_course(Section &root)
+  {
+    time.declare(root);
+    root.find_section("Time")
+      ->number("End time", end_time, "s", Range::positive(), Need::required)
+      .means("When the run ends, unless a stop condition ends it before");
+    gravity.declare(root);
     stops.declare(root);
     declare_output(root, output, horizontal, vertical);
   }
 
   void ParticlesModel::validate(const Section &root) const
   {
+    validate_as_part(root);
+    gravity.validate(root, physics.dimension);
+    stops.validate(root, column_names());
+    curve_horizontal();
+    curve_vertical();
+  }
+
+  void ParticlesModel::validate_as_part(const Section &root) const
+  {
     source.validate(root, physics.dimension);
     material.validate(root, physics.dimension);
-    gravity.validate(root, physics.dimension);
     const Section &specimen = *root.find_section("Specimen");
     if (bonded() && !specimen.find_entry("Interaction ratio")->set)
       specimen.refuse("Interaction ratio", "the law links particles from the start: say up to which distance. CPM: "
@@ -71,9 +89,6 @@ namespace apps
     walls.validate(root, physics.dimension);
     initial_velocity.validate(root, physics, names);
     gauges.validate(root, names, motion, walls);
-    stops.validate(root, column_names());
-    curve_horizontal();
-    curve_vertical();
   }
 
   dem::Packing ParticlesModel::packing() const

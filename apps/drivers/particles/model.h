@@ -33,8 +33,13 @@ namespace apps
     std::string             horizontal, vertical; ///< columns of the curve, as the scene asks for them
 
     void declare(Section &root);
+    /** What is there: all sections but the four of the course. */
+    void declare_as_part(Section &root);
+    /** How it goes on: sections Time, Gravity, Stop and Output. */
+    void declare_course(Section &root);
     /** @throws dem::InputError. */
     void validate(const Section &root) const;
+    void validate_as_part(const Section &root) const;
 
     /** Whether the law links particles from the start. @pre validated */
     bool bonded() const { return material.materials().bonds(physics)->bonds(); }

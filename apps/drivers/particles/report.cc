@@ -2,6 +2,7 @@
 
 #include "apps/drivers/parts/drawn_curve.h"
 #include "apps/drivers/parts/left_out_of_balance.h"
+#include "apps/drivers/parts/series_figures.h"
 #include "apps/process/progress.h"
 #include "apps/process/version.h"
 #include "apps/results/warning.h"
@@ -17,32 +18,6 @@
 
 namespace apps
 {
-  namespace
-  {
-    /** Last, least and largest value of a column, and when. */
-    nlohmann::json figure_of(const postprocess::CsvTable &series, const std::string &name, const std::string &unit)
-    {
-      const std::vector<double> &values = series.column(name), &time = series.column("time");
-      const auto                 least = std::min_element(values.begin(), values.end()) - values.begin();
-      const auto                 most  = std::max_element(values.begin(), values.end()) - values.begin();
-      const auto                 at    = [&](const std::ptrdiff_t row) {
-        return nlohmann::json{{"value", values[static_cast<std::size_t>(row)]},
-                              {"unit", unit.empty() ? "-" : unit},
-                              {"at_time", time[static_cast<std::size_t>(row)]}};
-      };
-      return {{"end", at(static_cast<std::ptrdiff_t>(values.size()) - 1)}, {"least", at(least)}, {"largest", at(most)}};
-    }
-  } // namespace
-
-  std::string ParticlesReport::ended_by() const
-  {
-    std::vector<double> last;
-    for (const auto &column : series.columns)
-      last.push_back(column.back());
-    const std::string condition = series.rows() > 1 ? model.stops.fulfilled(series.names, last) : "";
-    return condition.empty() ? "end time" : condition;
-  }
-
   nlohmann::json ParticlesReport::figures() const
   {
     nlohmann::json found = nlohmann::json::object();
@@ -52,19 +27,9 @@ namespace apps
     return found;
   }
 
-  double ParticlesReport::balance_error() const
-  {
-    const auto largest = [](const std::vector<double> &values) { return std::fabs(values[peak_row(values)]); };
-    double     most    = 0;
-    for (const std::string &name : series.names)
-      if (name.rfind("energy_", 0) == 0 && name != "energy_residual")
-        most = std::max(most, largest(series.column(name)));
-    return most > 0 ? largest(series.column("energy_residual")) / most : 0;
-  }
-
   nlohmann::json ParticlesReport::energy() const
   {
-    nlohmann::json terms = {{"balance_error", balance_error()}, {"unit", "J"}};
+    nlohmann::json terms = {{"balance_error", worst_residual(series)}, {"unit", "J"}};
     specimen.energy().each([&](const std::string &term, const double value) { terms[term] = value; });
     if (!not_in_balance.empty())
       terms["not_in_balance"] = not_in_balance;
@@ -78,7 +43,7 @@ namespace apps
     summary["scene"]    = request.scene_file;
     summary["asked"]    = {{"kind", "particles"}, {"overrides", request.overrides}};
     summary["version"]  = version();
-    summary["ended_by"] = ended_by();
+    summary["ended_by"] = model.stops.what_ended(series);
     summary["end_time"] = {{"value", specimen.time()}, {"unit", "s"}};
     summary["figures"]  = figures();
     summary["energy"]   = energy();
@@ -100,10 +65,10 @@ namespace apps
     std::string text;
     for (const GaugeSection &gauge : model.gauges.gauges)
       text += fmt::format("{:<24} {:.6g} {}\n", gauge.name, series.column(gauge.name).back(), gauge.unit());
-    text += fmt::format("ended by     {}, at {:.6g} s\n", ended_by(), specimen.time());
+    text += fmt::format("ended by     {}, at {:.6g} s\n", model.stops.what_ended(series), specimen.time());
     if (start)
       text += fmt::format("start        {}\n", text_of(*start));
-    text += fmt::format("energy       balance error {:.1e} of the largest energy\n", balance_error());
+    text += fmt::format("energy       balance error {:.1e} of the largest energy\n", worst_residual(series));
     text += balance_note(not_in_balance);
     text += fmt::format("cost         {}, {} steps with {} threads\n", duration_text(wall_seconds), specimen.steps(),
                         omp_get_max_threads());

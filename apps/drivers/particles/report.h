@@ -32,7 +32,5 @@ namespace apps
   private:
     nlohmann::json figures() const;
     nlohmann::json energy() const;
-    double         balance_error() const; ///< largest residual over the largest energy, both of all rows
-    std::string    ended_by() const;      ///< "end time", or the name of a stop condition
   };
 } // namespace apps

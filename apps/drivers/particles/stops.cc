@@ -46,4 +46,13 @@ namespace apps
       }
     return "";
   }
+
+  std::string StopsSection::what_ended(const postprocess::CsvTable &series) const
+  {
+    std::vector<double> last;
+    for (const auto &column : series.columns)
+      last.push_back(column.back());
+    const std::string condition = series.rows() > 1 ? fulfilled(series.names, last) : "";
+    return condition.empty() ? "end time" : condition;
+  }
 } // namespace apps

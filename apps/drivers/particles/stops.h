@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/scene/section.h"
+#include "postprocess/csv_table.h"
 
 #include <list>
 #include <string>
@@ -33,5 +34,7 @@ namespace apps
     void validate(const Section &root, const std::vector<std::string> &columns) const;
     /** Name of the first condition that a row fulfils; "" if none does. @param row its first number is the time */
     std::string fulfilled(const std::vector<std::string> &columns, const std::vector<double> &row) const;
+    /** What ended a complete run: "end time", or the name of a condition. */
+    std::string what_ended(const postprocess::CsvTable &series) const;
   };
 } // namespace apps

@@ -1,5 +1,6 @@
 #include "apps/drivers/particles/walls.h"
 
+#include "apps/drivers/particles/contact_entries.h"
 #include "apps/drivers/particles/wall_files.h"
 #include "apps/scene/formula_variables.h"
 #include "apps/scene/same_name.h"
@@ -26,7 +27,7 @@ namespace apps
     declare_box(s);
     declare_cylinder(s);
     declare_file(s);
-    declare_contact(s);
+    declare_contact(s, contact);
     declare_control(s);
   }
 
@@ -103,16 +104,6 @@ namespace apps
     s.number("Scale", scale, "-", Range::positive(), Need::optional)
       .means("By which lengths of the file are multiplied to be metres")
       .only_if(chosen, "Shape = file");
-  }
-
-  void WallSection::declare_contact(Section &s)
-  {
-    s.number("Effective modulus", contact.effective_modulus, "Pa", Range::positive(), Need::required)
-      .means("E*: normal stiffness with a sphere of radius r is pi r E*; with a disc 2 t E*");
-    s.number("Stiffness ratio", contact.stiffness_ratio, "-", Range::positive(), Need::optional)
-      .means("Normal over shear stiffness");
-    s.number("Friction coefficient", contact.friction_coefficient, "-", Range::at_least(0), Need::optional)
-      .means("Shear force that sliding keeps over the normal one");
   }
 
   void WallSection::declare_control(Section &s)

@@ -63,7 +63,6 @@ namespace apps
     void declare_box(Section &section);
     void declare_cylinder(Section &section);
     void declare_file(Section &section);
-    void declare_contact(Section &section);
     void declare_control(Section &section);
   };
 

@@ -1,0 +1,81 @@
+#include "apps/drivers/continuum/motion.h"
+
+#include "apps/drivers/continuum/analysis.h"
+
+namespace apps
+{
+  namespace
+  {
+    fem::ExplicitOptions explicit_options(const ContinuumModel &model)
+    {
+      fem::ExplicitOptions options;
+      for (const auto &group : model.materials.groups)
+        options.density[group->group] = group->density;
+      options.damping = model.motion.damping;
+      options.safety  = model.motion.safety;
+      return options;
+    }
+
+    template <int dim>
+    fem::VectorOf<dim> initial_velocity(const MotionSection &motion)
+    {
+      return [&v = motion.initial_velocity](const dealii::Point<dim> &x, const double) {
+        dealii::Tensor<1, dim> at;
+        for (unsigned int c = 0; c < dim; ++c)
+          if (v[c].given())
+            at[c] = v[c](x[0], x[1], dim == 3 ? x[dim - 1] : 0.0, 0.0);
+        return at;
+      };
+    }
+  } // namespace
+
+  template <int dim>
+  std::unique_ptr<fem::ExplicitSolver<dim>>
+  make_motion(fem::Solid<dim> &solid, const ContinuumModel &model, const std::array<double, 3> &gravity)
+  {
+    try
+      {
+        fem::ExplicitOptions options = explicit_options(model);
+        options.gravity              = gravity;
+        auto        motion           = std::make_unique<fem::ExplicitSolver<dim>>(solid, options);
+        const auto &v                = model.motion.initial_velocity;
+        if (v[0].given() || v[1].given() || v[2].given())
+          motion->set_velocity(initial_velocity<dim>(model.motion));
+        return motion;
+      }
+    catch (const std::invalid_argument &refusal)
+      {
+        throw dem::InputError(refusal.what());
+      }
+  }
+
+  template <int dim>
+  void visit_motion(dem::StateVisitor &visitor, fem::ExplicitSolver<dim> &motion, fem::Solid<dim> &solid)
+  {
+    fem::ExplicitState saved   = motion.state();
+    std::int64_t       started = saved.started ? 1 : 0;
+    visitor.scalar("time", saved.time);
+    visitor.scalar("started", started);
+    saved.started = started == 1;
+    visitor.scalar("energy_kinetic", saved.energy.kinetic);
+    visitor.scalar("energy_internal", saved.energy.internal);
+    visitor.scalar("energy_external", saved.energy.external);
+    visitor.scalar("energy_damped", saved.energy.damped);
+    visitor.scalar("energy_start", saved.energy.start);
+    visit_vector(visitor, "displacement", saved.displacement);
+    visit_vector(visitor, "velocity", saved.velocity);
+    visit_vector(visitor, "internal_force", saved.internal_force);
+    visit_vector(visitor, "mean_velocity", saved.mean_velocity);
+    visit_vector(visitor, "last_motion", saved.last_motion);
+    visitor.scalar("last_length", saved.last_length);
+    motion.restore(saved);
+    visit_histories(visitor, solid);
+  }
+
+  template std::unique_ptr<fem::ExplicitSolver<2>>
+  make_motion(fem::Solid<2> &, const ContinuumModel &, const std::array<double, 3> &);
+  template std::unique_ptr<fem::ExplicitSolver<3>>
+                make_motion(fem::Solid<3> &, const ContinuumModel &, const std::array<double, 3> &);
+  template void visit_motion(dem::StateVisitor &, fem::ExplicitSolver<2> &, fem::Solid<2> &);
+  template void visit_motion(dem::StateVisitor &, fem::ExplicitSolver<3> &, fem::Solid<3> &);
+} // namespace apps

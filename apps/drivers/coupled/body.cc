@@ -1,0 +1,278 @@
+#include "apps/drivers/coupled/body.h"
+
+#include "apps/drivers/continuum/gauges.h"
+#include "apps/drivers/continuum/motion.h"
+#include "apps/drivers/continuum/snapshot.h"
+#include "apps/drivers/continuum/solid.h"
+#include "apps/process/interrupt.h"
+#include "apps/results/run_work.h"
+#include "coupling/concurrent/concurrent_motion.h"
+#include "dem/facets/surface.h"
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace apps
+{
+  using Eigen::Vector3d;
+
+  void InterfaceFigures::visit_state(dem::StateVisitor &visitor)
+  {
+    visitor.scalar("peak_force", peak_force);
+    visitor.scalar("peak_time", peak_time);
+    visitor.scalar("first_touch", first_touch);
+    visitor.scalar("last_touch", last_touch);
+  }
+
+  namespace
+  {
+    constexpr const char *axes[3] = {"_x", "_y", "_z"};
+
+    template <typename Refusable>
+    auto in_words_of_input(const Refusable &work)
+    {
+      try
+        {
+          return work();
+        }
+      catch (const dem::InputError &)
+        {
+          throw;
+        }
+      catch (const std::invalid_argument &refusal)
+        {
+          throw dem::InputError(refusal.what());
+        }
+    }
+
+    template <int dim>
+    class Body : public CoupledBody
+    {
+    public:
+      Body(const CoupledModel &what, const dem::Packing &packing)
+        : model(what)
+        , body(what.particles, packing)
+        , solid(make_solid<dim>(what.continuum))
+        , motion(make_motion(*solid, what.continuum, what.particles.gravity.acceleration))
+        , participant(in_words_of_input([&] { return coupling::SolidParticipant<dim>(*solid, *motion); }))
+        , both(body.specimen(), *solid, *motion, participant, [this] { body.lead_next_step(); })
+        , gauges(*solid, what.continuum)
+      {
+        both.set_largest_ratio(static_cast<int>(what.largest_ratio));
+        for (const CouplingSection &coupling : model.couplings.couplings)
+          in_words_of_input([&] {
+            both.add_surface({coupling.name, coupling.boundaries(), coupling.contact});
+            return 0;
+          });
+        model.validate_columns(columns(), told());
+      }
+
+      StaticStart start() override
+      {
+        const StaticStart found = body.start();
+        body.specimen().find_surface_forces(); // refuses particles that lie in the solid
+        return found;
+      }
+
+      void advance_to(const double end) override
+      {
+        do
+          step(end - time());
+        while (time() < end * (1 - 1e-12) && !interrupted());
+      }
+
+      void advance(const std::int64_t count) override
+      {
+        for (std::int64_t n = 0; n < count && time() < model.particles.end_time * (1 - 1e-12); ++n)
+          step(model.particles.end_time - time());
+      }
+
+      std::vector<postprocess::SeriesColumn> columns() const override
+      {
+        std::vector<postprocess::SeriesColumn> all = {{"time", "s"}};
+        const auto add = [&](const std::string &name, const char *unit) { all.push_back({name, unit}); };
+        for (const postprocess::SeriesColumn &told_one : told())
+          all.push_back(told_one);
+        for (const char *count : {"links", "broken_links", "contacts"})
+          add(count, "");
+        for (const CouplingSection &coupling : model.couplings.couplings)
+          {
+            add(column_name(coupling.name) + "_contacts", "");
+            add(column_name(coupling.name) + "_work", "J");
+            add(column_name(coupling.name) + "_made", "J");
+          }
+        for (const char *quantity : {"momentum", "angular_momentum"})
+          for (const char *axis : axes)
+            add(std::string(quantity) + axis, quantity[0] == 'm' ? "N s" : "N m s");
+        for (const char *term : {"kinetic", "internal", "external", "damped", "start"})
+          add(std::string("energy_solid_") + term, "J");
+        dem::EnergyAccount().each([&](const std::string &term, double) { add("energy_particles_" + term, "J"); });
+        add("energy_residual", "J");
+        return all;
+      }
+
+      std::vector<postprocess::SeriesColumn> told() const override
+      {
+        std::vector<postprocess::SeriesColumn> all;
+        for (const GaugeColumn &gauge : gauges.columns())
+          {
+            all.push_back(gauge.column);
+            if (const std::string energy = "energy_"; all.back().name.rfind(energy, 0) == 0)
+              all.back().name.insert(energy.size(), "solid_");
+          }
+        for (const GaugeSection &gauge : model.particles.gauges.gauges)
+          all.push_back({gauge.name, gauge.unit()});
+        for (const CouplingSection &coupling : model.couplings.couplings)
+          for (int d = 0; d < dim; ++d)
+            all.push_back({column_name(coupling.name) + "_force" + axes[d], "N"});
+        return all;
+      }
+
+      std::vector<double> row() override
+      {
+        const dem::Specimen      &specimen = body.specimen();
+        const fem::ExplicitEnergy s        = motion->energy();
+        const dem::EnergyAccount  p        = specimen.energy();
+        std::vector<double>       values   = {time()};
+        const auto add = [&](const auto &list) { values.insert(values.end(), std::begin(list), std::end(list)); };
+        add(gauges.read({&motion->displacement(), &motion->internal_force(), &motion->external_force()}, s.internal));
+        add(body.gauges());
+        for (const auto &surface : both.surfaces())
+          for (int d = 0; d < dim; ++d)
+            values.push_back(specimen.surface(surface->surface()).total_force[d]);
+        const dem::Counts counts = specimen.counts();
+        add(std::initializer_list<double>{static_cast<double>(counts.links), static_cast<double>(counts.broken),
+                                          static_cast<double>(counts.contacts + counts.wall_contacts)});
+        double made = 0;
+        for (const auto &surface : both.surfaces())
+          {
+            const coupling::SurfaceBalance balance = surface->balance();
+            add(std::initializer_list<double>{static_cast<double>(specimen.surface(surface->surface()).touching),
+                                              balance.work_on_solid, balance.made()});
+            made += balance.made();
+          }
+        const auto [linear, angular] = momentum();
+        add(std::initializer_list<double>{linear[0], linear[1], linear[2], angular[0], angular[1], angular[2]});
+        add(std::initializer_list<double>{s.kinetic, s.internal, s.external, s.damped, s.start});
+        p.each([&](const std::string_view, const double value) { values.push_back(value); });
+        // What went into one side by the other is no energy from outside.
+        values.push_back(s.external + s.start - s.kinetic - s.internal - s.damped + p.residual() - made);
+        largest_energy = std::max({largest_energy, s.kinetic + std::fabs(s.internal), p.kinetic + p.elastic,
+                                   std::fabs(s.external), std::fabs(p.external_work), std::fabs(p.gravity)});
+        watch_interfaces();
+        return values;
+      }
+
+      ParticlesBody &particles() override { return body; }
+      double         time() const override { return motion->time(); }
+      CoupledSteps   steps() const override
+      {
+        const coupling::WindowSteps next = both.next_window(model.particles.end_time);
+        return {next.window, both.solid_step(), both.particle_step(), next.solid, next.particles};
+      }
+      std::size_t             elements() const override { return solid->mesh().triangulation->n_global_active_cells(); }
+      std::size_t             unknowns() const override { return solid->dofs().n_dofs(); }
+      std::int64_t            windows() const override { return window_count; }
+      const InterfaceFigures &interface() const override { return figures; }
+
+      std::string write_solid(const std::filesystem::path &folder, const std::size_t number) override
+      {
+        fem::Vector reaction = motion->internal_force();
+        reaction -= motion->external_force();
+        reaction.update_ghost_values();
+        return apps::write_solid(*solid, motion->displacement(), reaction, {folder / "solid", "solid", number, time()});
+      }
+
+      void visit_state(RunState &state) override
+      {
+        state.group("specimen");
+        body.visit_state(state);
+        state.group("solid");
+        visit_motion(state, *motion, *solid);
+        gauges.visit_state(state);
+        state.group("couplings");
+        both.visit_state(state);
+        figures.visit_state(state);
+        state.scalar("largest_energy", largest_energy);
+        state.scalar("windows", window_count);
+      }
+
+    private:
+      void step(const double rest)
+      {
+        both.advance(rest);
+        ++window_count;
+        const double now = body.specimen().time();
+        for (const auto &coupled : both.surfaces())
+          {
+            const dem::Surface &surface = body.specimen().surface(coupled->surface());
+            if (surface.touching == 0)
+              continue;
+            if (!figures.touched())
+              figures.first_touch = now;
+            figures.last_touch = now;
+            if (const double force = surface.total_force.norm(); force > figures.peak_force)
+              {
+                figures.peak_force = force;
+                figures.peak_time  = now;
+              }
+          }
+      }
+
+      /** Of all: central differences keep the sum of x(n) and m v(n-1/2). */
+      std::pair<Vector3d, Vector3d> momentum() const
+      {
+        Vector3d linear = Vector3d::Zero(), angular = Vector3d::Zero();
+        for (std::size_t i = 0; i < body.specimen().counts().particles; ++i)
+          {
+            const dem::ParticleState p = body.specimen().particle(i);
+            linear += p.mass * p.velocity;
+            angular += p.position.cross(p.mass * p.velocity) + p.inertia * p.spin;
+          }
+        for (std::size_t i = 0; i < participant.carriers(); ++i)
+          {
+            const Vector3d carried = participant.mass(i) * participant.velocity(i);
+            linear += carried;
+            angular += participant.position(i).cross(carried);
+          }
+        return {linear, angular};
+      }
+
+      void watch_interfaces() const
+      {
+        auto coupling = model.couplings.couplings.begin();
+        for (const auto &surface : both.surfaces())
+          {
+            const double made = surface->balance().made();
+            if (std::fabs(made) > coupling->energy_limit * largest_energy)
+              throw StoppedShort(fmt::format("Couplings/{}: at {:.6g} s the coupling has made {:.3g} J by itself, more "
+                                             "than Energy limit = {} of the "
+                                             "largest energy, {:.3g} J. Lower Time/Largest ratio or Time/Step factor.",
+                                             coupling->name, time(), made, coupling->energy_limit, largest_energy));
+            ++coupling;
+          }
+      }
+
+      const CoupledModel                       &model;
+      ParticlesBody                             body;
+      std::unique_ptr<fem::Solid<dim>>          solid;
+      std::unique_ptr<fem::ExplicitSolver<dim>> motion;
+      coupling::SolidParticipant<dim>           participant;
+      coupling::ConcurrentMotion<dim>           both;
+      ContinuumGauges<dim>                      gauges;
+      InterfaceFigures                          figures;
+      double                                    largest_energy = 0; ///< of all rows so far [J]
+      std::int64_t                              window_count   = 0;
+    };
+  } // namespace
+
+  std::unique_ptr<CoupledBody> make_coupled_body(const CoupledModel &model, const dem::Packing &packing)
+  {
+    if (model.dimension() == 2)
+      return std::make_unique<Body<2>>(model, packing);
+    return std::make_unique<Body<3>>(model, packing);
+  }
+} // namespace apps

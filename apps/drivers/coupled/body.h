@@ -1,0 +1,69 @@
+#pragma once
+
+#include "apps/drivers/continuum/gauge_column.h"
+#include "apps/drivers/coupled/model.h"
+#include "apps/drivers/particles/body.h"
+#include "apps/results/run_state.h"
+#include "postprocess/series.h"
+
+#include <filesystem>
+#include <map>
+#include <memory>
+
+namespace apps
+{
+  /** What the surfaces of the solid have felt, of every step. */
+  struct InterfaceFigures
+  {
+    double peak_force = 0, peak_time = 0;     ///< largest resultant on a surface [N], and when [s]
+    double first_touch = -1, last_touch = -1; ///< [s]; -1: never
+
+    bool   touched() const { return first_touch >= 0; }
+    double contact_time() const { return last_touch - first_touch; }
+    void   visit_state(dem::StateVisitor &visitor);
+  };
+
+  /** Steps that both sides take now. */
+  struct CoupledSteps
+  {
+    double window = 0, solid = 0, particles = 0; ///< what is taken; what either side could take alone [s]
+    int    solid_steps = 1, particle_steps = 1;  ///< in a window
+  };
+
+  /** A solid and particles that touch, as a run drives and records them; whatever the dimension. */
+  class CoupledBody
+  {
+  public:
+    virtual ~CoupledBody() = default;
+
+    /** Before the first step. @throws dem::InputError for particles that lie in the solid, as well */
+    virtual StaticStart start() = 0;
+
+    /** At least one window, up to this time; fewer when interrupted. @throws StoppedShort, dem::NumericalError */
+    virtual void advance_to(double time) = 0;
+    /** So many windows. */
+    virtual void advance(std::int64_t windows) = 0;
+
+    virtual std::vector<postprocess::SeriesColumn> columns() const = 0; ///< of the series; the first is the time
+    virtual std::vector<double>                    row()           = 0;
+    /** Columns that the summary tells of, with their units. */
+    virtual std::vector<postprocess::SeriesColumn> told() const = 0;
+
+    virtual ParticlesBody          &particles()       = 0;
+    virtual double                  time() const      = 0; ///< [s]
+    virtual CoupledSteps            steps() const     = 0;
+    virtual std::size_t             elements() const  = 0;
+    virtual std::size_t             unknowns() const  = 0;
+    virtual std::int64_t            windows() const   = 0; ///< taken
+    virtual const InterfaceFigures &interface() const = 0;
+
+    /** @param number of the snapshot. @return name of its file in the folder. @throws postprocess::OutputError */
+    virtual std::string write_solid(const std::filesystem::path &folder, std::size_t number) = 0;
+
+    /** A reader must have been made from the same model and packing. */
+    virtual void visit_state(RunState &state) = 0;
+  };
+
+  /** @param packing as ParticlesModel::packing() makes it. Both outlive the body. @throws dem::InputError */
+  std::unique_ptr<CoupledBody> make_coupled_body(const CoupledModel &model, const dem::Packing &packing);
+} // namespace apps

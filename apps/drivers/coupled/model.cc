@@ -1,0 +1,86 @@
+#include "apps/drivers/coupled/model.h"
+
+#include "apps/drivers/parts/drawn_curve.h"
+
+#include <algorithm>
+
+namespace apps
+{
+  void ReferencesSection::declare(Section &root)
+  {
+    Section &s =
+      root.section("References", "Known answers: summary.json then tells the relative error of what was found");
+    s.number("Peak force", peak_force, "N", Range::at_least(0), Need::optional)
+      .means("Largest resultant of the particles' forces on a coupled surface; 0: not known")
+      .housekeeping();
+    s.number("Contact time", contact_time, "s", Range::at_least(0), Need::optional)
+      .means("From the first touch of a coupled surface to the last; 0: not known")
+      .housekeeping();
+  }
+
+  void CoupledModel::declare(Section &scene)
+  {
+    root = &scene;
+    continuum.declare_as_part(
+      scene.section("Continuum", "The solid; sections of a scene of kind continuum, in explicit motion"));
+    particles.declare_as_part(scene.section("Particles", "The particles; sections of a scene of kind particles"));
+    couplings.declare(scene);
+    particles.gravity.start = GravitySection::Start::none;
+    particles.declare_course(scene);
+    scene.find_section("Gravity")
+      ->find_entry("Acceleration")
+      ->means("Of all that falls; 0, 0, -9.81 on earth with z upwards");
+    scene.find_section("Time")
+      ->integer("Largest ratio", largest_ratio, "", Range::between(1, 100), Need::optional)
+      .means("Steps that one side may take in one of the other, where its stable step is the shorter one. 1: both take "
+             "the same, which keeps energy to rounding; more saves time and costs energy in proportion to the step");
+    references.declare(scene);
+  }
+
+  void CoupledModel::validate(const Section &scene) const
+  {
+    const Section &solid = *scene.find_section("Continuum"), &body = *scene.find_section("Particles");
+    continuum.validate_as_part(solid);
+    if (continuum.is_static())
+      solid.find_section("Model")->refuse("Analysis", "particles move, and so does what they touch: explicit.");
+    particles.validate_as_part(body);
+    if (particles.physics.dimension != continuum.solid.dimension)
+      solid.find_section("Model")->refuse("Dimension", "must be that of the particles (Particles/Physics/Dimension).");
+    particles.gravity.validate(scene, dimension());
+    couplings.validate(scene);
+    for (const CouplingSection &coupling : couplings.couplings)
+      if (particles.walls.knows(coupling.name))
+        throw dem::InputError("Couplings/" + coupling.name + ": there is a wall of this name. Take another.");
+  }
+
+  namespace
+  {
+    std::vector<std::string> names_of(const std::vector<postprocess::SeriesColumn> &columns)
+    {
+      std::vector<std::string> names;
+      for (const postprocess::SeriesColumn &column : columns)
+        names.push_back(column.name);
+      return names;
+    }
+  } // namespace
+
+  void CoupledModel::validate_columns(const std::vector<postprocess::SeriesColumn> &columns,
+                                      const std::vector<postprocess::SeriesColumn> &told) const
+  {
+    std::vector<std::string> names = names_of(columns);
+    particles.stops.validate(*root, names);
+    curve(columns, told);
+    std::sort(names.begin(), names.end());
+    if (const auto twice = std::adjacent_find(names.begin(), names.end()); twice != names.end())
+      throw dem::InputError("column " + *twice +
+                            " of series.csv would be there twice. Name a gauge or a coupling otherwise.");
+  }
+
+  std::pair<std::string, std::string> CoupledModel::curve(const std::vector<postprocess::SeriesColumn> &columns,
+                                                          const std::vector<postprocess::SeriesColumn> &told) const
+  {
+    const std::vector<std::string> names = names_of(columns);
+    return {chosen_column(names, "Curve horizontal", particles.horizontal, "time"),
+            chosen_column(names, "Curve vertical", particles.vertical, told.back().name)};
+  }
+} // namespace apps

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "apps/drivers/coupled/couplings.h"
+#include "apps/drivers/particles/model.h"
+
+#include <utility>
+
+namespace apps
+{
+  /** Section "References": known answers. */
+  struct ReferencesSection
+  {
+    double peak_force = 0, contact_time = 0; ///< [N], [s]; 0: not known
+
+    void declare(Section &root);
+  };
+
+  /** Everything that a scene of kind "coupled" says. */
+  struct CoupledModel
+  {
+    ContinuumModel    continuum;
+    ParticlesModel    particles; ///< its course (time, gravity, stops, output) is that of all
+    CouplingsSection  couplings;
+    ReferencesSection references;
+    std::int64_t      largest_ratio = 1;       ///< of steps of one side in one of the other
+    const Section    *root          = nullptr; ///< of the scene, which outlives the model
+
+    void declare(Section &root);
+    /** @throws dem::InputError. */
+    void validate(const Section &root) const;
+
+    /** What can be said once the solid is made. @throws dem::InputError for a stop or a curve of a column that there is not */
+    void validate_columns(const std::vector<postprocess::SeriesColumn> &columns,
+                          const std::vector<postprocess::SeriesColumn> &told) const;
+    /** Columns of the curve. @throws dem::InputError */
+    std::pair<std::string, std::string> curve(const std::vector<postprocess::SeriesColumn> &columns,
+                                              const std::vector<postprocess::SeriesColumn> &told) const;
+
+    int dimension() const { return particles.physics.dimension; }
+  };
+} // namespace apps

@@ -1,0 +1,125 @@
+#include "apps/drivers/coupled/report.h"
+
+#include "apps/drivers/continuum/gauges.h"
+#include "apps/drivers/parts/drawn_curve.h"
+#include "apps/drivers/parts/left_out_of_balance.h"
+#include "apps/drivers/parts/series_figures.h"
+#include "apps/process/progress.h"
+#include "apps/process/version.h"
+#include "apps/results/warning.h"
+#include "postprocess/summary.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <omp.h>
+
+#include <cmath>
+
+namespace apps
+{
+  namespace
+  {
+    /** A figure beside its known answer; 0: none. */
+    nlohmann::json compared(const double value, const char *unit, const double reference)
+    {
+      nlohmann::json figure = {{"value", value}, {"unit", unit}};
+      if (reference > 0)
+        {
+          figure["reference"]      = reference;
+          figure["relative_error"] = value / reference - 1;
+        }
+      return figure;
+    }
+  } // namespace
+
+  nlohmann::json CoupledReport::figures() const
+  {
+    nlohmann::json found = nlohmann::json::object();
+    for (const postprocess::SeriesColumn &column : body.told())
+      found[column.name] = figure_of(series, column.name, column.unit);
+    found["broken_links"]           = body.particles().specimen().counts().broken;
+    const InterfaceFigures &touched = body.interface();
+    if (!touched.touched())
+      return found;
+    found["peak_force"]            = compared(touched.peak_force, "N", model.references.peak_force);
+    found["peak_force"]["at_time"] = touched.peak_time;
+    found["contact_time"]          = compared(touched.contact_time(), "s", model.references.contact_time);
+    found["first_contact"]         = {{"value", touched.first_touch}, {"unit", "s"}};
+    return found;
+  }
+
+  nlohmann::json CoupledReport::energy() const
+  {
+    nlohmann::json    terms = {{"balance_error", worst_residual(series)}, {"unit", "J"}};
+    const std::string all   = "energy_";
+    for (const std::string &name : series.names)
+      if (name.rfind(all, 0) == 0)
+        terms[name.substr(all.size())] = series.column(name).back();
+    for (const CouplingSection &coupling : model.couplings.couplings)
+      terms["made_by_couplings"][coupling.name] = series.column(column_name(coupling.name) + "_made").back();
+    if (!not_in_balance.empty())
+      terms["not_in_balance"] = not_in_balance;
+    return terms;
+  }
+
+  nlohmann::json CoupledReport::cost() const
+  {
+    const dem::Specimen &specimen = body.particles().specimen();
+    const dem::Counts    counts   = specimen.counts();
+    const CoupledSteps   steps    = body.steps();
+    return {{"particles", counts.particles},
+            {"links", counts.links},
+            {"contacts", counts.contacts},
+            {"elements", body.elements()},
+            {"unknowns", body.unknowns()},
+            {"windows", body.windows()},
+            {"particle_steps", specimen.steps()},
+            {"stable_step_of_solid", steps.solid},
+            {"stable_step_of_particles", steps.particles},
+            {"threads", omp_get_max_threads()},
+            {"wall_seconds", wall_seconds}};
+  }
+
+  void CoupledReport::write(const std::filesystem::path &folder) const
+  {
+    nlohmann::json summary;
+    summary["scene"]    = request.scene_file;
+    summary["asked"]    = {{"kind", "coupled"}, {"overrides", request.overrides}};
+    summary["version"]  = version();
+    summary["ended_by"] = model.particles.stops.what_ended(series);
+    summary["end_time"] = {{"value", body.time()}, {"unit", "s"}};
+    summary["figures"]  = figures();
+    summary["energy"]   = energy();
+    summary["cost"]     = cost();
+    materials.put_into(summary);
+    if (start)
+      summary["initial_equilibrium"] = json_of(*start);
+    postprocess::write_json(folder / "summary.json", summary);
+    const std::string title           = std::filesystem::path(request.scene_file).stem().string();
+    const auto [horizontal, vertical] = model.curve(body.columns(), body.told());
+    warn_of_missing("curve.png",
+                    postprocess::plot(folder / "curve.png", {drawn_curve(series, horizontal, vertical, title)}));
+  }
+
+  std::string CoupledReport::text() const
+  {
+    std::string text;
+    for (const postprocess::SeriesColumn &column : body.told())
+      text += fmt::format("{:<40} {:.6g} {}\n", column.name, series.column(column.name).back(), column.unit);
+    const InterfaceFigures &touched = body.interface();
+    if (touched.touched())
+      text += fmt::format("contact      first at {:.6g} s, last at {:.6g} s, at most {:.6g} N\n", touched.first_touch,
+                          touched.last_touch, touched.peak_force);
+    else
+      text += "warning      no particle has ever touched the solid\n";
+    text += fmt::format("ended by     {}, at {:.6g} s\n", model.particles.stops.what_ended(series), body.time());
+    if (start)
+      text += fmt::format("start        {}\n", text_of(*start));
+    text += fmt::format("energy       balance error {:.1e} of the largest energy\n", worst_residual(series));
+    text += balance_note(not_in_balance);
+    text += fmt::format("cost         {}, {} windows with {} threads\n", duration_text(wall_seconds), body.windows(),
+                        omp_get_max_threads());
+    return text;
+  }
+} // namespace apps

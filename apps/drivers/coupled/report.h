@@ -1,0 +1,37 @@
+#pragma once
+
+#include "apps/drivers/coupled/body.h"
+#include "apps/drivers/parts/material_counts.h"
+#include "apps/scene/scene.h"
+#include "postprocess/csv_table.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <filesystem>
+#include <string>
+
+namespace apps
+{
+  /** What a complete run of kind "coupled" tells: for programs, for the eye, for the terminal. */
+  struct CoupledReport
+  {
+    const RunRequest     &request;
+    const CoupledModel   &model;
+    CoupledBody          &body;
+    const MaterialCounts &materials;
+    const StaticStart    &start;
+    postprocess::CsvTable series; ///< complete
+    double                wall_seconds;
+    std::string           not_in_balance; ///< see left_out_of_balance()
+
+    /** summary.json and curve.png. @throws postprocess::OutputError. */
+    void write(const std::filesystem::path &folder) const;
+    /** Figures, what ended the run, energy balance and cost; and a warning where nothing ever touched. */
+    std::string text() const;
+
+  private:
+    nlohmann::json figures() const;
+    nlohmann::json energy() const;
+    nlohmann::json cost() const;
+  };
+} // namespace apps

@@ -1,0 +1,175 @@
+#include "apps/drivers/coupled/run.h"
+
+#include "apps/drivers/coupled/report.h"
+#include "apps/drivers/parts/duration.h"
+#include "apps/drivers/parts/left_out_of_balance.h"
+#include "apps/process/progress.h"
+#include "apps/results/life_cycle.h"
+#include "apps/results/snapshots.h"
+#include "dem/observation/discrete_state.h"
+#include "postprocess/discrete_state_hdf5.h"
+#include "postprocess/packing_io.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace apps
+{
+  namespace
+  {
+    constexpr const char *packing_name = "packing.h5";
+  }
+
+  CoupledRun::CoupledRun(const RunRequest &asked, const CoupledModel &what)
+    : request(asked)
+    , model(what)
+  {
+  }
+
+  int CoupledRun::execute() { return LifeCycle(request, model.particles.output.checkpoint_interval, *this).execute(); }
+
+  void CoupledRun::make_body()
+  {
+    const Progress progress("links");
+    body                          = make_coupled_body(model, packing);
+    const dem::Specimen &specimen = body->particles().specimen();
+    if (packing.material_names.size() > 1)
+      materials = MaterialCounts(packing.material_names, specimen.particles().material, specimen.links().law);
+  }
+
+  void CoupledRun::prepare()
+  {
+    packing = model.particles.packing();
+    make_body();
+    const Progress progress("initial state");
+    start = body->start();
+  }
+
+  void CoupledRun::open(const std::filesystem::path &folder)
+  {
+    location = folder;
+    if (model.particles.output.snapshots == 0)
+      return;
+    snapshots.open(folder, "particles", true);
+    solids.emplace(folder, "solid", ".vtu");
+  }
+
+  void CoupledRun::begin(const std::filesystem::path &folder, const Record &record)
+  {
+    postprocess::write_packing(packing, folder / packing_name);
+    open(folder);
+    snapshot();
+    record({{}, body->row(), {}});
+  }
+
+  void CoupledRun::reopen(const std::filesystem::path &folder)
+  {
+    packing = postprocess::read_packing(folder / packing_name);
+    make_body();
+    open(folder);
+  }
+
+  void CoupledRun::visit_state(RunState &state)
+  {
+    state.group("coupled");
+    apps::visit_state(state, start);
+    state.scalar("samples", samples);
+    state.scalar("stopped", stopped);
+    body->visit_state(state);
+    snapshots.visit_state(state);
+    visit_snapshots(state, "solid_snapshots", solids);
+    windows_before = body->windows();
+  }
+
+  std::string CoupledRun::size() const
+  {
+    const dem::Counts counts = body->particles().specimen().counts();
+    return fmt::format("{} elements, {} unknowns, {} particles, {} links", body->elements(), body->unknowns(),
+                       counts.particles, counts.links);
+  }
+
+  double CoupledRun::done() const { return std::min(1.0, body->time() / model.particles.end_time); }
+
+  std::string CoupledRun::details() const
+  {
+    const dem::Counts counts = body->particles().specimen().counts();
+    return fmt::format("time {:.4g} s, {} contacts, {} links broken, {:.0f} steps/s", body->time(),
+                       counts.contacts + counts.wall_contacts, counts.broken,
+                       static_cast<double>(body->windows() - windows_before) / std::max(stepping_seconds, 1e-9));
+  }
+
+  double CoupledRun::sample_time() const
+  {
+    return model.particles.end_time *
+           (static_cast<double>(samples + 1) / static_cast<double>(model.particles.output.samples));
+  }
+
+  void CoupledRun::advance(const Record &record)
+  {
+    const Stopwatch watch;
+    body->advance_to(sample_time());
+    stepping_seconds += watch.seconds();
+    if (body->time() < sample_time() * (1 - 1e-12)) // interrupted on the way
+      return;
+    const std::int64_t wanted = model.particles.output.snapshots, before = samples++;
+    record_row(record);
+    const auto due = [&](const std::int64_t at) { return at * wanted / model.particles.output.samples; };
+    if (finished() || due(samples) > due(before))
+      snapshot();
+  }
+
+  void CoupledRun::record_row(const Record &record)
+  {
+    const std::vector<double> row = body->row();
+    std::vector<std::string>  names;
+    for (const auto &column : body->columns())
+      names.push_back(column.name);
+    stopped = model.particles.stops.fulfilled(names, row).empty() ? 0 : 1;
+    record({{}, row, {}});
+  }
+
+  void CoupledRun::snapshot()
+  {
+    if (!solids)
+      return;
+    body->write_solid(location, solids->size());
+    solids->add(body->time());
+    snapshots.take(body->particles().specimen());
+    list_together();
+  }
+
+  void CoupledRun::list_together() const
+  {
+    std::vector<postprocess::PvdPart> parts;
+    const dem::Column                &times = solids->listed();
+    for (std::size_t i = 0; i < times.size(); ++i)
+      {
+        const auto list = [&](const int part, const char *name, const char *folder, const char *extension) {
+          parts.push_back({times[i], part, name, fmt::format("{0}/{0}_{1:06}{2}", folder, i, extension)});
+        };
+        list(0, "solid", "solid", ".vtu");
+        list(1, "particles", "particles_particles", ".vtp");
+        list(2, "surfaces", "particles_walls", ".vtp");
+      }
+    postprocess::write_pvd(location / "coupled.pvd", parts);
+  }
+
+  std::string CoupledRun::finish(const std::filesystem::path &folder, const double wall_seconds)
+  {
+    const dem::Specimen &specimen = body->particles().specimen();
+    if (model.particles.bonded())
+      postprocess::write_discrete_state(dem::discrete_state(specimen), folder / "state.h5");
+    const CoupledReport report{request,
+                               model,
+                               *body,
+                               materials,
+                               start,
+                               postprocess::read_csv_table(folder / "series.csv", true),
+                               wall_seconds,
+                               left_out_of_balance(*model.particles.material.materials().bonds(model.particles.physics),
+                                                   specimen.particles().radius)};
+    report.write(folder);
+    return report.text();
+  }
+} // namespace apps

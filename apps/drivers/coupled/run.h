@@ -1,0 +1,64 @@
+#pragma once
+
+#include "apps/drivers/coupled/body.h"
+#include "apps/drivers/parts/material_counts.h"
+#include "apps/drivers/parts/specimen_snapshots.h"
+#include "apps/results/run_work.h"
+#include "apps/scene/scene.h"
+
+#include <memory>
+#include <optional>
+
+namespace apps
+{
+  /**
+   * The work of a scene of kind "coupled".
+   *
+   * In the result folder, besides what every run has (life_cycle.h): packing.h5; coupled.pvd, which shows solid, particles and surfaces
+   * together, with the snapshots and lists of each; and at the end summary.json, curve.png, and of bonded particles state.h5.
+   */
+  class CoupledRun : public RunWork
+  {
+  public:
+    CoupledRun(const RunRequest &request, const CoupledModel &model);
+
+    /** @return exit status: 0, or 130 after an interrupt. Throws as Scene::run(). */
+    int execute();
+
+  private:
+    void                                   prepare() override;
+    void                                   begin(const std::filesystem::path &folder, const Record &record) override;
+    void                                   reopen(const std::filesystem::path &folder) override;
+    void                                   visit_state(RunState &state) override;
+    std::vector<postprocess::SeriesColumn> series_columns() const override { return body->columns(); }
+    std::string                            size() const override;
+    std::string                            stage() const override { return "motion"; }
+    double                                 done() const override;
+    std::string                            details() const override;
+    bool        finished() const override { return stopped != 0 || samples == model.particles.output.samples; }
+    void        advance(const Record &record) override;
+    void        leave_last_state() override { snapshot(); }
+    std::string finish(const std::filesystem::path &folder, double wall_seconds) override;
+
+    void   make_body();
+    void   open(const std::filesystem::path &folder);
+    double sample_time() const; ///< of the next sample [s]
+    void   record_row(const Record &record);
+    void   snapshot();
+    void   list_together() const;
+
+    RunRequest                                request;
+    const CoupledModel                       &model;
+    dem::Packing                              packing;
+    std::unique_ptr<CoupledBody>              body;
+    MaterialCounts                            materials; ///< before anything moves
+    StaticStart                               start;
+    std::filesystem::path                     location;
+    SpecimenSnapshots                         snapshots;
+    std::optional<postprocess::PvdCollection> solids;
+    std::int64_t                              samples          = 0; ///< so far, without that of the start
+    std::int64_t                              stopped          = 0; ///< 1: a stop condition holds
+    double                                    stepping_seconds = 0; ///< wall clock, since the run began or was resumed
+    std::int64_t                              windows_before   = 0; ///< when it did
+  };
+} // namespace apps

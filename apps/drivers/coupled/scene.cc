@@ -1,0 +1,54 @@
+#include "apps/drivers/coupled/scene.h"
+
+#include "apps/drivers/coupled/run.h"
+#include "apps/drivers/parts/duration.h"
+#include "apps/drivers/parts/material_counts.h"
+#include "apps/process/mpi_session.h"
+
+#include <fmt/format.h>
+
+namespace apps
+{
+  std::string CoupledScene::forecast() const
+  {
+    start_mpi();
+    const Stopwatch    set_up;
+    const dem::Packing packing        = model.particles.packing();
+    const auto         body           = make_coupled_body(model, packing); // refuses what a run would refuse
+    const StaticStart  start          = body->start();
+    const double       set_up_seconds = set_up.seconds();
+    const auto        &specimen       = body->particles().specimen();
+    const CoupledSteps steps          = body->steps();
+    const double       windows        = model.particles.end_time / steps.window;
+    std::string        text;
+    text += fmt::format("  elements     {}\n  unknowns     {}\n", body->elements(), body->unknowns());
+    text += fmt::format("  particles    {}\n  links        {}\n", specimen.counts().particles, specimen.counts().links);
+    text += MaterialCounts(packing.material_names, specimen.particles().material, specimen.links().law).text();
+    text += fmt::format("  groups       {}\n", text_of(model.particles.groups_in(packing)));
+    if (!model.particles.walls.walls.empty())
+      text += fmt::format("  walls        {}\n", body->particles().all_walls().text());
+    for (const CouplingSection &coupling : model.couplings.couplings)
+      text += fmt::format("  coupling     {}, on {}\n", coupling.name,
+                          coupling.boundary.empty() ? "all of the boundary" : coupling.boundary);
+    text += fmt::format("  steps        solid {:.4g} s, particles {:.4g} s: ratio {:.3g}\n", steps.solid,
+                        steps.particles, steps.solid / steps.particles);
+    text += fmt::format("  window       {:.4g} s, with {} of the solid and {} of the particles\n", steps.window,
+                        steps.solid_steps, steps.particle_steps);
+    if (start)
+      text += fmt::format("  start        {}\n", text_of(*start));
+    text += fmt::format("  windows      {:.0f}{}\n", windows,
+                        model.particles.stops.stops.empty() ? "" : ", fewer where a stop condition comes first");
+    const double cost = seconds_per_unit([&](const std::int64_t count) {
+      const std::int64_t before = body->windows();
+      body->advance(count);
+      return body->windows() - before;
+    });
+    return text + duration_line(set_up_seconds + windows * cost);
+  }
+
+  int CoupledScene::run(const RunRequest &request) const
+  {
+    start_mpi();
+    return CoupledRun(request, model).execute();
+  }
+} // namespace apps

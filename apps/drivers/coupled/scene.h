@@ -1,0 +1,20 @@
+#pragma once
+
+#include "apps/drivers/coupled/model.h"
+#include "apps/scene/scene.h"
+
+namespace apps
+{
+  /** Scene kind "coupled": particles and a solid of finite elements that touch, in motion. */
+  class CoupledScene : public Scene
+  {
+  public:
+    void        declare(Section &root) override { model.declare(root); }
+    void        validate(const Section &root) const override { model.validate(root); }
+    std::string forecast() const override;
+    int         run(const RunRequest &request) const override;
+
+  private:
+    CoupledModel model;
+  };
+} // namespace apps

@@ -1,0 +1,34 @@
+#include "apps/drivers/parts/series_figures.h"
+
+#include "apps/drivers/parts/drawn_curve.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace apps
+{
+  nlohmann::json figure_of(const postprocess::CsvTable &series, const std::string &name, const std::string &unit)
+  {
+    const std::vector<double> &values = series.column(name), &time = series.column("time");
+    const auto                 least = std::min_element(values.begin(), values.end()) - values.begin();
+    const auto                 most  = std::max_element(values.begin(), values.end()) - values.begin();
+    const auto                 at    = [&](const std::ptrdiff_t row) {
+      return nlohmann::json{{"value", values[static_cast<std::size_t>(row)]},
+                            {"unit", unit.empty() ? "-" : unit},
+                            {"at_time", time[static_cast<std::size_t>(row)]}};
+    };
+    return {{"end", at(static_cast<std::ptrdiff_t>(values.size()) - 1)}, {"least", at(least)}, {"largest", at(most)}};
+  }
+
+  double worst_residual(const postprocess::CsvTable &series)
+  {
+    const auto largest = [](const std::vector<double> &values) { return std::fabs(values[peak_row(values)]); };
+    double     most    = 0;
+    for (const std::string &name : series.names)
+      if (name.rfind("energy_", 0) == 0 && name != "energy_residual")
+        most = std::max(most, largest(series.column(name)));
+    return most > 0 ? largest(series.column("energy_residual")) / most : 0;
+  }
+} // namespace apps
