@@ -5,10 +5,35 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace coupling
 {
   using Eigen::Vector3d;
+
+  namespace
+  {
+    double smallest_size(const dem::FacetMesh &mesh)
+    {
+      double least = std::numeric_limits<double>::infinity();
+      for (const auto &facet : mesh.facet)
+        {
+          const auto     corner = [&](const std::size_t c) { return mesh.vertex[static_cast<std::size_t>(facet[c])]; };
+          const Vector3d edge   = corner(1) - corner(0);
+          least                 = std::min(
+            least, mesh.corners == 3 ? std::sqrt(edge.cross(Vector3d(corner(2) - corner(0))).norm()) : edge.norm());
+        }
+      return least;
+    }
+
+    double skin_of(const SurfaceCouplingParameters &parameters, const dem::FacetMesh &mesh)
+    {
+      if (!parameters.pressure)
+        return 0;
+      return parameters.skin > 0 ? parameters.skin : 0.05 * smallest_size(mesh);
+    }
+  } // namespace
 
   template <int dim>
   SurfaceCoupling<dim>::SurfaceCoupling(dem::Specimen                   &specimen_,
@@ -19,7 +44,7 @@ namespace coupling
     , participant(participant_)
     , own_name(parameters.name)
     , facets(boundary_facets(solid, participant, parameters.boundaries))
-    , number(specimen.add_surface({parameters.name, facets.mesh, parameters.contact}))
+    , number(specimen.add_surface({parameters.name, facets.mesh, parameters.contact, skin_of(parameters, facets.mesh)}))
     , force(facets.carrier.size(), Vector3d::Zero())
     , place(facets.mesh.vertex)
     , last_motion(facets.carrier.size(), Vector3d::Zero())

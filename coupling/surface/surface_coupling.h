@@ -13,9 +13,11 @@ namespace coupling
   /** A boundary of a solid that particles touch. */
   struct SurfaceCouplingParameters
   {
-    std::string                  name;       ///< for messages
-    std::vector<std::string>     boundaries; ///< of the mesh; empty: all of it
-    dem::LinearContactParameters contact;    ///< with any particle
+    std::string                  name;             ///< for messages
+    std::vector<std::string>     boundaries;       ///< of the mesh; empty: all of it
+    dem::LinearContactParameters contact;          ///< with any particle
+    bool                         pressure = false; ///< particles press on areas, not at points (dem/facets/pressure.h)
+    double                       skin = 0; ///< in which pressure builds up [m]; 0: a twentieth of the smallest facet's size
   };
 
   /** What went through a surface since the start. */

@@ -33,12 +33,20 @@ namespace dem
     : name(p.name)
     , mesh(p.mesh)
     , contact(constants(p.contact, friction))
+    , skin(p.skin)
     , place(mesh.vertex)
     , motion(place.size(), Eigen::Vector3d::Zero())
     , force(motion)
     , impulse(motion)
     , stiffness(place.size(), 0.0)
   {
+    for (std::size_t facet = 0; skin > 0 && facet < mesh.size(); ++facet)
+      {
+        const auto corner = [&](const std::size_t c) { return place[static_cast<std::size_t>(mesh.facet[facet][c])]; };
+        const Eigen::Vector3d edge = corner(1) - corner(0);
+        area.push_back(mesh.corners == 3 ? 0.5 * edge.cross(Eigen::Vector3d(corner(2) - corner(0))).norm() :
+                                           edge.norm());
+      }
   }
 
   double Surface::distance(const std::size_t facet, const Eigen::Vector3d &x) const

@@ -16,6 +16,7 @@ namespace dem
     std::string             name; ///< for messages
     FacetMesh               mesh;
     LinearContactParameters contact; ///< with any particle of radius r: k_n = A E* / r, A = pi r^2 (discs 2 r t)
+    double skin = 0; ///< thickness in which pressure builds up [m] (pressure.h); 0: contacts act at a point
   };
 
   /**
@@ -57,6 +58,8 @@ namespace dem
     std::string            name;
     FacetMesh              mesh;
     LinearContactConstants contact;
+    double                 skin = 0; ///< [m]; 0: contacts act at a point
+    std::vector<double>    area; ///< of the facets as they were made, segments their length [m^2, m]; of a skin only
     Led                    led      = Led::rigidly;
     Eigen::Vector3d        velocity = {0, 0, 0}, spin = {0, 0, 0}; ///< of a rigid one [m/s], [rad/s]
     Eigen::Vector3d        centre = {0, 0, 0};                     ///< that it spins about; moves with it [m]

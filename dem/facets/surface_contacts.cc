@@ -43,7 +43,8 @@ namespace dem
   {
     std::vector<SurfaceContact> contacts;
     std::vector<VertexPart>     parts;
-    std::vector<NearPoint>      near; ///< kept for its memory
+    std::vector<NearPoint>      near;  ///< kept for its memory, as is the next
+    std::vector<SurfaceContact> fresh; ///< of one particle and surface, without history
     std::int32_t                sunk = -1, sunk_into = 0;
   };
 
@@ -61,8 +62,8 @@ namespace dem
     Surface &surface = all[static_cast<std::size_t>(contact.surface)];
     for (std::int32_t k = contact.parts_begin; k < contact.parts_end; ++k)
       {
-        const auto [vertex, weight] = vertex_parts[static_cast<std::size_t>(k)];
-        use(surface, static_cast<std::size_t>(vertex), weight);
+        const VertexPart &part = vertex_parts[static_cast<std::size_t>(k)];
+        use(surface, static_cast<std::size_t>(part.vertex), part);
       }
   }
 
@@ -76,7 +77,7 @@ namespace dem
     for (const SurfaceContact &contact : contacts)
       {
         std::fill_n(&records[record_size * static_cast<std::size_t>(contact.particle)], record_size, 0.0);
-        for_parts(contact, [&](Surface &surface, const std::size_t vertex, double) {
+        for_parts(contact, [&](Surface &surface, const std::size_t vertex, const VertexPart &) {
           surface.force[vertex].setZero();
           surface.stiffness[vertex] = 0;
         });
@@ -215,25 +216,16 @@ namespace dem
         auto before_end = before;
         while (before_end != contacts.end() && before_end->particle == i && before_end->surface == s)
           ++before_end;
+        block.fresh.clear();
+        if (surface.skin > 0)
+          add_patch(surface, shape, radius, centre, block);
+        else
+          add_zones(surface, shape, radius, centre, block);
         std::vector<bool> taken(static_cast<std::size_t>(before_end - before), false);
-        for (const ContactZone &zone : contact_zones(block.near, centre, radius))
+        for (SurfaceContact &now : block.fresh)
           {
-            SurfaceContact now{};
-            now.particle       = i;
-            now.surface        = s;
-            now.facet          = zone.facet;
-            now.place          = zone.place;
-            now.direction      = zone.direction;
-            now.distance       = zone.distance;
-            now.share          = zone.share;
-            now.overlap        = zone.overlap;
-            now.parts_begin    = static_cast<std::int32_t>(block.parts.size());
-            const auto corners = static_cast<std::size_t>(surface.mesh.corners);
-            for (const ContactZone::Part &part : zone.parts)
-              for (std::size_t c = 0; c < corners; ++c)
-                if (part.weight[c] != 0)
-                  block.parts.push_back({surface.mesh.facet[static_cast<std::size_t>(part.facet)][c], part.weight[c]});
-            now.parts_end = static_cast<std::int32_t>(block.parts.size());
+            now.particle = i;
+            now.surface  = s;
             // History goes with the zone that lies nearest to where it was: over edges, from facet to facet.
             const SurfaceContact *same = nullptr;
             double                most = 0.5; // within 60 degrees
@@ -251,11 +243,68 @@ namespace dem
       }
   }
 
-  void SurfaceContacts::follow(const Particles               &particles,
-                               const ParticleShape           &shape,
-                               const SurfaceContact          *before,
-                               SurfaceContact                &now,
-                               const std::vector<VertexPart> &parts_of_now) const
+  void SurfaceContacts::add_zones(const Surface         &surface,
+                                  const ParticleShape   &shape,
+                                  const double           radius,
+                                  const Eigen::Vector3d &centre,
+                                  Block                 &block) const
+  {
+    const auto corners = static_cast<std::size_t>(surface.mesh.corners);
+    for (const ContactZone &zone : contact_zones(block.near, centre, radius))
+      {
+        SurfaceContact now{};
+        now.facet       = zone.facet;
+        now.place       = zone.place;
+        now.direction   = zone.direction;
+        now.distance    = zone.distance;
+        now.share       = zone.share;
+        now.overlap     = zone.overlap;
+        now.stiffness   = area_of(now, shape, radius) * surface.contact.normal / radius;
+        now.pressing    = now.stiffness * now.overlap;
+        now.push        = -now.pressing * now.direction;
+        now.spring      = 0.5 * now.pressing * now.overlap;
+        now.parts_begin = static_cast<std::int32_t>(block.parts.size());
+        for (const ContactZone::Part &part : zone.parts)
+          for (std::size_t c = 0; c < corners; ++c)
+            if (part.weight[c] != 0)
+              block.parts.push_back({surface.mesh.facet[static_cast<std::size_t>(part.facet)][c], part.weight[c],
+                                     -part.weight[c] * now.push});
+        now.parts_end = static_cast<std::int32_t>(block.parts.size());
+        block.fresh.push_back(now);
+      }
+  }
+
+  void SurfaceContacts::add_patch(const Surface         &surface,
+                                  const ParticleShape   &shape,
+                                  const double           radius,
+                                  const Eigen::Vector3d &centre,
+                                  Block                 &block) const
+  {
+    SurfaceContact now{};
+    now.parts_begin          = static_cast<std::int32_t>(block.parts.size());
+    const double       thick = surface.mesh.corners == 2 ? shape.link_area(radius, radius) / (2 * radius) : 1.0;
+    const PressedPatch patch = press(surface, block.near, centre, radius, thick, block.parts);
+    if (!patch.touches())
+      return;
+    now.facet     = patch.facet;
+    now.place     = patch.place;
+    now.distance  = (patch.place - centre).norm();
+    now.direction = (patch.place - centre) / now.distance;
+    now.share     = patch.stiffness * radius / (shape.link_area(radius, radius) * surface.contact.normal);
+    now.overlap   = patch.deepest;
+    now.stiffness = patch.stiffness;
+    now.pressing  = patch.total;
+    now.push      = patch.push;
+    now.spring    = patch.spring;
+    now.parts_end = static_cast<std::int32_t>(block.parts.size());
+    block.fresh.push_back(now);
+  }
+
+  void SurfaceContacts::follow(const Particles         &particles,
+                               const ParticleShape     &shape,
+                               const SurfaceContact    *before,
+                               SurfaceContact          &now,
+                               std::vector<VertexPart> &parts_of_now) const
   {
     const std::int32_t    i       = now.particle;
     const Surface        &surface = all[static_cast<std::size_t>(now.surface)];
@@ -282,14 +331,32 @@ namespace dem
       }
     const Eigen::Vector3d across = slip - mean.dot(slip) * mean;
     const Vec<double, 3>  added  = (1 / radius) * transport(plain(mean), n1, plain(across));
-    shear                        = carried(n0, n1, shear, added);
+    const double          area   = area_of(now, shape, radius);
+    double                lost   = 0;
+    if (before && surface.skin > 0)
+      {
+        // A patch that grows pulls no more for that, and what is gone of it takes its pull along: shear can only lose energy.
+        const double grown = now.share / before->share, spring = 0.5 * area * radius * surface.contact.shear;
+        const double was = spring / grown * dot(shear, shear);
+        if (grown > 1)
+          shear = (1 / grown) * shear;
+        lost = was - spring * dot(shear, shear);
+      }
+    shear = carried(n0, n1, shear, added);
 
+    // The overlap that presses as much at a point.
+    const double     strain = -now.pressing / (area * surface.contact.normal);
     LinkWork<double> work;
-    const auto       answer = linear_contact_force<LinearContactConstants, double, 3>(
-      surface.contact, -now.overlap / radius, area_of(now, shape, radius), radius, added, shear, work);
-    now.shear      = vector(shear);
-    now.force      = answer.normal * now.direction + vector(answer.shear);
-    now.dissipated = work.friction;
+    const auto answer = linear_contact_force<LinearContactConstants, double, 3>(surface.contact, strain, area, radius,
+                                                                                added, shear, work);
+    now.shear         = vector(shear);
+    now.force         = now.push + vector(answer.shear);
+    now.dissipated    = work.friction + lost;
+    for (std::int32_t k = now.parts_begin; k < now.parts_end; ++k)
+      {
+        VertexPart &part = parts_of_now[static_cast<std::size_t>(k)];
+        part.force -= part.weight * vector(answer.shear);
+      }
   }
 
   void
@@ -308,7 +375,7 @@ namespace dem
         if (next == now.end() || (old != contacts.end() && before(*old, *next)))
           {
             SurfaceContact gone = *old++;
-            gone.overlap        = 0; // only shear is left
+            gone.spring         = 0; // only shear is left
             let_go += stored(gone, shape, particles);
           }
         else if (old == contacts.end() || !same(*old, *next))
@@ -318,7 +385,12 @@ namespace dem
             ++next;
           }
         else
-          ++old, ++next;
+          {
+            if (next->stiffness > old->stiffness && all[static_cast<std::size_t>(next->surface)].skin > 0 &&
+                (born.empty() || born.back() != next->particle))
+              born.push_back(next->particle);
+            ++old, ++next;
+          }
       }
     contacts = std::move(now);
     for (const SurfaceContact &contact : contacts)
@@ -331,23 +403,24 @@ namespace dem
       records.assign(record_size * particles.count, 0.0);
     for (const SurfaceContact &contact : contacts)
       {
-        Surface     &surface = all[static_cast<std::size_t>(contact.surface)];
-        const double radius  = particles.radius_of(static_cast<std::size_t>(contact.particle));
-        const double area    = area_of(contact, shape, radius);
-        const double normal = area * surface.contact.normal / radius, shear = area * surface.contact.shear / radius;
-        double      *sum             = &records[record_size * static_cast<std::size_t>(contact.particle)];
-        const Eigen::Vector3d moment = (contact.distance * contact.direction).cross(contact.force);
+        Surface     &surface         = all[static_cast<std::size_t>(contact.surface)];
+        const double radius          = particles.radius_of(static_cast<std::size_t>(contact.particle));
+        const double normal          = contact.stiffness,
+                     shear           = area_of(contact, shape, radius) * surface.contact.shear / radius;
+        double               *sum    = &records[record_size * static_cast<std::size_t>(contact.particle)];
+        const Eigen::Vector3d branch = contact.distance * contact.direction, sheared = contact.force - contact.push;
+        const Eigen::Vector3d moment = branch.cross(sheared); // pressure points to the centre
         for (int c = 0; c < 3; ++c)
           {
             sum[c] += contact.force[c];
             sum[3 + c] += moment[c];
           }
-        for_parts(contact, [&](Surface &of, const std::size_t vertex, const double weight) {
-          of.force[vertex] -= weight * contact.force;
-          of.stiffness[vertex] += weight * std::max(normal, shear);
+        for_parts(contact, [&](Surface &of, const std::size_t vertex, const VertexPart &part) {
+          of.force[vertex] += part.force;
+          of.stiffness[vertex] += part.weight * std::max(normal, shear);
         });
         surface.total_force -= contact.force;
-        surface.total_moment -= contact.place.cross(contact.force);
+        surface.total_moment -= contact.place.cross(sheared) + (contact.place - branch).cross(contact.push);
         const double along = contact.direction.dot(surface.servo.direction), squared = along * along;
         surface.along += squared * normal + (surface.servo.direction.squaredNorm() - squared) * shear;
         ++surface.touching;
@@ -375,8 +448,8 @@ namespace dem
           surface.angular_momentum += kick * surface.total_moment;
         }
     for (const SurfaceContact &contact : contacts)
-      for_parts(contact, [&](Surface &surface, const std::size_t vertex, const double weight) {
-        surface.impulse[vertex] -= kick * weight * contact.force;
+      for_parts(contact, [&](Surface &surface, const std::size_t vertex, const VertexPart &part) {
+        surface.impulse[vertex] += kick * part.force;
       });
   }
 
@@ -387,11 +460,9 @@ namespace dem
       {
         Surface &surface = all[static_cast<std::size_t>(contact.surface)];
         double   of_this = 0;
-        for (std::int32_t k = contact.parts_begin; k < contact.parts_end; ++k)
-          {
-            const auto [vertex, weight] = vertex_parts[static_cast<std::size_t>(k)];
-            of_this += 0.5 * weight * contact.force.dot(surface.motion[static_cast<std::size_t>(vertex)]);
-          }
+        for_parts(contact, [&](const Surface &of, const std::size_t vertex, const VertexPart &part) {
+          of_this -= 0.5 * part.force.dot(of.motion[vertex]);
+        });
         surface.work += of_this;
         work += of_this;
       }
@@ -404,9 +475,9 @@ namespace dem
     const double                    radius = particles.radius_of(static_cast<std::size_t>(contact.particle));
     LinearContact::State<double, 3> state;
     state.shear[0] = plain(contact.shear);
-    return LinearContact::stored(all[static_cast<std::size_t>(contact.surface)].contact,
-                                 {-contact.overlap / radius, contact.distance, radius, area_of(contact, shape, radius)},
-                                 state);
+    return contact.spring + LinearContact::stored(all[static_cast<std::size_t>(contact.surface)].contact,
+                                                  {0, contact.distance, radius, area_of(contact, shape, radius)},
+                                                  state);
   }
 
   double SurfaceContacts::stored(const ParticleShape &shape, const Particles &particles) const
@@ -422,11 +493,14 @@ namespace dem
                                 const ParticleShape  &shape,
                                 const bool            rotations) const
   {
-    const auto   i      = static_cast<std::size_t>(contact.particle);
-    const double radius = particles.radius_of(i);
-    const auto  &law    = all[static_cast<std::size_t>(contact.surface)].contact;
-    const double lever  = rotations ? particles.mass[i] * radius * radius / particles.inertia[i] : 0.0;
-    return shape.link_area(radius, radius) / radius * std::max(law.normal, law.shear * (1 + lever));
+    const auto   i          = static_cast<std::size_t>(contact.particle);
+    const double radius     = particles.radius_of(i);
+    const auto  &law        = all[static_cast<std::size_t>(contact.surface)].contact;
+    const double lever      = rotations ? particles.mass[i] * radius * radius / particles.inertia[i] : 0.0;
+    const double at_a_point = shape.link_area(radius, radius) / radius, shear = law.shear * (1 + lever);
+    if (all[static_cast<std::size_t>(contact.surface)].skin > 0)
+      return std::max(contact.stiffness, contact.share * at_a_point * shear);
+    return at_a_point * std::max(law.normal, shear);
   }
 
   std::vector<double>
@@ -453,14 +527,15 @@ namespace dem
 
   namespace
   {
-    constexpr std::size_t numbers_of_contact = 16;
+    constexpr std::size_t numbers_of_contact = 22;
+    constexpr std::size_t numbers_of_part    = 4;
     constexpr std::size_t indices_of_contact = 5;
 
     void put(const SurfaceContact &c, Column &numbers, std::vector<std::int32_t> &indices)
     {
-      for (const Eigen::Vector3d &v : {c.place, c.direction, c.shear, c.force})
+      for (const Eigen::Vector3d &v : {c.place, c.direction, c.shear, c.force, c.push})
         numbers.insert(numbers.end(), v.data(), v.data() + 3);
-      numbers.insert(numbers.end(), {c.distance, c.share, c.overlap, c.dissipated});
+      numbers.insert(numbers.end(), {c.distance, c.share, c.overlap, c.dissipated, c.pressing, c.stiffness, c.spring});
       indices.insert(indices.end(), {c.particle, c.surface, c.facet, c.parts_begin, c.parts_end});
     }
 
@@ -475,10 +550,14 @@ namespace dem
               Eigen::Vector3d(n + 3),
               Eigen::Vector3d(n + 6),
               Eigen::Vector3d(n + 9),
-              n[12],
-              n[13],
-              n[14],
-              n[15]};
+              n[15],
+              n[16],
+              n[17],
+              n[18],
+              Eigen::Vector3d(n + 12),
+              n[19],
+              n[20],
+              n[21]};
     }
   } // namespace
 
@@ -495,12 +574,13 @@ namespace dem
     for (const VertexPart &part : vertex_parts)
       {
         weights.push_back(part.weight);
+        weights.insert(weights.end(), part.force.data(), part.force.data() + 3);
         vertices.push_back(part.vertex);
       }
     visitor.column("surface_contacts/on_particles", records);
     visitor.column("surface_contacts/numbers", numbers);
     visitor.column("surface_contacts/indices", indices);
-    visitor.column("surface_contacts/weights", weights);
+    visitor.column("surface_contacts/parts", weights);
     visitor.column("surface_contacts/vertices", vertices);
     visitor.scalar("surface_contacts/friction", slid);
     visitor.scalar("surface_contacts/released", let_go);
@@ -512,7 +592,8 @@ namespace dem
       contacts.push_back(get(&numbers[numbers_of_contact * c], &indices[indices_of_contact * c]));
     vertex_parts.clear();
     for (std::size_t k = 0; k < vertices.size(); ++k)
-      vertex_parts.push_back({vertices[k], weights[k]});
+      vertex_parts.push_back(
+        {vertices[k], weights[numbers_of_part * k], Eigen::Vector3d(&weights[numbers_of_part * k + 1])});
     near.forget(); // what is near follows from the places
   }
 } // namespace dem

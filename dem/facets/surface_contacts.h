@@ -3,6 +3,7 @@
 #include "dem/core/state.h"
 #include "dem/facets/contact_zones.h"
 #include "dem/facets/near_facets.h"
+#include "dem/facets/pressure.h"
 #include "dem/facets/surface.h"
 #include "dem/model/particles.h"
 
@@ -24,13 +25,10 @@ namespace dem
     double          share;                    ///< of a whole contact
     double          overlap;                  ///< [m]
     double          dissipated;               ///< by sliding, in this step [J]
-  };
-
-  /** Part of a contact's force that a vertex of its surface takes. */
-  struct VertexPart
-  {
-    std::int32_t vertex;
-    double       weight;
+    Eigen::Vector3d push;                     ///< the force without its shear [N]
+    double          pressing;                 ///< size of what friction is in proportion to [N]
+    double          stiffness;                ///< across the surface [N/m]
+    double          spring;                   ///< stored by it [J]
   };
 
   /**
@@ -51,7 +49,7 @@ namespace dem
     /**
      * Forces of all contacts where everything is now, unless they are known already: what find_forces() of a step finds, that step
      * integrates.
-     * @return particles that have a contact that they did not have before
+     * @return particles that have a contact that they did not have before, or a stiffer one
      */
     const std::vector<std::int32_t> &find_forces(const Particles &particles, const ParticleShape &shape);
     /** @throws InputError for a particle behind a surface or in it by more than half its radius */
@@ -98,13 +96,24 @@ namespace dem
     template <typename Use>
     void for_parts(const SurfaceContact &contact, const Use &use);
 
-    void   find_contacts(const Particles &particles, const ParticleShape &shape);
-    void   touch(const Particles &particles, const ParticleShape &shape, std::size_t listed, Block &block) const;
-    void   follow(const Particles               &particles,
-                  const ParticleShape           &shape,
-                  const SurfaceContact          *before,
-                  SurfaceContact                &now,
-                  const std::vector<VertexPart> &parts_of_now) const;
+    void find_contacts(const Particles &particles, const ParticleShape &shape);
+    void touch(const Particles &particles, const ParticleShape &shape, std::size_t listed, Block &block) const;
+    /** A contact of the block with what it was before: slip, shear, forces on its vertices. */
+    void   follow(const Particles         &particles,
+                  const ParticleShape     &shape,
+                  const SurfaceContact    *before,
+                  SurfaceContact          &now,
+                  std::vector<VertexPart> &parts_of_now) const;
+    void   add_zones(const Surface         &surface,
+                     const ParticleShape   &shape,
+                     double                 radius,
+                     const Eigen::Vector3d &centre,
+                     Block                 &block) const;
+    void   add_patch(const Surface         &surface,
+                     const ParticleShape   &shape,
+                     double                 radius,
+                     const Eigen::Vector3d &centre,
+                     Block                 &block) const;
     void   settle(std::vector<SurfaceContact> &&now, const Particles &particles, const ParticleShape &shape);
     void   hand_out(const Particles &particles, const ParticleShape &shape);
     double stored(const SurfaceContact &contact, const ParticleShape &shape, const Particles &particles) const;

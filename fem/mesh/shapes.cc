@@ -79,6 +79,21 @@ namespace fem
     }
   }
 
+  namespace
+  {
+    /// Sizes in geometric progression that add up to a length.
+    std::vector<double> graded(const double length, const unsigned int count, const double growth)
+    {
+      std::vector<double> sizes{1};
+      double              sum = 1;
+      while (sizes.size() < count)
+        sum += sizes.emplace_back(sizes.back() * growth);
+      for (double &size : sizes)
+        size *= length / sum;
+      return sizes;
+    }
+  } // namespace
+
   template <int dim>
   Mesh<dim> make_shape(const BoxShape &shape, const ShapeOptions &options)
   {
@@ -87,9 +102,20 @@ namespace fem
     for (unsigned int d = 0; d < dim; ++d)
       {
         demand(shape.size[d] > 0 && shape.divisions[d] > 0, "box: its size and divisions must be positive.");
+        demand(shape.growth[d] > 0, "box: the growth of its elements must be positive.");
         corner[d] = shape.size[d];
         divisions.push_back(shape.divisions[d]);
       }
+    if (shape.growth != std::array<double, 3>{1, 1, 1})
+      return finish<dim>(
+        options, box_names,
+        [&](Triangulation<dim> &mesh) {
+          std::vector<std::vector<double>> sizes;
+          for (unsigned int d = 0; d < dim; ++d)
+            sizes.push_back(graded(shape.size[d], shape.divisions[d], shape.growth[d]));
+          GridGenerator::subdivided_hyper_rectangle(mesh, sizes, Point<dim>(), corner);
+        },
+        [&](const Point<dim> &face) { return side_of(face, corner); });
     // The same elements as refinements of fewer: geometric multigrid needs the coarser levels, and they cost nothing.
     ShapeOptions refined = options;
     const auto   even    = [](const unsigned int n) { return n % 2 == 0; };

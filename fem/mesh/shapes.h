@@ -19,6 +19,7 @@ namespace fem
   {
     std::array<double, 3>       size{1, 1, 1};
     std::array<unsigned int, 3> divisions{1, 1, 1};
+    std::array<double, 3>       growth{1, 1, 1}; ///< size of an element over that of its neighbour towards the origin
   };
 
   /**

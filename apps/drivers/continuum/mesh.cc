@@ -44,6 +44,9 @@ namespace apps
         if (i == 2)
           divisions.only_if([&dimension] { return dimension == 3; }, "Model/Dimension = 3");
       }
+    box.vector("Growth", box_growth, "-", Range::between(0.1, 10), Need::optional)
+      .means(
+        "Along each edge, the size of an element over that of its neighbour towards the origin: fine where it matters");
     declare_beam(s, dimension);
     declare_plate(s, dimension);
 
@@ -132,7 +135,8 @@ namespace apps
       case MeshSection::Source::box:
         {
           fem::BoxShape box;
-          box.size = mesh.box_size;
+          box.size   = mesh.box_size;
+          box.growth = mesh.box_growth;
           for (std::size_t i = 0; i < 3; ++i)
             box.divisions[i] = whole(mesh.box_divisions[i]);
           return fem::make_shape<dim>(box, options);

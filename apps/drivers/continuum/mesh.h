@@ -23,6 +23,7 @@ namespace apps
     std::int64_t                refinements = 0;
     std::array<double, 3>       box_size{};
     std::array<std::int64_t, 3> box_divisions{1, 1, 1};
+    std::array<double, 3>       box_growth{1, 1, 1};
     fem::NotchedBeamShape       beam;
     std::int64_t                beam_width_divisions = 4;
     fem::PlateWithHoleShape     plate;

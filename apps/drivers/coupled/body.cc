@@ -64,7 +64,7 @@ namespace apps
         both.set_largest_ratio(static_cast<int>(what.largest_ratio));
         for (const CouplingSection &coupling : model.couplings.couplings)
           in_words_of_input([&] {
-            both.add_surface({coupling.name, coupling.boundaries(), coupling.contact});
+            both.add_surface({coupling.name, coupling.boundaries(), coupling.contact, coupling.pressure, coupling.skin});
             return 0;
           });
         model.validate_columns(columns(), told());

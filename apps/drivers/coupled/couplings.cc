@@ -9,7 +9,19 @@ namespace apps
     name = s.name();
     s.text("Boundary", boundary, Need::optional)
       .means("Names of parts of the solid's boundary, separated by commas; empty: all of it");
+    s.choice("Contact", pressure, {{"point", false}, {"pressure", true}}, Need::optional)
+      .means("point: each particle pushes where it is deepest in the surface, for particles that are small beside the "
+             "faces of "
+             "the elements; pressure: it presses on all of the surface that it covers, for particles that are large "
+             "beside them");
     declare_contact(s, contact);
+    s.find_entry("Effective modulus")
+      ->means(
+        "E*: at a point, normal stiffness with a sphere of radius r is pi r E*, with a disc 2 t E*; pressure is E* "
+        "times the overlap over the skin: of the order of the solid's Young modulus");
+    s.number("Skin thickness", skin, "m", Range::at_least(0), Need::optional)
+      .means("In which the pressure builds up; 0: a twentieth of the size of the smallest face")
+      .only_if([this] { return pressure; }, "Contact = pressure");
     s.number("Energy limit", energy_limit, "-", Range::positive(), Need::optional)
       .means("The run stops where the coupling itself has made or lost more than this part of the largest energy");
   }

@@ -15,7 +15,9 @@ namespace apps
     std::string                  name;
     std::string                  boundary; ///< names, separated by commas; "": all of it
     dem::LinearContactParameters contact;
-    double                       energy_limit = 0.01; ///< that it may make, over the largest energy
+    bool                         pressure     = false; ///< on areas, not at points
+    double                       skin         = 0;     ///< [m]; 0: by the size of the facets
+    double                       energy_limit = 0.01;  ///< that it may make, over the largest energy
 
     void                     declare(Section &section);
     std::vector<std::string> boundaries() const;
