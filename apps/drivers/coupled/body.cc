@@ -203,21 +203,21 @@ namespace apps
     private:
       void step(const double rest)
       {
+        const double at = body.specimen().time(); // of the forces that the step takes
         both.advance(rest);
         ++window_count;
-        const double now = body.specimen().time();
         for (const auto &coupled : both.surfaces())
           {
             const dem::Surface &surface = body.specimen().surface(coupled->surface());
             if (surface.touching == 0)
               continue;
             if (!figures.touched())
-              figures.first_touch = now;
-            figures.last_touch = now;
+              figures.first_touch = at;
+            figures.last_touch = at;
             if (const double force = surface.total_force.norm(); force > figures.peak_force)
               {
                 figures.peak_force = force;
-                figures.peak_time  = now;
+                figures.peak_time  = at;
               }
           }
       }

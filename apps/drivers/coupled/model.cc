@@ -43,9 +43,9 @@ namespace apps
     continuum.validate_as_part(solid);
     if (continuum.is_static())
       solid.find_section("Model")->refuse("Analysis", "particles move, and so does what they touch: explicit.");
-    particles.validate_as_part(body);
     if (particles.physics.dimension != continuum.solid.dimension)
       solid.find_section("Model")->refuse("Dimension", "must be that of the particles (Particles/Physics/Dimension).");
+    particles.validate_as_part(body);
     particles.gravity.validate(scene, dimension());
     couplings.validate(scene);
     for (const CouplingSection &coupling : couplings.couplings)

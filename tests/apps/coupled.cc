@@ -1,0 +1,272 @@
+// Scenes of kind "coupled", through the program: one account of both sides, weight, resuming, refusals.
+#include "postprocess/csv_table.h"
+#include "tests/apps/program.h"
+#include "tests/apps/scenes.h"
+#include "tests/apps/scratch_folder.h"
+#include "tests/places.h"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <thread>
+
+using namespace apps_tests;
+using Catch::Contains;
+
+namespace
+{
+  /** A spinning ball that meets an edge of a free block. */
+  const std::string collision = R"(set Kind = coupled
+subsection Continuum
+  subsection Model
+    set Dimension          = 3
+    set Large displacement = true
+  end
+  subsection Mesh
+    set Source = box
+    subsection Box
+      set Size        = 0.1, 0.1, 0.1
+      set Divisions x = 3
+      set Divisions y = 3
+      set Divisions z = 3
+    end
+  end
+  subsection Materials
+    subsection solid
+      set Law     = isotropic elastic
+      set Density = 2400
+      subsection isotropic elastic
+        set Young modulus = 10e9
+        set Poisson ratio = 0.2
+      end
+    end
+  end
+end
+subsection Particles
+  subsection Specimen
+    set Source  = none
+    set Density = 7800
+  end
+  subsection More particles
+    subsection ball
+      set Centre = 0.03, 0.062, 0.1205
+      set Radius = 0.02
+    end
+  end
+  subsection Material
+    set Law = linear
+    subsection linear
+      set Effective modulus = 1e8
+    end
+  end
+  subsection Initial velocity
+    subsection ball
+      set Velocity x = 2
+      set Velocity y = -1
+      set Velocity z = -5
+      set Spin y     = 100
+    end
+  end
+end
+subsection Couplings
+  subsection block
+    set Effective modulus    = 1e8
+    set Stiffness ratio      = 2.5
+    set Friction coefficient = 0.4
+  end
+end
+subsection Time
+  set End time    = 4e-3
+  set Damping     = 0
+  set Step factor = 0.05
+end
+subsection Output
+  set Samples   = 40
+  set Snapshots = 4
+end
+)";
+
+  struct Results
+  {
+    nlohmann::json        summary;
+    postprocess::CsvTable series;
+  };
+
+  Results results_in(const std::filesystem::path &folder)
+  {
+    return {nlohmann::json::parse(content_of(folder / "summary.json")),
+            postprocess::read_csv_table(folder / "series.csv", true)};
+  }
+
+  Outcome outcome_of(const ScratchFolder &folder, const std::string &command, std::vector<std::string> changes = {})
+  {
+    std::vector<std::string> words = {command, "x.prm"};
+    if (command == "run")
+      words.insert(words.end(), {"-o", "results"});
+    for (const std::string &change : changes)
+      words.insert(words.end(), {"-s", change});
+    return run(folder.path(), words);
+  }
+
+  Results results_of(const ScratchFolder &folder, const std::vector<std::string> &changes = {})
+  {
+    const Outcome outcome = outcome_of(folder, "run", changes);
+    INFO(outcome.err);
+    REQUIRE(outcome.status == 0);
+    return results_in(folder / "results");
+  }
+
+  std::string reproducible_part(const std::filesystem::path &results)
+  {
+    return listing_of(results / "solid") + listing_of(results / "particles_particles") +
+           content_of(results / "series.csv") + content_of(results / "coupled.pvd");
+  }
+} // namespace
+
+TEST_CASE("A ball and a free block keep momentum, angular momentum and energy, and the account tells it",
+          "[apps][coupled]")
+{
+  const ScratchFolder folder;
+  folder.file("x.prm", collision);
+  const Results found = results_of(folder);
+  REQUIRE(found.summary["figures"]["peak_force"]["value"].get<double>() > 1000);
+  CHECK(found.series.column("block_contacts").back() == 0); // it has left again
+  for (const std::string quantity : {"momentum", "angular_momentum"})
+    {
+      double size = 0;
+      for (const char *axis : {"_x", "_y", "_z"})
+        size = std::max(size, std::fabs(found.series.column(quantity + axis).front()));
+      for (const char *axis : {"_x", "_y", "_z"})
+        for (const double value : found.series.column(quantity + axis))
+          // What spins about a tilting axis is kept to the order of the step only, hence more for the second.
+          CHECK(std::fabs(value - found.series.column(quantity + axis).front()) <
+                (quantity == "momentum" ? 1e-11 : 1e-5) * size);
+    }
+  CHECK(found.summary["energy"]["balance_error"].get<double>() < 1e-3);
+  CHECK(std::fabs(found.summary["energy"]["made_by_couplings"]["block"].get<double>()) <
+        1e-12 * found.summary["energy"]["particles_initial"].get<double>());
+  const std::string together = content_of(folder / "results/coupled.pvd");
+  CHECK_THAT(together, Contains("solid/solid_000004.vtu") &&
+                         Contains("particles_particles/particles_particles_000004.vtp") &&
+                         Contains("particles_walls/particles_walls_000004.vtp"));
+}
+
+TEST_CASE("Balls at rest weigh on a slab what they weigh, and the slab's supports carry both", "[apps][coupled]")
+{
+  const ScratchFolder folder;
+  std::string         scene = replaced(collision, "    set Large displacement = true\n", "");
+  scene                     = replaced(scene, "set Young modulus = 10e9", "set Young modulus = 200e6");
+  scene =
+    replaced(scene,
+             "  subsection Initial velocity\n    subsection ball\n      set Velocity x = 2\n      set Velocity y = -1\n"
+             "      set Velocity z = -5\n      set Spin y     = 100\n    end\n  end\n",
+             "");
+  scene = replaced(scene, "set Centre = 0.03, 0.062, 0.1205", "set Centre = 0.03, 0.062, 0.1199");
+  scene = replaced(scene, "    subsection ball\n",
+                   "    subsection other\n      set Centre = 0.07, 0.02, 0.1199\n      set Radius = 0.02\n    end\n"
+                   "    subsection ball\n");
+  scene = replaced(
+    scene, "  subsection Materials\n",
+    "  subsection Boundary conditions\n    subsection back\n      set Displacement x = 0\n      set Displacement "
+    "y = 0\n      set Displacement z = 0\n    end\n  end\n  subsection Motion\n    set Damping = 200\n  end\n"
+    "  subsection Materials\n");
+  scene += "subsection Gravity\n  set Acceleration = 0, 0, -9.81\nend\n";
+  folder.file("x.prm", scene);
+  const Results found = results_of(
+    folder, {"Time/End time=1.5", "Time/Damping=0.7", "Time/Step factor=0.3", "Couplings/block/Effective modulus=1e6"});
+  const double balls = 2 * 7800 * 4.0 / 3 * M_PI * 8e-6 * 9.81, block = 2400 * 1e-3 * 9.81;
+  CHECK(found.series.column("block_force_z").back() == Approx(-balls).epsilon(1e-6));
+  CHECK(found.series.column("reaction_back_z").back() == Approx(balls + block).epsilon(1e-6));
+  CHECK(found.summary["energy"]["balance_error"].get<double>() < 1e-3);
+}
+
+TEST_CASE("A coupled run is the same to the last bit with any number of threads", "[apps][coupled]")
+{
+  const ScratchFolder folder;
+  folder.file("x.prm", collision);
+  std::string first;
+  for (const char *threads : {"1", "2"})
+    {
+      REQUIRE(run(folder.path(), {"run", "x.prm", "-o", "results", "--threads", threads}).status == 0);
+      const std::string now = reproducible_part(folder / "results");
+      CHECK((first.empty() || now == first));
+      first = now;
+    }
+}
+
+TEST_CASE("An interrupted or killed coupled run goes on to the same bits", "[apps][coupled][slow][S13]")
+{
+  const ScratchFolder folder;
+  folder.file("x.prm",
+              replaced(collision, "subsection Output\n", "subsection Output\n  set Checkpoint interval = 0.01\n"));
+  const std::string steps = "Time/Step factor=0.01";
+  REQUIRE(run(folder.path(), {"run", "x.prm", "-o", "whole", "-s", steps}).status == 0);
+  for (const int signal : {SIGINT, SIGKILL})
+    {
+      Program program(folder.path(), {"run", "x.prm", "-o", "results", "-s", steps});
+      bool    sent = false;
+      while (program.running())
+        {
+          std::this_thread::sleep_for(std::chrono::milliseconds(5));
+          if (!sent && std::filesystem::exists(folder / "results/running/solid/solid_000002.vtu") &&
+              std::filesystem::exists(folder / "results/running/checkpoint.h5"))
+            {
+              program.send(signal);
+              sent = true;
+            }
+        }
+      REQUIRE(program.wait().status == 128 + signal);
+      const Outcome resumed = run(folder.path(), {"run", "x.prm", "-o", "results", "--resume", "-s", steps});
+      INFO(resumed.err);
+      REQUIRE(resumed.status == 0);
+      CHECK(reproducible_part(folder / "results") == reproducible_part(folder / "whole"));
+      std::filesystem::remove_all(folder / "results");
+    }
+}
+
+TEST_CASE("What cannot be coupled is refused by name", "[apps][coupled]")
+{
+  const ScratchFolder folder;
+  folder.file("x.prm", collision);
+  const auto refused = [&](const std::vector<std::string> &changes, const char *words) {
+    for (const char *command : {"check", "run"})
+      {
+        const Outcome outcome = outcome_of(folder, command, changes);
+        INFO(outcome.err);
+        CHECK(outcome.status == 2);
+        CHECK_THAT(outcome.err, Contains(words));
+        CHECK_FALSE(std::filesystem::exists(folder / "results"));
+      }
+  };
+  refused({"Couplings/block/Boundary=lid"}, "lid");
+  refused({"Continuum/Model/Analysis=static"}, "Analysis");
+  refused({"Particles/Physics/Dimension=2", "Particles/Specimen/Thickness=1"}, "Dimension");
+  refused({"Particles/More particles/ball/Centre=0.03, 0.062, 0.105"}, "block: particle 1");
+  refused({"Output/Curve vertical=nonsense"}, "nonsense");
+  refused({"Couplings/block/Energy limit=0"}, "Energy limit");
+  folder.file("x.prm", collision.substr(0, collision.find("subsection Couplings")) +
+                         collision.substr(collision.find("subsection Time")));
+  refused({}, "Couplings: there is none");
+}
+
+TEST_CASE("A coupling that makes more energy than it may stops the run and says which", "[apps][coupled]")
+{
+  const ScratchFolder folder;
+  folder.file("x.prm", collision);
+  const Outcome outcome =
+    outcome_of(folder, "run", {"Time/Largest ratio=20", "Time/Step factor=0.8", "Couplings/block/Energy limit=1e-6"});
+  CHECK(outcome.status != 0);
+  CHECK_THAT(outcome.err, Contains("Couplings/block") && Contains("Energy limit"));
+}
+
+TEST_CASE("An interface that nobody ever touches is said", "[apps][coupled]")
+{
+  const ScratchFolder folder;
+  folder.file("x.prm", collision);
+  const Outcome outcome = outcome_of(folder, "run", {"Particles/More particles/ball/Centre=0.03, 0.062, 0.3"});
+  CHECK(outcome.status == 0);
+  CHECK_THAT(outcome.out, Contains("no particle has ever touched the solid"));
+}
