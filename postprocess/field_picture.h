@@ -14,12 +14,21 @@ namespace postprocess
     double                               value = 0;
   };
 
+  /** A particle in front of it, drawn as an outline. */
+  struct PictureCircle
+  {
+    std::array<double, 2> centre{};   ///< [m]
+    double                radius = 0; ///< [m]
+  };
+
   /** How a field is drawn. */
   struct FieldPicture
   {
-    std::string title, label;            ///< of the picture and of the colours
-    double      lowest = 0, highest = 1; ///< of the colours
-    char        right = 'x', up = 'y';   ///< names of the axes
+    std::string                title, label;            ///< of the picture and of the colours
+    double                     lowest = 0, highest = 1; ///< of the colours
+    double                     tick  = 0.25;            ///< between labels of the colours
+    char                       right = 'x', up = 'y';   ///< names of the axes
+    std::vector<PictureCircle> circles;
   };
 
   /**

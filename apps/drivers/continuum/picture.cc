@@ -248,6 +248,64 @@ namespace apps
   } // namespace
 
   template <int dim>
+  SolidCut cut_of(const fem::Solid<dim> &solid, const fem::Vector &displacement)
+  {
+    SolidCut                       cut;
+    PicturePlane                   plane;
+    std::map<unsigned int, double> no_value;
+    double                         most = 0, low = 1e300, high = -1e300, nearest = 1e300;
+    const auto                     each_vertex = [&](const auto &use) {
+      for (const auto &cell : solid.dofs().active_cell_iterators())
+        for (const unsigned int v : cell->vertex_indices())
+          {
+            double squared = 0;
+            for (unsigned int c = 0; c < dim; ++c)
+              squared += std::pow(displacement[cell->vertex_dof_index(v, c)], 2);
+            use(cell, cell->vertex(v), squared);
+          }
+    };
+    each_vertex([&](const auto &cell, const dealii::Point<dim> &vertex, const double squared) {
+      no_value[cell->active_cell_index()] = 0;
+      most                                = std::max(most, squared);
+      low                                 = std::min(low, vertex[1]);
+      high                                = std::max(high, vertex[1]);
+    });
+    // Of what moves next to most the place that is most in the middle; and just inside of elements, whose faces belong to none.
+    if (dim == 3)
+      each_vertex([&](const auto &cell, const dealii::Point<dim> &vertex, const double squared) {
+        const double off = std::fabs(vertex[1] - 0.5 * (low + high));
+        if (squared < 0.8 * most || off >= nearest)
+          return;
+        nearest        = off;
+        plane.position = vertex[1] + 1e-3 * (cell->center()[1] - vertex[1]);
+      });
+    if (dim == 3)
+      {
+        plane.up     = 2;
+        plane.across = 1;
+      }
+    const std::vector<double> all = facets_of(solid, displacement, no_value, plane);
+    for (auto numbers = all.begin(); numbers != all.end(); numbers += facet_length)
+      {
+        postprocess::PictureFacet &facet = cut.facets.emplace_back();
+        for (std::ptrdiff_t c = 0; c < 4; ++c)
+          {
+            const double u = numbers[4 * c + 2], v = numbers[4 * c + 3];
+            facet.corner[static_cast<std::size_t>(c)] = {numbers[4 * c] + u, numbers[4 * c + 1] + v};
+            facet.value += 0.25 * std::hypot(u, v);
+          }
+      }
+    cut.right    = static_cast<int>(plane.right);
+    cut.up       = static_cast<int>(plane.up);
+    cut.across   = static_cast<int>(plane.across);
+    cut.position = plane.position;
+    return cut;
+  }
+
+  template SolidCut cut_of(const fem::Solid<2> &, const fem::Vector &);
+  template SolidCut cut_of(const fem::Solid<3> &, const fem::Vector &);
+
+  template <int dim>
   std::string draw_damage(fem::Solid<dim>             &solid,
                           const fem::Vector           &displacement,
                           const std::filesystem::path &file,

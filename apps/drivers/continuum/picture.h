@@ -1,12 +1,26 @@
 #pragma once
 
 #include "fem/solid/solid.h"
+#include "postprocess/field_picture.h"
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace apps
 {
+  /** A solid cut through, as it is now. */
+  struct SolidCut
+  {
+    std::vector<postprocess::PictureFacet> facets; ///< their value: displacement in the plane of the cut [m]
+    int                                    right = 0, up = 1, across = 2; ///< axes
+    double                                 position = 0;                  ///< along `across`, in three dimensions [m]
+  };
+
+  /** All of a plane solid; one in space across y, where it moves most. On one rank. */
+  template <int dim>
+  SolidCut cut_of(const fem::Solid<dim> &solid, const fem::Vector &displacement);
+
   /**
    * Draw the damage of a solid, deformed and magnified: all elements in two dimensions; in three a section, in the plane of the
    * direction that moves most and the longest of the others, where most is damaged.

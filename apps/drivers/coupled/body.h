@@ -60,6 +60,9 @@ namespace apps
     /** @param number of the snapshot. @return name of its file in the folder. @throws postprocess::OutputError */
     virtual std::string write_solid(const std::filesystem::path &folder, std::size_t number) = 0;
 
+    /** Draw a cut through both, as they are now. @return what went wrong, "" if nothing */
+    virtual std::string draw(const std::filesystem::path &file, const std::string &title) const = 0;
+
     /** A reader must have been made from the same model and packing. */
     virtual void visit_state(RunState &state) = 0;
   };

@@ -6,6 +6,7 @@
 #include "apps/process/progress.h"
 #include "apps/results/life_cycle.h"
 #include "apps/results/snapshots.h"
+#include "apps/results/warning.h"
 #include "dem/observation/discrete_state.h"
 #include "postprocess/discrete_state_hdf5.h"
 #include "postprocess/packing_io.h"
@@ -160,6 +161,8 @@ namespace apps
     const dem::Specimen &specimen = body->particles().specimen();
     if (model.particles.bonded())
       postprocess::write_discrete_state(dem::discrete_state(specimen), folder / "state.h5");
+    const std::string title = std::filesystem::path(request.scene_file).stem().string();
+    warn_of_missing("coupled.png", body->draw(folder / "coupled.png", title));
     const CoupledReport report{request,
                                model,
                                *body,
