@@ -91,32 +91,6 @@ namespace dem
     return across(n1, transport(n0, n1, vector) + added);
   }
 
-  /** Rotation by t and the smallest rotation from where it takes n0 to n1 after it, as one matrix: for several vectors, each n0.v = 0. */
-  template <typename T>
-  struct CarryMatrix
-  {
-    Vec<T, 3> row[3];
-
-    /** @param turned n0, rotated by t already */
-    BRECCIA_KERNEL
-    CarryMatrix(const RotationCoefficients<T> &c, const Vec<T, 3> &t, const Vec<T, 3> &turned, const Vec<T, 3> &n1)
-    {
-      const Vec<T, 3> s = c.sine * t, v = c.versine * t;
-      const T         trace = dot(v, t);
-      row[0]                = {{v[0] * t[0] - trace + T(1.0), v[0] * t[1] - s[2], v[0] * t[2] + s[1]}};
-      row[1]                = {{v[1] * t[0] + s[2], v[1] * t[1] - trace + T(1.0), v[1] * t[2] - s[0]}};
-      row[2]                = {{v[2] * t[0] - s[1], v[2] * t[1] + s[0], v[2] * t[2] - trace + T(1.0)}};
-      const Vec<T, 3> along = n1[0] * row[0] + n1[1] * row[1] + n1[2] * row[2];
-      const Vec<T, 3> back  = (T(1.0) / (T(1.0) + dot(turned, n1))) * (turned + n1);
-      for (int i = 0; i < 3; ++i)
-        row[i] = row[i] - back[i] * along;
-    }
-    BRECCIA_KERNEL Vec<T, 3> operator*(const Vec<T, 3> &v) const
-    {
-      return {{dot(row[0], v), dot(row[1], v), dot(row[2], v)}};
-    }
-  };
-
   /** Motion of a pair of particles over one step, what the shear update needs. */
   template <typename T>
   struct PairMotion
@@ -134,31 +108,22 @@ namespace dem
     Vec<T, 3> direction;     ///< n1, from the first end to the second
     T         length;        ///< [m]
     Vec<T, 3> increment;     ///< of the shear vectors in this step, added after they were turned
-    T         twist;         ///< relative rotation about the link in this step, second less first; only if asked for
     T         length_before; ///< at the start of the step [m]
-    Vec<T, 3> bent;          ///< of the bending vectors in this step, as `increment`; only where there are any
   };
 
   /**
  * Advance tangential link vectors by one step, exactly objective (doc/theory/shear-kinematics.md, 1).
  *
- * Rotates each vector with the pair. To those of `shear` it adds the tangential displacement of the contact point over the reference
- * length, to those of `bending` the relative rotation of the ends across the link. Under any rigid motion of the pair the stored
- * vectors turn with it and nothing is added, whatever the size of the step.
+ * Rotates each vector of `shear` with the pair and adds the tangential displacement of the contact point over the reference
+ * length. Under any rigid motion of the pair the stored vectors turn with it and nothing is added, whatever the size of the step.
  *
  * @param inverse_reference 1/L0 [1/m]
- * @param turned   relative rotation of the step, second end less first [rad]; looked at only where there is bending
- * @param shear    in: at the start of the step, perpendicular to n0; out: at its end, perpendicular to n1
- * @param bending  likewise
+ * @param shear  in: at the start of the step, perpendicular to n0; out: at its end, perpendicular to n1
  * @tparam rotations the particles spin; otherwise rotation vectors are not looked at
- * @tparam bendings  how many of the vectors in `bending` there are
  */
-  template <bool rotations, int bendings, typename T, int stored>
-  BRECCIA_KERNEL LinkFrame<T> advance_tangents(const PairMotion<T> &m,
-                                               const T             &inverse_reference,
-                                               const Vec<T, 3>     &turned,
-                                               Vec<T, 3> (&shear)[stored],
-                                               Vec<T, 3> *bending)
+  template <bool rotations, typename T, int stored>
+  BRECCIA_KERNEL LinkFrame<T>
+                 advance_shear(const PairMotion<T> &m, const T &inverse_reference, Vec<T, 3> (&shear)[stored])
   {
     const Vec<T, 3> l0 = m.branch - m.increment;
     const Vec<T, 3> lm = m.branch - T(0.5) * m.increment;
@@ -172,42 +137,16 @@ namespace dem
       du = du - cross(m.arm_rotation, lm);
     du               = du - dot(nm, du) * nm;
     const auto added = inverse_reference * transport(nm, n1, du);
-    T          twist(0.0);
-    Vec<T, 3>  bent{{T(0.0), T(0.0), T(0.0)}};
-    if constexpr (rotations && bendings > 0)
+    if constexpr (rotations)
       {
-        twist                  = dot(nm, turned);
-        bent                   = transport(nm, n1, turned - twist * nm);
-        const auto           c = rotation_coefficients(dot(m.mean_rotation, m.mean_rotation));
-        const CarryMatrix<T> carry(c, m.mean_rotation, rotate(c, m.mean_rotation, n0), n1);
+        const auto c = rotation_coefficients(dot(m.mean_rotation, m.mean_rotation));
+        n0           = rotate(c, m.mean_rotation, n0);
         for (auto &vector : shear)
-          vector = across(n1, carry * vector + added);
-        for (int i = 0; i < bendings; ++i)
-          bending[i] = across(n1, carry * bending[i] + bent);
+          vector = rotate(c, m.mean_rotation, vector);
       }
-    else
-      {
-        if constexpr (rotations)
-          {
-            const auto c = rotation_coefficients(dot(m.mean_rotation, m.mean_rotation));
-            n0           = rotate(c, m.mean_rotation, n0);
-            for (auto &vector : shear)
-              vector = rotate(c, m.mean_rotation, vector);
-          }
-        for (auto &vector : shear)
-          vector = carried(n0, n1, vector, added);
-        for (int i = 0; i < bendings; ++i)
-          bending[i] = carried(n0, n1, bending[i], bent);
-      }
-    return {n1, L1, added, twist, L0, bent};
-  }
-
-  /** The same of shear vectors alone. */
-  template <bool rotations, typename T, int stored>
-  BRECCIA_KERNEL LinkFrame<T>
-                 advance_shear(const PairMotion<T> &m, const T &inverse_reference, Vec<T, 3> (&shear)[stored])
-  {
-    return advance_tangents<rotations, 0>(m, inverse_reference, Vec<T, 3>{}, shear, static_cast<Vec<T, 3> *>(nullptr));
+    for (auto &vector : shear)
+      vector = carried(n0, n1, vector, added);
+    return {n1, L1, added, L0};
   }
 
   /**
@@ -231,7 +170,7 @@ namespace dem
     const Vec<T, 3> added = inverse_reference * (du - dot(n1, du) * n1);
     for (auto &vector : shear)
       vector = vector - cross(vector, turn) + added;
-    return {n1, L1, added, T(0.0), L0, {{T(0.0), T(0.0), T(0.0)}}};
+    return {n1, L1, added, L0};
   }
 
   /** Motion of a pair of discs over one step. */
@@ -249,21 +188,13 @@ namespace dem
     Vec<T, 2> direction;
     T         length;
     Vec<T, 1> increment;
-    T         twist; ///< zero: for symmetry with space
     T         length_before;
-    Vec<T, 1> bent;
   };
 
-  /**
- * The same in the plane: shear is a number, positive along the direction turned by +90 degrees, bending one about z; both turn with
- * the pair by themselves, and nothing twists.
- */
-  template <bool rotations, int bendings, typename T, int stored>
-  BRECCIA_KERNEL PlaneLinkFrame<T> advance_tangents(const PlanePairMotion<T> &m,
-                                                    const T                  &inverse_reference,
-                                                    const T                  &turned,
-                                                    Vec<T, 1> (&shear)[stored],
-                                                    Vec<T, 1> *bending)
+  /** The same in the plane: shear is a number, positive along the direction turned by +90 degrees, and turns with the pair by itself. */
+  template <bool rotations, typename T, int stored>
+  BRECCIA_KERNEL PlaneLinkFrame<T>
+                 advance_shear(const PlanePairMotion<T> &m, const T &inverse_reference, Vec<T, 1> (&shear)[stored])
   {
     const Vec<T, 2> lm = m.branch - T(0.5) * m.increment;
     const T         L1 = square_root(dot(m.branch, m.branch)), Lm = square_root(dot(lm, lm));
@@ -273,17 +204,7 @@ namespace dem
     const Vec<T, 1> added{{inverse_reference * slip}};
     for (auto &value : shear)
       value = value + added;
-    if constexpr (rotations)
-      for (int i = 0; i < bendings; ++i)
-        bending[i].c[0] = bending[i].c[0] + turned;
     const Vec<T, 2> l0 = m.branch - m.increment;
-    return {(T(1.0) / L1) * m.branch, L1, added, T(0.0), square_root(dot(l0, l0)), {{turned}}};
-  }
-
-  template <bool rotations, typename T, int stored>
-  BRECCIA_KERNEL PlaneLinkFrame<T>
-                 advance_shear(const PlanePairMotion<T> &m, const T &inverse_reference, Vec<T, 1> (&shear)[stored])
-  {
-    return advance_tangents<rotations, 0>(m, inverse_reference, T(0.0), shear, static_cast<Vec<T, 1> *>(nullptr));
+    return {(T(1.0) / L1) * m.branch, L1, added, square_root(dot(l0, l0))};
   }
 } // namespace dem

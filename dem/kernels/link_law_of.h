@@ -31,6 +31,18 @@ namespace dem
     return false;
   }
 
+  /** Whether a law speaks of a shear vector that may rest. */
+  template <typename Law>
+  constexpr bool has_resting_shear(decltype(Law::resting_shear, 0))
+  {
+    return true;
+  }
+  template <typename Law>
+  constexpr bool has_resting_shear(...)
+  {
+    return false;
+  }
+
   /**
    * Makes of a law, as it is written in its own file, the LinkLaw that everybody else works with.
    *
@@ -38,6 +50,8 @@ namespace dem
    *
    *   name, bonds, moment, breaks_in_place, records                 constants
    *   waits                                                         constant, if its contacts may wait (LinkLaw::waits)
+   *   resting_shear, acts(state, strain)                            place of a shear vector that stays zero while acts() is false,
+   *                                                                 for laws with a moment: it is neither turned nor written then
    *   Constants, State<T, m>                                        types; State is a LinkState
    *   history()                                                     quantities of numbers, shears, bendings, in this order
    *   put(constants, record), gathered(packs, first)                constants as numbers in records of eight, and back as packs
@@ -219,12 +233,13 @@ namespace dem
     static LinkMotion<double, 3> motion_of(const LinkStep &step, SpaceState &state)
     {
       LinkMotion<double, 3> motion;
-      motion.strain          = step.geometry.strain;
-      motion.strain_before   = step.strain_before;
-      motion.length          = step.geometry.length;
-      motion.reference       = step.geometry.reference;
-      motion.area            = step.geometry.area;
-      motion.twist_increment = step.twist_increment;
+      motion.strain            = step.geometry.strain;
+      motion.strain_before     = step.strain_before;
+      motion.length            = step.geometry.length;
+      motion.reference         = step.geometry.reference;
+      motion.inverse_reference = 1.0 / step.geometry.reference;
+      motion.area              = step.geometry.area;
+      motion.twist_increment   = step.twist_increment;
       for (int c = 0; c < 3; ++c)
         {
           motion.shear_increment[c]   = step.shear_increment[c];

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "dem/kernels/first_order_shear.h"
+#include "dem/kernels/half_records.h"
 #include "dem/kernels/kinematics.h"
 #include "dem/kernels/link_law_of.h"
+#include "dem/kernels/moment_kinematics.h"
 #include "dem/model/links.h"
 #include "dem/model/particles.h"
 
@@ -31,6 +33,7 @@ namespace dem::link_update
     static constexpr int  across       = dimension == 3 ? 3 : 1; ///< components of a vector across the link
     static constexpr bool moment       = Law::moment && rotations;
     static constexpr bool first_order  = is_first_order_shear<Law>;
+    static constexpr bool may_rest     = moment && dimension == 3 && has_resting_shear<Law>(0);
 
     template <typename T>
     using State = typename Law::template State<T, across>;
@@ -39,9 +42,8 @@ namespace dem::link_update
   struct Ends
   {
     Pack pose[8];       ///< branch (3) | sum of tau theta (3) | r_K - r_J | -
-    Pack motion[8];     ///< branch increment (3) | sum of theta (3) | - -
+    Pack motion[8];     ///< branch increment (3) | sum of theta, with moments difference (second - first) (3) | - -
     Pack half_twist[8]; ///< - - - | difference (first - second) of tau theta (3) | - -; unequal radii only
-    Pack turned[8];     ///< - - - | difference (second - first) of theta (3) | - -; laws with a moment only
   };
 
   inline const Pack difference_and_sum([](auto lane) { return lane < 3 || lane > 5 ? -1.0 : 1.0; });
@@ -57,10 +59,11 @@ namespace dem::link_update
         const std::size_t J = record_size * static_cast<std::size_t>(first[lane]),
                           K = record_size * static_cast<std::size_t>(second[lane]);
         const Pack pose_J = load(pose + J), pose_K = load(pose + K);
-        ends.pose[lane]   = pose_K + signs * pose_J;
-        ends.motion[lane] = load(motion + K) + signs * load(motion + J);
+        ends.pose[lane] = pose_K + signs * pose_J;
         if constexpr (P::moment)
-          ends.turned[lane] = load(motion + K) - load(motion + J);
+          ends.motion[lane] = load(motion + K) - load(motion + J);
+        else
+          ends.motion[lane] = load(motion + K) + signs * load(motion + J);
         if constexpr (P::periodic)
           {
             const std::size_t image = record_size * static_cast<std::size_t>(links.image[l + lane]);
@@ -74,8 +77,6 @@ namespace dem::link_update
     transpose(ends.motion);
     if constexpr (P::rotations && !P::equal_radii)
       transpose(ends.half_twist);
-    if constexpr (P::moment)
-      transpose(ends.turned);
   }
 
   /** (r_J - r_K)/L, by which the contact point lies off the middle of the branch; arms are (1 +- this) L/2. */
@@ -120,19 +121,20 @@ namespace dem::link_update
         {{ends.pose[0], ends.pose[1]}}, {{ends.motion[0], ends.motion[1]}}, arm_rotation<P>(ends, 2, eccentric)};
   }
 
-  /** Relative rotation of the ends in the step, where the law wants it. */
+  /** Motion in space of pairs whose links carry moments. */
   template <typename P>
-  BRECCIA_KERNEL auto relative_rotation(const Ends &ends)
+  BRECCIA_KERNEL MomentPairMotion<Pack> moment_pair_motion(const Ends &ends, const Pack &eccentric)
   {
-    if constexpr (P::dimension == 3)
+    MomentPairMotion<Pack> m;
+    for (int c = 0; c < 3; ++c)
       {
-        Vec<Pack, 3> turned;
-        for (int c = 0; c < 3; ++c)
-          turned[c] = P::moment ? ends.turned[3 + c] : Pack(0.0);
-        return turned;
+        m.branch[c]       = ends.pose[c];
+        m.increment[c]    = ends.motion[c];
+        m.arm_rotation[c] = arm_rotation<P>(ends, c, eccentric);
+        m.spin[c]         = Pack(0.5) * ends.pose[3 + c];
+        m.turned[c]       = ends.motion[3 + c];
       }
-    else
-      return P::moment ? ends.turned[5] : Pack(0.0);
+    return m;
   }
 
   /** Eight packs, one per quantity, as the records of eight links. */
@@ -184,17 +186,13 @@ namespace dem::link_update
   template <typename P, typename Frame>
   BRECCIA_KERNEL void put_moment(const Frame &frame, const LinkForce<Pack, P::across> &answer, double *record)
   {
-    Pack out[8];
-    for (auto &o : out)
-      o = Pack(0.0);
+    Pack out[3] = {Pack(0.0), Pack(0.0), Pack(0.0)};
     if constexpr (P::dimension == 3)
       for (int c = 0; c < 3; ++c)
         out[c] = answer.bending_moment[c] + answer.twisting_moment * frame.direction[c];
     else
       out[2] = answer.bending_moment[0];
-    transpose(out);
-    for (int lane = 0; lane < pack_size; ++lane)
-      store_low_half(out[lane], record + half_record_size * lane);
+    store_half_records(out, record);
   }
 
   /** What a block sums up while it goes through its links. */
@@ -247,11 +245,22 @@ namespace dem::link_update
       }
   }
 
+  /** Whether this is the one that lies still while the law says so. */
+  template <typename P>
+  constexpr bool is_resting_shear(const int i)
+  {
+    if constexpr (P::may_rest)
+      return i == P::Law::resting_shear;
+    else
+      return false;
+  }
+
   template <typename P>
   BRECCIA_KERNEL void store_history(const HistoryColumns<P>                &history,
                                     const std::size_t                       l,
                                     const typename P::template State<Pack> &before,
-                                    const typename P::template State<Pack> &state)
+                                    const typename P::template State<Pack> &state,
+                                    const bool                              rests)
   {
     using H                = HistoryColumns<P>;
     using S                = typename H::State;
@@ -259,13 +268,13 @@ namespace dem::link_update
     for (int i = 0; i < S::numbers; ++i)
       if (changed >> i & 1u)
         store(state.number[i], history.column[i] + l);
-    for (int c = 0; c < P::across; ++c)
-      {
-        for (int i = 0; i < S::shears; ++i)
+    for (int i = 0; i < S::shears; ++i)
+      if (!rests || !is_resting_shear<P>(i))
+        for (int c = 0; c < P::across; ++c)
           store(state.shear[i][c], history.column[H::shear_column(i) + c] + l);
-        for (int i = 0; i < S::bendings; ++i)
-          store(state.bending[i][c], history.column[H::bending_column(i) + c] + l);
-      }
+    for (int i = 0; i < S::bendings; ++i)
+      for (int c = 0; c < P::across; ++c)
+        store(state.bending[i][c], history.column[H::bending_column(i) + c] + l);
   }
 
   /** Constants of eight links that may join other materials each. */
@@ -293,7 +302,7 @@ namespace dem::link_update
     return square_root(squared);
   }
 
-  /** Where the links lie, and their shears and bendings at the end of the step. */
+  /** Where the links lie, and their shears at the end of the step; of laws without moments. */
   template <typename P>
   BRECCIA_KERNEL auto advance(const Ends                       &ends,
                               const Pack                       &eccentric,
@@ -308,8 +317,49 @@ namespace dem::link_update
                                          state.shear);
       }
     else
-      return advance_tangents<P::rotations, P::template State<Pack>::bendings>(
-        pair_motion<P>(ends, eccentric), inverse_reference, relative_rotation<P>(ends), state.shear, state.bending);
+      return advance_shear<P::rotations>(pair_motion<P>(ends, eccentric), inverse_reference, state.shear);
+  }
+
+  /** Lengths and directions of a frame, as the law takes them. */
+  template <typename P, typename Frame>
+  BRECCIA_KERNEL LinkMotion<Pack, P::across>
+                 stretch_of(const Frame &frame, const Pack &reference, const Pack &inverse_reference, const Pack &area)
+  {
+    LinkMotion<Pack, P::across> motion;
+    motion.strain            = (frame.length - reference) * inverse_reference;
+    motion.strain_before     = (frame.length_before - reference) * inverse_reference;
+    motion.length            = frame.length;
+    motion.reference         = reference;
+    motion.inverse_reference = inverse_reference;
+    motion.area              = area;
+    return motion;
+  }
+
+  /** Law and forces of eight links that have moved. @param rests the resting shear of all is zero, and need not be written */
+  template <typename P, typename Constants, typename Frame>
+  BRECCIA_KERNEL void answer_pack(LinkSet                                &links,
+                                  const HistoryColumns<P>                &history,
+                                  const Constants                        &law,
+                                  const std::size_t                       l,
+                                  const Ends                             &ends,
+                                  const Pack                             &eccentric,
+                                  const Frame                            &frame,
+                                  const LinkMotion<Pack, P::across>      &motion,
+                                  const typename P::template State<Pack> &before,
+                                  const bool                              rests,
+                                  typename P::template State<Pack>       &state,
+                                  Sums<P>                                &sums)
+  {
+    const auto answer = P::Law::update(law, motion, state, sums.work);
+    store_history<P>(history, l, before, state, rests);
+    const Vec<Pack, 3> force = put_force<P>(frame, answer, eccentric, &links.force[record_size * l]);
+    if constexpr (P::moment)
+      put_moment<P>(frame, answer, &links.moment[half_record_size * l]);
+    if constexpr (P::periodic)
+      for (int i = 0; i < P::dimension; ++i)
+        for (int j = 0; j < P::dimension; ++j)
+          sums.stress_moment[3 * i + j] += ends.pose[i] * force[j];
+    sums.event = sums.event || (answer.event && motion.area > Pack(0.0));
   }
 
   /** Eight links: kinematics, law, force. @tparam Constants of all, or the numbers of each */
@@ -331,29 +381,40 @@ namespace dem::link_update
     const State before    = state;
     const Pack  reference = load(&links.reference_length[l]), area = load(&links.area[l]);
     const Pack  inverse_reference = Pack(1.0) / reference;
-
-    const Pack eccentric = P::equal_radii ? Pack(0.0) : eccentricity<P>(ends, branch_length<P>(ends));
-    const auto frame     = advance<P>(ends, eccentric, reference, inverse_reference, state);
-
-    LinkMotion<Pack, P::across> motion;
-    motion.strain            = (frame.length - reference) * inverse_reference;
-    motion.strain_before     = (frame.length_before - reference) * inverse_reference;
-    motion.length            = frame.length;
-    motion.reference         = reference;
-    motion.area              = area;
-    motion.shear_increment   = frame.increment;
-    motion.bending_increment = frame.bent;
-    motion.twist_increment   = frame.twist;
-    const auto answer        = P::Law::update(law, motion, state, sums.work);
-    store_history<P>(history, l, before, state);
-    const Vec<Pack, 3> force = put_force<P>(frame, answer, eccentric, &links.force[record_size * l]);
-    if constexpr (P::moment)
-      put_moment<P>(frame, answer, &links.moment[half_record_size * l]);
-    if constexpr (P::periodic)
-      for (int i = 0; i < P::dimension; ++i)
-        for (int j = 0; j < P::dimension; ++j)
-          sums.stress_moment[3 * i + j] += ends.pose[i] * force[j];
-    sums.event = sums.event || (answer.event && area > Pack(0.0));
+    const Pack  eccentric         = P::equal_radii ? Pack(0.0) : eccentricity<P>(ends, branch_length<P>(ends));
+    if constexpr (P::moment && P::dimension == 3)
+      {
+        const auto              pair = moment_pair_motion<P>(ends, eccentric);
+        const TurningLink<Pack> frame(pair, inverse_reference);
+        auto                    motion = stretch_of<P>(frame, reference, inverse_reference, area);
+        motion.shear_increment         = frame.across(frame.slip);
+        motion.bending_increment       = frame.across(pair.turned);
+        motion.twist_increment         = frame.along(pair.turned);
+        bool rests                     = false;
+        if constexpr (P::may_rest)
+          rests = !any(P::Law::acts(state, motion.strain));
+        for (int i = 0; i < State::shears; ++i)
+          if (!rests || !is_resting_shear<P>(i))
+            state.shear[i] = frame.carried(state.shear[i], frame.slip);
+        for (int i = 0; i < State::bendings; ++i)
+          state.bending[i] = frame.carried(state.bending[i], pair.turned);
+        answer_pack<P>(links, history, law, l, ends, eccentric, frame, motion, before, rests, state, sums);
+      }
+    else
+      {
+        const auto frame         = advance<P>(ends, eccentric, reference, inverse_reference, state);
+        auto       motion        = stretch_of<P>(frame, reference, inverse_reference, area);
+        motion.shear_increment   = frame.increment;
+        motion.bending_increment = {};
+        motion.twist_increment   = Pack(0.0);
+        if constexpr (P::moment)
+          {
+            motion.bending_increment = {{ends.motion[5]}};
+            for (int i = 0; i < State::bendings; ++i)
+              state.bending[i] = state.bending[i] + motion.bending_increment;
+          }
+        answer_pack<P>(links, history, law, l, ends, eccentric, frame, motion, before, false, state, sums);
+      }
   }
 
   /** Links ahead of the present one whose second ends are fetched: measured best between 64 and 128 on 10^6 particles. */

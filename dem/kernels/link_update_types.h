@@ -15,11 +15,12 @@ namespace dem
   template <typename T, int m>
   struct LinkMotion
   {
-    T         strain;          ///< (length - reference) / reference
-    T         strain_before;   ///< the same at the start of the step
-    T         length;          ///< distance of the centres [m]
-    T         reference;       ///< L0 [m]
-    T         area;            ///< A [m^2]
+    T         strain;            ///< (length - reference) / reference
+    T         strain_before;     ///< the same at the start of the step
+    T         length;            ///< distance of the centres [m]
+    T         reference;         ///< L0 [m]
+    T         inverse_reference; ///< 1/L0 [1/m]
+    T         area;              ///< A [m^2]
     Vec<T, m> shear_increment; ///< tangential displacement of this step at the contact point, over the reference length
     Vec<T, m> bending_increment; ///< relative rotation across the link of this step [rad]; moments only
     T         twist_increment; ///< relative rotation about the link of this step, second less first [rad]; moments only

@@ -1,5 +1,6 @@
 #include "dem/kernels/particle_pass.h"
 
+#include "dem/kernels/half_records.h"
 #include "dem/kernels/kinematics.h"
 
 #include <algorithm>
@@ -48,6 +49,37 @@ namespace dem
       for (std::int32_t o = links.other_begin[i]; o < links.other_begin[i + 1]; ++o)
         sum += weighted<equal_radii>(force + record_size * static_cast<std::size_t>(links.others[o]), lanes.other_sign,
                                      lanes.other_arm);
+    }
+
+    /** The same with moments at contact points: what a link does to its first end, it does to its second the other way round. */
+    template <bool equal_radii>
+    BRECCIA_KERNEL void
+    add_links_with_moments(const LinkSet &links, const std::size_t i, const Lanes &lanes, Pack &sum, HalfPack &moments)
+    {
+      const double *force = links.force.data(), *moment = links.moment.data();
+      for (std::int32_t l = links.own_begin[i]; l < links.own_begin[i + 1]; ++l)
+        {
+          const auto link = static_cast<std::size_t>(l);
+          sum += weighted<equal_radii>(force + record_size * link, lanes.own_sign, lanes.own_arm);
+          moments += load_half(moment + half_record_size * link);
+        }
+      for (std::int32_t o = links.other_begin[i]; o < links.other_begin[i + 1]; ++o)
+        {
+          const auto link = static_cast<std::size_t>(links.others[o]);
+          sum += weighted<equal_radii>(force + record_size * link, lanes.other_sign, lanes.other_arm);
+          moments -= load_half(moment + half_record_size * link);
+        }
+    }
+
+    /** Of a set that may carry moments or not. */
+    template <bool equal_radii, bool moments>
+    BRECCIA_KERNEL void
+    add_set(const LinkSet &links, const std::size_t i, const Lanes &lanes, Pack &sum, HalfPack &moment)
+    {
+      if constexpr (moments)
+        if (links.has_moment)
+          return add_links_with_moments<equal_radii>(links, i, lanes, sum, moment);
+      add_links<equal_radii>(links, i, lanes, sum);
     }
 
     /** tan(t/2)/(t/2) of a rotation vector's squared length; a short series for the angles of a stable step. */
@@ -144,23 +176,6 @@ namespace dem
         }
     }
 
-    /** Moments at contact points: what a link does to its first end, it does to its second the other way round. */
-    BRECCIA_KERNEL void add_moments(const LinkSet &links, const std::size_t i, Pack &force)
-    {
-      if (!links.has_moment)
-        return;
-      const double *moment = links.moment.data();
-      HalfPack      sum(0.0);
-      for (std::int32_t l = links.own_begin[i]; l < links.own_begin[i + 1]; ++l)
-        sum += load_half(moment + half_record_size * static_cast<std::size_t>(l));
-      for (std::int32_t o = links.other_begin[i]; o < links.other_begin[i + 1]; ++o)
-        sum -= load_half(moment + half_record_size * static_cast<std::size_t>(links.others[o]));
-      alignas(64) double record[record_size] = {};
-      for (int c = 0; c < 3; ++c)
-        record[3 + c] = sum[c];
-      force += load(record);
-    }
-
     template <bool with_contacts, bool damped, bool equal_radii, bool moments, Surroundings surroundings>
     void particle_pass(Particles                         &particles,
                        const LinkSet                     &bonds,
@@ -184,16 +199,13 @@ namespace dem
                             end   = std::min(begin + particles_per_block, particles.count);
           for (std::size_t i = begin; i < end; ++i)
             {
-              Pack force(0.0);
-              add_links<equal_radii>(bonds, i, lanes, force);
+              Pack     force(0.0);
+              HalfPack moment(0.0);
+              add_set<equal_radii, moments>(bonds, i, lanes, force, moment);
               if constexpr (with_contacts)
-                add_links<equal_radii>(*contacts, i, lanes, force);
+                add_set<equal_radii, moments>(*contacts, i, lanes, force, moment);
               if constexpr (moments)
-                {
-                  add_moments(bonds, i, force);
-                  if constexpr (with_contacts)
-                    add_moments(*contacts, i, force);
-                }
+                force += at_rotations(moment);
               constexpr bool touched = surroundings == Surroundings::touched;
               constexpr bool pushed  = surroundings == Surroundings::pushed || touched;
               if constexpr (surroundings == Surroundings::weight || pushed)

@@ -158,7 +158,10 @@ namespace dem
       const auto grows = equivalent > maximum(state.kappa, T(k.onset));
       state.kappa      = maximum(state.kappa, equivalent);
       if (any(grows))
-        state.damage = select(grows, k.damage_at(state.kappa), state.damage);
+        {
+          const T kappa = state.kappa; // a copy: the address of the state itself would keep it in memory
+          state.damage  = select(grows, k.damage_at(kappa), state.damage);
+        }
     }
 
     template <typename Constants, typename T, int m>

@@ -43,18 +43,21 @@ namespace dem
   ParallelBondConstants::ParallelBondConstants(const ParallelBondParameters &p, const int dimension)
   {
     check(p);
-    normal                   = p.effective_modulus;
-    shear                    = p.effective_modulus / p.stiffness_ratio;
-    friction                 = p.friction_coefficient;
-    bond_normal              = p.bond_effective_modulus > 0 ? p.bond_effective_modulus : p.effective_modulus;
-    bond_shear               = bond_normal / (p.bond_stiffness_ratio > 0 ? p.bond_stiffness_ratio : p.stiffness_ratio);
-    tensile_strength         = p.tensile_strength;
-    cohesion                 = p.cohesion;
-    tan_angle                = std::tan(p.friction_angle * pi / 180);
-    moment_share             = p.moment_contribution;
-    radius_multiplier        = p.radius_multiplier;
-    area_factor              = dimension == 3 ? p.radius_multiplier * p.radius_multiplier : p.radius_multiplier;
-    second_moment            = dimension == 3 ? 1.0 / 4 : 1.0 / 3;
+    normal                  = p.effective_modulus;
+    shear                   = p.effective_modulus / p.stiffness_ratio;
+    friction                = p.friction_coefficient;
+    bond_normal             = p.bond_effective_modulus > 0 ? p.bond_effective_modulus : p.effective_modulus;
+    bond_shear              = bond_normal / (p.bond_stiffness_ratio > 0 ? p.bond_stiffness_ratio : p.stiffness_ratio);
+    tensile_strength        = p.tensile_strength;
+    cohesion                = p.cohesion;
+    tan_angle               = std::tan(p.friction_angle * pi / 180);
+    radius_multiplier       = p.radius_multiplier;
+    area_factor             = dimension == 3 ? p.radius_multiplier * p.radius_multiplier : p.radius_multiplier;
+    const double of_section = dimension == 3 ? 1.0 / 4 : 1.0 / 3; // I / (A R^2)
+    bending_modulus         = area_factor * of_section * bond_normal;
+    twisting_modulus        = area_factor * 2 * of_section * bond_shear;
+    rim_normal              = p.moment_contribution * bond_normal;
+    rim_shear               = p.moment_contribution * bond_shear;
   }
 
   LinearContactConstants ParallelBondConstants::contact() const
@@ -85,11 +88,11 @@ namespace dem
     Eigen::Matrix3d force  = linear_contact_tangent(k.contact(), step.direction, strain, trial, kind);
     if (after.number[broken] < 0.5)
       {
-        const LinkStiffnesses bond      = bond_stiffness(k, step.geometry, after);
-        const Eigen::Matrix3d nn        = step.direction * step.direction.transpose();
-        const Eigen::Matrix3d across    = Eigen::Matrix3d::Identity() - nn;
-        force                           = force + bond.normal * nn + bond.shear * across;
-        all.bottomRightCorner<3, 3>()   = bond.twist * nn + bond.bending * across;
+        const LinkStiffnesses bond    = bond_stiffness(k, step.geometry, after);
+        const Eigen::Matrix3d nn      = step.direction * step.direction.transpose();
+        const Eigen::Matrix3d across  = Eigen::Matrix3d::Identity() - nn;
+        force                         = force + bond.normal * nn + bond.shear * across;
+        all.bottomRightCorner<3, 3>() = bond.twist * nn + bond.bending * across;
       }
     all.topLeftCorner<3, 3>() = force;
     return all;
@@ -99,7 +102,7 @@ namespace dem
                                                   const Material<ParallelBondParameters> &other)
   {
     const ParallelBondParameters &a = one.parameters, &b = other.parameters;
-    const auto bond_modulus = [](const ParallelBondParameters &p) {
+    const auto                    bond_modulus = [](const ParallelBondParameters &p) {
       return p.bond_effective_modulus > 0 ? p.bond_effective_modulus : p.effective_modulus;
     };
     const auto bond_ratio = [](const ParallelBondParameters &p) {

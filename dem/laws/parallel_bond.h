@@ -37,9 +37,12 @@ namespace dem
   struct ParallelBondNumbers : LinearContactNumbers<Number>
   {
     Number bond_normal, bond_shear; ///< E*, E*/kappa* of the bond [Pa]
-    Number tensile_strength, cohesion, tan_angle, moment_share;
-    Number area_factor;   ///< of the bond's section over A: lambda^2, in the plane lambda
-    Number second_moment; ///< I / (A R^2) of the bond's section: 1/4, in the plane 1/3
+    Number tensile_strength, cohesion, tan_angle;
+    Number area_factor;     ///< of the bond's section over A: lambda^2, in the plane lambda
+    Number bending_modulus; ///< E* I / (A R^2), A of the link: I is 1/4, in the plane 1/3 of the section times R^2 [Pa]
+    Number twisting_modulus; ///< E*/kappa* J / (A R^2), J = 2 I [Pa]
+    Number rim_normal;       ///< beta E* [Pa]
+    Number rim_shear;        ///< beta E*/kappa* [Pa]
   };
 
   struct ParallelBondConstants : ParallelBondNumbers<double>
@@ -82,6 +85,8 @@ namespace dem
       contact_shear
     };
 
+    static constexpr int resting_shear = contact_shear;
+
     template <typename T, int m>
     using State = LinkState<T, m, 4, 2, 1>;
 
@@ -99,8 +104,9 @@ namespace dem
 
     static void put(const Constants &k, double *record)
     {
-      const double all[] = {k.normal,   k.shear,     k.friction,     k.bond_normal, k.bond_shear,   k.tensile_strength,
-                            k.cohesion, k.tan_angle, k.moment_share, k.area_factor, k.second_moment};
+      const double all[] = {k.normal,           k.shear,      k.friction,  k.bond_normal, k.bond_shear,
+                            k.tensile_strength, k.cohesion,   k.tan_angle, k.area_factor, k.bending_modulus,
+                            k.twisting_modulus, k.rim_normal, k.rim_shear};
       std::copy(std::begin(all), std::end(all), record);
     }
     BRECCIA_KERNEL static ParallelBondNumbers<Pack> gathered(const Pack (&c)[2][pack_size], const Constants &)
@@ -114,58 +120,57 @@ namespace dem
       k.tensile_strength = c[0][5];
       k.cohesion         = c[0][6];
       k.tan_angle        = c[0][7];
-      k.moment_share     = c[1][0];
-      k.area_factor      = c[1][1];
-      k.second_moment    = c[1][2];
+      k.area_factor      = c[1][0];
+      k.bending_modulus  = c[1][1];
+      k.twisting_modulus = c[1][2];
+      k.rim_normal       = c[1][3];
+      k.rim_shear        = c[1][4];
       return k;
     }
 
     static double reference_length(const NewLink &link) { return link.first_radius + link.second_radius; }
     static void   begin(const Constants &k, const NewLink &link, double *numbers);
 
+    /** Overlap over the reference length, negative while the contact pushes. */
+    template <typename T, int m>
+    BRECCIA_KERNEL static T overlap(const State<T, m> &state, const T &strain)
+    {
+      return strain - minimum(state.number[installed], T(0.0));
+    }
+
+    /** The contact pushes, or has not yet let go of the shear that it held. */
+    template <typename T, int m>
+    BRECCIA_KERNEL static Comparison<T> acts(const State<T, m> &state, const T &strain)
+    {
+      return overlap(state, strain) < T(0.0) || dot(state.shear[contact_shear], state.shear[contact_shear]) > T(0.0);
+    }
+
     template <typename K, typename T, int m>
     BRECCIA_KERNEL static LinkForce<T, m>
     update(const K &k, const LinkMotion<T, m> &motion, State<T, m> &state, LinkWork<T> &work)
     {
-      const T         nearest = minimum(state.number[installed], T(0.0)); // where the contact begins to push
-      LinkForce<T, m> answer  = linear_contact_force(k, T(motion.strain - nearest), motion.area, motion.reference,
-                                                     motion.shear_increment, state.shear[contact_shear], work);
+      LinkForce<T, m> answer{T(0.0), {}, {}, T(0.0), Comparison<T>(false), Comparison<T>(false)};
+      for (int c = 0; c < m; ++c)
+        answer.shear[c] = T(0.0);
+      if (any(acts(state, motion.strain)))
+        answer = linear_contact_force(k, overlap(state, motion.strain), motion.area, motion.reference,
+                                      motion.shear_increment, state.shear[contact_shear], work);
 
-      state.number[twist]    = state.number[twist] + motion.twist_increment;
-      const T    normal      = T(k.bond_normal) * (motion.strain - state.number[installed]); // mean stress of the bond
-      const T    per_radian  = state.number[radius] / motion.reference;                      // strain at the rim
-      const T    bend2       = dot(state.bending[0], state.bending[0]);
-      const T    bond_slip2  = dot(state.shear[bond_shear], state.shear[bond_shear]);
-      const T    turned      = maximum(state.number[twist], T(0.0) - state.number[twist]);
-      const T    tension     = normal + T(k.moment_share * k.bond_normal) * per_radian * square_root(bend2);
-      const T    shear       = T(k.bond_shear) * (square_root(bond_slip2) + T(k.moment_share) * per_radian * turned);
-      const T    shear_limit = maximum(T(k.cohesion) - normal * T(k.tan_angle), T(0.0));
-      const auto whole       = state.number[broken] < T(0.5);
-      const auto breaks      = whole && (tension >= T(k.tensile_strength) || shear >= shear_limit);
-      const auto holds       = whole && !breaks;
-
-      const T area     = motion.area * T(k.area_factor);
-      const T bending  = area * (state.number[radius] * per_radian) * T(k.second_moment * k.bond_normal); // [N m]
-      const T twisting = area * (state.number[radius] * per_radian) * T(2.0 * k.second_moment * k.bond_shear);
+      state.number[twist]   = state.number[twist] + motion.twist_increment;
+      const T    normal     = T(k.bond_normal) * (motion.strain - state.number[installed]); // mean stress of the bond
+      const T    per_radian = state.number[radius] * motion.inverse_reference;              // strain at the rim
+      const auto whole      = state.number[broken] < T(0.5);
+      const auto breaks     = whole && reaches_strength(k, normal, per_radian, state);
+      const auto holds      = whole && !breaks;
       if (any(breaks))
-        {
-          // What the bond carried at the start of the step has worked over half of it, what it would carry at its end has not:
-          // so the account balances to second order in the step.
-          const auto product    = [](const auto &now, const auto &increment) { return dot(now, now - increment); };
-          const T    strain     = motion.strain - state.number[installed],
-                  strain_before = motion.strain_before - state.number[installed];
-          const T energy        = T(0.5) * (area * motion.reference *
-                                       (T(k.bond_normal) * strain * strain_before +
-                                        T(k.bond_shear) * product(state.shear[bond_shear], motion.shear_increment)) +
-                                     bending * product(state.bending[0], motion.bending_increment) +
-                                     twisting * state.number[twist] * (state.number[twist] - motion.twist_increment));
-          work.released += select(breaks, energy, T(0.0));
-        }
-      const T held           = select(holds, area, T(0.0));
-      answer.normal          = answer.normal + held * normal;
-      answer.shear           = answer.shear + (held * T(k.bond_shear)) * state.shear[bond_shear];
-      answer.bending_moment  = select(holds, bending, T(0.0)) * state.bending[0];
-      answer.twisting_moment = select(holds, twisting, T(0.0)) * state.number[twist];
+        work.released += select(breaks, energy_at_break(k, motion, per_radian, state), T(0.0));
+
+      const T area           = select(holds, motion.area, T(0.0));
+      const T section        = area * (state.number[radius] * per_radian);
+      answer.normal          = answer.normal + (area * T(k.area_factor)) * normal;
+      answer.shear           = answer.shear + (area * T(k.area_factor * k.bond_shear)) * state.shear[bond_shear];
+      answer.bending_moment  = (section * T(k.bending_modulus)) * state.bending[0];
+      answer.twisting_moment = (section * T(k.twisting_modulus)) * state.number[twist];
       answer.event           = breaks || (!holds && motion.strain > T(0.0));
       state.number[broken]   = select(holds, T(0.0), T(1.0));
       return answer;
@@ -240,11 +245,11 @@ namespace dem
       if (state.number[broken] > 0.5)
         return {std::numeric_limits<double>::infinity(), 0};
       const double normal  = k.bond_normal * (link.strain - state.number[installed]);
-      const double rim     = k.moment_share * state.number[radius] / link.reference; // strain per radian
-      const double tension = normal + rim * k.bond_normal * std::sqrt(dot(state.bending[0], state.bending[0]));
-      const double shear   = k.bond_shear * (std::sqrt(dot(state.shear[bond_shear], state.shear[bond_shear])) +
-                                           rim * std::abs(state.number[twist]));
-      const double limit   = std::max(k.cohesion - normal * k.tan_angle, 0.0);
+      const double rim     = state.number[radius] / link.reference; // strain per radian
+      const double tension = normal + rim * k.rim_normal * std::sqrt(dot(state.bending[0], state.bending[0]));
+      const double shear   = k.bond_shear * std::sqrt(dot(state.shear[bond_shear], state.shear[bond_shear])) +
+                           rim * k.rim_shear * std::abs(state.number[twist]);
+      const double limit = std::max(k.cohesion - normal * k.tan_angle, 0.0);
       return {std::max({tension / k.tensile_strength, shear / limit, 0.0}), 0};
     }
     static Matrix6 tangent(const Constants        &k,
@@ -257,9 +262,43 @@ namespace dem
     template <typename S>
     static LinkStiffnesses bond_stiffness(const Constants &k, const LinkGeometry &link, const S &state)
     {
-      const double section = k.area_factor * link.area * state.number[radius] * state.number[radius] / link.reference;
-      return {k.area_factor * k.bond_normal, k.area_factor * k.bond_shear, section * k.second_moment * k.bond_normal,
-              section * 2 * k.second_moment * k.bond_shear};
+      const double section = link.area * state.number[radius] * state.number[radius] / link.reference;
+      return {k.area_factor * k.bond_normal, k.area_factor * k.bond_shear, section * k.bending_modulus,
+              section * k.twisting_modulus};
+    }
+
+    /** Whether the stress at the rim, of opening and bending or of slip and twist, reaches a strength; compared squared, without roots. */
+    template <typename K, typename T, typename S>
+    BRECCIA_KERNEL static Comparison<T>
+    reaches_strength(const K &k, const T &normal, const T &per_radian, const S &state)
+    {
+      const T bent        = T(k.rim_normal) * per_radian; // stress per radian
+      const T bending2    = bent * bent * dot(state.bending[0], state.bending[0]);
+      const T left        = T(k.tensile_strength) - normal; // for bending
+      const T slip2       = T(k.bond_shear * k.bond_shear) * dot(state.shear[bond_shear], state.shear[bond_shear]);
+      const T turned      = maximum(state.number[twist], T(0.0) - state.number[twist]);
+      const T shear_limit = maximum(T(k.cohesion) - normal * T(k.tan_angle), T(0.0));
+      const T left_slip   = shear_limit - T(k.rim_shear) * per_radian * turned;
+      return left <= T(0.0) || bending2 >= left * left || left_slip <= T(0.0) || slip2 >= left_slip * left_slip;
+    }
+
+    /**
+     * What a bond that breaks in this step sets free. What it carried at the start of the step has worked over half of it, what it would
+     * carry at its end has not: so the account balances to second order in the step.
+     */
+    template <typename K, typename T, int m>
+    BRECCIA_KERNEL static T
+    energy_at_break(const K &k, const LinkMotion<T, m> &motion, const T &per_radian, const State<T, m> &state)
+    {
+      const auto product = [](const auto &now, const auto &increment) { return dot(now, now - increment); };
+      const T opened = motion.strain - state.number[installed], before = motion.strain_before - state.number[installed];
+      const T section = motion.area * (state.number[radius] * per_radian);
+      return T(0.5) *
+             (T(k.area_factor) * motion.area * motion.reference *
+                (T(k.bond_normal) * opened * before +
+                 T(k.bond_shear) * product(state.shear[bond_shear], motion.shear_increment)) +
+              section * (T(k.bending_modulus) * product(state.bending[0], motion.bending_increment) +
+                         T(k.twisting_modulus) * state.number[twist] * (state.number[twist] - motion.twist_increment)));
     }
   };
 
