@@ -60,7 +60,7 @@ namespace postprocess
                           const std::vector<std::string> &word_columns)
   {
     CsvTable                      table{{}, {}, {}, path.string()};
-    const std::string             text = read_whole(path);
+    const std::string             text = read_text(path);
     std::vector<std::string_view> fields;
     for (Lines lines(text); lines.next();)
       {

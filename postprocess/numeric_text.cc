@@ -3,6 +3,8 @@
 #include "dem/core/errors.h"
 #include "postprocess/file_descriptor.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
@@ -15,6 +17,17 @@ namespace postprocess::numeric_text
   namespace
   {
     bool is_separator(const char c) { return c == ' ' || c == '\t' || c == ','; }
+
+    /** For a message: in quotes, without what a terminal would obey, and no longer than a line. */
+    std::string quoted(const std::string_view field)
+    {
+      constexpr std::size_t longest = 60;
+      std::string           text(field.substr(0, longest));
+      for (char &c : text)
+        if (std::iscntrl(static_cast<unsigned char>(c)))
+          c = '?';
+      return '"' + text + (field.size() > longest ? "..." : "") + '"';
+    }
   }
 
   std::string read_whole(const std::filesystem::path &path)
@@ -27,6 +40,15 @@ namespace postprocess::numeric_text
     if (!file || (file.peek() != std::ifstream::traits_type::eof() && !(text << file.rdbuf())))
       throw dem::InputError(path.string() + ": cannot be read: " + system_reason() + ".");
     return text.str();
+  }
+
+  std::string read_text(const std::filesystem::path &path)
+  {
+    std::string text = read_whole(path);
+    if (const std::size_t zero = text.find('\0'); zero != std::string::npos)
+      refuse(path.string(), static_cast<std::size_t>(std::count(text.begin(), text.begin() + zero, '\n')) + 1,
+             "holds a zero byte: this is no plain text. Save it as such (UTF-8, not UTF-16).");
+    return text;
   }
 
   void refuse(const std::string &origin, const std::size_t line, const std::string &message)
@@ -45,11 +67,9 @@ namespace postprocess::numeric_text
   {
     if (rest.empty())
       return false;
-    const std::size_t end = rest.find('\n');
+    const std::size_t end = rest.find_first_of("\r\n");
     line_                 = rest.substr(0, end);
-    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
-    if (!line_.empty() && line_.back() == '\r')
-      line_.remove_suffix(1);
+    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + (rest.substr(end, 2) == "\r\n" ? 2 : 1));
     ++number_;
     return true;
   }
@@ -95,9 +115,9 @@ namespace postprocess::numeric_text
   {
     const std::optional<double> value = number(field);
     if (!value)
-      refuse(origin, line, "\"" + std::string(field) + "\" is not a number.");
+      refuse(origin, line, quoted(field) + " is not a number.");
     if (!std::isfinite(*value))
-      refuse(origin, line, "\"" + std::string(field) + "\": only finite numbers are allowed.");
+      refuse(origin, line, quoted(field) + ": only finite numbers are allowed.");
     return *value;
   }
 

@@ -12,6 +12,9 @@ namespace postprocess::numeric_text
   /** The whole file. @throws dem::InputError with the system's reason. */
   std::string read_whole(const std::filesystem::path &path);
 
+  /** The whole file, which must be plain text. @throws dem::InputError also for what no text holds: zero bytes, as in UTF-16 */
+  std::string read_text(const std::filesystem::path &path);
+
   /** @throws dem::InputError "FILE, line N: MESSAGE". */
   [[noreturn]] void refuse(const std::string &origin, std::size_t line, const std::string &message);
 

@@ -110,6 +110,8 @@ namespace postprocess
         if (fields.size() != 4)
           refuse_line("periodic_cell has " + std::to_string(fields.size() - 1) +
                       " edge lengths, expected 3: LX LY LZ [m].");
+        if (packing.periodic_cell)
+          refuse_line("periodic_cell is there a second time.");
         packing.periodic_cell.emplace();
         for (int d = 0; d < 3; ++d)
           (*packing.periodic_cell)[d] = positive("periodic_cell edge", fields[d + 1]);
@@ -209,7 +211,7 @@ namespace postprocess
 
   std::pair<dem::Packing, Metadata> read_packing_text(const std::filesystem::path &path)
   {
-    const std::string text = read_whole(path);
+    const std::string text = read_text(path);
     return PackingParser(path.string(), text).parse();
   }
 

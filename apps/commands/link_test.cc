@@ -35,6 +35,8 @@ namespace apps
     LinkPath read_path(const std::string &file)
     {
       const postprocess::CsvTable    table = postprocess::read_csv_table(file);
+      if (table.rows() == 0)
+        throw dem::InputError(file + ": has no row below the names of its columns. Give one row a step.");
       const std::vector<std::string> known(path_columns.begin(), path_columns.end());
       for (const std::string &name : table.names)
         if (std::find(known.begin(), known.end(), name) == known.end())

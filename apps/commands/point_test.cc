@@ -29,6 +29,8 @@ namespace apps
     MaterialPath read_path(const std::string &file)
     {
       const postprocess::CsvTable table = postprocess::read_csv_table(file);
+      if (table.rows() == 0)
+        throw dem::InputError(file + ": has no row below the names of its columns. Give one row a step.");
       MaterialPath                path;
       path.origin = file;
       path.rows.assign(table.rows(), {});

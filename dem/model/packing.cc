@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cmath>
 #include <sstream>
+#include <stdexcept>
 
 namespace dem
 {
@@ -57,10 +58,23 @@ namespace dem
       refuse(origin, i, found.str());
     }
 
+    std::vector<NeighbourPair> pairs_at_one_place(const Packing &packing, const std::string &origin)
+    {
+      try
+        {
+          return find_pairs(packing.centre, packing.radius, 1e-9, 0.0, packing.periodic_cell);
+        }
+      catch (const std::range_error &)
+        {
+          check_in_cell(packing, origin); // says which particle it is
+          throw;
+        }
+    }
+
     /** Closer than a billionth of their radii: no direction could be given to a link between them. */
     void check_coincidence(const Packing &packing, const std::string &origin)
     {
-      const auto same = find_pairs(packing.centre, packing.radius, 1e-9, 0.0, packing.periodic_cell);
+      const auto same = pairs_at_one_place(packing, origin);
       if (same.empty())
         return;
       const bool images = packing.periodic_cell && same[0].shift != decltype(same[0].shift){};

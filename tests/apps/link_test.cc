@@ -101,6 +101,7 @@ TEST_CASE("link-test refuses a bad path or constant with its place", "[apps][S14
     CHECK(outcome.out.empty());
   };
   refused("normal_strain\n1e-4\nx\n", "path.csv, line 3");
+  refused("normal_strain\n", "path.csv: has no row below the names of its columns");
   refused("normal_strain,shear_strain_1\n1e-4\n", "path.csv, line 2");
   refused("normal_strain,shear_strain\n1e-4,0\n",
           "column \"shear_strain\" is not known. Did you mean \"shear_strain_1\"?");

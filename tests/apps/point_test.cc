@@ -235,6 +235,8 @@ TEST_CASE("point-test refuses a bad path, constant or material with its place", 
   };
   const std::string fine = "strain_xx\n1e-4\n";
   refused("strain_xx\n1e-4\nx\n", m1, "path.csv, line 3");
+  refused("strain_xx,stress_yy\n", m1, "path.csv: has no row below the names of its columns");
+  refused(std::string("strain_xx\n1e-4\n1\0e-4\n", 21), m1, "path.csv, line 3: holds a zero byte");
   refused("strain_x\n1e-4\n", m1, "column \"strain_x\" is not known. Did you mean \"strain_xx\"?");
   refused("strain_xx,stress_xx\n1e-4,0\n", m1, "strain and stress of the same component cannot both be given");
   refused(fine, with(m1, "Tensile strengh=1"), "\"Tensile strengh\" is not known. Did you mean \"Tensile strength\"?");

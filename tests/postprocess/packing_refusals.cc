@@ -49,6 +49,14 @@ TEST_CASE("a faulty text packing is refused with file, line and reason", "[postp
             ", line 3: material \"c\" is not in the line \"# materials\"."},
     Refusal{"# materials a a\nx y z r material\n0 0 0 1 a\n", ", line 1: the material \"a\" is named twice."},
     Refusal{"x y z r material material\n0 0 0 1 a a\n", ", line 1: the header names the column material twice."},
+    Refusal{"# periodic_cell 1 1 1\n# periodic_cell 1 1 2\n", ", line 2: periodic_cell is there a second time."},
+    Refusal{std::string("0 0 0 1\n1 0 0\0 1\n", 17),
+            ", line 2: holds a zero byte: this is no plain text. Save it as such (UTF-8, not UTF-16)."},
+    Refusal{"0 0 \x1b[31m 1\n", ", line 1: \"?[31m\" is not a number."},
+    Refusal{"0 0 " + std::string(1000, 'z') + " 1\n", ", line 1: \"" + std::string(60, 'z') + "...\" is not a number."},
+    Refusal{
+      "# periodic_cell 0.01 0.01 0.01\n0 0 0 1e-3\n5e-3 0 0 1e10\n",
+      ": particle 2: its radius is more than 5 edges of the periodic cell: it would touch hundreds of its own images."},
     Refusal{"", ": holds no particle. Give lines of x y z radius [m]."},
     Refusal{"# only a comment\nx y z radius\n", ": holds no particle. Give lines of x y z radius [m]."});
   const ScratchFolder folder;

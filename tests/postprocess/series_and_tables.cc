@@ -136,8 +136,9 @@ TEST_CASE("a series refuses a row of another length and shows NaN as such", "[po
 TEST_CASE("tables of other programs are understood", "[postprocess]")
 {
   const ScratchFolder folder;
-  const std::string   text = GENERATE("a,b [Pa],c\n1,2,3\n4,5,6\n", "# note\na b [Pa] c\n1 2 3\n\n# more\n4 5 6\n",
-                                      "a\tb[Pa]\tc\r\n1\t2\t3\r\n4\t5\t6", " a , b [Pa] , c\n 1 , 2 , 3\n4 5 6\n");
+  const std::string   text =
+    GENERATE("a,b [Pa],c\n1,2,3\n4,5,6\n", "# note\na b [Pa] c\n1 2 3\n\n# more\n4 5 6\n",
+             "a\tb[Pa]\tc\r\n1\t2\t3\r\n4\t5\t6", "a,b [Pa],c\r1,2,3\r4,5,6\r", " a , b [Pa] , c\n 1 , 2 , 3\n4 5 6\n");
   CAPTURE(text);
   const CsvTable table = read_csv_table(folder.file("t.csv", text));
   REQUIRE(table.names == std::vector<std::string>{"a", "b", "c"});
