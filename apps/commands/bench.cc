@@ -12,6 +12,7 @@ namespace apps
   void add_homogenise_bench(CLI::App &bench, Action &chosen);
   void add_sequential_bench(CLI::App &bench, Action &chosen);
   void add_quasi_static_bench(CLI::App &bench, Action &chosen);
+  void add_surface_bench(CLI::App &bench, Action &chosen);
 
   void add_bench(CLI::App &program, Action &chosen)
   {
@@ -29,6 +30,7 @@ namespace apps
     add_homogenise_bench(bench, chosen);
     add_sequential_bench(bench, chosen);
     add_quasi_static_bench(bench, chosen);
+    add_surface_bench(bench, chosen);
     CLI::App &command =
       *bench.add_subcommand("uniaxial", "Strengths and modulus over time step, loading rate and particle size");
     command.add_option("scene", options->scene, "Scene of kind uniaxial; default: " + options->scene)

@@ -41,24 +41,11 @@ namespace coupling
   {
     constexpr double rounding = 1e-12;
     const double     of_solid = solid_step(), of_particles = particle_step();
-    const auto       ratio = [this](const double longer, const double shorter) {
-      return static_cast<int>(std::clamp(std::floor(longer / shorter), 1.0, static_cast<double>(largest_ratio)));
-    };
-    WindowSteps steps;
-    double      longest;
-    if (of_particles < of_solid)
-      {
-        steps.particles = ratio(of_solid, of_particles);
-        longest         = std::min(of_solid, steps.particles * of_particles);
-      }
-    else
-      {
-        // A force that is held while light nodes move under it must not let them pass the place where it would turn round.
-        const double held = stiffest > 0 ? 1 / std::sqrt(stiffest) : of_particles;
-        steps.solid       = ratio(std::max(std::min(of_particles, held), of_solid), of_solid);
-        longest           = std::min(of_particles, steps.solid * of_solid);
-      }
-    steps.window = rest / std::max(1.0, std::ceil(rest / longest * (1 - rounding)));
+    const double     most    = std::clamp(std::floor(of_solid / of_particles), 1.0, static_cast<double>(largest_ratio));
+    const double     longest = std::min(of_solid, most * of_particles);
+    WindowSteps      steps;
+    steps.particles = static_cast<int>(most);
+    steps.window    = rest / std::max(1.0, std::ceil(rest / longest * (1 - rounding)));
     return steps;
   }
 
@@ -73,31 +60,41 @@ namespace coupling
       added += c->added_eigenvalue();
     stiffest                = std::max(stiffest, added);
     const WindowSteps steps = next_window(rest);
-    move_solid(steps);
-    for (const auto &c : couplings)
-      c->motion_to_dem(steps.window);
-    move_particles(steps);
+    if (steps.particles > 1)
+      {
+        // Nodes go on as they came: the solid then feels the forces of this very window, which at most takes energy. Those of the
+        // window before, for which nothing would have to be guessed, feed whatever they act on.
+        for (const auto &c : couplings)
+          c->motion_to_dem_as_before(last_solid_step);
+        move_particles(steps);
+        move_solid(steps);
+      }
+    else
+      {
+        move_solid(steps);
+        for (const auto &c : couplings)
+          c->motion_to_dem(steps.window);
+        move_particles(steps);
+        for (const auto &c : couplings)
+          c->settle();
+      }
     return steps;
   }
 
   template <int dim>
   void ConcurrentMotion<dim>::move_solid(const WindowSteps &steps)
   {
-    const double step   = steps.window / steps.solid;
-    const double before = last_solid_step > 0 ? last_solid_step : step;
     // Leapfrog: forces act over half the step before and half the step after. Both sides get the same impulse.
-    const double of_particles = 0.5 * ((last_particle_step > 0 ? last_particle_step : steps.window) + steps.window);
-    const double of_solid     = 0.5 * (before + step) + (steps.solid - 1) * step;
-    const double share        = steps.particles > 1 ? 0.0 : of_particles / of_solid;
-    for (int n = 0; n < steps.solid; ++n)
-      {
-        for (const auto &c : couplings)
-          c->forces_to_fem(n == 0 ? 0.5 * (before + step) : step, share);
-        participant.advance(step, 1);
-        for (const auto &c : couplings)
-          c->solid_has_moved();
-      }
-    last_solid_step = step;
+    const auto kick = [&steps](const double before) {
+      return 0.5 * ((before > 0 ? before : steps.window) + steps.window);
+    };
+    const double of_particles = kick(last_particle_step), of_solid = kick(last_solid_step);
+    for (const auto &c : couplings)
+      c->forces_to_fem(of_solid, steps.particles > 1 ? 0.0 : of_particles / of_solid);
+    participant.advance(steps.window, 1);
+    for (const auto &c : couplings)
+      c->solid_has_moved();
+    last_solid_step = steps.window;
   }
 
   template <int dim>
@@ -110,9 +107,6 @@ namespace coupling
       specimen.advance(1);
       last_particle_step = step;
     });
-    if (steps.particles == 1)
-      for (const auto &c : couplings)
-        c->settle();
   }
 
   template <int dim>

@@ -9,22 +9,20 @@
 
 namespace coupling
 {
-  /** Steps of either side in one window of time; at least one of them is 1. */
+  /** A step of the solid, and how many of the particles it holds. */
   struct WindowSteps
   {
     double window    = 0; ///< [s]
-    int    particles = 1, solid = 1;
+    int    particles = 1;
   };
 
   /**
-   * Particles and a solid that move together, a window of time after another (doc/theory/surface-coupling.md, 2): adapters carry the
+   * Particles and a solid that move together, a step of the solid after another (doc/theory/surface-coupling.md, 2): adapters carry the
    * solid's motion to the particles, and their forces back.
    *
    * Synchronous by default: both sides feel the force of where both are at t_n, and move with it; momentum is kept and the power of both
-   * sides is equal to rounding. Sub-cycled, the side with the shorter stable step takes several in a window. Where these are the
-   * particles', nodes move evenly through the window, and the solid feels the mean force of the window before; where they are the
-   * solid's, the forces of the window's start push it through all of them. Momentum is kept (what is on its way included), energy to
-   * first order in the window.
+   * sides is equal to rounding. Sub-cycled, particles take several steps in one of the solid: nodes move on through them as in the step before,
+   * and the solid then feels their mean force. Momentum is kept, energy to first order in the step.
    */
   template <int dim>
   class ConcurrentMotion
@@ -41,7 +39,7 @@ namespace coupling
     const SurfaceCoupling<dim>                               &add_surface(const SurfaceCouplingParameters &parameters);
     const std::vector<std::unique_ptr<SurfaceCoupling<dim>>> &surfaces() const { return couplings; }
 
-    /** Steps of the one side in one of the other, at most. 1: none. */
+    /** Steps of the particles in one of the solid, at most. 1: none. */
     void set_largest_ratio(int ratio) { largest_ratio = ratio; }
 
     /**

@@ -110,6 +110,15 @@ namespace coupling
   }
 
   template <int dim>
+  void SurfaceCoupling<dim>::motion_to_dem_as_before(const double step)
+  {
+    std::vector<Vector3d> velocity(place.size());
+    for (std::size_t v = 0; v < place.size(); ++v)
+      velocity[v] = step > 0 ? Vector3d(last_motion[v] / step) : participant.velocity(facets.carrier[v]);
+    specimen.set_vertex_velocities(number, velocity);
+  }
+
+  template <int dim>
   SurfaceBalance SurfaceCoupling<dim>::balance() const
   {
     const dem::Surface &surface = specimen.surface(number);

@@ -64,6 +64,8 @@ namespace coupling
     void solid_has_moved();
     /** The vertices move, in the particles' steps to come, evenly to where the nodes are now. @param window of those steps [s] */
     void motion_to_dem(double window);
+    /** The same, with the velocities of the solid's step that led here. @param step its length [s]; 0: none yet */
+    void motion_to_dem_as_before(double step);
 
     /** What the particles have given in their last steps has reached the solid already. */
     void settle() { specimen.clear_vertex_impulses(number); }

@@ -28,7 +28,7 @@ namespace dem
       for (std::size_t k = from; k < parts.size(); ++k)
         if (parts[k].vertex == vertex)
           return parts[k];
-      parts.push_back({vertex, 0, Eigen::Vector3d::Zero()});
+      parts.push_back({vertex, 0, Eigen::Vector3d::Zero(), 0});
       return parts.back();
     }
   } // namespace
@@ -65,6 +65,7 @@ namespace dem
                 VertexPart &part = part_of(parts, from, corner[static_cast<std::size_t>(c)]);
                 part.weight += q->corner[c] * spring * overlap;
                 part.force += q->corner[c] * push;
+                part.stiffness += q->corner[c] * spring;
               }
             patch.push -= push;
             patch.total += spring * overlap;

@@ -11,8 +11,9 @@ namespace dem
   struct VertexPart
   {
     std::int32_t    vertex;
-    double          weight; ///< in the motion of the place; all of a contact add up to 1
-    Eigen::Vector3d force;  ///< of the particle on it [N]
+    double          weight;    ///< in the motion of the place; all of a contact add up to 1
+    Eigen::Vector3d force;     ///< of the particle on it [N]
+    double          stiffness; ///< across the surface that it feels: sum of k N_i [N/m]
   };
 
   /** Where and how a sphere presses on a surface with a skin. */

@@ -268,7 +268,7 @@ namespace dem
           for (std::size_t c = 0; c < corners; ++c)
             if (part.weight[c] != 0)
               block.parts.push_back({surface.mesh.facet[static_cast<std::size_t>(part.facet)][c], part.weight[c],
-                                     -part.weight[c] * now.push});
+                                     -part.weight[c] * now.push, part.weight[c] * now.stiffness});
         now.parts_end = static_cast<std::int32_t>(block.parts.size());
         block.fresh.push_back(now);
       }
@@ -417,7 +417,7 @@ namespace dem
           }
         for_parts(contact, [&](Surface &of, const std::size_t vertex, const VertexPart &part) {
           of.force[vertex] += part.force;
-          of.stiffness[vertex] += part.weight * std::max(normal, shear);
+          of.stiffness[vertex] += std::max(part.stiffness, part.weight * shear);
         });
         surface.total_force -= contact.force;
         surface.total_moment -= contact.place.cross(sheared) + (contact.place - branch).cross(contact.push);
@@ -528,7 +528,7 @@ namespace dem
   namespace
   {
     constexpr std::size_t numbers_of_contact = 22;
-    constexpr std::size_t numbers_of_part    = 4;
+    constexpr std::size_t numbers_of_part    = 5;
     constexpr std::size_t indices_of_contact = 5;
 
     void put(const SurfaceContact &c, Column &numbers, std::vector<std::int32_t> &indices)
@@ -575,6 +575,7 @@ namespace dem
       {
         weights.push_back(part.weight);
         weights.insert(weights.end(), part.force.data(), part.force.data() + 3);
+        weights.push_back(part.stiffness);
         vertices.push_back(part.vertex);
       }
     visitor.column("surface_contacts/on_particles", records);
@@ -592,8 +593,10 @@ namespace dem
       contacts.push_back(get(&numbers[numbers_of_contact * c], &indices[indices_of_contact * c]));
     vertex_parts.clear();
     for (std::size_t k = 0; k < vertices.size(); ++k)
-      vertex_parts.push_back(
-        {vertices[k], weights[numbers_of_part * k], Eigen::Vector3d(&weights[numbers_of_part * k + 1])});
+      {
+        const double *part = &weights[numbers_of_part * k];
+        vertex_parts.push_back({vertices[k], part[0], Eigen::Vector3d(part + 1), part[4]});
+      }
     near.forget(); // what is near follows from the places
   }
 } // namespace dem

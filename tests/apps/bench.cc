@@ -2,6 +2,7 @@
 #include "tests/apps/program.h"
 #include "tests/apps/scenes.h"
 #include "tests/apps/scratch_folder.h"
+#include "tests/places.h"
 
 #include <catch2/catch.hpp>
 
@@ -121,9 +122,7 @@ namespace
   }
 } // namespace
 
-TEST_CASE(
-  "bench homogenise: every way tends to the direct answer as its tolerance falls",
-  "[apps][slow]")
+TEST_CASE("bench homogenise: every way tends to the direct answer as its tolerance falls", "[apps][slow]")
 {
   const ScratchFolder folder;
   const Outcome       outcome = run(folder.path(), {"bench", "homogenise", "--quick", "-o", "bench"});
@@ -167,4 +166,40 @@ TEST_CASE("bench quasi-static: dynamic strengths fall towards the static one", "
   CHECK(std::fabs(over[3] - 1) < std::fabs(over[2] - 1));
   CHECK(over[3] == Approx(1).epsilon(0.02));
   CHECK(std::filesystem::file_size(folder / "bench/quasi_static.png") > 0);
+}
+
+TEST_CASE("bench surface: errors of an impact fall with the elements", "[apps][slow]")
+{
+  const ScratchFolder folder;
+  const std::string   scene   = places::sources() + "/apps/scenes/hertz_impact.prm";
+  const Outcome       outcome = run(folder.path(), {"bench", "surface", scene, "--quick", "-o", "bench"});
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  std::istringstream csv(content_of(folder / "bench/surface.csv"));
+  std::string        line;
+  REQUIRE(std::getline(csv, line));
+  std::map<std::string, std::vector<double>> force; // errors by study
+  while (std::getline(csv, line))
+    {
+      const std::vector<std::string> fields = apps::comma_separated(line);
+      REQUIRE(fields.size() == 9);
+      for (std::size_t i = 2; i < fields.size(); ++i)
+        REQUIRE(apps::number_in(fields[i]).has_value());
+      force[fields[0]].push_back(std::fabs(*apps::number_in(fields[3])));
+    }
+  REQUIRE(force["mesh"].size() == 2);
+  CHECK(force["mesh"][1] < force["mesh"][0]);
+  CHECK(force["sub-cycling"].size() == 3);
+  CHECK(force["point"].size() == 2);
+  CHECK(std::filesystem::file_size(folder / "bench/surface.png") > 0);
+}
+
+TEST_CASE("bench surface refuses a scene without known answers", "[apps][S14]")
+{
+  const ScratchFolder folder;
+  const std::string   scene   = places::sources() + "/apps/scenes/gravel_on_slab.prm";
+  const Outcome       outcome = run(folder.path(), {"bench", "surface", scene, "-o", "bench"});
+  CHECK(outcome.status == 2);
+  CHECK_THAT(outcome.err, Contains("References: this bench needs Peak force and Contact time"));
+  CHECK_FALSE(std::filesystem::exists(folder / "bench"));
 }

@@ -258,7 +258,7 @@ TEST_CASE("A coupling that makes more energy than it may stops the run and says 
   const ScratchFolder folder;
   folder.file("x.prm", collision);
   const Outcome outcome =
-    outcome_of(folder, "run", {"Time/Largest ratio=20", "Time/Step factor=0.8", "Couplings/block/Energy limit=1e-6"});
+    outcome_of(folder, "run", {"Time/Largest ratio=20", "Time/Step factor=0.01", "Couplings/block/Energy limit=1e-6"});
   CHECK(outcome.status != 0);
   CHECK_THAT(outcome.err, Contains("Couplings/block") && Contains("Energy limit"));
 }

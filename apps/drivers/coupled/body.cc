@@ -174,7 +174,7 @@ namespace apps
       CoupledSteps   steps() const override
       {
         const coupling::WindowSteps next = both.next_window(model.particles.end_time);
-        return {next.window, both.solid_step(), both.particle_step(), next.solid, next.particles};
+        return {next.window, both.solid_step(), both.particle_step(), next.particles};
       }
       std::size_t             elements() const override { return solid->mesh().triangulation->n_global_active_cells(); }
       std::size_t             unknowns() const override { return solid->dofs().n_dofs(); }
@@ -284,7 +284,7 @@ namespace apps
             if (std::fabs(made) > coupling->energy_limit * largest_energy)
               throw StoppedShort(fmt::format("Couplings/{}: at {:.6g} s the coupling has made {:.3g} J by itself, more "
                                              "than Energy limit = {} of the "
-                                             "largest energy, {:.3g} J. Lower Time/Largest ratio or Time/Step factor.",
+                                             "largest energy, {:.3g} J. Lower Time/Largest ratio.",
                                              coupling->name, time(), made, coupling->energy_limit, largest_energy));
             ++coupling;
           }

@@ -27,7 +27,7 @@ namespace apps
   struct CoupledSteps
   {
     double window = 0, solid = 0, particles = 0; ///< what is taken; what either side could take alone [s]
-    int    solid_steps = 1, particle_steps = 1;  ///< in a window
+    int    particle_steps = 1;                   ///< in one of the solid
   };
 
   /** A solid and particles that touch, as a run drives and records them; whatever the dimension. */

@@ -32,8 +32,10 @@ namespace apps
       ->means("Of all that falls; 0, 0, -9.81 on earth with z upwards");
     scene.find_section("Time")
       ->integer("Largest ratio", largest_ratio, "", Range::between(1, 100), Need::optional)
-      .means("Steps that one side may take in one of the other, where its stable step is the shorter one. 1: both take "
-             "the same, which keeps energy to rounding; more saves time and costs energy in proportion to the step");
+      .means(
+        "Steps that particles may take in one of the solid, where their stable step is the shorter one. 1: both take "
+        "the same, which keeps energy to rounding; more saves time and costs energy in proportion to the step of the "
+        "solid");
     references.declare(scene);
   }
 

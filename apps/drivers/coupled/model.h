@@ -22,7 +22,7 @@ namespace apps
     ParticlesModel    particles; ///< its course (time, gravity, stops, output) is that of all
     CouplingsSection  couplings;
     ReferencesSection references;
-    std::int64_t      largest_ratio = 1;       ///< of steps of one side in one of the other
+    std::int64_t      largest_ratio = 1;       ///< of steps of the particles in one of the solid
     const Section    *root          = nullptr; ///< of the scene, which outlives the model
 
     void declare(Section &root);

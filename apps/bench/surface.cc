@@ -1,0 +1,204 @@
+#include "apps/bench/surface.h"
+
+#include "apps/drivers/coupled/body.h"
+#include "apps/drivers/coupled/scene.h"
+#include "apps/drivers/load.h"
+#include "apps/process/exit_status.h"
+#include "apps/process/interrupt.h"
+#include "apps/process/mpi_session.h"
+#include "apps/process/progress.h"
+#include "dem/core/errors.h"
+#include "postprocess/atomic_file.h"
+#include "postprocess/errors.h"
+#include "postprocess/plot.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <ctime>
+
+namespace apps
+{
+  namespace
+  {
+    /** One thing about the scene, at one value. */
+    struct Case
+    {
+      std::string              study, value;
+      std::vector<std::string> changes;
+    };
+
+    struct Measurement
+    {
+      Case         which;
+      std::size_t  elements    = 0;
+      double       force_error = 0, time_error = 0; ///< relative
+      double       made    = 0;                     ///< by the coupling, over the initial energy
+      double       missing = 0;                     ///< in the account of both sides, likewise
+      std::int64_t windows = 0;
+      double       cost    = 0; ///< processor time [s]
+    };
+
+    std::vector<std::string> divisions(const int n)
+    {
+      std::vector<std::string> changes;
+      for (const char axis : {'x', 'y', 'z'})
+        changes.push_back(fmt::format("Continuum/Mesh/Box/Divisions {}={}", axis, n));
+      return changes;
+    }
+
+    std::vector<Case> cases_of(const bool quick, const std::string &coupling)
+    {
+      const std::vector<int> meshes = quick ? std::vector<int>{8, 11} : std::vector<int>{11, 14, 17, 20, 22};
+      const int              other  = quick ? 8 : 14; // for all but the mesh
+      std::vector<Case>      all;
+      const auto add = [&](const char *study, const std::string &value, const int mesh, const std::string &change) {
+        std::vector<std::string> changes = divisions(mesh);
+        if (!change.empty())
+          changes.push_back(change);
+        changes.push_back("Couplings/" + coupling + "/Energy limit=1e9"); // what is made is measured
+        all.push_back({study, value, changes});
+      };
+      for (const int n : meshes)
+        add("mesh", fmt::format("{0}x{0}x{0}", n), n, "");
+      for (const char *safety : {"0.9", "0.45", "0.2"})
+        add("step", safety, other, std::string("Continuum/Motion/Safety=") + safety);
+      for (const char *ratio : {"1", "2", "5"}) // of particles whose own step is short
+        {
+          add("sub-cycling", ratio, other, std::string("Time/Largest ratio=") + ratio);
+          all.back().changes.push_back("Time/Step factor=0.005");
+        }
+      for (const char *skin : {"1e-4", "2e-5", "5e-6"})
+        add("skin [m]", skin, other, "Couplings/" + coupling + "/Skin thickness=" + skin);
+      for (const int n : meshes)
+        add("point", fmt::format("{0}x{0}x{0}", n), n, "Couplings/" + coupling + "/Contact=point");
+      return all;
+    }
+
+    const CoupledModel &model_of(const LoadedScene &loaded)
+    {
+      const auto *scene = dynamic_cast<const CoupledScene *>(loaded.scene.get());
+      if (!scene)
+        throw dem::InputError(loaded.file + ": Kind = " + loaded.kind + ": this bench needs a scene of kind coupled.");
+      const CoupledModel &model = scene->parameters();
+      if (model.continuum.mesh.source != MeshSection::Source::box || model.couplings.couplings.size() != 1)
+        throw dem::InputError(loaded.file +
+                              ": this bench varies the divisions of a box (Continuum/Mesh/Source) and one "
+                              "coupling.");
+      if (!(model.references.peak_force > 0 && model.references.contact_time > 0))
+        throw dem::InputError(loaded.file + ": References: this bench needs Peak force and Contact time.");
+      return model;
+    }
+
+    Measurement measure(const CoupledModel &model, const Case &which, Progress &progress)
+    {
+      const dem::Packing packing = model.particles.packing();
+      const auto         body    = make_coupled_body(model, packing);
+      body->start();
+      const std::clock_t start = std::clock();
+      const double       end   = model.particles.end_time;
+      constexpr int      looks = 50;
+      for (int n = 1; n <= looks && !interrupted(); ++n)
+        {
+          body->advance_to(end * n / looks);
+          progress.update(body->time() / end, fmt::format("time {:.3g} s", body->time()));
+        }
+      Measurement found;
+      found.which                    = which;
+      found.cost                     = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+      const auto             columns = body->columns();
+      const auto             row     = body->row();
+      const InterfaceFigures seen    = body->interface();
+      const double           initial = body->particles().specimen().energy().initial;
+      found.elements                 = body->elements();
+      found.windows                  = body->windows();
+      found.force_error              = seen.peak_force / model.references.peak_force - 1;
+      found.time_error               = seen.contact_time() / model.references.contact_time - 1;
+      for (std::size_t c = 0; c < columns.size(); ++c)
+        {
+          const std::string &name = columns[c].name;
+          if (name.size() > 5 && name.compare(name.size() - 5, 5, "_made") == 0)
+            found.made = row[c] / initial;
+          if (name == "energy_residual")
+            found.missing = row[c] / initial;
+        }
+      return found;
+    }
+
+    void write(const std::filesystem::path &folder, const std::vector<Measurement> &rows)
+    {
+      std::string csv = "study,value,elements,force_error [-],time_error [-],made [-],missing [-],windows,cost [s]\n";
+      std::string md =
+        "| Study | Value | Elements | Peak force | Contact time | Made by the coupling | Missing | Windows | "
+        "Cost [s] |\n|---|---|---|---|---|---|---|---|---|\n";
+      for (const Measurement &r : rows)
+        {
+          csv += fmt::format("{},{},{},{},{},{},{},{},{}\n", r.which.study, r.which.value, r.elements, r.force_error,
+                             r.time_error, r.made, r.missing, r.windows, r.cost);
+          md += fmt::format("| {} | {} | {} | {:+.2f} % | {:+.2f} % | {:.1e} | {:.1e} | {} | {:.1f} |\n", r.which.study,
+                            r.which.value, r.elements, 100 * r.force_error, 100 * r.time_error, r.made, r.missing,
+                            r.windows, r.cost);
+        }
+      postprocess::write_text(folder / "surface.csv", csv);
+      postprocess::write_text(folder / "surface.md", md);
+    }
+
+    std::string draw(const std::filesystem::path &file, const std::vector<Measurement> &rows)
+    {
+      postprocess::PlotPanel force, time;
+      force.title   = "peak force";
+      time.title    = "contact time";
+      force.y_label = time.y_label = "Relative error";
+      for (postprocess::PlotPanel *panel : {&force, &time})
+        {
+          panel->x_label = "Processor time [s]";
+          panel->log_x = panel->log_y = true;
+        }
+      for (const Measurement &r : rows)
+        {
+          if (force.series.empty() || force.series.back().name != r.which.study)
+            for (postprocess::PlotPanel *panel : {&force, &time})
+              panel->series.emplace_back().name = r.which.study;
+          force.series.back().x.push_back(r.cost);
+          force.series.back().y.push_back(std::fabs(r.force_error));
+          time.series.back().x.push_back(r.cost);
+          time.series.back().y.push_back(std::fabs(r.time_error));
+        }
+      return postprocess::plot(file, {force, time});
+    }
+  } // namespace
+
+  int run_surface_bench(const SurfaceBench &bench)
+  {
+    start_mpi();
+    const std::string coupling = model_of(load_scene(bench.scene, bench.overrides)).couplings.couplings.front().name;
+    std::error_code   error;
+    std::filesystem::create_directories(bench.folder, error);
+    if (error)
+      throw postprocess::OutputError(bench.folder.string() + ": cannot be made: " + error.message() + ".");
+    catch_interrupts();
+    const std::vector<Case>  cases = cases_of(bench.quick, coupling);
+    std::vector<Measurement> rows;
+    for (const Case &which : cases)
+      {
+        std::vector<std::string> changes = bench.overrides;
+        changes.insert(changes.end(), which.changes.begin(), which.changes.end());
+        const LoadedScene loaded = load_scene(bench.scene, changes);
+        Progress progress(fmt::format("case {} of {}, {} {}", rows.size() + 1, cases.size(), which.study, which.value));
+        const Measurement found = measure(model_of(loaded), which, progress);
+        if (interrupted())
+          return exit_interrupted; // the table has every complete case
+        rows.push_back(found);
+        fmt::print("{:<12} {:<10} force {:+.2f} %, time {:+.2f} %, made {:.1e}, missing {:.1e}, {} windows, {:.1f} s\n",
+                   which.study, which.value, 100 * found.force_error, 100 * found.time_error, found.made, found.missing,
+                   found.windows, found.cost);
+        std::fflush(stdout);
+        write(bench.folder, rows);
+      }
+    const std::string problem = draw(bench.folder / "surface.png", rows);
+    if (!problem.empty())
+      fmt::print(stderr, "breccia: warning: no picture: {}\n", problem);
+    fmt::print("written to {}: surface.csv, surface.md, surface.png\n", bench.folder.string());
+    return exit_success;
+  }
+} // namespace apps

@@ -1,0 +1,36 @@
+#include "apps/bench/surface.h"
+#include "apps/commands/command.h"
+#include "apps/commands/scene_options.h"
+
+#include <memory>
+
+namespace apps
+{
+  void add_surface_bench(CLI::App &bench, Action &chosen)
+  {
+    struct Options : SurfaceBench
+    {
+      int threads = 1;
+    };
+    const auto options = std::make_shared<Options>();
+    options->scene     = "apps/scenes/hertz_impact.prm";
+    options->folder    = "output/bench_surface";
+    CLI::App &command =
+      *bench.add_subcommand("surface", "Impact on a solid: force and time over mesh, step, sub-cycling and spreading");
+    command.add_option("scene", options->scene, "Scene of kind coupled with known answers; default: " + options->scene)
+      ->type_name("SCENE");
+    add_overrides(command, options->overrides, "Set an entry of the scene; repeatable");
+    add_threads(command, options->threads);
+    command
+      .add_option("-o,--output", options->folder,
+                  "Folder for the table and the picture; default: " + options->folder.string())
+      ->type_name("DIR");
+    command.add_flag("--quick", options->quick, "Coarse meshes only");
+    command.callback([options, &chosen] {
+      chosen = [options] {
+        use_threads(options->threads);
+        return run_surface_bench(*options);
+      };
+    });
+  }
+} // namespace apps
