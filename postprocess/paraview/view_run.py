@@ -10,6 +10,7 @@ the first:
     tension, compression, cell    TEST_particles.pvd and TEST_links.pvd: spheres coloured by damage, links that are gone or have
                                   lost nearly all stiffness as red lines
     solid, continuation_000, ...  solid.pvd: elements coloured by damage (by stress, where nothing can be damaged), displaced
+    coupled                       the solid and the particles that touch it, together
     transfer                      transfer.pvd: particles beside the mesh that took over, both coloured by damage
 """
 
@@ -62,6 +63,8 @@ def views_of(folder):
         views[name] = lambda view, name=name: show_specimen(folder, name, view)
     if os.path.isfile(os.path.join(folder, "transfer.pvd")):
         views["transfer"] = lambda view: show_transfer(folder, view)
+    if os.path.isfile(os.path.join(folder, "coupled.pvd")):
+        views["coupled"] = lambda view: show_coupled(folder, view)
     if os.path.isfile(os.path.join(folder, "solid.pvd")):
         views["solid"] = lambda view: show_solid(os.path.join(folder, "solid.pvd"), view)
     for path in sorted(glob.glob(os.path.join(folder, "continuation_*", "solid.pvd"))):
@@ -175,16 +178,23 @@ def show_mesh(mesh, view):
         show_colour_bar(display, simple.GetColorTransferFunction(STRESS[2]), "Size of the stress tensor [Pa]", view)
 
 
-def show_solid(path, view):
-    """Elements, displaced and magnified."""
+def show_solid(path, view, factor=None):
+    """Elements, displaced and magnified, or by a factor."""
     solid = open_collection(path)
     warped = simple.WarpByVector(Input=solid)
     warped.Vectors = array(DISPLACEMENT)
-    warped.ScaleFactor = magnification(solid)
+    warped.ScaleFactor = factor or magnification(solid)
     simple.RenameSource("displacements x %g" % warped.ScaleFactor, warped)
     warped.UpdatePipeline()
     show_mesh(warped, view)
     return warped
+
+
+def show_coupled(folder, view):
+    """Both sides where they are."""
+    solid = show_solid(os.path.join(folder, "solid.pvd"), view, 1.0)
+    show_specimen(folder, "particles", view)
+    return solid
 
 
 def parts_of(path):

@@ -440,9 +440,169 @@ POINT_PATH = """strain_xx, stress_yy, stress_zz
 POINT_CONSTANTS = ["Young modulus=30e9", "Poisson ratio=0.2", "Compressive strength=30e6", "Tensile strength=3e6",
                    "Fracture energy=100", "Element size=0.05"]
 
+PARTICLES = """set Kind = particles
+subsection Specimen
+  set Source            = file
+  set File              = packing.txt
+  set Density           = 2500
+  set Interaction ratio = 1
+end
+subsection More particles
+  subsection ball
+    set Centre = 0.004, 0.004, 0.02
+    set Radius = 1.5e-3
+  end
+end
+subsection Material
+  set Law = linear
+  subsection linear
+    set Effective modulus    = 1e7
+    set Friction coefficient = 0.3
+  end
+end
+subsection Groups
+  subsection low
+    set Members   = layer
+    set Axis      = z
+    set Thickness = 1e-3
+  end
+end
+subsection Motion
+  subsection low
+    set Velocity z = 0.01*sin(100*t)
+  end
+end
+subsection Forces
+  subsection ball
+    set Force x = 1e-3*t
+  end
+end
+subsection Walls
+  subsection floor
+    set Shape             = plane
+    set Point             = 0, 0, -2e-3
+    set Normal            = 0, 0, 1
+    set Effective modulus = 1e7
+  end
+  subsection lid
+    set Shape             = plate
+    set Corner            = -0.01, -0.01, 0.025
+    set First edge        = 0.03, 0, 0
+    set Second edge       = 0, 0.03, 0
+    set Effective modulus = 1e7
+    set Control           = force
+    set Direction         = 0, 0, -1
+    set Force             = 0.1
+    set Largest speed     = 0.5
+  end
+end
+subsection Gravity
+  set Acceleration        = 0, 0, -9.81
+  set Initial equilibrium = none
+end
+subsection Gauges
+  subsection press
+    set Quantity  = wall force
+    set Wall      = lid
+    set Component = z
+  end
+end
+subsection Stop
+  subsection far
+    set Column = time
+    set Value  = 1
+  end
+end
+subsection Time
+  set End time = 2e-3
+end
+subsection Output
+  set Samples   = 10
+  set Snapshots = 1
+end
+"""
+
+COUPLED = """set Kind = coupled
+subsection Continuum
+  subsection Model
+    set Dimension = 3
+  end
+  subsection Mesh
+    set Source = box
+    subsection Box
+      set Size        = 0.01, 0.01, 0.005
+      set Divisions x = 3
+      set Divisions y = 3
+      set Divisions z = 2
+      set Growth      = 1, 1.2, 0.8
+    end
+  end
+  subsection Materials
+    subsection solid
+      set Law     = isotropic elastic
+      set Density = 2000
+      subsection isotropic elastic
+        set Young modulus = 1e9
+        set Poisson ratio = 0.2
+      end
+    end
+  end
+  subsection Boundary conditions
+    subsection back
+      set Displacement z = 0
+    end
+  end
+  subsection Motion
+    set Damping = 10
+  end
+end
+subsection Particles
+  subsection Specimen
+    set Source  = none
+    set Density = 2500
+  end
+  subsection More particles
+    subsection ball
+      set Centre = 0.005, 0.005, 0.0061
+      set Radius = 1e-3
+    end
+  end
+  subsection Material
+    set Law = linear
+    subsection linear
+      set Effective modulus = 1e8
+    end
+  end
+  subsection Initial velocity
+    subsection ball
+      set Velocity z = -1
+    end
+  end
+end
+subsection Couplings
+  subsection top
+    set Boundary          = front
+    set Contact           = pressure
+    set Effective modulus = 1e8
+    set Energy limit      = 0.1
+  end
+end
+subsection Gravity
+  set Acceleration = 0, 0, -9.81
+end
+subsection Time
+  set End time      = 2e-4
+  set Largest ratio = 2
+end
+subsection Output
+  set Samples   = 10
+  set Snapshots = 1
+end
+"""
+
 SCENES = {"uniaxial": UNIAXIAL, "cell": CELL, "quasi_static": QUASI_STATIC, "homogenisation": HOMOGENISATION,
           "generated": GENERATED, "continuum_static": CONTINUUM_STATIC, "continuum_explicit": CONTINUUM_EXPLICIT,
-          "sequential": SEQUENTIAL}
+          "sequential": SEQUENTIAL, "particles": PARTICLES, "coupled": COUPLED}
 
 FILES = {"packing.txt": packing(), "cell.txt": periodic_cell(), "two.msh": MESH_2, "two4.msh": MESH_4,
          "link.csv": LINK_PATH, "point.csv": POINT_PATH}

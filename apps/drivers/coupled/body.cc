@@ -238,7 +238,14 @@ namespace apps
       void step(const double rest)
       {
         const double at = body.specimen().time(); // of the forces that the step takes
-        both.advance(rest);
+        try
+          {
+            both.advance(rest);
+          }
+        catch (const fem::MaterialFailure &failure)
+          {
+            throw StoppedShort(failure.what());
+          }
         ++window_count;
         for (const auto &coupled : both.surfaces())
           {

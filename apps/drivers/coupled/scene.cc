@@ -38,12 +38,20 @@ namespace apps
       text += fmt::format("  start        {}\n", text_of(*start));
     text += fmt::format("  windows      {:.0f}{}\n", windows,
                         model.particles.stops.stops.empty() ? "" : ", fewer where a stop condition comes first");
-    const double cost = seconds_per_unit([&](const std::int64_t count) {
-      const std::int64_t before = body->windows();
-      body->advance(count);
-      return body->windows() - before;
-    });
-    return text + duration_line(set_up_seconds + windows * cost);
+    try
+      {
+        const double cost = seconds_per_unit([&](const std::int64_t count) {
+          const std::int64_t before = body->windows();
+          body->advance(count);
+          return body->windows() - before;
+        });
+        text += duration_line(set_up_seconds + windows * cost);
+      }
+    catch (const std::runtime_error &failure)
+      {
+        text += fmt::format("  warning      the first steps fail: {}\n", failure.what());
+      }
+    return text;
   }
 
   int CoupledScene::run(const RunRequest &request) const
