@@ -8,6 +8,13 @@
 
 namespace fem
 {
+  /// When the end of a path that is walked in more and more parts is believed.
+  enum class Settling
+  {
+    quickly, ///< when twice as many parts change it little, measured by the increment
+    surely   ///< few parts, which agree by chance, twice; and measured by what is left where a step ends near zero strain
+  };
+
   namespace mixed_control
   {
     // Lengths of strain increments, in units of strain_scale(): that at which the material cracks.
@@ -18,14 +25,16 @@ namespace fem
     constexpr double lost = 0.999; ///< damage beyond which strains that answer to stresses are not determined
 
     constexpr int finest = 1024; ///< steps of a walk
+    constexpr int few    = 16;   ///< steps of a walk that may agree with another by chance
 
     /// Change of the answer with half as many steps that counts as none: long walks gather more error.
     constexpr double settled(const int steps) { return steps < 128 ? 2.5e-3 : 1e-3; }
 
-    /// Difference of two answers to one target: stresses over the larger one, strains over the increment. Strains of what has
-    /// lost its stiffness do not count.
+    /// Difference of two answers to one target: stresses over the largest one, strains over a strain of the caller's. Strains
+    /// of what has lost its stiffness do not count.
     template <typename Law>
-    double difference(const Law &law, const MixedSolution<Law> &a, const MixedSolution<Law> &b, const double increment)
+    double
+    difference(const Law &law, const MixedSolution<Law> &a, const MixedSolution<Law> &b, const double strain_unit)
     {
       const double crack = law.strain_scale();
       const double stress =
@@ -33,7 +42,15 @@ namespace fem
       const double d = (a.response.stress - b.response.stress).cwiseAbs().maxCoeff() / stress;
       if (Law::damage_of(b.response.trial) > lost)
         return d;
-      return std::fmax(d, (a.strain - b.strain).cwiseAbs().maxCoeff() / std::fmax(increment, 0.01 * crack));
+      return std::fmax(d, (a.strain - b.strain).cwiseAbs().maxCoeff() / std::fmax(strain_unit, 0.01 * crack));
+    }
+
+    /// What strains are measured by; surely: a step that ends near zero strain is as exact there as one that begins at zero.
+    template <typename Law>
+    double strain_unit(const MixedPath<Law> &path, const MixedSolution<Law> &end, const Settling settling)
+    {
+      const double increment = path.increment_to(end.strain);
+      return settling == Settling::surely ? std::fmin(increment, end.strain.cwiseAbs().maxCoeff()) : increment;
     }
 
     /// The rows of what is given in stress condensed, zero outside what is given in strain.
@@ -64,7 +81,8 @@ namespace fem
 
     /// The end of the path, walked in ever more steps until it settles.
     template <typename Law>
-    MixedSolution<Law> follow(const Law &law, const MixedPath<Law> &path, const typename Law::State &committed)
+    MixedSolution<Law>
+    follow(const Law &law, const MixedPath<Law> &path, const typename Law::State &committed, const Settling settling)
     {
       using Walk              = typename MixedPath<Law>::Walk;
       const double      crack = law.strain_scale();
@@ -95,10 +113,12 @@ namespace fem
               if (now.longest > 0.75 * walks[n - 2].longest)
                 continue;
             }
-          const double change = difference(law, walks[n - 2].end, now.end, path.increment_to(now.end.strain));
-          // A point that has left its reference size in one of the steps moves by leaps when steps are divided.
-          const int needed = Law::leapt(committed, now.end.response.trial) ? 2 : 1;
-          agreed           = change <= settled(steps) ? agreed + 1 : 0;
+          const double change = difference(law, walks[n - 2].end, now.end, strain_unit(path, now.end, settling));
+          // Two walks of few steps agree by chance. A point that has left its reference size in one of the steps moves by leaps
+          // when steps are divided.
+          const bool leaps  = Law::leapt(committed, now.end.response.trial);
+          const int  needed = leaps || (settling == Settling::surely && steps < few) ? 2 : 1;
+          agreed            = change <= settled(steps) ? agreed + 1 : 0;
           if (agreed >= needed)
             return now.end;
         }
@@ -137,7 +157,8 @@ namespace fem
                                  const typename Law::State &committed,
                                  const ElementExtent       &element,
                                  const double               stress_unit,
-                                 const Increments           increments = Increments::followed)
+                                 const Increments           increments = Increments::followed,
+                                 const Settling             settling   = Settling::surely)
   {
     constexpr double anywhere = 1e300;
     if (std::none_of(target.stress_given.begin(), target.stress_given.end(), [](const bool given) { return given; }))
@@ -160,7 +181,7 @@ namespace fem
           if (const auto found = path.whole(committed.strain, leap * law.strain_scale()))
             if (path.increment_to(found->strain) <= short_strain)
               return *found;
-        const MixedSolution<Law> followed = follow(law, path, committed);
+        const MixedSolution<Law> followed = follow(law, path, committed, settling);
         if (increments == Increments::followed)
           return followed;
         const auto near = path.whole(followed.strain, anywhere);

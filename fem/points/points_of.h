@@ -80,9 +80,12 @@ namespace fem
       target.stress_given = {false, false, true, true, true, false};
       target.value << strain[0], strain[1], 0, 0, 0, strain[5];
       const double unit = law.elastic_stiffness()(0, 0) * std::fmax(strain.cwiseAbs().maxCoeff(), 1e-12);
-      const auto   s    = solve_mixed(law, target, committed[point], element, unit);
-      trial[point]      = s.response.trial;
-      answer.stress     = s.response.stress;
+      // Quickly: the number of parts leaps from strain to strain, and more often when walks must settle surely. Beside such a
+      // leap Newton's iteration goes to and fro.
+      const auto s =
+        solve_mixed(law, target, committed[point], element, unit, Increments::followed, Settling::quickly);
+      trial[point]  = s.response.trial;
+      answer.stress = s.response.stress;
       answer.stress[2] = answer.stress[3] = answer.stress[4] = 0;
       if (with_tangent)
         answer.tangent = mixed_tangent(law, target, committed[point], element, unit, s);

@@ -246,7 +246,7 @@ TEST_CASE(
   "[fem][slow]")
 {
   Random random(1966);
-  int    answered = 0, refused = 0, far = 0;
+  int    answered = 0, refused = 0;
   double worst = 0;
   for (int i = 0; i < 10000; ++i)
     {
@@ -295,11 +295,9 @@ TEST_CASE(
         {
           FAIL_CHECK("answered, but not in short steps: " << failure.what());
         }
-      CHECK(d < 0.03);
-      far += d < 0.02 ? 0 : 1;
+      CHECK(d < 0.02);
       worst = std::fmax(worst, d);
     }
-  CAPTURE(answered, refused, far, worst);
-  CHECK(far <= 1); // of 8336, and by 2.2 %: its walks settle beside the way of shorter steps
+  CAPTURE(answered, refused, worst);
   CHECK(answered > 8000);
 }
