@@ -61,8 +61,10 @@ namespace fem
     /**
      * Follow the path in equal steps, each from the state of the one before, as long as they find an answer.
      * @param reach ends the walk before a step of a longer strain increment [-]: it would be a leap to another answer
+     * @param passed (history before, history after) is told each step
      */
-    Walk walk(const int steps, const double reach) const
+    template <typename Passed>
+    Walk walk(const int steps, const double reach, const Passed &passed) const
     {
       Walk w;
       w.end.strain         = committed.strain;
@@ -84,8 +86,14 @@ namespace fem
           w.longest      = std::fmax(w.longest, last.cwiseAbs().maxCoeff());
           w.end.strain   = next->strain;
           w.end.response = next->response;
+          passed(from, w.end.response.trial);
         }
       return w;
+    }
+
+    Walk walk(const int steps, const double reach) const
+    {
+      return walk(steps, reach, [](const State &, const State &) {});
     }
 
     double increment_to(const Voigt &strain) const { return (strain - committed.strain).cwiseAbs().maxCoeff(); }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fem/materials/step_dissipation.h"
 #include "fem/points/averaged_points.h"
 #include "fem/points/nonlocal_weights.h"
 
@@ -7,7 +8,7 @@ namespace fem
 {
   /**
    * AveragedPoints of a law with averaging_length(), averaging_factor(), flow(strain, state, with_tangent), which gives a Law::March
-   * with driving() and driving_by_strain(), and damage(march, driving, strain, state, element, with_tangent).
+   * with driving() and driving_by_strain(), damage(march, driving, strain, state, element, with_tangent), and driving_of(state).
    */
   template <typename Law>
   class AveragedPointsOf : public AveragedPoints
@@ -82,6 +83,13 @@ namespace fem
       return coupled[point];
     }
 
+    void begin_step() override
+    {
+      driving_before.resize(committed.size());
+      std::transform(committed.begin(), committed.end(), driving_before.begin(), Law::driving_of);
+      driving_before = weights.averaged(driving_before, law.averaging_factor());
+    }
+
     void commit() override { committed = trial; }
 
     void set_initial(const std::size_t point, const InitialPointState &given, const ElementExtent &element) override
@@ -100,13 +108,30 @@ namespace fem
       return law.stored_energy(strain, stress, committed[point]);
     }
 
+    /// The average grows with the point's own variable; along a straight line where that does not grow.
+    Dissipation dissipated(const std::size_t point, const ElementExtent &element) const override
+    {
+      const typename Law::State &from = committed[point], &to = trial[point];
+      if (Law::was_elastic(from, to) && Law::damage_of(from) == Law::damage_of(to))
+        return {};
+      const auto next = [&](const typename Law::State &now, const Voigt &strain, const double part) {
+        const auto   went  = law.flow(strain, now, false);
+        const double start = Law::driving_of(from), grown = Law::driving_of(to) - start;
+        const double share  = grown > 0 ? (went.driving() - start) / grown : part;
+        const double drives = driving_before[point] + share * (driving[point] - driving_before[point]);
+        return law.damage(went, drives, strain, now, element, false).response.trial;
+      };
+      return settled_dissipation(
+        law, from, to, [&](const int pieces) { return dissipation_on_line(law, from, to.strain, pieces, next); });
+    }
+
   private:
     Law                                                      law;
     NonlocalWeights                                          weights;
     std::vector<std::vector<std::pair<std::size_t, double>>> coupled;
     std::vector<typename Law::State>                         committed, trial;
     std::vector<typename Law::March>                         flown;
-    std::vector<double>                                      driving;
+    std::vector<double>                                      driving, driving_before; // averaged
     std::vector<Voigt>                                       responses;
   };
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fem/materials/dissipation.h"
 #include "fem/materials/element_extent.h"
 #include "fem/materials/initial_state.h"
 #include "fem/materials/point_quantity.h"
@@ -40,6 +41,9 @@ namespace fem
     virtual void evaluate(
       std::size_t point, const Voigt &strain, const ElementExtent &element, bool with_tangent, PointAnswer &answer) = 0;
 
+    /// A solver looks for another step from the committed histories: nothing of an attempt before shall matter.
+    virtual void begin_step() {}
+
     /// The last evaluation of every point becomes its history.
     virtual void commit() = 0;
 
@@ -57,6 +61,10 @@ namespace fem
 
     /// What a point could give back, at the strain and stress that its committed history belongs to [J/m^3].
     virtual double stored_energy(std::size_t point, const Voigt &strain, const Voigt &stress) const = 0;
+
+    /// What a point dissipates between its committed history and that of the last evaluation, in a step that began with begin_step();
+    /// along the material's own path [J/m^3].
+    virtual Dissipation dissipated(std::size_t point, const ElementExtent &element) const = 0;
 
     virtual const Stiffness &elastic_stiffness() const = 0;
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fem/materials/mixed_control.h"
+#include "fem/materials/step_dissipation.h"
 #include "fem/materials/traits.h"
 #include "fem/points/averaged_points_of.h"
 
@@ -69,23 +70,56 @@ namespace fem
       return law.stored_energy(strain, stress, committed[point]);
     }
 
+    Dissipation dissipated([[maybe_unused]] const std::size_t    point,
+                           [[maybe_unused]] const ElementExtent &element) const override
+    {
+      if constexpr (has_history<Law>)
+        {
+          const typename Law::State &from = committed[point], &to = trial[point];
+          if (Law::was_elastic(from, to))
+            return {};
+          const MixedTarget    target = in_plane(to.strain);
+          const MixedPath<Law> path(law, target, from, element, stress_unit(to.strain));
+          const auto           next = [&](const typename Law::State &now, const Voigt &strain, double) {
+            return law.evaluate(strain, now, element, false).trial;
+          };
+          return settled_dissipation(law, from, to, [&](const int pieces) {
+            return plane_stress ? dissipation_on_path(law, path, pieces, mixed_control::leap * law.strain_scale()) :
+                                  dissipation_on_line(law, from, to.strain, pieces, next);
+          });
+        }
+      else
+        return {};
+    }
+
   private:
+    /// The strains in the plane, and no stress across it.
+    static MixedTarget in_plane(const Voigt &strain)
+    {
+      MixedTarget target;
+      target.stress_given = {false, false, true, true, true, false};
+      target.value << strain[0], strain[1], 0, 0, 0, strain[5];
+      return target;
+    }
+
+    double stress_unit(const Voigt &strain) const
+    {
+      return law.elastic_stiffness()(0, 0) * std::fmax(strain.cwiseAbs().maxCoeff(), 1e-12);
+    }
+
     void evaluate_plane_stress(const std::size_t    point,
                                const Voigt         &strain,
                                const ElementExtent &element,
                                const bool           with_tangent,
                                PointAnswer         &answer)
     {
-      MixedTarget target;
-      target.stress_given = {false, false, true, true, true, false};
-      target.value << strain[0], strain[1], 0, 0, 0, strain[5];
-      const double unit = law.elastic_stiffness()(0, 0) * std::fmax(strain.cwiseAbs().maxCoeff(), 1e-12);
       // Quickly: the number of parts leaps from strain to strain, and more often when walks must settle surely. Beside such a
       // leap Newton's iteration goes to and fro.
-      const auto s =
-        solve_mixed(law, target, committed[point], element, unit, Increments::followed, Settling::quickly);
-      trial[point]  = s.response.trial;
-      answer.stress = s.response.stress;
+      const MixedTarget target = in_plane(strain);
+      const double      unit   = stress_unit(strain);
+      const auto s = solve_mixed(law, target, committed[point], element, unit, Increments::followed, Settling::quickly);
+      trial[point] = s.response.trial;
+      answer.stress    = s.response.stress;
       answer.stress[2] = answer.stress[3] = answer.stress[4] = 0;
       if (with_tangent)
         answer.tangent = mixed_tangent(law, target, committed[point], element, unit, s);

@@ -268,6 +268,43 @@ namespace fem
   }
 
   template <int dim>
+  void Solid<dim>::begin_step()
+  {
+    for (auto &law : materials)
+      law.second->begin_step();
+  }
+
+  template <int dim>
+  Dissipation Solid<dim>::dissipated() const
+  {
+    Dissipation sum;
+    if (linear())
+      return sum;
+    FEValues<dim> values(*geometry, *element, points, update_JxW_values);
+    const double  thickness = dim == 2 ? settings.thickness : 1.0;
+    std::size_t   next      = 0;
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          const ElementPoints &e       = elements[next++];
+          bool                 reached = false; // most elements dissipate nothing
+          for (unsigned int q = 0; q < points.size(); ++q)
+            {
+              const Dissipation d = e.material->dissipated(e.first + q, e.extent);
+              if (d.plasticity == 0 && d.damage == 0)
+                continue;
+              if (!reached)
+                values.reinit(cell);
+              reached = true;
+              sum.add(d, thickness * values.JxW(q));
+            }
+        }
+    sum.plasticity = Utilities::MPI::sum(sum.plasticity, communicator());
+    sum.damage     = Utilities::MPI::sum(sum.damage, communicator());
+    return sum;
+  }
+
+  template <int dim>
   void Solid<dim>::commit()
   {
     for (auto &law : materials)

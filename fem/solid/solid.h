@@ -97,6 +97,12 @@ namespace fem
     /// The locally owned elements for the fast kernel, with positions in a make_vector(); made when first asked for.
     const std::vector<ElementBlocks> &blocks() const;
 
+    /// A solver looks for another step from the committed histories: nothing of an attempt before shall matter.
+    void begin_step();
+
+    /// What the points dissipate from their committed to their trial histories, in a step that began with begin_step() [J].
+    Dissipation dissipated() const;
+
     /// Trial histories become the committed ones.
     void commit();
 

@@ -104,8 +104,9 @@ namespace fem
   StepReport StaticSolver<dim>::path_newton(Trial &trial, const PathControl &control, const double increment)
   {
     StepReport report;
-    double     scale   = 0;
-    Vector     carried = solid.make_vector(), r = solid.make_vector(), by_load = solid.make_vector(),
+    solid.begin_step();
+    double scale   = 0;
+    Vector carried = solid.make_vector(), r = solid.make_vector(), by_load = solid.make_vector(),
            to_balance = solid.make_vector(), done = solid.make_vector();
     for (unsigned int iteration = 0; iteration <= options.iterations; ++iteration)
       {

@@ -144,6 +144,7 @@ namespace fem
   {
     if (!report.converged)
       return report;
+    work.dissipated.add(solid.dissipated());
     solid.commit();
     last_step = trial.u;
     last_step -= u;
@@ -177,8 +178,9 @@ namespace fem
   StepReport StaticSolver<dim>::newton(Trial &trial)
   {
     StepReport report;
-    double     scale            = 0;
-    Vector     step_of_supports = solid.make_vector(), carried = solid.make_vector(), r = solid.make_vector(),
+    solid.begin_step();
+    double scale            = 0;
+    Vector step_of_supports = solid.make_vector(), carried = solid.make_vector(), r = solid.make_vector(),
            d = solid.make_vector();
     solid.prescribed(trial.time, step_of_supports);
     {

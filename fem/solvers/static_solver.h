@@ -41,8 +41,10 @@ namespace fem
   struct StaticEnergy
   {
     double external = 0; ///< work of loads and of prescribed displacements
-    double internal = 0; ///< work of stresses: stored and dissipated
+    double internal = 0; ///< work of stresses, by trapezes over the steps
     double damped   = 0; ///< by the dampers of relaxations
+
+    Dissipation dissipated; ///< by the materials, each point along its own path within the steps
   };
 
   /// All that a static analysis remembers besides the histories of its points.

@@ -49,7 +49,11 @@ TEST_CASE("A continuum run writes summary, series, curve, snapshots and the comp
   for (const char *cost : {"elements", "unknowns", "integration_points", "steps", "newton_iterations", "wall_seconds"})
     CHECK(summary["cost"][cost].get<double>() > 0);
   CHECK_THAT(summary["cost"]["linear_solver"].get<std::string>(), Contains("UMFPACK, "));
-  CHECK(summary["energy"]["balance_error"].get<double>() < 1e-6); // Newton's tolerance of 1e-8 over some steps
+  const auto energy = [&](const char *term) { return summary["energy"][term].get<double>(); };
+  CHECK(energy("external") == Approx(energy("internal")).epsilon(1e-6)); // Newton's tolerance of 1e-8 over some steps
+  CHECK(energy("external") == Approx(energy("stored") + energy("dissipated") + energy("residual")).epsilon(1e-9));
+  CHECK(energy("dissipated") == Approx(energy("plasticity") + energy("damage")).epsilon(1e-12));
+  CHECK(energy("balance_error") < 2e-3); // of steps of 1e-6 m
   CHECK(summary["energy"]["external"].get<double>() > 0);
   CHECK(summary["scene"] == "x.prm");
   CHECK(summary["asked"]["overrides"][0] == "Control/End=2e-5");

@@ -43,6 +43,7 @@ namespace
     /** By column, of u = strain x along x under the loads of a time. */
     std::map<std::string, double> read(const double time, const double work)
     {
+      energy.internal = work;
       std::map<dealii::types::global_dof_index, dealii::Point<2>> place;
       dealii::DoFTools::map_dofs_to_support_points(solid->mapping(), solid->dofs(), place);
       fem::Vector u = solid->make_vector(), internal = u, external = u;
@@ -59,7 +60,7 @@ namespace
       u.update_ghost_values();
       solid->internal_force(u, internal);
       solid->external_force(time, external);
-      const std::vector<double>     row = gauges.read({&u, &internal, &external}, work);
+      const std::vector<double>     row = gauges.read({&u, &internal, &external}, energy);
       std::map<std::string, double> values;
       const auto                    columns = gauges.columns();
       REQUIRE(row.size() == columns.size());
@@ -73,6 +74,7 @@ namespace
     const apps::ContinuumModel    &model;
     std::unique_ptr<fem::Solid<2>> solid;
     apps::ContinuumGauges<2>       gauges;
+    apps::ContinuumEnergy          energy;
   };
 } // namespace
 
@@ -93,7 +95,8 @@ TEST_CASE("Gauges of a solid read loads, reactions, displacements and energies a
   CHECK(read.count("reaction_right_x") == 0);
 }
 
-TEST_CASE("Gauges count as dissipated what a solid that need not be elastic does not store", "[apps]")
+TEST_CASE("Gauges count as dissipated what materials say, or else what a solid that need not be elastic does not store",
+          "[apps]")
 {
   const std::string text  = bar();
   std::string       large = text;
@@ -104,6 +107,15 @@ TEST_CASE("Gauges count as dissipated what a solid that need not be elastic does
   const auto   read   = gauged.read(0.5, 1.25 * stored);
   CHECK(read.at("energy_stored") == Approx(stored).epsilon(1e-12));
   CHECK(read.at("energy_dissipated") == Approx(0.25 * stored).epsilon(1e-9));
+  CHECK(gauged.energy.stored == read.at("energy_stored"));
+  gauged.energy.external = 1.25 * stored;
+  CHECK(gauged.energy.balance_error() < 1e-12);
+
+  gauged.energy.materials_keep_account = true;
+  gauged.energy.dissipated             = 2 * stored;
+  CHECK(gauged.read(0.5, 1.25 * stored).at("energy_dissipated") == 2 * stored);
+  CHECK(gauged.energy.residual() == Approx(-1.75 * stored).epsilon(1e-9));
+  CHECK(gauged.energy.balance_error() == Approx(1.75 / 2).epsilon(1e-9));
 }
 
 TEST_CASE("A point of the gauges outside the solid is refused at its place", "[apps]")

@@ -87,9 +87,16 @@ TEST_CASE("The summary of a solid tells of its gauges what they say it should", 
   apps::ContinuumReport report{};
   report.request.scene_file = "bar.prm";
   report.series             = table({"load_factor", "opening", "reaction_left_x", "energy_dissipated", "energy_stored",
-                                     "energy_balance_error", "wetness"},
-                                    {"-", "m", "N", "J", "J", "-", "kg"},
-                                    {{1, 2, 3}, {0.1, 0.2, 0.3}, {5, -8, 2}, {0, 1, 4}, {9, 9, 9}, {0, 2e-9, 1e-9}, {3, 2, 1}});
+                                     "energy_residual", "energy_balance_error", "wetness"},
+                                    {"-", "m", "N", "J", "J", "J", "-", "kg"},
+                                    {{1, 2, 3},
+                                     {0.1, 0.2, 0.3},
+                                     {5, -8, 2},
+                                     {0, 1, 4},
+                                     {10, 9, 9},
+                                     {0, -2e-8, 1e-8},
+                                     {0, 1, 2}, // over energies near zero it says nothing
+                                     {3, 2, 1}});
   report.gauges             = {{{"reaction_left_x", "N"}, Told::peak},
                                {{"energy_stored", "J"}, Told::not_at_all},
                                {{"energy_dissipated", "J"}, Told::last, "dissipated_energy"},
@@ -109,7 +116,17 @@ TEST_CASE("The summary of a solid tells of its gauges what they say it should", 
   CHECK(figures["dissipated_energy"] == nlohmann::json({{"value", 4.0}, {"unit", "J"}}));
   CHECK(figures["wetness"] == nlohmann::json({{"value", 1.0}, {"unit", "kg"}}));
   CHECK(figures.size() == 5);
-  CHECK(summary["energy"]["balance_error"] == 2e-9); // the worst
+  CHECK(summary["energy"]["balance_error"].get<double>() ==
+        Approx(2e-9)); // the largest of all rows over the largest energy
+  CHECK(summary["energy"]["residual"] == 1e-8);
+  CHECK(summary["warnings"].empty());
   CHECK(summary["energy"]["stored"] == 9);
-  CHECK_THAT(report.text(), Contains("wetness") && Contains("kg"));
+  CHECK_THAT(report.text(), Contains("wetness") && Contains("kg") && !Contains("warning"));
+
+  report.series.columns[5][1] = 0.6;
+  CHECK_THAT(report.text(),
+             Contains("warning      the energies do not balance by 6 % of the largest: the steps are too "
+                      "long for the work that they count. Shorten Control/Largest step"));
+  report.series.columns[5][1] = 0.4;
+  CHECK_THAT(report.text(), !Contains("warning"));
 }

@@ -151,6 +151,45 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("every material stores and dissipates what its stresses work, and tells it of long steps too", "[fem]")
+{
+  const fem::ElementExtent element = fem::ElementExtent::uniform(0.1);
+  for (const auto &kind : fem::material_kinds())
+    for (const fem::Plane plane : {fem::Plane::strain, fem::Plane::stress})
+      {
+        INFO(kind->name() << (plane == fem::Plane::stress ? ", plane stress" : ""));
+        fem::Voigt straight;
+        straight << 5e-4, -1e-4, 0, 0, 0, 2e-4;
+        double lost[2], stored = 0;
+        for (const int steps : {1, 200})
+          {
+            const auto points = typical_constants(*kind)->make_points(plane);
+            points->allocate(1);
+            fem::PointAnswer now;
+            fem::Voigt       last = fem::Voigt::Zero();
+            double           work = 0, &sum = lost[steps == 1 ? 0 : 1];
+            sum = 0;
+            for (int k = 1; k <= steps; ++k)
+              {
+                points->begin_step();
+                points->evaluate(0, straight * (double(k) / steps), element, false, now);
+                const fem::Dissipation d = points->dissipated(0, element);
+                CHECK(d.plasticity >= 0);
+                CHECK(d.damage >= 0);
+                sum += d.total();
+                points->commit();
+                work += 0.5 * (last + now.stress).dot(straight) / steps;
+                last = now.stress;
+              }
+            stored = points->stored_energy(0, straight, now.stress);
+            if (steps > 1)
+              CHECK(work == Approx(stored + sum).epsilon(1e-3));
+          }
+        CHECK((lost[1] > 0) == kind->has_history());
+        CHECK(lost[0] == Approx(lost[1]).epsilon(0.02));
+      }
+}
+
 TEST_CASE("every material can be driven alone along a path of stresses", "[fem]")
 {
   for (const auto &kind : fem::material_kinds())

@@ -302,6 +302,8 @@ TEST_CASE("a static run restored in its middle goes on to the same last bit", "[
     }
   CHECK(*std::max_element(history.begin(), history.end()) > 0);
   CHECK(resumed->solver->energy().internal == straight->solver->energy().internal);
+  CHECK(straight->solver->energy().dissipated.total() > 0);
+  CHECK(resumed->solver->energy().dissipated.total() == straight->solver->energy().dissipated.total());
   fem::Vector difference = resumed->solver->displacement();
   difference -= straight->solver->displacement();
   CHECK(difference.linfty_norm() == 0);

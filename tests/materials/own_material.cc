@@ -112,6 +112,14 @@ namespace
       return 0.5 * stress.dot(strain - s.misfit);
     }
 
+    fem::Dissipation dissipation(const State &from, const State &to) const
+    {
+      const auto undamaged = [this](const State &s) {
+        return 0.5 * (s.strain - s.misfit).dot(stiffness * (s.strain - s.misfit));
+      };
+      return {0, 0.5 * (undamaged(from) + undamaged(to)) * (to.damage - from.damage)};
+    }
+
     double          strain_scale() const { return p.threshold; }
     fem::Increments increments() const { return fem::Increments::followed; }
     static double   damage_of(const State &s) { return s.damage; }
@@ -251,6 +259,8 @@ TEST_CASE("a scene of a material of one's own is read and run, with gauges, Para
   const auto figures = nlohmann::json::parse(content_of(folder / "out/summary.json"))["figures"];
   CHECK(figures["largest_equivalent_strain"]["value"] == series.column("largest_equivalent_strain").back());
   CHECK(figures["dissipated_energy"]["unit"] == "J");
+  CHECK(series.column("energy_damage").back() == series.column("energy_dissipated").back());
+  CHECK(series.column("energy_plasticity").back() == 0);
   CHECK(figures.contains("peak_reaction_right_x"));
   CHECK(std::filesystem::exists(folder / "out/damage.png"));
 
@@ -265,6 +275,39 @@ TEST_CASE("a scene of a material of one's own is read and run, with gauges, Para
   REQUIRE(grid.GetPointData()->GetArray("misfit") != nullptr);
   CHECK(grid.GetPointData()->GetArray("misfit")->GetNumberOfComponents() == 6);
   CHECK(grid.GetPointData()->GetArray("stress") != nullptr);
+}
+
+TEST_CASE("a scene whose steps are too long for their work says so, and not one of short steps", "[materials]")
+{
+  register_once();
+  apps::start_mpi();
+  const ScratchFolder folder;
+  double              dissipated[2], error[2];
+  for (const bool is_long : {false, true})
+    {
+      const apps::LoadedScene scene =
+        apps::load_scene(folder.file("bar.prm", bar_scene("stress")),
+                         {is_long ? "Control/First step=1" : "Control/First step=0.02", "Output/Snapshots=0"});
+      apps::RunRequest request = apps::request_of(scene);
+      request.output_folder    = folder / (is_long ? "long" : "short");
+      request.quiet            = true;
+      REQUIRE(scene.scene->run(request) == 0);
+      const auto summary  = nlohmann::json::parse(content_of(request.output_folder / "summary.json"));
+      dissipated[is_long] = summary["energy"]["dissipated"];
+      error[is_long]      = summary["energy"]["balance_error"];
+      if (is_long)
+        {
+          REQUIRE(summary["warnings"].size() == 1);
+          CHECK_THAT(summary["warnings"][0].get<std::string>(),
+                     Catch::Contains("the energies do not balance by 100 % of the largest: the steps are too long"));
+        }
+      else
+        CHECK(summary["warnings"].empty());
+    }
+  CHECK(dissipated[1] == Approx(dissipated[0]).epsilon(0.01));
+  // All that the trapeze of one step counts is what the bar can give back.
+  CHECK(error[1] == Approx(1).epsilon(0.02));
+  CHECK(error[0] < 1e-3);
 }
 
 TEST_CASE("a scene that gives a material of one's own wrong constants is refused at its place", "[materials]")
@@ -310,6 +353,8 @@ TEST_CASE("an analysis of a material of one's own goes on from a checkpoint to t
   for (unsigned int i = 0; i < a.locally_owned_size(); ++i)
     CHECK(a.local_element(i) == b.local_element(i));
   CHECK(straight->energy().internal == resumed->energy().internal);
+  CHECK(straight->energy().dissipated > 0);
+  CHECK(straight->energy().dissipated == resumed->energy().dissipated);
 }
 
 TEST_CASE("a material of one's own takes stress and damage of particles", "[materials]")

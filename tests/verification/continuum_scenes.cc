@@ -56,7 +56,10 @@ namespace
     const double area = area_under(beam), dissipated = beam.figure("dissipated_energy");
     // The area under the curve is the work of the load: trapezes over the same steps, so to the solver's tolerance.
     CHECK(area == Approx(beam.summary["energy"]["external"].get<double>()).epsilon(1e-6));
-    CHECK(area == Approx(dissipated + beam.summary["energy"]["stored"].get<double>()).epsilon(1e-6));
+    // The materials keep an account of their own, of which these steps count the work to a few percent.
+    CHECK(area == Approx(dissipated + beam.summary["energy"]["stored"].get<double>()).epsilon(0.03));
+    CHECK(beam.summary["energy"]["balance_error"].get<double>() < 0.03);
+    CHECK(beam.summary["warnings"].empty());
     // Past the peak far enough: less than a fiftieth of the load is left.
     const auto &load = beam.series.column("reaction_load_y");
     CHECK(std::fabs(load.back()) < 0.03 * std::fabs(beam.figure("peak_reaction_load_y")));

@@ -1,16 +1,9 @@
 #include "apps/drivers/continuum/analysis.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace apps
 {
-  double ContinuumEnergy::balance_error() const
-  {
-    const double largest = std::max({std::fabs(external), std::fabs(internal), kinetic, damped, start});
-    return largest > 0 ? std::fabs(external + start - internal - kinetic - damped) / largest : 0.0;
-  }
-
   void visit_vector(dem::StateVisitor &visitor, const std::string &name, fem::Vector &vector)
   {
     dem::Column values(vector.begin(), vector.begin() + vector.locally_owned_size());

@@ -10,17 +10,6 @@
 
 namespace apps
 {
-  /** Energies of an analysis [J]: what came in equals what is there, up to balance_error(). */
-  struct ContinuumEnergy
-  {
-    double external = 0; ///< work of loads and prescribed displacements
-    double internal = 0; ///< work of stresses: stored and dissipated
-    double kinetic = 0, damped = 0, start = 0;
-
-    /** What is missing or too much, over the largest of them. */
-    double balance_error() const;
-  };
-
   /** An analysis of a solid, static or explicit, as a run drives and records it. All ranks call each function together. */
   template <int dim>
   class ContinuumAnalysis
@@ -38,7 +27,7 @@ namespace apps
     virtual bool finished() const = 0;
 
     virtual SolidState      state() const      = 0;
-    virtual ContinuumEnergy energy() const     = 0;
+    virtual ContinuumEnergy energy() const     = 0; ///< all but what is stored, which gauges read
     virtual double          coordinate() const = 0; ///< time, controlled opening or length of arc: it only grows
     virtual double          end() const        = 0; ///< of the coordinate
 

@@ -140,7 +140,7 @@ namespace apps
   }
 
   template <int dim>
-  std::vector<double> ContinuumGauges<dim>::read(const SolidState &state, const double work) const
+  std::vector<double> ContinuumGauges<dim>::read(const SolidState &state, ContinuumEnergy &energy) const
   {
     std::vector<double> row;
     for (const Resultant &r : loads)
@@ -166,8 +166,11 @@ namespace apps
       }
     for (double &value : row)
       value = sum(value, solid.communicator());
-    const Points points = read_points(*state.displacement, work);
-    row.insert(row.end(), {points.stored, work + stored_at_start - points.stored});
+    const Points points = read_points(*state.displacement, energy.internal);
+    energy.stored       = points.stored - stored_at_start;
+    if (!energy.materials_keep_account)
+      energy.dissipated = energy.internal - energy.stored;
+    row.insert(row.end(), {points.stored, energy.dissipated});
     row.insert(row.end(), points.largest.begin(), points.largest.end());
     return row;
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/drivers/continuum/energy.h"
 #include "apps/drivers/continuum/gauge_column.h"
 #include "apps/drivers/continuum/model.h"
 #include "dem/core/state.h"
@@ -26,10 +27,10 @@ namespace apps
 
     std::vector<GaugeColumn> columns() const;
 
-    /** One value per column, the same on every rank. @param work done by the stresses [J]: what is not stored is dissipated. */
-    std::vector<double> read(const SolidState &state, double work) const;
+    /** One value per column, the same on every rank. @param energy of the analysis, which is completed by what is stored */
+    std::vector<double> read(const SolidState &state, ContinuumEnergy &energy) const;
 
-    /** From now on dissipation counts from the present histories at this displacement. */
+    /** From now on the energies count from the present histories at this displacement. */
     void start_at(const fem::Vector &displacement) { stored_at_start = read_points(displacement, 0).stored; }
     void visit_state(dem::StateVisitor &visitor) { visitor.scalar("stored_at_start", stored_at_start); }
 
@@ -66,7 +67,7 @@ namespace apps
     Points read_points(const fem::Vector &displacement, double work) const;
 
     fem::Solid<dim>          &solid;
-    double                    stored_at_start = 0; ///< when dissipation began to count [J]
+    double                    stored_at_start = 0; ///< when the energies began to count [J]
     std::vector<Resultant>    loads, reactions;
     std::vector<Displacement> displacements;
     std::vector<Watched>      watched;

@@ -76,7 +76,7 @@ namespace apps
     std::vector<postprocess::SeriesColumn> all = analysis->columns();
     for (const GaugeColumn &gauge : gauges->columns())
       all.push_back(gauge.column);
-    for (const char *energy : {"energy_external", "energy_internal"})
+    for (const char *energy : {"energy_external", "energy_internal", "energy_residual"})
       all.push_back({energy, "J"});
     all.push_back({"energy_balance_error", "-"});
     return all;
@@ -207,11 +207,11 @@ namespace apps
   template <int dim>
   SeriesRow ContinuumRun<dim>::row()
   {
-    const ContinuumEnergy energy = analysis->energy();
-    std::vector<double>   values = analysis->values();
-    for (const double value : gauges->read(analysis->state(), energy.internal))
+    ContinuumEnergy     energy = analysis->energy();
+    std::vector<double> values = analysis->values();
+    for (const double value : gauges->read(analysis->state(), energy))
       values.push_back(value);
-    values.insert(values.end(), {energy.external, energy.internal, energy.balance_error()});
+    values.insert(values.end(), {energy.external, energy.internal, energy.residual(), energy.balance_error()});
 
     const double now = std::fabs(values[vertical_index]);
     peak             = std::max(peak, now);

@@ -114,6 +114,9 @@ namespace apps
         energy.external = solver.energy().external;
         energy.internal = solver.energy().internal;
         energy.damped   = solver.energy().damped;
+
+        energy.dissipated             = solver.energy().dissipated.total();
+        energy.materials_keep_account = true;
         return energy;
       }
 
@@ -143,6 +146,11 @@ namespace apps
           all.push_back({"arc_length", "m"});
         if (control.relax)
           all.push_back({"energy_damped", "J"});
+        if (!solid.linear())
+          {
+            all.push_back({"energy_plasticity", "J"});
+            all.push_back({"energy_damage", "J"});
+          }
         return all;
       }
 
@@ -153,6 +161,11 @@ namespace apps
           row.push_back(coordinate());
         if (control.relax)
           row.push_back(solver.energy().damped);
+        if (!solid.linear())
+          {
+            row.push_back(solver.energy().dissipated.plasticity);
+            row.push_back(solver.energy().dissipated.damage);
+          }
         return row;
       }
 
@@ -184,6 +197,8 @@ namespace apps
         visitor.scalar("external_work", saved.energy.external);
         visitor.scalar("internal_work", saved.energy.internal);
         visitor.scalar("damped_work", saved.energy.damped);
+        visitor.scalar("dissipated_by_plasticity", saved.energy.dissipated.plasticity);
+        visitor.scalar("dissipated_by_damage", saved.energy.dissipated.damage);
         visit_vector(visitor, "displacement", saved.displacement);
         visit_vector(visitor, "last_step", saved.last_step);
         visit_vector(visitor, "internal_force", saved.internal_force);

@@ -18,6 +18,8 @@ namespace apps
 {
   namespace
   {
+    constexpr double worrying_balance = 0.05;
+
     nlohmann::json quantity(const double value, const std::string &unit)
     {
       return {{"value", value}, {"unit", unit.empty() ? "-" : unit}};
@@ -28,8 +30,25 @@ namespace apps
 
   double ContinuumReport::worst_balance() const
   {
-    const auto &errors = series.column("energy_balance_error");
-    return *std::max_element(errors.begin(), errors.end());
+    double most = 0, residual = 0;
+    for (const std::string &name : series.names)
+      if (name.rfind("energy_", 0) == 0 && name != "energy_balance_error")
+        {
+          double &largest = name == "energy_residual" ? residual : most;
+          for (const double value : series.column(name))
+            largest = std::max(largest, std::fabs(value));
+        }
+    return most > 0 ? residual / most : 0;
+  }
+
+  std::vector<std::string> ContinuumReport::warnings() const
+  {
+    if (!(worst_balance() > worrying_balance))
+      return {};
+    return {fmt::format("the energies do not balance by {:.0f} % of the largest: {}", 100 * worst_balance(),
+                        is_static ? "the steps are too long for the work that they count. Shorten Control/Largest step "
+                                    "until this is small" :
+                                    "the motion is not resolved. Lower Motion/Safety")};
   }
 
   nlohmann::json ContinuumReport::figures() const
@@ -71,6 +90,7 @@ namespace apps
     summary["version"]  = version();
     summary["ended_by"] = ended_by;
     summary["figures"]  = figures();
+    summary["warnings"] = warnings();
     summary["cost"]     = {{"elements", size.elements},
                            {"unknowns", size.unknowns},
                            {"integration_points", size.points},
@@ -111,6 +131,8 @@ namespace apps
     const nlohmann::json found = figures();
     for (const auto &[name, figure] : found.items())
       text += fmt::format("{:<40} {:.6g} {}\n", name, figure["value"].get<double>(), figure["unit"].get<std::string>());
+    for (const std::string &warning : warnings())
+      text += fmt::format("warning      {}\n", warning);
     text += fmt::format("energy       balance error {:.1e} at worst\n", worst_balance());
     text += fmt::format("cost         {}, {:.0f} steps{}\n", duration_text(wall_seconds), cost.at("steps"),
                         linear_solver.empty() ? "" : ", " + linear_solver);

@@ -140,8 +140,10 @@ namespace apps
         const fem::ExplicitEnergy s        = motion->energy();
         const dem::EnergyAccount  p        = specimen.energy();
         std::vector<double>       values   = {time()};
-        const auto add = [&](const auto &list) { values.insert(values.end(), std::begin(list), std::end(list)); };
-        add(gauges.read({&motion->displacement(), &motion->internal_force(), &motion->external_force()}, s.internal));
+        const auto      add = [&](const auto &list) { values.insert(values.end(), std::begin(list), std::end(list)); };
+        ContinuumEnergy continuum;
+        continuum.internal = s.internal;
+        add(gauges.read({&motion->displacement(), &motion->internal_force(), &motion->external_force()}, continuum));
         add(body.gauges());
         for (const auto &surface : both.surfaces())
           for (int d = 0; d < dim; ++d)

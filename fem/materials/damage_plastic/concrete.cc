@@ -269,6 +269,18 @@ namespace fem
     return done;
   }
 
+  Dissipation DamagePlasticConcrete::dissipation(const State &from, const State &to) const
+  {
+    const auto undamaged_energy = [this](const State &s) {
+      const Voigt elastic = s.strain - s.plastic_strain;
+      return 0.5 * elastic.dot(stiffness * elastic);
+    };
+    Dissipation d;
+    d.plasticity = 0.5 * (from.stress + to.stress).dot(to.plastic_strain - from.plastic_strain);
+    d.damage     = 0.5 * (undamaged_energy(from) + undamaged_energy(to)) * (to.damage - from.damage);
+    return d;
+  }
+
   double DamagePlasticConcrete::effective_size(const State &state, const ElementExtent &element) const
   {
     if (state.size > 0)

@@ -2,6 +2,7 @@
 
 #include "fem/materials/damage_plastic/damage_law.h"
 #include "fem/materials/damage_plastic/return_mapping.h"
+#include "fem/materials/dissipation.h"
 #include "fem/materials/element_extent.h"
 #include "fem/materials/initial_state.h"
 #include "fem/materials/mixed_target.h"
@@ -91,6 +92,9 @@ namespace fem
       return 0.5 * stress.dot(elastic);
     }
 
+    /// In one short piece of a path: by the mean stress and the mean elastic energy at its ends.
+    Dissipation dissipation(const State &from, const State &to) const;
+
     UniaxialStrengths uniaxial_strengths() const { return {p.tensile_strength, p.compressive_strength}; }
 
     // What solve_mixed() asks.
@@ -110,6 +114,8 @@ namespace fem
 
     double averaging_length() const { return p.nonlocal_length; }
     double averaging_factor() const { return p.nonlocal_factor; }
+
+    static double driving_of(const State &s) { return s.kappa_d; } ///< of the point itself
 
     const ReturnMapping &plasticity() const noexcept { return return_mapping; }
 
