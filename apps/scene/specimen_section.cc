@@ -32,8 +32,8 @@ namespace apps
     Section &section = root.section("Specimen", "The particles: where they come from, and what is made of them");
     if (use.other_particles)
       section
-        .choice("Source", source,
-                {{"generator", Source::generator}, {"file", Source::file}, {"none", Source::none}}, Need::required)
+        .choice("Source", source, {{"generator", Source::generator}, {"file", Source::file}, {"none", Source::none}},
+                Need::required)
         .means("generator: compact a random packing, tile and crop it; file: read a packing; none: there are only "
                "those of section More particles");
     else
@@ -61,8 +61,8 @@ namespace apps
       .number("Interaction ratio", interaction_ratio, "-", Range::between(1, 10),
               use.other_particles ? Need::optional : Need::required)
       .means(use.other_particles ?
-               "iota: particles closer than iota times the sum of their radii are linked, if the law bonds them; CPM "
-               "about 1.5. A law without bonds does not ask for it" :
+               "iota: particles closer than iota times the sum of their radii are linked, if the law bonds them; "
+               "about 1.5 for concrete. A law without bonds does not ask for it" :
                "iota: particles closer than iota times the sum of their radii are linked; a constant of the material "
                "model, about 1.5");
     if (use.box)
@@ -85,7 +85,8 @@ namespace apps
         "Spheres in the periodic cell, which is repeated to fill the box: its pattern repeats too, and cracks follow "
         "it; 1000 make its edge about ten diameters. 0: a box of up to " +
         std::to_string(dem::most_in_one_cell) +
-        " spheres is filled in one piece, in half a minute at most; a larger one is filled with cells of so many; a periodic "
+        " spheres is filled in one piece, in half a minute at most; a larger one is filled with cells of so many; a "
+        "periodic "
         "cell has 1000");
     inner.integer("Seed", generator.seed, "", Range::between(0, 9007199254740992.0), Need::optional)
       .means("Another seed gives another random packing; the same seed the same packing");

@@ -41,9 +41,11 @@ namespace coupling
   {
     constexpr double rounding = 1e-12;
     const double     of_solid = solid_step(), of_particles = particle_step();
-    const double     most    = std::clamp(std::floor(of_solid / of_particles), 1.0, static_cast<double>(largest_ratio));
-    const double     longest = std::min(of_solid, most * of_particles);
-    WindowSteps      steps;
+    // Sub-cycled, a contact alone is stable up to lambda T^2 = 2 (doc/theory/surface-coupling.md, 2).
+    const double calm    = stiffest > 0 ? std::min(of_solid, 1.2 / std::sqrt(stiffest)) : of_solid;
+    const double most    = std::clamp(std::floor(calm / of_particles), 1.0, static_cast<double>(largest_ratio));
+    const double longest = most > 1 ? std::min(calm, most * of_particles) : std::min(of_solid, of_particles);
+    WindowSteps  steps;
     steps.particles = static_cast<int>(most);
     steps.window    = rest / std::max(1.0, std::ceil(rest / longest * (1 - rounding)));
     return steps;

@@ -77,8 +77,9 @@ namespace apps
     material.validate(root, physics.dimension);
     const Section &specimen = *root.find_section("Specimen");
     if (bonded() && !specimen.find_entry("Interaction ratio")->set)
-      specimen.refuse("Interaction ratio", "the law links particles from the start: say up to which distance. CPM: "
-                                           "about 1.5; 1.05 links spheres that touch.");
+      specimen.refuse("Interaction ratio",
+                      "the law links particles from the start: say up to which distance. Concrete: "
+                      "about 1.5; 1.05 links spheres that touch.");
     if (source.source == SpecimenSection::Source::none && more.added.empty())
       specimen.refuse("Source", "there is no particle at all. Give some in section More particles.");
     GroupNames names;

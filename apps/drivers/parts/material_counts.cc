@@ -1,6 +1,6 @@
 #include "apps/drivers/parts/material_counts.h"
 
-#include "dem/laws/cpm.h"
+#include "dem/model/materials.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -101,7 +101,7 @@ namespace apps
             }
       }
 
-      /** What the particle model does with a link that has no strength left (doc/theory/cpm.md, 4). */
+      /** What the particle model does with a link that has no strength left (doc/theory/link-laws.md). */
       void delete_link()
       {
         gone   = true;
