@@ -69,8 +69,8 @@ namespace dem
       found.normal = (corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized();
     else
       {
-        const Eigen::Vector3d along = (corner(1) - corner(0)).normalized();
-        found.normal                = {-along.y(), along.x(), 0};
+        const Eigen::Vector3d edge = (corner(1) - corner(0)).normalized();
+        found.normal               = {-edge.y(), edge.x(), 0};
       }
     return found;
   }
