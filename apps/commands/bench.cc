@@ -37,10 +37,7 @@ namespace apps
       ->type_name("SCENE");
     add_overrides(command, options->overrides, "Set an entry of the scene; repeatable");
     add_threads(command, options->threads);
-    command
-      .add_option("-o,--output", options->folder,
-                  "Folder for the table and the picture; default: " + options->folder.string())
-      ->type_name("DIR");
+    add_bench_folder(command, options->folder);
     command.add_option("--seeds", options->seeds, "Packings per case; default: 1")
       ->check(CLI::Range(1, 1000))
       ->type_name("N");

@@ -1,5 +1,6 @@
 #include "apps/bench/continuum.h"
 #include "apps/commands/command.h"
+#include "apps/commands/scene_options.h"
 
 #include <memory>
 
@@ -11,10 +12,7 @@ namespace apps
     options->folder    = "output/bench_continuum";
     CLI::App &command =
       *bench.add_subcommand("continuum", "Finite elements over element, order and solver; beside a plain deal.II loop");
-    command
-      .add_option("-o,--output", options->folder,
-                  "Folder for the tables and the picture; default: " + options->folder.string())
-      ->type_name("DIR");
+    add_bench_folder(command, options->folder, "the tables and the picture");
     command.add_flag("--quick", options->quick, "Small meshes only");
     command.footer("Under mpirun only the figures that depend on the ranks are measured and added to "
                    "continuum_ranks.csv of the folder.");

@@ -18,10 +18,7 @@ namespace apps
     options->folder    = "output/bench_homogenise";
     CLI::App &command =
       *bench.add_subcommand("homogenise", "Macroscopic stiffness over cell size, solver, tolerance and seed");
-    command
-      .add_option("-o,--output", options->folder,
-                  "Folder for the table and the picture; default: " + options->folder.string())
-      ->type_name("DIR");
+    add_bench_folder(command, options->folder);
     command.add_option("--particles", options->particles, "Cells of the study of solvers; default: 500,1000,4000")
       ->delimiter(',')
       ->type_name("N,N,...")

@@ -18,10 +18,7 @@ namespace apps
     options->folder    = "output/bench_quasi_static";
     CLI::App &command =
       *bench.add_subcommand("quasi-static", "Tensile strength without inertia and at falling loading rates");
-    command
-      .add_option("-o,--output", options->folder,
-                  "Folder for the table and the picture; default: " + options->folder.string())
-      ->type_name("DIR");
+    add_bench_folder(command, options->folder);
     command
       .add_option("--rates", options->rates, "Strain rates of the dynamic runs [1/s]; default: 10,3,1,0.3,0.1,0.03")
       ->delimiter(',')

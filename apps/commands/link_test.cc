@@ -34,7 +34,7 @@ namespace apps
 
     LinkPath read_path(const std::string &file)
     {
-      const postprocess::CsvTable    table = postprocess::read_csv_table(file);
+      const postprocess::CsvTable table = postprocess::read_csv_table(file);
       if (table.rows() == 0)
         throw dem::InputError(file + ": has no row below the names of its columns. Give one row a step.");
       const std::vector<std::string> known(path_columns.begin(), path_columns.end());

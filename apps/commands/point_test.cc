@@ -31,7 +31,7 @@ namespace apps
       const postprocess::CsvTable table = postprocess::read_csv_table(file);
       if (table.rows() == 0)
         throw dem::InputError(file + ": has no row below the names of its columns. Give one row a step.");
-      MaterialPath                path;
+      MaterialPath path;
       path.origin = file;
       path.rows.assign(table.rows(), {});
       std::vector<std::string> known;

@@ -21,6 +21,12 @@ namespace apps
     command.add_option("-s,--set", overrides, meaning)->type_name("KEY=VALUE")->allow_extra_args(false);
   }
 
+  void add_bench_folder(CLI::App &command, std::filesystem::path &folder, const std::string &holds)
+  {
+    command.add_option("-o,--output", folder, "Folder for " + holds + "; default: " + folder.string())
+      ->type_name("DIR");
+  }
+
   void add_threads(CLI::App &command, int &threads)
   {
     command

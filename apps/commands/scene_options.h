@@ -5,6 +5,7 @@
 
 #include <CLI/App.hpp>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,11 @@ namespace apps
 
   /** Options -s; each takes one text. */
   void add_overrides(CLI::App &command, std::vector<std::string> &overrides, const std::string &meaning);
+
+  /** Option -o of what is measured. @param folder its default @param holds "the table and the picture" */
+  void add_bench_folder(CLI::App              &command,
+                        std::filesystem::path &folder,
+                        const std::string     &holds = "the table and the picture");
 
   /** Option --threads. */
   void add_threads(CLI::App &command, int &threads);

@@ -1,6 +1,6 @@
 #include "dem/facets/pressure.h"
 
-#include <algorithm>
+#include <array>
 
 namespace dem
 {
@@ -22,14 +22,14 @@ namespace dem
     constexpr QuadraturePoint of_segment[] = {
       {5.0 / 18, {1 - g, g, 0}}, {8.0 / 18, {0.5, 0.5, 0}}, {5.0 / 18, {g, 1 - g, 0}}};
 
-    /** One entry per vertex, in the order in which they come. */
-    VertexPart &part_of(std::vector<VertexPart> &parts, const std::size_t from, const std::int32_t vertex)
+    /** Place of a vertex's entry: there is one each, in the order in which they come. */
+    std::size_t place_of(std::vector<VertexPart> &parts, const std::size_t from, const std::int32_t vertex)
     {
       for (std::size_t k = from; k < parts.size(); ++k)
         if (parts[k].vertex == vertex)
-          return parts[k];
+          return k;
       parts.push_back({vertex, 0, Eigen::Vector3d::Zero(), 0});
-      return parts.back();
+      return parts.size() - 1;
     }
   } // namespace
 
@@ -48,8 +48,10 @@ namespace dem
     PressedPatch patch;
     for (const NearPoint &point : near)
       {
-        const auto  facet  = static_cast<std::size_t>(point.facet);
-        const auto &corner = surface.mesh.facet[facet];
+        const auto                 facet  = static_cast<std::size_t>(point.facet);
+        const auto                &corner = surface.mesh.facet[facet];
+        std::array<std::size_t, 3> entry{}; // of its corners, once it has been touched
+        bool                       touched = false;
         for (const QuadraturePoint *q = first; q != last; ++q)
           {
             Eigen::Vector3d branch = -centre;
@@ -60,9 +62,12 @@ namespace dem
               continue;
             const double          spring = bedding * thickness * q->weight * surface.area[facet];
             const Eigen::Vector3d push   = spring * overlap / distance * branch; // on the surface
+            for (std::size_t c = 0; !touched && c < static_cast<std::size_t>(surface.mesh.corners); ++c)
+              entry[c] = place_of(parts, from, corner[c]);
+            touched = true;
             for (int c = 0; c < surface.mesh.corners; ++c)
               {
-                VertexPart &part = part_of(parts, from, corner[static_cast<std::size_t>(c)]);
+                VertexPart &part = parts[entry[static_cast<std::size_t>(c)]];
                 part.weight += q->corner[c] * spring * overlap;
                 part.force += q->corner[c] * push;
                 part.stiffness += q->corner[c] * spring;

@@ -1,45 +1,12 @@
 // The shipped continuum scenes against closed forms, through the program.
-#include "postprocess/csv_table.h"
-#include "tests/apps/program.h"
-#include "tests/apps/scratch_folder.h"
-#include "tests/places.h"
-
-#include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
+#include "tests/verification/scene_results.h"
 
 #include <cmath>
 
-using apps_tests::Outcome;
-using apps_tests::run;
-using apps_tests::ScratchFolder;
-
 namespace
 {
-  struct Results
-  {
-    nlohmann::json        summary;
-    postprocess::CsvTable series;
-
-    double figure(const char *name) const { return summary["figures"][name]["value"].get<double>(); }
-  };
-
-  /** Run a shipped scene with changes. */
-  Results results_of(const std::string &scene, const std::vector<std::string> &changes = {})
-  {
-    const ScratchFolder      folder;
-    std::vector<std::string> words = {
-      "run", places::sources() + "/apps/scenes/" + scene + ".prm", "-o", "results", "-s", "Output/Snapshots=0"};
-    for (const std::string &change : changes)
-      words.insert(words.end(), {"-s", change});
-    const Outcome outcome = run(folder.path(), words);
-    INFO(outcome.err);
-    REQUIRE(outcome.status == 0);
-    return {nlohmann::json::parse(apps_tests::content_of(folder / "results/summary.json")),
-            postprocess::read_csv_table(folder / "results/series.csv")};
-  }
-
   /** Area under the load over the deflection of a beam, by trapezes [J]. */
-  double area_under(const Results &beam)
+  double area_under(const SceneResults &beam)
   {
     const auto &load = beam.series.column("reaction_load_y"), &deflection = beam.series.column("load_factor");
     double      area = 0.5 * load[0] * -deflection[0];
@@ -51,7 +18,7 @@ namespace
   constexpr double fracture_energy = 100, ligament = (0.1 - 0.1 / 3) * 0.1; // [J/m^2], [m^2] of the shipped beams
 
   /** What must hold of a beam whose mouth was opened by far more than the softening needs. */
-  void check_beam(const Results &beam, const char *left_lip, const char *right_lip)
+  void check_beam(const SceneResults &beam, const char *left_lip, const char *right_lip)
   {
     const double area = area_under(beam), dissipated = beam.figure("dissipated_energy");
     // The area under the curve is the work of the load: trapezes over the same steps, so to the solver's tolerance.
@@ -82,7 +49,7 @@ namespace
 
 TEST_CASE("The cantilever under its own weight sags as Timoshenko's beam", "[verification]")
 {
-  const Results quadratic = results_of("cantilever");
+  const SceneResults quadratic = results_of("cantilever");
   // Timoshenko: -1.4818e-3 m; the clamp of a solid differs from a beam's by a few 1e-4 of that.
   CHECK(quadratic.figure("final_displacement_end_y") == Approx(-1.4818e-3).epsilon(3e-4));
   CHECK(quadratic.figure("peak_reaction_left_y") == Approx(2500 * 9.8 * 0.2 * 0.02 * 0.02).epsilon(1e-8));
@@ -99,7 +66,7 @@ TEST_CASE("The hole in the plate widens and narrows as Kirsch found", "[verifica
 {
   for (const char *elements : {"blocks", "simplices"})
     {
-      const Results plate = results_of("plate_with_hole", {std::string("Mesh/Elements=") + elements});
+      const SceneResults plate = results_of("plate_with_hole", {std::string("Mesh/Elements=") + elements});
       // (a s/E)(1 + 2 cos 2 theta). The plate is 30 radii wide, not infinite: (a/W)^2 = 1e-3; the hole is a polygon: 2e-4.
       CHECK(plate.figure("final_displacement_side_of_hole_x") == Approx(3 * 0.01 * 3e6 / 30e9).epsilon(5e-3));
       CHECK(plate.figure("final_displacement_top_of_hole_y") == Approx(-0.01 * 3e6 / 30e9).epsilon(1e-2));
@@ -109,7 +76,7 @@ TEST_CASE("The hole in the plate widens and narrows as Kirsch found", "[verifica
 
 TEST_CASE("The bar on a wall carries the force rho c v A, and its wave comes back after 2 L/c", "[verification]")
 {
-  const Results bar = results_of("bar_impact");
+  const SceneResults bar = results_of("bar_impact");
   // The section of the mesh is a polygon with the area of the circle: 124 kN.
   const double c = std::sqrt(200e9 / 7850), force = 7850 * c * 10 * 3.14159265358979323846 * 1e-4;
   const auto  &time = bar.series.column("time"), &wall = bar.series.column("reaction_left_x");
@@ -134,14 +101,14 @@ TEST_CASE("Notched beam in the plane: symmetric, work of fracture under the curv
           "[verification][slow]")
 {
   const std::vector<std::string> far    = {"Control/End=1.2e-3", "Control/Largest step=1.5e-5"};
-  const Results                  coarse = results_of("notched_beam", far);
+  const SceneResults             coarse = results_of("notched_beam", far);
   check_beam(coarse, "displacement_left_lip_x", "displacement_right_lip_x");
   std::vector<std::string> finer = far;
   finer.insert(finer.end(), {"Mesh/Notched beam/Fine size=0.0034", "Mesh/Notched beam/Band=0.025"});
   finer.insert(finer.end(), {"Mesh/Notched beam/Notch width=0.0034", "Supports/load/From=0.2233, 0.1, 0",
                              "Supports/load/To=0.2267, 0.1, 0", "Points/left lip/Position=0.2233, 0, 0",
                              "Points/right lip/Position=0.2267, 0, 0"});
-  const Results fine = results_of("notched_beam", finer);
+  const SceneResults fine = results_of("notched_beam", finer);
   // Work over ligament: below G_f, because the top of the ligament, pressed by the load, never opens; the same on both meshes.
   const double work[2] = {coarse.figure("dissipated_energy") / ligament, fine.figure("dissipated_energy") / ligament};
   CAPTURE(work[0], work[1]);
@@ -156,7 +123,7 @@ TEST_CASE("Notched beam in the plane: symmetric, work of fracture under the curv
 
 TEST_CASE("Notched beam in space: symmetric, and work of fracture under the curve", "[verification][slow]")
 {
-  const Results beam = results_of("notched_beam_3d", {"Control/End=1.2e-3", "Control/Largest step=2e-5"});
+  const SceneResults beam = results_of("notched_beam_3d", {"Control/End=1.2e-3", "Control/Largest step=2e-5"});
   check_beam(beam, "displacement_left_lip_x", "displacement_right_lip_x");
   const double work = beam.figure("dissipated_energy") / ligament;
   CAPTURE(work);

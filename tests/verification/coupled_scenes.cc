@@ -1,40 +1,7 @@
 // The shipped coupled scenes against closed forms and published values, through the program.
-#include "postprocess/csv_table.h"
-#include "tests/apps/program.h"
-#include "tests/apps/scratch_folder.h"
-#include "tests/places.h"
-
-#include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
+#include "tests/verification/scene_results.h"
 
 #include <cmath>
-
-using apps_tests::Outcome;
-using apps_tests::run;
-using apps_tests::ScratchFolder;
-
-namespace
-{
-  struct Results
-  {
-    nlohmann::json        summary;
-    postprocess::CsvTable series;
-  };
-
-  Results results_of(const std::string &scene, const std::vector<std::string> &changes = {})
-  {
-    const ScratchFolder      folder;
-    std::vector<std::string> words = {
-      "run", places::sources() + "/apps/scenes/" + scene + ".prm", "-o", "results", "-s", "Output/Snapshots=0"};
-    for (const std::string &change : changes)
-      words.insert(words.end(), {"-s", change});
-    const Outcome outcome = run(folder.path(), words);
-    INFO(outcome.err);
-    REQUIRE(outcome.status == 0);
-    return {nlohmann::json::parse(apps_tests::content_of(folder / "results/summary.json")),
-            postprocess::read_csv_table(folder / "results/series.csv", true)};
-  }
-} // namespace
 
 TEST_CASE("Impact on a block tends to Hertz's as elements get smaller", "[verification][coupled][slow]")
 {
@@ -43,12 +10,12 @@ TEST_CASE("Impact on a block tends to Hertz's as elements get smaller", "[verifi
   double       force[3], time[3];
   for (const int level : {0, 1, 2})
     {
-      const std::string divisions = std::to_string(14 + 3 * level);
-      const Results     found     = results_of("hertz_impact", {"Continuum/Mesh/Box/Divisions x=" + divisions,
-                                                                "Continuum/Mesh/Box/Divisions y=" + divisions,
-                                                                "Continuum/Mesh/Box/Divisions z=" + divisions});
-      force[level]                = std::fabs(found.summary["figures"]["peak_force"]["relative_error"].get<double>());
-      time[level]                 = std::fabs(found.summary["figures"]["contact_time"]["relative_error"].get<double>());
+      const std::string  divisions = std::to_string(14 + 3 * level);
+      const SceneResults found     = results_of("hertz_impact", {"Continuum/Mesh/Box/Divisions x=" + divisions,
+                                                                 "Continuum/Mesh/Box/Divisions y=" + divisions,
+                                                                 "Continuum/Mesh/Box/Divisions z=" + divisions});
+      force[level]                 = std::fabs(found.summary["figures"]["peak_force"]["relative_error"].get<double>());
+      time[level] = std::fabs(found.summary["figures"]["contact_time"]["relative_error"].get<double>());
       CHECK(found.summary["energy"]["balance_error"].get<double>() < 1e-3);
     }
   INFO("errors of the force " << force[0] << ", " << force[1] << ", " << force[2] << ", of the time " << time[0] << ", "
@@ -66,8 +33,8 @@ TEST_CASE("Spheres thrown at a cantilever: the published example's momentum, ene
           "[verification][coupled]")
 {
   // J. Stransky (2018), example surf1.
-  const Results found  = results_of("beam_and_spheres");
-  const auto   &series = found.series;
+  const SceneResults found  = results_of("beam_and_spheres");
+  const auto        &series = found.series;
   CHECK(series.column("momentum_x").front() == Approx(8338.44).epsilon(1e-6));
   CHECK(series.column("momentum_y").front() == Approx(6948.70).epsilon(1e-6));
   CHECK(series.column("momentum_z").front() == Approx(0).margin(1e-9));

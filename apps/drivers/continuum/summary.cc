@@ -1,6 +1,7 @@
 #include "apps/drivers/continuum/summary.h"
 
 #include "apps/drivers/parts/drawn_curve.h"
+#include "apps/drivers/parts/series_figures.h"
 #include "apps/process/mpi_session.h"
 #include "apps/process/progress.h"
 #include "apps/process/version.h"
@@ -28,24 +29,12 @@ namespace apps
 
   double ContinuumReport::last(const std::string &column) const { return series.column(column).back(); }
 
-  double ContinuumReport::worst_balance() const
-  {
-    double most = 0, residual = 0;
-    for (const std::string &name : series.names)
-      if (name.rfind("energy_", 0) == 0 && name != "energy_balance_error")
-        {
-          double &largest = name == "energy_residual" ? residual : most;
-          for (const double value : series.column(name))
-            largest = std::max(largest, std::fabs(value));
-        }
-    return most > 0 ? residual / most : 0;
-  }
-
   std::vector<std::string> ContinuumReport::warnings() const
   {
-    if (!(worst_balance() > worrying_balance))
+    const double error = worst_residual(series);
+    if (!(error > worrying_balance))
       return {};
-    return {fmt::format("the energies do not balance by {:.0f} % of the largest: {}", 100 * worst_balance(),
+    return {fmt::format("the energies do not balance by {:.0f} % of the largest: {}", 100 * error,
                         is_static ? "the steps are too long for the work that they count. Shorten Control/Largest step "
                                     "until this is small" :
                                     "the motion is not resolved. Lower Motion/Safety")};
@@ -102,7 +91,7 @@ namespace apps
       summary["cost"]["linear_solver"] = linear_solver;
     if (!is_static && cost.at("stepping_seconds") > 0)
       summary["cost"]["point_updates_per_second"] = cost.at("steps") * size.points / cost.at("stepping_seconds");
-    summary["energy"] = {{"balance_error", worst_balance()}, {"unit", "J"}};
+    summary["energy"] = {{"balance_error", worst_residual(series)}, {"unit", "J"}};
     for (const std::string &name : series.names)
       if (name.rfind("energy_", 0) == 0 && name != "energy_balance_error")
         summary["energy"][name.substr(7)] = last(name);
@@ -133,7 +122,7 @@ namespace apps
       text += fmt::format("{:<40} {:.6g} {}\n", name, figure["value"].get<double>(), figure["unit"].get<std::string>());
     for (const std::string &warning : warnings())
       text += fmt::format("warning      {}\n", warning);
-    text += fmt::format("energy       balance error {:.1e} at worst\n", worst_balance());
+    text += fmt::format("energy       balance error {:.1e} at worst\n", worst_residual(series));
     text += fmt::format("cost         {}, {:.0f} steps{}\n", duration_text(wall_seconds), cost.at("steps"),
                         linear_solver.empty() ? "" : ", " + linear_solver);
     return text;

@@ -47,8 +47,6 @@ namespace apps
     nlohmann::json summary() const;
     double         last(const std::string &column) const;
 
-    /** Largest residual over the largest energy, both of all rows: a run that ends at rest has only rounding left to divide by. */
-    double                   worst_balance() const;
     std::vector<std::string> warnings() const;
   };
 } // namespace apps

@@ -134,7 +134,7 @@ namespace apps
         return all;
       }
 
-      std::vector<double> row() override
+      std::vector<double> row() const override
       {
         const dem::Specimen      &specimen = body.specimen();
         const fem::ExplicitEnergy s        = motion->energy();
@@ -165,10 +165,26 @@ namespace apps
         p.each([&](const std::string_view, const double value) { values.push_back(value); });
         // What went into one side by the other is no energy from outside.
         values.push_back(s.external + s.start - s.kinetic - s.internal - s.damped + p.residual() - made);
-        largest_energy = std::max({largest_energy, s.kinetic + std::fabs(s.internal), p.kinetic + p.elastic,
-                                   std::fabs(s.external), std::fabs(p.external_work), std::fabs(p.gravity)});
-        watch_interfaces();
         return values;
+      }
+
+      void watch() override
+      {
+        const fem::ExplicitEnergy &e = motion->energy();
+        const dem::EnergyAccount   p = body.specimen().energy();
+        largest_energy = std::max({largest_energy, e.kinetic + std::fabs(e.internal), p.kinetic + p.elastic,
+                                   std::fabs(e.external), std::fabs(p.external_work), std::fabs(p.gravity)});
+        auto coupling  = model.couplings.couplings.begin();
+        for (const auto &surface : both.surfaces())
+          {
+            const double made = surface->balance().made();
+            if (std::fabs(made) > coupling->energy_limit * largest_energy)
+              throw StoppedShort(fmt::format("Couplings/{}: at {:.6g} s the coupling has made {:.3g} J by itself, more "
+                                             "than Energy limit = {} of the "
+                                             "largest energy, {:.3g} J. Lower Time/Largest ratio.",
+                                             coupling->name, time(), made, coupling->energy_limit, largest_energy));
+            ++coupling;
+          }
       }
 
       ParticlesBody &particles() override { return body; }
@@ -284,21 +300,6 @@ namespace apps
         return {linear, angular};
       }
 
-      void watch_interfaces() const
-      {
-        auto coupling = model.couplings.couplings.begin();
-        for (const auto &surface : both.surfaces())
-          {
-            const double made = surface->balance().made();
-            if (std::fabs(made) > coupling->energy_limit * largest_energy)
-              throw StoppedShort(fmt::format("Couplings/{}: at {:.6g} s the coupling has made {:.3g} J by itself, more "
-                                             "than Energy limit = {} of the "
-                                             "largest energy, {:.3g} J. Lower Time/Largest ratio.",
-                                             coupling->name, time(), made, coupling->energy_limit, largest_energy));
-            ++coupling;
-          }
-      }
-
       const CoupledModel                       &model;
       ParticlesBody                             body;
       std::unique_ptr<fem::Solid<dim>>          solid;
@@ -307,7 +308,7 @@ namespace apps
       coupling::ConcurrentMotion<dim>           both;
       ContinuumGauges<dim>                      gauges;
       InterfaceFigures                          figures;
-      double                                    largest_energy = 0; ///< of all rows so far [J]
+      double                                    largest_energy = 0; ///< whenever it was watched, so far [J]
       std::int64_t                              window_count   = 0;
     };
   } // namespace

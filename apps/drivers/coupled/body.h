@@ -45,7 +45,9 @@ namespace apps
     virtual void advance(std::int64_t windows) = 0;
 
     virtual std::vector<postprocess::SeriesColumn> columns() const = 0; ///< of the series; the first is the time
-    virtual std::vector<double>                    row()           = 0;
+    virtual std::vector<double>                    row() const     = 0;
+    /** Note the energies of now. @throws StoppedShort where a coupling has made more than it may of the largest so far */
+    virtual void watch() = 0;
     /** Columns that the summary tells of, with their units. */
     virtual std::vector<postprocess::SeriesColumn> told() const = 0;
 

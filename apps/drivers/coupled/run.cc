@@ -62,6 +62,7 @@ namespace apps
     open(folder);
     snapshot();
     record({{}, body->row(), {}});
+    body->watch();
   }
 
   void CoupledRun::reopen(const std::filesystem::path &folder)
@@ -128,6 +129,7 @@ namespace apps
       names.push_back(column.name);
     stopped = model.particles.stops.fulfilled(names, row).empty() ? 0 : 1;
     record({{}, row, {}});
+    body->watch();
   }
 
   void CoupledRun::snapshot()

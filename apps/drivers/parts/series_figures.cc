@@ -22,12 +22,21 @@ namespace apps
     return {{"end", at(static_cast<std::ptrdiff_t>(values.size()) - 1)}, {"least", at(least)}, {"largest", at(most)}};
   }
 
+  namespace
+  {
+    bool ends_with_residual(const std::string &name)
+    {
+      const std::string end = "_residual";
+      return name.size() >= end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
+    }
+  } // namespace
+
   double worst_residual(const postprocess::CsvTable &series)
   {
     const auto largest = [](const std::vector<double> &values) { return std::fabs(values[peak_row(values)]); };
     double     most    = 0;
     for (const std::string &name : series.names)
-      if (name.rfind("energy_", 0) == 0 && name != "energy_residual")
+      if (name.rfind("energy_", 0) == 0 && name != "energy_balance_error" && !ends_with_residual(name))
         most = std::max(most, largest(series.column(name)));
     return most > 0 ? largest(series.column("energy_residual")) / most : 0;
   }

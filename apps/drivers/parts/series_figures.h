@@ -11,6 +11,9 @@ namespace apps
   /** Last, least and largest value of a column of a series, and when: objects "end", "least" and "largest". */
   nlohmann::json figure_of(const postprocess::CsvTable &series, const std::string &name, const std::string &unit);
 
-  /** Largest column "energy_residual" over the largest of the other energies, both of all rows; 0 without energy. */
+  /**
+   * Largest value of the column "energy_residual" over the largest energy, both of all rows: a run that ends at rest has only rounding
+   * left to divide by. 0 without energy.
+   */
   double worst_residual(const postprocess::CsvTable &series);
 } // namespace apps
