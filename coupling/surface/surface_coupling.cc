@@ -21,8 +21,8 @@ namespace coupling
         {
           const auto     corner = [&](const std::size_t c) { return mesh.vertex[static_cast<std::size_t>(facet[c])]; };
           const Vector3d edge   = corner(1) - corner(0);
-          least                 = std::min(
-            least, mesh.corners == 3 ? std::sqrt(edge.cross(Vector3d(corner(2) - corner(0))).norm()) : edge.norm());
+          least = std::min(least, mesh.corners == 3 ? std::sqrt(edge.cross(Vector3d(corner(2) - corner(0))).norm()) :
+                                                      edge.norm());
         }
       return least;
     }
@@ -44,7 +44,8 @@ namespace coupling
     , participant(participant_)
     , own_name(parameters.name)
     , facets(boundary_facets(solid, participant, parameters.boundaries))
-    , number(specimen.add_surface({parameters.name, facets.mesh, parameters.contact, skin_of(parameters, facets.mesh)}))
+    , number(specimen.add_surface(
+        {parameters.name, facets.mesh, parameters.contact, skin_of(parameters, facets.mesh), parameters.particles}))
     , force(facets.carrier.size(), Vector3d::Zero())
     , place(facets.mesh.vertex)
     , last_motion(facets.carrier.size(), Vector3d::Zero())

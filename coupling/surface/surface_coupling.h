@@ -17,7 +17,8 @@ namespace coupling
     std::vector<std::string>     boundaries;       ///< of the mesh; empty: all of it
     dem::LinearContactParameters contact;          ///< with any particle
     bool                         pressure = false; ///< particles press on areas, not at points (dem/facets/pressure.h)
-    double                       skin = 0; ///< in which pressure builds up [m]; 0: a twentieth of the smallest facet's size
+    double                   skin = 0; ///< in which pressure builds up [m]; 0: a twentieth of the smallest facet's size
+    std::vector<std::size_t> particles = {}; ///< that touch it, by their number in the packing; empty: all
   };
 
   /** What went through a surface since the start. */

@@ -201,6 +201,8 @@ namespace dem
       for (std::size_t f = 0; f < surfaces[s].mesh.size(); ++f)
         {
           const auto test = [&](const std::int32_t i) {
+            if (!surfaces[s].meets_particle(i))
+              return;
             const double gap = surfaces[s].distance(f, particles.position_of(i)) - particles.radius_of(i);
             ++test_count;
             if (gap <= margin)

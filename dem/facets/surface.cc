@@ -29,11 +29,12 @@ namespace dem
     }
   } // namespace
 
-  Surface::Surface(const SurfaceParameters &p, const bool friction)
+  Surface::Surface(const SurfaceParameters &p, const bool friction, std::vector<bool> particles)
     : name(p.name)
     , mesh(p.mesh)
     , contact(constants(p.contact, friction))
     , skin(p.skin)
+    , meets(std::move(particles))
     , place(mesh.vertex)
     , motion(place.size(), Eigen::Vector3d::Zero())
     , force(motion)

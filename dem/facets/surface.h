@@ -17,6 +17,7 @@ namespace dem
     FacetMesh               mesh;
     LinearContactParameters contact; ///< with any particle of radius r: k_n = A E* / r, A = pi r^2 (discs 2 r t)
     double skin = 0; ///< thickness in which pressure builds up [m] (pressure.h); 0: contacts act at a point
+    std::vector<std::size_t> particles = {}; ///< that touch it, by their number in the packing; empty: all
   };
 
   /**
@@ -59,7 +60,8 @@ namespace dem
     FacetMesh              mesh;
     LinearContactConstants contact;
     double                 skin = 0; ///< [m]; 0: contacts act at a point
-    std::vector<double>    area; ///< of the facets as they were made, segments their length [m^2, m]; of a skin only
+    std::vector<double>    area;  ///< of the facets as they were made, segments their length [m^2, m]; of a skin only
+    std::vector<bool>      meets; ///< each particle, in the order of Particles; empty: all
     Led                    led      = Led::rigidly;
     Eigen::Vector3d        velocity = {0, 0, 0}, spin = {0, 0, 0}; ///< of a rigid one [m/s], [rad/s]
     Eigen::Vector3d        centre = {0, 0, 0};                     ///< that it spins about; moves with it [m]
@@ -79,8 +81,10 @@ namespace dem
     double          along    = 0; ///< stiffness of its contacts along the servo's direction [N/m]
     std::int64_t    touching = 0; ///< contacts at t_n
 
-    Surface(const SurfaceParameters &parameters, bool friction);
+    /** @param particles that touch it, in the order of Particles; empty: all */
+    Surface(const SurfaceParameters &parameters, bool friction, std::vector<bool> particles = {});
 
+    bool meets_particle(const std::int32_t i) const { return meets.empty() || meets[static_cast<std::size_t>(i)]; }
     /** Of a facet where it is now; of a plane signed [m]. */
     double      distance(std::size_t facet, const Eigen::Vector3d &x) const;
     FacetBounds bounds(std::size_t facet) const;

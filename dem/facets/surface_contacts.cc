@@ -48,10 +48,13 @@ namespace dem
     std::int32_t                sunk = -1, sunk_into = 0;
   };
 
-  std::size_t SurfaceContacts::add(const SurfaceParameters &parameters, const int dimension, const bool friction)
+  std::size_t SurfaceContacts::add(const SurfaceParameters &parameters,
+                                   const int                dimension,
+                                   const bool               friction,
+                                   std::vector<bool>        meets)
   {
     check_facets(parameters.mesh, parameters.name, dimension);
-    all.emplace_back(parameters, friction);
+    all.emplace_back(parameters, friction, std::move(meets));
     forget_places();
     return all.size() - 1;
   }

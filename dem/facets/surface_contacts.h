@@ -40,8 +40,11 @@ namespace dem
   public:
     bool empty() const { return all.empty(); }
 
-    /** @param friction whether it limits shear @throws InputError for a surface that is none */
-    std::size_t                 add(const SurfaceParameters &parameters, int dimension, bool friction);
+    /**
+     * @param friction whether it limits shear @param meets which particles touch it, in the order of Particles; empty: all
+     * @throws InputError for a surface that is none
+     */
+    std::size_t add(const SurfaceParameters &parameters, int dimension, bool friction, std::vector<bool> meets = {});
     const std::vector<Surface> &surfaces() const { return all; }
     /** To lead it: from the next step on. */
     Surface &surface(const std::size_t number) { return all.at(number); }

@@ -80,8 +80,15 @@ namespace dem
     self->smallest_radius = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < self->particles.count; ++i)
       self->smallest_radius = std::min(self->smallest_radius, self->particles.radius_of(i));
+    std::vector<bool> meets(surface.particles.empty() ? 0 : self->particles.count, false);
+    for (const std::size_t number : surface.particles)
+      {
+        if (number >= self->slot.size())
+          throw InputError("wall " + surface.name + ": there is no particle " + std::to_string(number + 1) + ".");
+        meets[static_cast<std::size_t>(self->slot[number])] = true;
+      }
     const Physics &physics = self->parameters.physics;
-    return self->surfaces.add(surface, physics.dimension, physics.friction);
+    return self->surfaces.add(surface, physics.dimension, physics.friction, std::move(meets));
   }
 
   void Specimen::set_surface_motion(const std::size_t      number,

@@ -184,6 +184,45 @@ TEST_CASE("Balls at rest weigh on a slab what they weigh, and the slab's support
   CHECK(found.summary["energy"]["balance_error"].get<double>() < 1e-3);
 }
 
+TEST_CASE("Couplings act between named boundaries and named groups, each with its own contact", "[apps][coupled]")
+{
+  // Two balls that glide over the same face: one over a smooth coupling, one over a rough one that makes it roll.
+  const ScratchFolder folder;
+  std::string         scene = replaced(collision, "      set Velocity y = -1\n      set Velocity z = -5\n", "");
+  scene                     = replaced(scene, "      set Spin y     = 100\n", "");
+  scene = replaced(scene, "      set Centre = 0.03, 0.062, 0.1205\n      set Radius = 0.02\n    end\n",
+                   "      set Centre = 0.02, 0.03, 0.109999\n      set Radius = 0.01\n    end\n"
+                   "    subsection other\n      set Centre = 0.02, 0.07, 0.109999\n      set Radius = 0.01\n    end\n");
+  scene = replaced(scene, "      set Velocity x = 2\n    end\n",
+                   "      set Velocity x = 0.5\n    end\n    subsection other\n      set Velocity x = 0.5\n    end\n");
+  scene = replaced(scene, "  subsection block\n",
+                   "  subsection smooth\n    set Boundary = front\n    set Groups = Ball\n    set Effective modulus = "
+                   "1e8\n  end\n  subsection block\n    set Boundary = front\n    set Groups = other\n");
+  scene = replaced(scene, "subsection Couplings\n",
+                   "subsection Gravity\n  set Acceleration = 0, 0, -100\nend\nsubsection Couplings\n");
+  scene = replaced(scene, "  subsection Initial velocity\n",
+                   "  subsection Gauges\n    subsection slides\n      set Quantity = velocity\n      set Group = ball\n"
+                   "    end\n    subsection rolls\n      set Quantity = velocity\n      set Group = other\n    end\n"
+                   "  end\n  subsection Initial velocity\n");
+  scene = replaced(scene, "  subsection Materials\n",
+                   "  subsection Boundary conditions\n    subsection back\n      set Displacement x = 0\n      set "
+                   "Displacement y = 0\n      set Displacement z = 0\n    end\n  end\n  subsection Materials\n");
+  folder.file("x.prm", scene);
+  const Results found = results_of(folder, {"Time/End time=0.04"});
+  CHECK(found.series.column("slides").back() == Approx(0.5).epsilon(1e-3));
+  CHECK(found.series.column("rolls").back() == Approx(0.5 * 5 / 7).epsilon(1e-2));
+  CHECK(found.series.column("smooth_contacts").back() == 1);
+  CHECK(found.series.column("block_contacts").back() == 1);
+  const auto refused = [&](const std::string &change, const char *words) {
+    const Outcome outcome = outcome_of(folder, "check", {change});
+    CHECK(outcome.status == 2);
+    CHECK_THAT(outcome.err, Contains(words));
+  };
+  refused("Couplings/smooth/Groups=ball, sand", "Groups: all, ball, other");
+  refused("Couplings/smooth/Groups=", "Couplings/smooth and Couplings/block: both are of particle 2");
+  CHECK(outcome_of(folder, "check", {"Couplings/smooth/Groups=", "Couplings/smooth/Boundary=left"}).status == 0);
+}
+
 TEST_CASE("A coupled run is the same to the last bit with any number of threads", "[apps][coupled]")
 {
   const ScratchFolder folder;

@@ -92,6 +92,33 @@ TEST_CASE("nothing is looked at while nothing can touch", "[dem][facets]")
   CHECK(specimen.surface_searches() == first);
 }
 
+TEST_CASE("a surface of some particles is not there for others, and several have each their own friction",
+          "[dem][facets]")
+{
+  // Balls that glide over the same plate: rough for the second, smooth for the third, not there for the first.
+  const double radius = 0.01, g = 9.81;
+  auto         how = loose();
+  how.gravity      = {0, 0, -g};
+  dem::Specimen specimen(balls({{0, 0, radius}, {0.1, 0, radius}, {0.2, 0, radius}}, radius), how, contact());
+  auto          plate = dem::plate({-0.1, -0.1, 0}, {0.6, 0, 0}, {0, 0.2, 0});
+  auto          rough = wall(plate, 0.5), smooth = wall(plate, 0);
+  rough.particles  = {1};
+  smooth.particles = {2};
+  specimen.add_surface(rough);
+  specimen.add_surface(smooth);
+  for (std::size_t i = 0; i < 3; ++i)
+    specimen.set_velocity(i, {1, 0, 0}, {0, 0, 0});
+  while (specimen.time() < 0.1)
+    specimen.advance(1);
+  const double t = specimen.time();
+  CHECK(specimen.particle(0).position.z() == Approx(radius - 0.5 * g * t * t).epsilon(1e-3));
+  CHECK(specimen.particle(1).velocity.x() == Approx(5.0 / 7).epsilon(1e-2)); // slid until it rolled
+  CHECK(specimen.particle(2).velocity.x() == Approx(1).epsilon(1e-12));
+  CHECK(specimen.particle(2).position.z() == Approx(radius).epsilon(1e-2));
+  rough.particles = {3};
+  CHECK_THROWS_WITH(specimen.add_surface(rough), Catch::Contains("particle 4"));
+}
+
 TEST_CASE("pairs that are tested for a list grow in proportion to spheres and facets", "[dem][facets]")
 {
   std::vector<double> per_item;

@@ -582,6 +582,7 @@ end
 subsection Couplings
   subsection top
     set Boundary          = front
+    set Groups            = ball
     set Contact           = pressure
     set Effective modulus = 1e8
     set Energy limit      = 0.1

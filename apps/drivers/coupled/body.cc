@@ -16,6 +16,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <optional>
 
 namespace apps
 {
@@ -66,10 +68,11 @@ namespace apps
         both.set_largest_ratio(static_cast<int>(what.largest_ratio));
         for (const CouplingSection &coupling : model.couplings.couplings)
           in_words_of_input([&] {
-            both.add_surface(
-              {coupling.name, coupling.boundaries(), coupling.contact, coupling.pressure, coupling.skin});
+            both.add_surface({coupling.name, coupling.boundaries(), coupling.contact, coupling.pressure, coupling.skin,
+                              coupling.particles(body.all_groups())});
             return 0;
           });
+        refuse_shared_couplings();
         model.validate_columns(columns(), told());
       }
 
@@ -253,6 +256,46 @@ namespace apps
       }
 
     private:
+      /** Two couplings of one face with one particle would push twice. @throws dem::InputError */
+      void refuse_shared_couplings() const
+      {
+        const auto &all = model.couplings.couplings;
+        for (auto one = all.begin(); one != all.end(); ++one)
+          for (auto other = std::next(one); other != all.end(); ++other)
+            if (share_a_boundary(*one, *other))
+              {
+                const std::optional<std::size_t> both_push = shared_particle(*one, *other);
+                if (both_push)
+                  throw dem::InputError(fmt::format("Couplings/{} and Couplings/{}: both are of particle {} and of the "
+                                                    "same boundary: it would be pushed twice. Give them different "
+                                                    "Groups or a different Boundary.",
+                                                    one->name, other->name, *both_push + 1));
+              }
+      }
+
+      bool share_a_boundary(const CouplingSection &one, const CouplingSection &other) const
+      {
+        const auto names = one.boundaries(), others = other.boundaries();
+        const auto same = [this](const std::string &a, const std::string &b) {
+          return solid->mesh().boundary(a) == solid->mesh().boundary(b);
+        };
+        return names.empty() || others.empty() ||
+               std::find_first_of(names.begin(), names.end(), others.begin(), others.end(), same) != names.end();
+      }
+
+      /** Packing number of one that both are of. */
+      std::optional<std::size_t> shared_particle(const CouplingSection &one, const CouplingSection &other) const
+      {
+        const auto members = [&](const CouplingSection &c) {
+          const auto named = c.particles(body.all_groups());
+          return named.empty() ? body.all_groups().at(GroupNames::all) : named;
+        };
+        const auto               a = members(one), b = members(other); // sorted
+        std::vector<std::size_t> both_have;
+        std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both_have));
+        return both_have.empty() ? std::nullopt : std::optional<std::size_t>(both_have.front());
+      }
+
       void step(const double rest)
       {
         const double at = body.specimen().time(); // of the forces that the step takes

@@ -2,6 +2,9 @@
 
 #include "apps/drivers/particles/contact_entries.h"
 
+#include <algorithm>
+#include <set>
+
 namespace apps
 {
   void CouplingSection::declare(Section &s)
@@ -9,6 +12,8 @@ namespace apps
     name = s.name();
     s.text("Boundary", boundary, Need::optional)
       .means("Names of parts of the solid's boundary, separated by commas; empty: all of it");
+    s.text("Groups", group, Need::optional)
+      .means("Names of groups of particles (sections Groups and More particles), separated by commas; empty: all");
     s.choice("Contact", pressure, {{"point", false}, {"pressure", true}}, Need::optional)
       .means("point: each particle pushes where it is deepest in the surface, for particles that are small beside the "
              "faces of "
@@ -26,18 +31,31 @@ namespace apps
       .means("The run stops where the coupling itself has made or lost more than this part of the largest energy");
   }
 
-  std::vector<std::string> CouplingSection::boundaries() const
+  namespace
   {
-    std::vector<std::string> names;
-    for (std::size_t from = 0; from < boundary.size();)
-      {
-        const std::size_t to    = std::min(boundary.find(',', from), boundary.size());
-        const std::size_t first = boundary.find_first_not_of(' ', from), last = boundary.find_last_not_of(' ', to - 1);
-        if (first < to)
-          names.push_back(boundary.substr(first, last - first + 1));
-        from = to + 1;
-      }
-    return names;
+    std::vector<std::string> names_in(const std::string &text)
+    {
+      std::vector<std::string> names;
+      for (std::size_t from = 0; from < text.size();)
+        {
+          const std::size_t to    = std::min(text.find(',', from), text.size());
+          const std::size_t first = text.find_first_not_of(' ', from), last = text.find_last_not_of(' ', to - 1);
+          if (first < to)
+            names.push_back(text.substr(first, last - first + 1));
+          from = to + 1;
+        }
+      return names;
+    }
+  } // namespace
+
+  std::vector<std::string> CouplingSection::boundaries() const { return names_in(boundary); }
+
+  std::vector<std::size_t> CouplingSection::particles(const ParticleGroups &groups) const
+  {
+    std::set<std::size_t> members;
+    for (const std::string &name : names_in(group))
+      members.insert(groups.at(name).begin(), groups.at(name).end());
+    return {members.begin(), members.end()};
   }
 
   void CouplingsSection::declare(Section &root)
@@ -48,16 +66,20 @@ namespace apps
       .named_sections("COUPLING", [this](Section &opened) { couplings.emplace_back().declare(opened); });
   }
 
-  void CouplingsSection::validate(const Section &root) const
+  void CouplingsSection::validate(const Section &root, const GroupNames &groups) const
   {
     const Section &all = *root.find_section("Couplings");
     if (couplings.empty())
       throw dem::InputError("Couplings: there is none. Name a surface of the solid that particles touch: subsection "
                             "Couplings/NAME with set Boundary and set Effective modulus.");
     for (const CouplingSection &coupling : couplings)
-      for (std::size_t c = 0; c < coupling.name.size(); ++c)
-        if (coupling.name[c] == ',' || coupling.name[c] == '"')
-          throw dem::InputError(all.find_section(coupling.name)->place().text() + ": Couplings/" + coupling.name +
+      {
+        const Section &section = *all.find_section(coupling.name);
+        if (coupling.name.find_first_of(",\"") != std::string::npos)
+          throw dem::InputError(section.place().text() + ": Couplings/" + coupling.name +
                                 ": a name without commas and quotes, please: it is part of columns of series.csv.");
+        for (const std::string &group : names_in(coupling.group))
+          groups.require(section, "Groups", group);
+      }
   }
 } // namespace apps

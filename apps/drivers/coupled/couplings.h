@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/drivers/continuum/model.h"
+#include "apps/drivers/particles/groups.h"
 #include "dem/laws/linear_contact.h"
 
 #include <list>
@@ -14,6 +15,7 @@ namespace apps
   {
     std::string                  name;
     std::string                  boundary; ///< names, separated by commas; "": all of it
+    std::string                  group;    ///< names, separated by commas; "": all particles
     dem::LinearContactParameters contact;
     bool                         pressure     = false; ///< on areas, not at points
     double                       skin         = 0;     ///< [m]; 0: by the size of the facets
@@ -21,6 +23,8 @@ namespace apps
 
     void                     declare(Section &section);
     std::vector<std::string> boundaries() const;
+    /** Packing numbers, sorted; none: all. @pre validated */
+    std::vector<std::size_t> particles(const ParticleGroups &groups) const;
   };
 
   /** Section "Couplings". */
@@ -29,7 +33,7 @@ namespace apps
     std::list<CouplingSection> couplings;
 
     void declare(Section &root);
-    /** @throws dem::InputError where nothing is coupled */
-    void validate(const Section &root) const;
+    /** @throws dem::InputError where nothing is coupled, or a group that is not there */
+    void validate(const Section &root, const GroupNames &groups) const;
   };
 } // namespace apps

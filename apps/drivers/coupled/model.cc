@@ -47,9 +47,9 @@ namespace apps
       solid.find_section("Model")->refuse("Analysis", "particles move, and so does what they touch: explicit.");
     if (particles.physics.dimension != continuum.solid.dimension)
       solid.find_section("Model")->refuse("Dimension", "must be that of the particles (Particles/Physics/Dimension).");
-    particles.validate_as_part(body);
+    const GroupNames groups = particles.validate_as_part(body);
     particles.gravity.validate(scene, dimension());
-    couplings.validate(scene);
+    couplings.validate(scene, groups);
     for (const CouplingSection &coupling : couplings.couplings)
       if (particles.walls.knows(coupling.name))
         throw dem::InputError("Couplings/" + coupling.name + ": there is a wall of this name. Take another.");

@@ -28,7 +28,8 @@ namespace apps
     if (!model.particles.walls.walls.empty())
       text += fmt::format("  walls        {}\n", body->particles().all_walls().text());
     for (const CouplingSection &coupling : model.couplings.couplings)
-      text += fmt::format("  coupling     {}, on {}\n", coupling.name,
+      text += fmt::format("  coupling     {}: {} on {}\n", coupling.name,
+                          coupling.group.empty() ? "all particles" : coupling.group,
                           coupling.boundary.empty() ? "all of the boundary" : coupling.boundary);
     text += fmt::format("  steps        solid {:.4g} s, particles {:.4g} s: ratio {:.3g}\n", steps.solid,
                         steps.particles, steps.solid / steps.particles);

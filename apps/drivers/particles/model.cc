@@ -71,7 +71,7 @@ namespace apps
     curve_vertical();
   }
 
-  void ParticlesModel::validate_as_part(const Section &root) const
+  GroupNames ParticlesModel::validate_as_part(const Section &root) const
   {
     source.validate(root, physics.dimension);
     material.validate(root, physics.dimension);
@@ -90,6 +90,7 @@ namespace apps
     walls.validate(root, physics.dimension);
     initial_velocity.validate(root, physics, names);
     gauges.validate(root, names, motion, walls);
+    return names;
   }
 
   dem::Packing ParticlesModel::packing() const

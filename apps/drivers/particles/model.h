@@ -39,7 +39,8 @@ namespace apps
     void declare_course(Section &root);
     /** @throws dem::InputError. */
     void validate(const Section &root) const;
-    void validate_as_part(const Section &root) const;
+    /** The same but for the course. @return the names of its groups */
+    GroupNames validate_as_part(const Section &root) const;
 
     /** Whether the law links particles from the start. @pre validated */
     bool bonded() const { return material.materials().bonds(physics)->bonds(); }
