@@ -30,10 +30,18 @@ namespace coupling
   }
 
   template <int dim>
+  const ContactCoupling<dim> &ConcurrentMotion<dim>::add_contact(const ContactCouplingParameters &parameters)
+  {
+    body_contacts.push_back(std::make_unique<ContactCoupling<dim>>(solid, participant, parameters));
+    find_body_contacts();
+    return *body_contacts.back();
+  }
+
+  template <int dim>
   double ConcurrentMotion<dim>::solid_step() const
   {
     const double safety = motion.step() / motion.critical_step();
-    return 2 * safety / std::sqrt(motion.largest_element_eigenvalue() + stiffest);
+    return 2 * safety / std::sqrt(motion.largest_element_eigenvalue() + stiffest + stiffest_bodies);
   }
 
   template <int dim>
@@ -80,7 +88,20 @@ namespace coupling
         for (const auto &c : couplings)
           c->settle();
       }
+    find_body_contacts();
     return steps;
+  }
+
+  template <int dim>
+  void ConcurrentMotion<dim>::find_body_contacts()
+  {
+    double added = 0;
+    for (const auto &c : body_contacts)
+      {
+        c->kinematics_to_dem();
+        added += c->added_eigenvalue();
+      }
+    stiffest_bodies = std::max(stiffest_bodies, added);
   }
 
   template <int dim>
@@ -93,6 +114,8 @@ namespace coupling
     const double of_particles = kick(last_particle_step), of_solid = kick(last_solid_step);
     for (const auto &c : couplings)
       c->forces_to_fem(of_solid, steps.particles > 1 ? 0.0 : of_particles / of_solid);
+    for (const auto &c : body_contacts)
+      c->forces_to_fem(of_solid);
     participant.advance(steps.window, 1);
     for (const auto &c : couplings)
       c->solid_has_moved();
@@ -118,6 +141,11 @@ namespace coupling
     visitor.scalar("last_particle_step", last_particle_step);
     visitor.scalar("last_solid_step", last_solid_step);
     for (const auto &c : couplings)
+      c->visit_state(visitor);
+    if (body_contacts.empty())
+      return;
+    visitor.scalar("stiffest_bodies", stiffest_bodies);
+    for (const auto &c : body_contacts)
       c->visit_state(visitor);
   }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "coupling/contact/contact_coupling.h"
 #include "coupling/participants/particle_participant.h"
 #include "coupling/surface/surface_coupling.h"
 
@@ -39,13 +40,17 @@ namespace coupling
     const SurfaceCoupling<dim>                               &add_surface(const SurfaceCouplingParameters &parameters);
     const std::vector<std::unique_ptr<SurfaceCoupling<dim>>> &surfaces() const { return couplings; }
 
+    /** Before the first window. @throws as ContactCoupling */
+    const ContactCoupling<dim>                               &add_contact(const ContactCouplingParameters &parameters);
+    const std::vector<std::unique_ptr<ContactCoupling<dim>>> &contacts() const { return body_contacts; }
+
     /** Steps of the particles in one of the solid, at most. 1: none. */
     void set_largest_ratio(int ratio) { largest_ratio = ratio; }
 
     /**
      * Longest step of the solid now, contacts included [s]: 2 s / sqrt(omega^2 + max_i sum_c k_c N_i / m_i), omega its own largest
      * frequency, s its safety; the second term bounds the eigenvalues of the contacts by their row sums, and is the largest so far:
-     * steps do not change with every contact that comes and goes.
+     * steps do not change with every contact that comes and goes. Contacts of bodies count in the same way.
      */
     double solid_step() const;
     double particle_step() const { return specimen.longest_step(); }
@@ -59,6 +64,7 @@ namespace coupling
     void visit_state(dem::StateVisitor &visitor);
 
   private:
+    void find_body_contacts();
     void move_solid(const WindowSteps &steps);
     void move_particles(const WindowSteps &steps);
 
@@ -69,8 +75,10 @@ namespace coupling
     ParticleParticipant                                particles;
     std::function<void()>                              lead;
     std::vector<std::unique_ptr<SurfaceCoupling<dim>>> couplings;
+    std::vector<std::unique_ptr<ContactCoupling<dim>>> body_contacts;
     int                                                largest_ratio = 1;
-    double                                             stiffest      = 0; ///< sum of added eigenvalues so far [1/s^2]
-    double last_particle_step = 0, last_solid_step = 0;                   ///< [s]; 0: none yet
+    double                                             stiffest      = 0,
+           stiffest_bodies    = 0; ///< largest sum of added eigenvalues so far, by particles and by bodies [1/s^2]
+    double last_particle_step = 0, last_solid_step = 0; ///< [s]; 0: none yet
   };
 } // namespace coupling

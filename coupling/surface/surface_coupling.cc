@@ -1,5 +1,6 @@
 #include "coupling/surface/surface_coupling.h"
 
+#include "dem/core/state_vectors.h"
 #include "dem/facets/surface.h"
 
 #include <Eigen/Geometry>
@@ -141,12 +142,7 @@ namespace coupling
         visitor.scalar(group + "turn_to_solid_" + axis[d], exchanged.turn_to_solid[d]);
       }
     visitor.scalar(group + "work_on_solid", exchanged.work_on_solid);
-    dem::Column motion(3 * last_motion.size());
-    for (std::size_t i = 0; i < motion.size(); ++i)
-      motion[i] = last_motion[i / 3][static_cast<Eigen::Index>(i % 3)];
-    visitor.column(group + "last_motion", motion);
-    for (std::size_t i = 0; i < motion.size(); ++i)
-      last_motion[i / 3][static_cast<Eigen::Index>(i % 3)] = motion[i];
+    dem::visit_vectors(visitor, group + "last_motion", last_motion);
   }
 
   template class SurfaceCoupling<2>;

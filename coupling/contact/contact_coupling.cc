@@ -1,0 +1,149 @@
+#include "coupling/contact/contact_coupling.h"
+
+#include "dem/core/errors.h"
+#include "dem/core/state_vectors.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+namespace coupling
+{
+  using Eigen::Vector3d;
+
+  namespace
+  {
+    std::vector<std::size_t> all_parents(const BodyLayers &layers)
+    {
+      std::set<std::size_t> nodes;
+      for (const auto &parents : layers.parents)
+        nodes.insert(parents.begin(), parents.end());
+      return {nodes.begin(), nodes.end()};
+    }
+  } // namespace
+
+  template <int dim>
+  ContactCoupling<dim>::ContactCoupling(const fem::Solid<dim>           &solid,
+                                        SolidParticipant<dim>           &participant_,
+                                        const ContactCouplingParameters &parameters)
+    : participant(participant_)
+    , own_name(parameters.name)
+    , layers(body_layers(solid, participant_, parameters.bodies))
+    , carriers(all_parents(layers))
+    , bodies(layers.mesh, parameters.contact)
+    , vertex_place(layers.mesh.place)
+    , force(carriers.size(), Vector3d::Zero())
+  {
+    for (auto &parents : layers.parents) // from now on by their place in the list of carriers
+      for (std::size_t &node : parents)
+        node = static_cast<std::size_t>(std::lower_bound(carriers.begin(), carriers.end(), node) - carriers.begin());
+    for (const std::size_t carrier : carriers)
+      place.push_back(participant.position(carrier));
+    refuse_overlap();
+  }
+
+  template <int dim>
+  void ContactCoupling<dim>::refuse_overlap()
+  {
+    constexpr double rounding = 1e-9; // of places, in parts of the bodies
+    kinematics_to_dem();
+    double volume = 0;
+    for (const dem::BodySimplex &simplex : layers.mesh.simplices)
+      volume += layers.mesh.thickness * layers.mesh.at(simplex).volume();
+    if (bodies.overlap() > rounding * volume)
+      {
+        std::ostringstream text;
+        text << "Contacts/" << own_name << ": at the start bodies lie in each other with " << bodies.overlap()
+             << " m^3. Move them apart.";
+        throw dem::InputError(text.str());
+      }
+  }
+
+  template <int dim>
+  double ContactCoupling<dim>::added_eigenvalue() const
+  {
+    std::vector<double> stiffness(carriers.size(), 0.0);
+    for (std::size_t v = 0; v < layers.parents.size(); ++v)
+      for (const std::size_t c : layers.parents[v])
+        stiffness[c] += bodies.stiffness()[v] / static_cast<double>(layers.parents[v].size());
+    double most = 0;
+    for (std::size_t c = 0; c < carriers.size(); ++c)
+      most = std::max(most, stiffness[c] / participant.mass(carriers[c]));
+    return most;
+  }
+
+  template <int dim>
+  void ContactCoupling<dim>::kinematics_to_dem()
+  {
+    std::vector<Vector3d> moved(carriers.size());
+    for (std::size_t c = 0; c < carriers.size(); ++c)
+      {
+        const Vector3d now = participant.position(carriers[c]);
+        moved[c]           = now - place[c];
+        place[c]           = now;
+        account.work += 0.5 * force[c].dot(moved[c]);
+      }
+    for (std::size_t v = 0; v < vertex_place.size(); ++v)
+      {
+        vertex_place[v].setZero();
+        for (const std::size_t c : layers.parents[v])
+          vertex_place[v] += place[c];
+        vertex_place[v] /= static_cast<double>(layers.parents[v].size());
+      }
+    bodies.move_to(vertex_place);
+    gather(bodies.force());
+    for (std::size_t c = 0; c < carriers.size(); ++c)
+      account.work += 0.5 * force[c].dot(moved[c]);
+    account.energy = bodies.energy();
+  }
+
+  template <int dim>
+  void ContactCoupling<dim>::gather(const std::vector<Vector3d> &of_vertices)
+  {
+    std::fill(force.begin(), force.end(), Vector3d::Zero());
+    for (std::size_t v = 0; v < of_vertices.size(); ++v)
+      if (!of_vertices[v].isZero(0))
+        for (const std::size_t c : layers.parents[v])
+          force[c] += of_vertices[v] / static_cast<double>(layers.parents[v].size());
+  }
+
+  template <int dim>
+  void ContactCoupling<dim>::forces_to_fem(const double kick)
+  {
+    for (std::size_t c = 0; c < carriers.size(); ++c)
+      {
+        if (force[c].isZero(0))
+          continue;
+        participant.add_force(carriers[c], force[c]);
+        account.momentum += kick * force[c];
+        account.turn += kick * place[c].cross(force[c]);
+      }
+  }
+
+  namespace
+  {
+    void visit(dem::StateVisitor &visitor, const std::string &name, Vector3d &value)
+    {
+      for (int d = 0; d < 3; ++d)
+        visitor.scalar(name + "_" + "xyz"[d], value[d]);
+    }
+  } // namespace
+
+  template <int dim>
+  void ContactCoupling<dim>::visit_state(dem::StateVisitor &visitor)
+  {
+    const std::string group = "contact_" + own_name + "_";
+    visit(visitor, group + "momentum", account.momentum);
+    visit(visitor, group + "turn", account.turn);
+    visitor.scalar(group + "work", account.work);
+    dem::visit_vectors(visitor, group + "place", place);
+    dem::visit_vectors(visitor, group + "force", force);
+    bodies.visit_state(visitor, group);
+    account.energy = bodies.energy();
+  }
+
+  template class ContactCoupling<2>;
+  template class ContactCoupling<3>;
+} // namespace coupling

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "dem/bodies/body_mesh.h"
+
+namespace dem
+{
+  /** Two simplices that may overlap, by their numbers in the mesh. */
+  struct NearSimplices
+  {
+    std::int32_t first, second;
+
+    bool operator<(const NearSimplices &o) const { return first != o.first ? first < o.first : second < o.second; }
+  };
+
+  /**
+   * Which simplices of different bodies are near each other. The list holds all pairs whose boxes are nearer than a margin, and is good
+   * until vertices have moved half of it. Boxes are sorted into a grid: linear in the number of simplices.
+   */
+  class NearBodies
+  {
+  public:
+    /** @param same_body pairs of one body as well, unless their elements share a vertex */
+    explicit NearBodies(const bool same_body)
+      : same(same_body)
+    {
+    }
+
+    /** Pairs that may overlap where all vertices are now: first of the lower body, ascending. */
+    const std::vector<NearSimplices> &look(const BodyMesh &mesh);
+    /** Places have changed otherwise than by steps. */
+    void         forget() { reference.clear(); }
+    std::int64_t searches() const { return search_count; }
+
+  private:
+    bool good(const BodyMesh &mesh) const;
+    void search(const BodyMesh &mesh);
+
+    bool                         same;
+    double                       margin = 0;
+    std::vector<Eigen::Vector3d> reference; ///< places when the list was made
+    std::vector<NearSimplices>   pairs;
+    std::int64_t                 search_count = 0;
+  };
+} // namespace dem
