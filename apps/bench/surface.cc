@@ -108,7 +108,7 @@ namespace apps
       found.cost                     = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
       const auto             columns = body->columns();
       const auto             row     = body->row();
-      const InterfaceFigures seen    = body->interface();
+      const ContactFigures seen    = body->interface();
       const double           initial = body->particles().specimen().energy().initial;
       found.elements                 = body->elements();
       found.windows                  = body->windows();

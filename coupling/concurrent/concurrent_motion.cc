@@ -1,5 +1,6 @@
 #include "coupling/concurrent/concurrent_motion.h"
 
+#include "coupling/contact/contact_motion.h"
 #include "coupling/participants/window.h"
 
 #include <algorithm>
@@ -18,6 +19,7 @@ namespace coupling
     , motion(motion_)
     , participant(participant_)
     , particles(specimen_)
+    , body_contacts(solid_, participant_)
     , lead(std::move(lead_))
   {
   }
@@ -30,18 +32,9 @@ namespace coupling
   }
 
   template <int dim>
-  const ContactCoupling<dim> &ConcurrentMotion<dim>::add_contact(const ContactCouplingParameters &parameters)
-  {
-    body_contacts.push_back(std::make_unique<ContactCoupling<dim>>(solid, participant, parameters));
-    find_body_contacts();
-    return *body_contacts.back();
-  }
-
-  template <int dim>
   double ConcurrentMotion<dim>::solid_step() const
   {
-    const double safety = motion.step() / motion.critical_step();
-    return 2 * safety / std::sqrt(motion.largest_element_eigenvalue() + stiffest + stiffest_bodies);
+    return step_with_contacts(motion, stiffest + body_contacts.stiffest());
   }
 
   template <int dim>
@@ -88,34 +81,19 @@ namespace coupling
         for (const auto &c : couplings)
           c->settle();
       }
-    find_body_contacts();
+    body_contacts.find();
     return steps;
-  }
-
-  template <int dim>
-  void ConcurrentMotion<dim>::find_body_contacts()
-  {
-    double added = 0;
-    for (const auto &c : body_contacts)
-      {
-        c->kinematics_to_dem();
-        added += c->added_eigenvalue();
-      }
-    stiffest_bodies = std::max(stiffest_bodies, added);
   }
 
   template <int dim>
   void ConcurrentMotion<dim>::move_solid(const WindowSteps &steps)
   {
     // Leapfrog: forces act over half the step before and half the step after. Both sides get the same impulse.
-    const auto kick = [&steps](const double before) {
-      return 0.5 * ((before > 0 ? before : steps.window) + steps.window);
-    };
-    const double of_particles = kick(last_particle_step), of_solid = kick(last_solid_step);
+    const double of_particles = kick_of(steps.window, last_particle_step),
+                 of_solid     = kick_of(steps.window, last_solid_step);
     for (const auto &c : couplings)
       c->forces_to_fem(of_solid, steps.particles > 1 ? 0.0 : of_particles / of_solid);
-    for (const auto &c : body_contacts)
-      c->forces_to_fem(of_solid);
+    body_contacts.push(of_solid);
     participant.advance(steps.window, 1);
     for (const auto &c : couplings)
       c->solid_has_moved();
@@ -142,11 +120,7 @@ namespace coupling
     visitor.scalar("last_solid_step", last_solid_step);
     for (const auto &c : couplings)
       c->visit_state(visitor);
-    if (body_contacts.empty())
-      return;
-    visitor.scalar("stiffest_bodies", stiffest_bodies);
-    for (const auto &c : body_contacts)
-      c->visit_state(visitor);
+    body_contacts.visit_state(visitor);
   }
 
   template class ConcurrentMotion<2>;

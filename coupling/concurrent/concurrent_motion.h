@@ -1,6 +1,6 @@
 #pragma once
 
-#include "coupling/contact/contact_coupling.h"
+#include "coupling/contact/solid_contacts.h"
 #include "coupling/participants/particle_participant.h"
 #include "coupling/surface/surface_coupling.h"
 
@@ -40,9 +40,9 @@ namespace coupling
     const SurfaceCoupling<dim>                               &add_surface(const SurfaceCouplingParameters &parameters);
     const std::vector<std::unique_ptr<SurfaceCoupling<dim>>> &surfaces() const { return couplings; }
 
-    /** Before the first window. @throws as ContactCoupling */
-    const ContactCoupling<dim>                               &add_contact(const ContactCouplingParameters &parameters);
-    const std::vector<std::unique_ptr<ContactCoupling<dim>>> &contacts() const { return body_contacts; }
+    /** Between bodies of the solid; added to before the first window. */
+    SolidContacts<dim>       &contacts() { return body_contacts; }
+    const SolidContacts<dim> &contacts() const { return body_contacts; }
 
     /** Steps of the particles in one of the solid, at most. 1: none. */
     void set_largest_ratio(int ratio) { largest_ratio = ratio; }
@@ -64,7 +64,6 @@ namespace coupling
     void visit_state(dem::StateVisitor &visitor);
 
   private:
-    void find_body_contacts();
     void move_solid(const WindowSteps &steps);
     void move_particles(const WindowSteps &steps);
 
@@ -75,10 +74,9 @@ namespace coupling
     ParticleParticipant                                particles;
     std::function<void()>                              lead;
     std::vector<std::unique_ptr<SurfaceCoupling<dim>>> couplings;
-    std::vector<std::unique_ptr<ContactCoupling<dim>>> body_contacts;
+    SolidContacts<dim>                                 body_contacts;
     int                                                largest_ratio = 1;
-    double                                             stiffest      = 0,
-           stiffest_bodies    = 0; ///< largest sum of added eigenvalues so far, by particles and by bodies [1/s^2]
-    double last_particle_step = 0, last_solid_step = 0; ///< [s]; 0: none yet
+    double                                             stiffest      = 0; ///< sum of added eigenvalues so far [1/s^2]
+    double last_particle_step = 0, last_solid_step = 0;                   ///< [s]; 0: none yet
   };
 } // namespace coupling

@@ -26,6 +26,13 @@ namespace coupling
     double balance_error = 0; ///< what is missing or too much, over the largest of them [-]
   };
 
+  /** Of all carriers together. */
+  struct Momentum
+  {
+    Eigen::Vector3d linear  = Eigen::Vector3d::Zero(); ///< [N s]
+    Eigen::Vector3d angular = Eigen::Vector3d::Zero(); ///< about the origin [N m s]
+  };
+
   /**
    * One side of a coupling: a body of carriers (particles, or nodes of a mesh) that moves in time by explicit steps, and that others
    * push, hold and look at. An adapter needs nothing more of either side, and sub-cycling and iteration need no more than
@@ -77,4 +84,7 @@ namespace coupling
     /** Back to the state that was kept, as often as wanted: the same steps give the same bits. @throws std::logic_error without one */
     virtual void restore() = 0;
   };
+
+  /** Without spin: of carriers that are points. Central differences keep the sum of x(n) and m v(n-1/2). */
+  Momentum momentum_of(const Participant &participant);
 } // namespace coupling

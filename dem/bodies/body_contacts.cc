@@ -64,7 +64,7 @@ namespace dem
     const std::vector<NearSimplices> &candidates = near.look(bodies);
     std::vector<Pair>                 all(candidates.size());
     const auto                        count = static_cast<std::int64_t>(candidates.size());
-#pragma omp parallel
+#pragma omp parallel if (count > 256) // threads cost more than fewer
     {
       Overlap room;
 #pragma omp for schedule(dynamic, 16)

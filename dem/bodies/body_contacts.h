@@ -1,5 +1,6 @@
 #pragma once
 
+#include "dem/bodies/body_contact_parameters.h"
 #include "dem/bodies/near_simplices.h"
 #include "dem/bodies/overlap_force.h"
 #include "dem/core/state.h"
@@ -9,16 +10,6 @@
 
 namespace dem
 {
-  /** How deformable bodies push and rub each other. */
-  struct BodyContactParameters
-  {
-    BodyContactForm form                 = BodyContactForm::potential;
-    double          stiffness            = 0; ///< k_v [N/m^3]: pressure over the overlap of two flat surfaces
-    double          shear_ratio          = 1; ///< stiffness against sliding over k_v [-]
-    double          friction_coefficient = 0; ///< mu [-]
-    bool            self_contact         = false;
-  };
-
   /** What the contacts hold and have turned into heat [J]. */
   struct BodyContactEnergy
   {

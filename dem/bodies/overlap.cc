@@ -171,24 +171,46 @@ namespace dem
       return false;
     }
 
+    Eigen::AlignedBox3d around(const std::vector<OverlapPiece> &pieces, const int corners)
+    {
+      Eigen::AlignedBox3d box;
+      for (const OverlapPiece &piece : pieces)
+        for (int c = 0; c < corners; ++c)
+          box.extend(piece.corner[c]);
+      return box;
+    }
+
+    Vector3d middle(const std::vector<OverlapPiece> &pieces, const int corners)
+    {
+      Vector3d sum = Vector3d::Zero();
+      for (const OverlapPiece &piece : pieces)
+        for (int c = 0; c < corners; ++c)
+          sum += piece.corner[c] / (corners * static_cast<double>(pieces.size()));
+      return sum;
+    }
+
     void measure(Overlap &found, const bool plane)
     {
-      const Vector3d origin = found.pieces.front().corner[0];
-      Vector3d       moment = Vector3d::Zero();
+      const int      corners = plane ? 2 : 3; // of a piece
+      const Vector3d origin  = found.pieces.front().corner[0];
+      Vector3d       moment  = Vector3d::Zero();
       for (const OverlapPiece &piece : found.pieces)
         {
           if (piece.twice)
             continue;
           // The cone from the origin over the piece.
           Vector3d sum = Vector3d::Zero();
-          for (int c = 0; c < (plane ? 2 : 3); ++c)
+          for (int c = 0; c < corners; ++c)
             sum += piece.corner[c] - origin;
-          const double volume = piece.area.dot(piece.corner[0] - origin) / (plane ? 2 : 3);
+          const double volume = piece.area.dot(piece.corner[0] - origin) / corners;
           found.volume += volume;
-          moment += volume / (plane ? 3 : 4) * sum;
+          moment += volume / (corners + 1) * sum;
         }
-      found.volume   = std::max(found.volume, 0.0); // where it is thinner than rounding
-      found.centroid = found.volume > 0 ? Vector3d(origin + moment / found.volume) : origin;
+      found.volume = std::max(found.volume, 0.0); // where it is thinner than rounding
+      if (found.volume > 0)
+        found.centroid = origin + moment / found.volume;
+      if (!(found.volume > 0) || !around(found.pieces, corners).contains(found.centroid))
+        found.centroid = middle(found.pieces, corners);
     }
   } // namespace
 

@@ -1,16 +1,10 @@
 #pragma once
 
+#include "dem/bodies/body_contact_parameters.h"
 #include "dem/bodies/body_mesh.h"
 
 namespace dem
 {
-  /** Form of the force between two overlapping bodies (doc/theory/body-contact.md). */
-  enum class BodyContactForm
-  {
-    potential, ///< slope of an energy of the overlap
-    penalty    ///< in proportion to the volume of the overlap
-  };
-
   /** What an overlap of two simplices does. */
   struct OverlapForce
   {

@@ -86,18 +86,20 @@ namespace fem
       std::ostringstream text;
       text << "mesh: it falls into " << cells_of.size() << " unconnected parts; the smallest has " << smallest->second
            << " elements, one of them at " << place_of[smallest->first]
-           << ". Join the parts (merge coincident nodes) or remove one.";
+           << ". Join the parts (merge coincident nodes) or remove one; bodies that lie apart on purpose want "
+              "Mesh/Several bodies = true.";
       throw std::invalid_argument(text.str());
     }
   }
 
   template <int dim>
-  void refuse_bad_mesh(const Triangulation<dim> &mesh)
+  void refuse_bad_mesh(const Triangulation<dim> &mesh, const Bodies bodies)
   {
     refuse_inverted(mesh);
-    refuse_unconnected(mesh);
+    if (bodies == Bodies::one)
+      refuse_unconnected(mesh);
   }
 
-  template void refuse_bad_mesh(const Triangulation<2> &);
-  template void refuse_bad_mesh(const Triangulation<3> &);
+  template void refuse_bad_mesh(const Triangulation<2> &, Bodies);
+  template void refuse_bad_mesh(const Triangulation<3> &, Bodies);
 }

@@ -94,7 +94,7 @@ namespace fem
   }
 
   template <int dim>
-  Mesh<dim> read_gmsh(const std::string &file, const MPI_Comm communicator)
+  Mesh<dim> read_gmsh(const std::string &file, const MPI_Comm communicator, const Bodies bodies)
   {
     GmshFile   content = read_gmsh_file(file, dim);
     const auto inside = content.groups[dim], surface = content.groups[dim - 1];
@@ -105,7 +105,7 @@ namespace fem
         Triangulation<dim> serial;
         build(serial, body, inside, materials);
         name_surface(serial, body, surface, boundaries);
-        Mesh<dim> mesh = distribute_mesh(serial, communicator);
+        Mesh<dim> mesh = distribute_mesh(serial, communicator, bodies);
         give_names(mesh.boundaries, boundaries);
         give_names(mesh.materials, materials);
         return mesh;
@@ -116,6 +116,6 @@ namespace fem
       }
   }
 
-  template Mesh<2> read_gmsh(const std::string &, MPI_Comm);
-  template Mesh<3> read_gmsh(const std::string &, MPI_Comm);
+  template Mesh<2> read_gmsh(const std::string &, MPI_Comm, Bodies);
+  template Mesh<3> read_gmsh(const std::string &, MPI_Comm, Bodies);
 }

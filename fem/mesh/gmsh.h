@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/mesh/mesh.h"
+#include "fem/mesh/bodies.h"
 
 namespace fem
 {
@@ -12,5 +12,5 @@ namespace fem
    * @throws std::invalid_argument naming the file, the line or the element, and what is wrong with it.
    */
   template <int dim>
-  Mesh<dim> read_gmsh(const std::string &file, MPI_Comm communicator = MPI_COMM_WORLD);
+  Mesh<dim> read_gmsh(const std::string &file, MPI_Comm communicator = MPI_COMM_WORLD, Bodies bodies = Bodies::one);
 }

@@ -22,6 +22,21 @@ namespace fem
     std::array<double, 3>       growth{1, 1, 1}; ///< size of an element over that of its neighbour towards the origin
   };
 
+  /// One of several boxes. Its boundaries bear its name before theirs: "NAME left".
+  struct NamedBox
+  {
+    std::string                 name, material = "solid";
+    std::array<double, 3>       corner{}; ///< of least coordinates [m]
+    std::array<double, 3>       size{1, 1, 1};
+    std::array<unsigned int, 3> divisions{1, 1, 1};
+  };
+
+  /// Several bodies, which share no node even where they touch.
+  struct BoxesShape
+  {
+    std::vector<NamedBox> boxes;
+  };
+
   /**
    * Beam along x, from the origin to (length, height, width), with a notch of rectangular section from below at
    * mid-span.
@@ -59,6 +74,9 @@ namespace fem
   /// @throws std::invalid_argument on measures that do not fit together. The only material is named solid.
   template <int dim>
   Mesh<dim> make_shape(const BoxShape &shape, const ShapeOptions &options);
+  /// With the materials of its boxes. @throws also for boxes that overlap
+  template <int dim>
+  Mesh<dim> make_shape(const BoxesShape &shape, const ShapeOptions &options);
   template <int dim>
   Mesh<dim> make_shape(const NotchedBeamShape &shape, const ShapeOptions &options);
   template <int dim>

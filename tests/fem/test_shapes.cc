@@ -4,6 +4,8 @@
 #include <catch2/catch.hpp>
 #include <deal.II/grid/tria.h>
 
+#include <map>
+
 TEST_CASE("a round bar has the volume and the end faces of a cylinder at every refinement, blocks and simplices",
           "[fem]")
 {
@@ -36,4 +38,57 @@ TEST_CASE("a round bar has the volume and the end faces of a cylinder at every r
         CHECK(left == Approx(section).epsilon(1e-10));
         CHECK(right == Approx(section).epsilon(1e-10));
       }
+}
+
+TEST_CASE("boxes are bodies of their own, with their materials and the names of their sides, even where they touch",
+          "[fem]")
+{
+  fem::BoxesShape shape;
+  shape.boxes = {{"lower", "steel", {0.1, 0, -0.02}, {0.2, 0.3, 0.02}, {2, 3, 1}},
+                 {"upper", "brass", {0.1, 0, 0}, {0.2, 0.3, 0.05}, {2, 3, 2}},
+                 {"far", "steel", {1, 1, 1}, {0.1, 0.1, 0.1}, {1, 1, 1}}};
+  for (const auto family : {fem::ElementFamily::hypercube, fem::ElementFamily::simplex})
+    {
+      fem::ShapeOptions options;
+      options.family       = family;
+      options.refinements  = 1;
+      options.communicator = MPI_COMM_SELF;
+      const auto mesh      = fem::make_shape<3>(shape, options);
+      CHECK(mesh.boundaries.size() == 18);
+      std::map<dealii::types::boundary_id, double> area;
+      std::map<dealii::types::material_id, double> volume;
+      for (const auto &cell : mesh.triangulation->active_cell_iterators())
+        {
+          volume[cell->material_id()] += cell->measure();
+          for (const unsigned int f : cell->face_indices())
+            if (cell->face(f)->at_boundary())
+              {
+                area[cell->face(f)->boundary_id()] += cell->face(f)->measure();
+                if (cell->face(f)->boundary_id() == mesh.boundary("upper back"))
+                  CHECK(cell->face(f)->center()[2] == Approx(0).margin(1e-15));
+              }
+        }
+      CHECK(area.at(mesh.boundary("lower front")) == Approx(0.06).epsilon(1e-12)); // both sides of the joint are there
+      CHECK(area.at(mesh.boundary("upper back")) == Approx(0.06).epsilon(1e-12));
+      CHECK(area.at(mesh.boundary("upper left")) == Approx(0.015).epsilon(1e-12));
+      CHECK(volume.at(mesh.materials.at("steel")) == Approx(0.0012 + 0.001).epsilon(1e-12));
+      CHECK(volume.at(mesh.materials.at("brass")) == Approx(0.003).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("boxes that overlap, have no extent or share a name are refused by name", "[fem]")
+{
+  fem::ShapeOptions options;
+  options.communicator     = MPI_COMM_SELF;
+  const fem::NamedBox a    = {"a", "solid", {0, 0, 0}, {1, 1, 1}, {1, 1, 1}};
+  fem::NamedBox       b    = {"b", "solid", {0.5, 0.5, 0.5}, {1, 1, 1}, {1, 1, 1}};
+  const auto          made = [&] { return fem::make_shape<3>(fem::BoxesShape{{a, b}}, options); };
+  CHECK_THROWS_WITH(made(), Catch::Contains("boxes a and b overlap"));
+  b.corner = {1, 0, 0};
+  CHECK_NOTHROW(made());
+  b.name = "a";
+  CHECK_THROWS_WITH(made(), Catch::Contains("two of them are named a"));
+  b.name = "b";
+  b.size = {1, 0, 1};
+  CHECK_THROWS_WITH(made(), Catch::Contains("box b: its size"));
 }

@@ -41,6 +41,9 @@ namespace apps
     virtual std::map<std::string, double> cost() const          = 0;
     virtual std::string                   linear_solver() const = 0; ///< "" if there is none
 
+    /** How bodies have touched; nullptr where none can. */
+    virtual const ContactFigures *contact_figures() const { return nullptr; }
+
     /** The solver of a static analysis; nullptr of others. */
     virtual fem::StaticSolver<dim> *static_solver() { return nullptr; }
 

@@ -7,8 +7,8 @@ namespace apps
 {
   double ContinuumEnergy::largest() const
   {
-    return std::max(
-      {std::fabs(external), std::fabs(internal), std::fabs(stored), std::fabs(dissipated), kinetic, damped, start});
+    return std::max({std::fabs(external), std::fabs(internal), std::fabs(stored), std::fabs(dissipated),
+                     std::fabs(contacts), kinetic, damped, start});
   }
 
   double ContinuumEnergy::balance_error() const

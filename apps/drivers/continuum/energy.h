@@ -8,7 +8,8 @@ namespace apps
     double external = 0; ///< work of loads and prescribed displacements
     double internal = 0; ///< work of stresses, by trapezes over the steps
     double kinetic = 0, damped = 0, start = 0;
-    double stored = 0; ///< by the materials, more than at the start
+    double contacts = 0; ///< held and turned into heat by contacts between bodies
+    double stored   = 0; ///< by the materials, more than at the start
 
     /** Lost in the materials, by their own account; where they keep none, what the stresses have worked and nothing stores. */
     double dissipated = 0;
@@ -16,7 +17,7 @@ namespace apps
     bool materials_keep_account = false;
 
     /** What is missing or too much [J]. */
-    double residual() const { return external + start - kinetic - damped - stored - dissipated; }
+    double residual() const { return external + start - kinetic - damped - stored - dissipated - contacts; }
 
     /** The largest of all. */
     double largest() const;

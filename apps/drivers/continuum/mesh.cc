@@ -6,6 +6,52 @@
 
 namespace apps
 {
+  namespace
+  {
+    void declare_divisions(Section &box, std::array<std::int64_t, 3> &divisions, const int &dimension)
+    {
+      for (std::size_t i = 0; i < 3; ++i)
+        {
+          Entry &along =
+            box.integer(std::string("Divisions ") + "xyz"[i], divisions[i], "", Range::between(1, 1e6), Need::optional);
+          along.means("Elements along this edge");
+          if (i == 2)
+            along.only_if([&dimension] { return dimension == 3; }, "Model/Dimension = 3");
+        }
+    }
+
+    void require_edges(const Section &box, const std::array<double, 3> &size, const int dimension)
+    {
+      for (std::size_t i = 0; i < static_cast<std::size_t>(dimension); ++i)
+        if (!(size[i] > 0))
+          box.refuse("Size", std::string("its edge along ") + "xyz"[i] + " must be positive.");
+    }
+
+    unsigned int whole(const std::int64_t number) { return static_cast<unsigned int>(number); }
+  } // namespace
+
+  void BoxSection::declare(Section &s, const int &dimension)
+  {
+    name = s.name();
+    s.vector("Corner", corner, "m", Range(), Need::optional).means("Of least coordinates");
+    s.vector("Size", size, "m", Range::at_least(0), Need::required)
+      .means("Edges; the third is not used in two dimensions");
+    declare_divisions(s, divisions, dimension);
+    s.text("Material", material, Need::optional).means("Name of its section in Materials");
+  }
+
+  fem::NamedBox BoxSection::box() const
+  {
+    fem::NamedBox made;
+    made.name     = name;
+    made.material = material;
+    made.corner   = corner;
+    made.size     = size;
+    for (std::size_t i = 0; i < 3; ++i)
+      made.divisions[i] = whole(divisions[i]);
+    return made;
+  }
+
   void MeshSection::declare(Section &root, const int &dimension)
   {
     const auto from  = [this](const Source wanted) { return [this, wanted] { return source == wanted; }; };
@@ -14,14 +60,18 @@ namespace apps
     s.choice("Source", source,
              {{"file", Source::file},
               {"box", Source::box},
+              {"boxes", Source::boxes},
               {"notched beam", Source::notched_beam},
               {"plate with hole", Source::plate_with_hole},
               {"cylinder", Source::cylinder}},
              Need::required)
       .means("file: a Gmsh mesh, whose named physical groups are the names of boundaries and materials; otherwise a "
-             "shape, of the one material solid");
+             "shape, of the one material solid; boxes: several bodies, each by itself");
     s.file("File", file)
       .means("Gmsh 2.2 or 4.1, text; from the scene's folder")
+      .only_if(from(Source::file), "Mesh/Source = file");
+    s.flag("Several bodies", several_bodies)
+      .means("The mesh may fall into parts that share no node; off: that is refused, as nodes not merged by mistake")
       .only_if(from(Source::file), "Mesh/Source = file");
     s.choice("Elements", family,
              {{"blocks", fem::ElementFamily::hypercube}, {"simplices", fem::ElementFamily::simplex}}, Need::optional)
@@ -36,17 +86,11 @@ namespace apps
     box.only_if(from(Source::box), "Mesh/Source = box");
     box.vector("Size", box_size, "m", Range::at_least(0), Need::required)
       .means("Edges; the third is not used in two dimensions");
-    for (std::size_t i = 0; i < 3; ++i)
-      {
-        Entry &divisions = box.integer(std::string("Divisions ") + "xyz"[i], box_divisions[i], "",
-                                       Range::between(1, 1e6), Need::optional);
-        divisions.means("Elements along this edge");
-        if (i == 2)
-          divisions.only_if([&dimension] { return dimension == 3; }, "Model/Dimension = 3");
-      }
+    declare_divisions(box, box_divisions, dimension);
     box.vector("Growth", box_growth, "-", Range::between(0.1, 10), Need::optional)
       .means(
         "Along each edge, the size of an element over that of its neighbour towards the origin: fine where it matters");
+    declare_boxes(s, dimension);
     declare_beam(s, dimension);
     declare_plate(s, dimension);
 
@@ -56,6 +100,16 @@ namespace apps
     bar.number("Radius", cylinder.radius, "m", Range::positive(), Need::required).means("Of the section");
     bar.integer("Divisions", axial_divisions, "", Range::between(1, 1e6), Need::optional)
       .means("Elements along the axis; across there are five blocks");
+  }
+
+  void MeshSection::declare_boxes(Section &mesh, const int &dimension)
+  {
+    Section &all = mesh.section("Boxes", "One sub-section per box: bodies that share no node, even where they touch. "
+                                         "Boundaries are those of a box with the body's name before: NAME left, NAME "
+                                         "front");
+    all.only_if([this] { return source == Source::boxes; }, "Mesh/Source = boxes");
+    all.named_sections("BODY",
+                       [this, &dimension](Section &opened) { boxes.emplace_back().declare(opened, dimension); });
   }
 
   void MeshSection::declare_beam(Section &mesh, const int &dimension)
@@ -110,15 +164,18 @@ namespace apps
     if (source == Source::cylinder && dimension == 2)
       s.refuse("Source", "a cylinder is a body in three dimensions, and Model/Dimension is 2. Take a box.");
     if (source == Source::box)
-      for (std::size_t i = 0; i < static_cast<std::size_t>(dimension); ++i)
-        if (!(box_size[i] > 0))
-          s.find_section("Box")->refuse("Size", std::string("its edge along ") + "xyz"[i] + " must be positive.");
+      require_edges(*s.find_section("Box"), box_size, dimension);
+    if (source == Source::boxes)
+      validate_boxes(s, dimension);
   }
 
-  namespace
+  void MeshSection::validate_boxes(const Section &mesh, const int dimension) const
   {
-    unsigned int whole(const std::int64_t number) { return static_cast<unsigned int>(number); }
-  } // namespace
+    if (boxes.empty())
+      mesh.refuse("Source", "there is no box. Give each body a section Mesh/Boxes/NAME.");
+    for (const BoxSection &box : boxes)
+      require_edges(*mesh.find_section("Boxes")->find_section(box.name), box.size, dimension);
+  }
 
   template <int dim>
   fem::Mesh<dim> make_mesh(const MeshSection &mesh)
@@ -130,7 +187,8 @@ namespace apps
       {
       case MeshSection::Source::file:
         {
-          return fem::read_gmsh<dim>(mesh.file);
+          return fem::read_gmsh<dim>(mesh.file, MPI_COMM_WORLD,
+                                     mesh.several_bodies ? fem::Bodies::several : fem::Bodies::one);
         }
       case MeshSection::Source::box:
         {
@@ -140,6 +198,13 @@ namespace apps
           for (std::size_t i = 0; i < 3; ++i)
             box.divisions[i] = whole(mesh.box_divisions[i]);
           return fem::make_shape<dim>(box, options);
+        }
+      case MeshSection::Source::boxes:
+        {
+          fem::BoxesShape shape;
+          for (const BoxSection &box : mesh.boxes)
+            shape.boxes.push_back(box.box());
+          return fem::make_shape<dim>(shape, options);
         }
       case MeshSection::Source::notched_beam:
         {

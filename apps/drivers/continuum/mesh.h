@@ -3,8 +3,21 @@
 #include "apps/scene/section.h"
 #include "fem/mesh/shapes.h"
 
+#include <list>
+
 namespace apps
 {
+  /** Sub-section of "Boxes": a body of its own. */
+  struct BoxSection
+  {
+    std::string                 name, material = "solid";
+    std::array<double, 3>       corner{}, size{};
+    std::array<std::int64_t, 3> divisions{1, 1, 1};
+
+    void          declare(Section &section, const int &dimension);
+    fem::NamedBox box() const;
+  };
+
   /** Section "Mesh": a file of Gmsh, or a built-in shape. */
   struct MeshSection
   {
@@ -12,6 +25,7 @@ namespace apps
     {
       file,
       box,
+      boxes,
       notched_beam,
       plate_with_hole,
       cylinder
@@ -19,11 +33,13 @@ namespace apps
 
     Source                      source = Source::file;
     std::string                 file;
+    bool                        several_bodies = false;
     fem::ElementFamily          family      = fem::ElementFamily::hypercube;
     std::int64_t                refinements = 0;
     std::array<double, 3>       box_size{};
     std::array<std::int64_t, 3> box_divisions{1, 1, 1};
     std::array<double, 3>       box_growth{1, 1, 1};
+    std::list<BoxSection>       boxes;
     fem::NotchedBeamShape       beam;
     std::int64_t                beam_width_divisions = 4;
     fem::PlateWithHoleShape     plate;
@@ -35,6 +51,8 @@ namespace apps
     void validate(const Section &root, int dimension) const;
 
   private:
+    void declare_boxes(Section &mesh, const int &dimension);
+    void validate_boxes(const Section &mesh, int dimension) const;
     void declare_beam(Section &mesh, const int &dimension);
     void declare_plate(Section &mesh, const int &dimension);
   };

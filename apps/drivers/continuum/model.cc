@@ -146,6 +146,9 @@ namespace apps
     loads.declare(root);
     control.declare(root, statics);
     motion.declare(root, dynamics);
+    contacts.declare(root, dynamics);
+    references.declare(root);
+    root.find_section("References")->only_if([this] { return !contacts.empty(); }, "section Contacts is there");
     output.declare(root, dynamics);
   }
 
@@ -158,6 +161,7 @@ namespace apps
     materials.declare(root, [] { return true; });
     loads.declare(root);
     motion.declare(root, [] { return true; });
+    contacts.declare(root, [] { return true; });
   }
 
   void ContinuumModel::validate(const Section &root) const
@@ -177,5 +181,6 @@ namespace apps
     mesh.validate(root, solid.dimension);
     materials.validate(root, solid.large_displacement);
     loads.validate(root, solid.dimension);
+    contacts.validate(root);
   }
 } // namespace apps

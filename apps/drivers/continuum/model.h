@@ -1,8 +1,10 @@
 #pragma once
 
+#include "apps/drivers/continuum/contact_section.h"
 #include "apps/drivers/continuum/loads.h"
 #include "apps/drivers/continuum/materials.h"
 #include "apps/drivers/continuum/mesh.h"
+#include "apps/drivers/parts/contact_figures.h"
 
 namespace apps
 {
@@ -90,6 +92,8 @@ namespace apps
     LoadsSection           loads;
     ControlSection         control;
     MotionSection          motion;
+    ContactsSection        contacts;
+    ReferencesSection      references;
     ContinuumOutputSection output;
 
     void declare(Section &root);

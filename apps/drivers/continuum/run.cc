@@ -281,6 +281,8 @@ namespace apps
                                    vertical,
                                    model.is_static(),
                                    model.is_static() && !settle,
+                                   analysis->contact_figures(),
+                                   model.references,
                                    !failure.empty() ? no_equilibrium + failure :
                                    was_stopped      ? "stop fraction" :
                                    has_softened     ? softened :

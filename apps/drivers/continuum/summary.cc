@@ -31,13 +31,17 @@ namespace apps
 
   std::vector<std::string> ContinuumReport::warnings() const
   {
+    std::vector<std::string> found;
+    if (contact && !contact->touched())
+      found.push_back("no bodies have ever touched");
     const double error = worst_residual(series);
-    if (!(error > worrying_balance))
-      return {};
-    return {fmt::format("the energies do not balance by {:.0f} % of the largest: {}", 100 * error,
-                        is_static ? "the steps are too long for the work that they count. Shorten Control/Largest step "
+    if (error > worrying_balance)
+      found.push_back(fmt::format("the energies do not balance by {:.0f} % of the largest: {}", 100 * error,
+                                  is_static ?
+                                    "the steps are too long for the work that they count. Shorten Control/Largest step "
                                     "until this is small" :
-                                    "the motion is not resolved. Lower Motion/Safety")};
+                                    "the motion is not resolved. Lower Motion/Safety"));
+    return found;
   }
 
   nlohmann::json ContinuumReport::figures() const
@@ -68,6 +72,8 @@ namespace apps
       }
     if (has_opening)
       found["final_opening"] = quantity(last("opening"), "m");
+    if (contact && contact->touched())
+      contact->put_into(found, references);
     return found;
   }
 
@@ -120,6 +126,8 @@ namespace apps
     const nlohmann::json found = figures();
     for (const auto &[name, figure] : found.items())
       text += fmt::format("{:<40} {:.6g} {}\n", name, figure["value"].get<double>(), figure["unit"].get<std::string>());
+    if (contact && contact->touched())
+      text += contact->text();
     for (const std::string &warning : warnings())
       text += fmt::format("warning      {}\n", warning);
     text += fmt::format("energy       balance error {:.1e} at worst\n", worst_residual(series));

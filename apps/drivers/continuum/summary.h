@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/drivers/continuum/gauge_column.h"
+#include "apps/drivers/parts/contact_figures.h"
 #include "apps/scene/scene.h"
 #include "postprocess/csv_table.h"
 
@@ -35,6 +36,8 @@ namespace apps
     std::string                   horizontal, vertical; ///< columns of the curve
     bool                          is_static;
     bool                          from_rest; ///< the state before the first row of the series is nothing at all
+    const ContactFigures         *contact;   ///< nullptr: nothing can touch
+    ReferencesSection             references;
     std::string ended_by; ///< "end", "stop fraction", "steps at most", softened, or no_equilibrium and why
 
     /** summary.json and curve.png. @throws postprocess::OutputError. */

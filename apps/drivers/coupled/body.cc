@@ -1,5 +1,6 @@
 #include "apps/drivers/coupled/body.h"
 
+#include "apps/drivers/continuum/contacts.h"
 #include "apps/drivers/continuum/gauges.h"
 #include "apps/drivers/continuum/motion.h"
 #include "apps/drivers/continuum/picture.h"
@@ -22,14 +23,6 @@
 namespace apps
 {
   using Eigen::Vector3d;
-
-  void InterfaceFigures::visit_state(dem::StateVisitor &visitor)
-  {
-    visitor.scalar("peak_force", peak_force);
-    visitor.scalar("peak_time", peak_time);
-    visitor.scalar("first_touch", first_touch);
-    visitor.scalar("last_touch", last_touch);
-  }
 
   namespace
   {
@@ -63,6 +56,7 @@ namespace apps
         , motion(make_motion(*solid, what.continuum, what.particles.gravity.acceleration))
         , participant(in_words_of_input([&] { return coupling::SolidParticipant<dim>(*solid, *motion); }))
         , both(body.specimen(), *solid, *motion, participant, [this] { body.lead_next_step(); })
+        , touching(what.continuum.contacts, both.contacts())
         , gauges(*solid, what.continuum)
       {
         both.set_largest_ratio(static_cast<int>(what.largest_ratio));
@@ -110,6 +104,8 @@ namespace apps
             add(column_name(coupling.name) + "_work", "J");
             add(column_name(coupling.name) + "_made", "J");
           }
+        for (const postprocess::SeriesColumn &column : touching.columns())
+          all.push_back(column);
         for (const char *quantity : {"momentum", "angular_momentum"})
           for (const char *axis : axes)
             add(std::string(quantity) + axis, quantity[0] == 'm' ? "N s" : "N m s");
@@ -134,6 +130,8 @@ namespace apps
         for (const CouplingSection &coupling : model.couplings.couplings)
           for (int d = 0; d < dim; ++d)
             all.push_back({column_name(coupling.name) + "_force" + axes[d], "N"});
+        for (const postprocess::SeriesColumn &force : touching.force_columns())
+          all.push_back(force);
         return all;
       }
 
@@ -151,10 +149,11 @@ namespace apps
         for (const auto &surface : both.surfaces())
           for (int d = 0; d < dim; ++d)
             values.push_back(specimen.surface(surface->surface()).total_force[d]);
+        add(touching.forces());
         const dem::Counts counts = specimen.counts();
         add(std::initializer_list<double>{static_cast<double>(counts.links), static_cast<double>(counts.broken),
                                           static_cast<double>(counts.contacts + counts.wall_contacts)});
-        double made = 0;
+        double made = touching.energies().made();
         for (const auto &surface : both.surfaces())
           {
             const coupling::SurfaceBalance balance = surface->balance();
@@ -162,6 +161,7 @@ namespace apps
                                               balance.work_on_solid, balance.made()});
             made += balance.made();
           }
+        add(touching.values());
         const auto [linear, angular] = momentum();
         add(std::initializer_list<double>{linear[0], linear[1], linear[2], angular[0], angular[1], angular[2]});
         add(std::initializer_list<double>{s.kinetic, s.internal, s.external, s.damped, s.start});
@@ -177,7 +177,8 @@ namespace apps
         const dem::EnergyAccount   p = body.specimen().energy();
         largest_energy = std::max({largest_energy, e.kinetic + std::fabs(e.internal), p.kinetic + p.elastic,
                                    std::fabs(e.external), std::fabs(p.external_work), std::fabs(p.gravity)});
-        auto coupling  = model.couplings.couplings.begin();
+        touching.require_balance(largest_energy, time());
+        auto coupling = model.couplings.couplings.begin();
         for (const auto &surface : both.surfaces())
           {
             const double made = surface->balance().made();
@@ -197,10 +198,10 @@ namespace apps
         const coupling::WindowSteps next = both.next_window(model.particles.end_time);
         return {next.window, both.solid_step(), both.particle_step(), next.particles};
       }
-      std::size_t             elements() const override { return solid->mesh().triangulation->n_global_active_cells(); }
-      std::size_t             unknowns() const override { return solid->dofs().n_dofs(); }
-      std::int64_t            windows() const override { return window_count; }
-      const InterfaceFigures &interface() const override { return figures; }
+      std::size_t           elements() const override { return solid->mesh().triangulation->n_global_active_cells(); }
+      std::size_t           unknowns() const override { return solid->dofs().n_dofs(); }
+      std::int64_t          windows() const override { return window_count; }
+      const ContactFigures &interface() const override { return figures; }
 
       std::string write_solid(const std::filesystem::path &folder, const std::size_t number) override
       {
@@ -308,39 +309,27 @@ namespace apps
             throw StoppedShort(failure.what());
           }
         ++window_count;
+        touching.note(figures, motion->time());
         for (const auto &coupled : both.surfaces())
           {
             const dem::Surface &surface = body.specimen().surface(coupled->surface());
             if (surface.touching == 0)
               continue;
-            if (!figures.touched())
-              figures.first_touch = at;
-            figures.last_touch = at;
-            if (const double force = surface.total_force.norm(); force > figures.peak_force)
-              {
-                figures.peak_force = force;
-                figures.peak_time  = at;
-              }
+            figures.note(at, surface.total_force.norm());
           }
       }
 
-      /** Of all: central differences keep the sum of x(n) and m v(n-1/2). */
-      std::pair<Vector3d, Vector3d> momentum() const
+      /** Of all. */
+      coupling::Momentum momentum() const
       {
-        Vector3d linear = Vector3d::Zero(), angular = Vector3d::Zero();
+        coupling::Momentum sum = coupling::momentum_of(participant);
         for (std::size_t i = 0; i < body.specimen().counts().particles; ++i)
           {
             const dem::ParticleState p = body.specimen().particle(i);
-            linear += p.mass * p.velocity;
-            angular += p.position.cross(p.mass * p.velocity) + p.inertia * p.spin;
+            sum.linear += p.mass * p.velocity;
+            sum.angular += p.position.cross(p.mass * p.velocity) + p.inertia * p.spin;
           }
-        for (std::size_t i = 0; i < participant.carriers(); ++i)
-          {
-            const Vector3d carried = participant.mass(i) * participant.velocity(i);
-            linear += carried;
-            angular += participant.position(i).cross(carried);
-          }
-        return {linear, angular};
+        return sum;
       }
 
       const CoupledModel                       &model;
@@ -349,8 +338,9 @@ namespace apps
       std::unique_ptr<fem::ExplicitSolver<dim>> motion;
       coupling::SolidParticipant<dim>           participant;
       coupling::ConcurrentMotion<dim>           both;
+      ObservedContacts<dim>                     touching; ///< between bodies of the solid
       ContinuumGauges<dim>                      gauges;
-      InterfaceFigures                          figures;
+      ContactFigures                            figures;
       double                                    largest_energy = 0; ///< whenever it was watched, so far [J]
       std::int64_t                              window_count   = 0;
     };

@@ -12,17 +12,6 @@
 
 namespace apps
 {
-  /** What the surfaces of the solid have felt, of every step. */
-  struct InterfaceFigures
-  {
-    double peak_force = 0, peak_time = 0;     ///< largest resultant on a surface [N], and when [s]
-    double first_touch = -1, last_touch = -1; ///< [s]; -1: never
-
-    bool   touched() const { return first_touch >= 0; }
-    double contact_time() const { return last_touch - first_touch; }
-    void   visit_state(dem::StateVisitor &visitor);
-  };
-
   /** Steps that both sides take now. */
   struct CoupledSteps
   {
@@ -51,13 +40,13 @@ namespace apps
     /** Columns that the summary tells of, with their units. */
     virtual std::vector<postprocess::SeriesColumn> told() const = 0;
 
-    virtual ParticlesBody          &particles()       = 0;
-    virtual double                  time() const      = 0; ///< [s]
-    virtual CoupledSteps            steps() const     = 0;
-    virtual std::size_t             elements() const  = 0;
-    virtual std::size_t             unknowns() const  = 0;
-    virtual std::int64_t            windows() const   = 0; ///< taken
-    virtual const InterfaceFigures &interface() const = 0;
+    virtual ParticlesBody        &particles()       = 0;
+    virtual double                time() const      = 0; ///< [s]
+    virtual CoupledSteps          steps() const     = 0;
+    virtual std::size_t           elements() const  = 0;
+    virtual std::size_t           unknowns() const  = 0;
+    virtual std::int64_t          windows() const   = 0; ///< taken
+    virtual const ContactFigures &interface() const = 0;
 
     /** @param number of the snapshot. @return name of its file in the folder. @throws postprocess::OutputError */
     virtual std::string write_solid(const std::filesystem::path &folder, std::size_t number) = 0;

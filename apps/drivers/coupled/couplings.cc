@@ -1,6 +1,7 @@
 #include "apps/drivers/coupled/couplings.h"
 
 #include "apps/drivers/particles/contact_entries.h"
+#include "apps/scene/name_list.h"
 
 #include <algorithm>
 #include <set>
@@ -31,23 +32,6 @@ namespace apps
       .means("The run stops where the coupling itself has made or lost more than this part of the largest energy");
   }
 
-  namespace
-  {
-    std::vector<std::string> names_in(const std::string &text)
-    {
-      std::vector<std::string> names;
-      for (std::size_t from = 0; from < text.size();)
-        {
-          const std::size_t to    = std::min(text.find(',', from), text.size());
-          const std::size_t first = text.find_first_not_of(' ', from), last = text.find_last_not_of(' ', to - 1);
-          if (first < to)
-            names.push_back(text.substr(first, last - first + 1));
-          from = to + 1;
-        }
-      return names;
-    }
-  } // namespace
-
   std::vector<std::string> CouplingSection::boundaries() const { return names_in(boundary); }
 
   std::vector<std::size_t> CouplingSection::particles(const ParticleGroups &groups) const
@@ -66,10 +50,10 @@ namespace apps
       .named_sections("COUPLING", [this](Section &opened) { couplings.emplace_back().declare(opened); });
   }
 
-  void CouplingsSection::validate(const Section &root, const GroupNames &groups) const
+  void CouplingsSection::validate(const Section &root, const GroupNames &groups, const bool alone) const
   {
     const Section &all = *root.find_section("Couplings");
-    if (couplings.empty())
+    if (couplings.empty() && alone)
       throw dem::InputError("Couplings: there is none. Name a surface of the solid that particles touch: subsection "
                             "Couplings/NAME with set Boundary and set Effective modulus.");
     for (const CouplingSection &coupling : couplings)

@@ -33,7 +33,7 @@ namespace apps
     std::list<CouplingSection> couplings;
 
     void declare(Section &root);
-    /** @throws dem::InputError where nothing is coupled, or a group that is not there */
-    void validate(const Section &root, const GroupNames &groups) const;
+    /** @param alone nothing else couples. @throws dem::InputError where nothing is coupled, or a group that is not there */
+    void validate(const Section &root, const GroupNames &groups, bool alone) const;
   };
 } // namespace apps

@@ -6,18 +6,6 @@
 
 namespace apps
 {
-  void ReferencesSection::declare(Section &root)
-  {
-    Section &s =
-      root.section("References", "Known answers: summary.json then tells the relative error of what was found");
-    s.number("Peak force", peak_force, "N", Range::at_least(0), Need::optional)
-      .means("Largest resultant of the particles' forces on a coupled surface; 0: not known")
-      .housekeeping();
-    s.number("Contact time", contact_time, "s", Range::at_least(0), Need::optional)
-      .means("From the first touch of a coupled surface to the last; 0: not known")
-      .housekeeping();
-  }
-
   void CoupledModel::declare(Section &scene)
   {
     root = &scene;
@@ -49,7 +37,7 @@ namespace apps
       solid.find_section("Model")->refuse("Dimension", "must be that of the particles (Particles/Physics/Dimension).");
     const GroupNames groups = particles.validate_as_part(body);
     particles.gravity.validate(scene, dimension());
-    couplings.validate(scene, groups);
+    couplings.validate(scene, groups, continuum.contacts.empty());
     for (const CouplingSection &coupling : couplings.couplings)
       if (particles.walls.knows(coupling.name))
         throw dem::InputError("Couplings/" + coupling.name + ": there is a wall of this name. Take another.");

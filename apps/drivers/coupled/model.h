@@ -2,19 +2,12 @@
 
 #include "apps/drivers/coupled/couplings.h"
 #include "apps/drivers/particles/model.h"
+#include "apps/drivers/parts/contact_figures.h"
 
 #include <utility>
 
 namespace apps
 {
-  /** Section "References": known answers. */
-  struct ReferencesSection
-  {
-    double peak_force = 0, contact_time = 0; ///< [N], [s]; 0: not known
-
-    void declare(Section &root);
-  };
-
   /** Everything that a scene of kind "coupled" says. */
   struct CoupledModel
   {

@@ -18,34 +18,14 @@
 
 namespace apps
 {
-  namespace
-  {
-    /** A figure beside its known answer; 0: none. */
-    nlohmann::json compared(const double value, const char *unit, const double reference)
-    {
-      nlohmann::json figure = {{"value", value}, {"unit", unit}};
-      if (reference > 0)
-        {
-          figure["reference"]      = reference;
-          figure["relative_error"] = value / reference - 1;
-        }
-      return figure;
-    }
-  } // namespace
-
   nlohmann::json CoupledReport::figures() const
   {
     nlohmann::json found = nlohmann::json::object();
     for (const postprocess::SeriesColumn &column : body.told())
       found[column.name] = figure_of(series, column.name, column.unit);
-    found["broken_links"]           = body.particles().specimen().counts().broken;
-    const InterfaceFigures &touched = body.interface();
-    if (!touched.touched())
-      return found;
-    found["peak_force"]            = compared(touched.peak_force, "N", model.references.peak_force);
-    found["peak_force"]["at_time"] = touched.peak_time;
-    found["contact_time"]          = compared(touched.contact_time(), "s", model.references.contact_time);
-    found["first_contact"]         = {{"value", touched.first_touch}, {"unit", "s"}};
+    found["broken_links"] = body.particles().specimen().counts().broken;
+    if (body.interface().touched())
+      body.interface().put_into(found, model.references);
     return found;
   }
 
@@ -107,12 +87,7 @@ namespace apps
     std::string text;
     for (const postprocess::SeriesColumn &column : body.told())
       text += fmt::format("{:<40} {:.6g} {}\n", column.name, series.column(column.name).back(), column.unit);
-    const InterfaceFigures &touched = body.interface();
-    if (touched.touched())
-      text += fmt::format("contact      first at {:.6g} s, last at {:.6g} s, at most {:.6g} N\n", touched.first_touch,
-                          touched.last_touch, touched.peak_force);
-    else
-      text += "warning      no particle has ever touched the solid\n";
+    text += body.interface().touched() ? body.interface().text() : "warning      nothing has ever touched the solid\n";
     text += fmt::format("ended by     {}, at {:.6g} s\n", model.particles.stops.what_ended(series), body.time());
     if (start)
       text += fmt::format("start        {}\n", text_of(*start));

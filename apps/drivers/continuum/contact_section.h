@@ -1,0 +1,31 @@
+#pragma once
+
+#include "apps/scene/section.h"
+#include "dem/bodies/body_contact_parameters.h"
+
+#include <list>
+
+namespace apps
+{
+  /** Sub-section of "Contacts": bodies of the solid that touch each other. */
+  struct ContactSection
+  {
+    std::string                name;
+    std::string                bodies; ///< names of materials, separated by commas; "": all
+    dem::BodyContactParameters law;
+    double                     energy_limit = 0.01; ///< that it may make, over the largest energy
+
+    void declare(Section &section);
+  };
+
+  /** Section "Contacts". */
+  struct ContactsSection
+  {
+    std::list<ContactSection> contacts;
+
+    void declare(Section &root, std::function<bool()> is_explicit);
+    /** @throws dem::InputError for a name that cannot be part of a column, and contacts of what does not move */
+    void validate(const Section &root) const;
+    bool empty() const { return contacts.empty(); }
+  };
+} // namespace apps

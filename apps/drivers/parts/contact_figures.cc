@@ -1,0 +1,68 @@
+#include "apps/drivers/parts/contact_figures.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace apps
+{
+  namespace
+  {
+    /** A figure beside its known answer; 0: none. */
+    nlohmann::json compared(const double value, const char *unit, const double reference)
+    {
+      nlohmann::json figure = {{"value", value}, {"unit", unit}};
+      if (reference > 0)
+        {
+          figure["reference"]      = reference;
+          figure["relative_error"] = value / reference - 1;
+        }
+      return figure;
+    }
+  } // namespace
+
+  void ReferencesSection::declare(Section &root)
+  {
+    Section &s =
+      root.section("References", "Known answers: summary.json then tells the relative error of what was found");
+    s.number("Peak force", peak_force, "N", Range::at_least(0), Need::optional)
+      .means("Largest resultant between what touches; 0: not known")
+      .housekeeping();
+    s.number("Contact time", contact_time, "s", Range::at_least(0), Need::optional)
+      .means("From the first touch to the last; 0: not known")
+      .housekeeping();
+  }
+
+  void ContactFigures::note(const double time, const double force)
+  {
+    if (!touched())
+      first_touch = time;
+    last_touch = time;
+    if (force > peak_force)
+      {
+        peak_force = force;
+        peak_time  = time;
+      }
+  }
+
+  void ContactFigures::put_into(nlohmann::json &figures, const ReferencesSection &known) const
+  {
+    figures["peak_force"]            = compared(peak_force, "N", known.peak_force);
+    figures["peak_force"]["at_time"] = peak_time;
+    figures["contact_time"]          = compared(contact_time(), "s", known.contact_time);
+    figures["first_contact"]         = {{"value", first_touch}, {"unit", "s"}};
+  }
+
+  std::string ContactFigures::text() const
+  {
+    return fmt::format("contact      first at {:.6g} s, last at {:.6g} s, at most {:.6g} N\n", first_touch, last_touch,
+                       peak_force);
+  }
+
+  void ContactFigures::visit_state(dem::StateVisitor &visitor)
+  {
+    visitor.scalar("peak_force", peak_force);
+    visitor.scalar("peak_time", peak_time);
+    visitor.scalar("first_touch", first_touch);
+    visitor.scalar("last_touch", last_touch);
+  }
+} // namespace apps

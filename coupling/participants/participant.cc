@@ -1,0 +1,18 @@
+#include "coupling/participants/participant.h"
+
+#include <Eigen/Geometry>
+
+namespace coupling
+{
+  Momentum momentum_of(const Participant &participant)
+  {
+    Momentum sum;
+    for (std::size_t i = 0; i < participant.carriers(); ++i)
+      {
+        const Eigen::Vector3d carried = participant.mass(i) * participant.velocity(i);
+        sum.linear += carried;
+        sum.angular += participant.position(i).cross(carried);
+      }
+    return sum;
+  }
+} // namespace coupling

@@ -1,0 +1,407 @@
+// Deformable bodies that touch each other: momentum, energy and friction of their contact.
+#include "coupling/concurrent/concurrent_motion.h"
+#include "fem/materials/isotropic_elastic.h"
+#include "fem/mesh/bodies.h"
+#include "tests/dem/clusters.h"
+#include "tests/fem/solid_fixture.h"
+
+#include <Eigen/Geometry>
+#include <catch2/catch.hpp>
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
+#include <functional>
+#include <memory>
+
+using Eigen::Vector3d;
+
+namespace
+{
+  /** A box of a mesh of several. */
+  template <int dim>
+  struct Part
+  {
+    dealii::Point<dim>        from, to;
+    std::vector<unsigned int> elements;
+    double                    turned = 0; ///< about z [rad]
+  };
+
+  template <int dim>
+  fem::Mesh<dim> parts(const std::vector<Part<dim>> &all, const fem::ElementFamily family)
+  {
+    return fem::make_mesh_of_bodies<dim>(
+      [&all](dealii::Triangulation<dim> &mesh) {
+        std::vector<dealii::Point<dim>>    points;
+        std::vector<dealii::CellData<dim>> cells;
+        for (std::size_t p = 0; p < all.size(); ++p)
+          {
+            dealii::Triangulation<dim> part;
+            dealii::GridGenerator::subdivided_hyper_rectangle(part, all[p].elements, all[p].from, all[p].to);
+            const double c = std::cos(all[p].turned), s = std::sin(all[p].turned);
+            const auto   first = static_cast<unsigned int>(points.size());
+            for (dealii::Point<dim> x : part.get_vertices())
+              {
+                const double along = x[0], across = x[1];
+                x[0] = c * along - s * across;
+                x[1] = s * along + c * across;
+                points.push_back(x);
+              }
+            for (const auto &cell : part.active_cell_iterators())
+              {
+                dealii::CellData<dim> data;
+                data.material_id = static_cast<dealii::types::material_id>(p);
+                for (const unsigned int v : cell->vertex_indices())
+                  data.vertices[v] = first + cell->vertex_index(v);
+                cells.push_back(data);
+              }
+          }
+        mesh.create_triangulation(points, cells, dealii::SubCellData());
+      },
+      family, MPI_COMM_SELF);
+  }
+
+  /** A particle far away from everything: the motion has two sides. */
+  dem::Specimen bystander()
+  {
+    dem::Packing packing;
+    packing.centre = {{1e3, 1e3, 0}};
+    packing.radius = {1};
+    auto p         = cluster::bonded(1.0);
+    p.density      = 1000;
+    dem::LinearContactParameters law;
+    law.effective_modulus = 1e6;
+    return dem::Specimen(packing, p, law);
+  }
+
+  template <int dim>
+  struct Bodies
+  {
+    using Velocity = std::function<dealii::Tensor<1, dim>(const dealii::Point<dim> &)>;
+
+    Bodies(fem::Mesh<dim>                    mesh,
+           const Velocity                   &velocity,
+           const dem::BodyContactParameters &contact,
+           const double                      young   = 1e7,
+           const double                      safety  = 0.5,
+           const std::array<double, 3>      &gravity = {0, 0, 0},
+           const bool                        held    = false)
+      : solid(std::move(mesh), options())
+      , specimen(bystander())
+    {
+      const auto           names = solid.mesh().materials;
+      fem::ExplicitOptions explicitly;
+      for (const auto &entry : names)
+        {
+          solid.assign(entry.first, fem::make_points(elastic(young, 0.2), fem::Plane::strain));
+          explicitly.density[entry.first] = 2000;
+        }
+      explicitly.safety  = safety;
+      explicitly.gravity = gravity;
+      fem::Loads<dim> loads;
+      loads.may_move_freely = true;
+      if (held)
+        for (unsigned int c = 0; c < dim; ++c)
+          loads.boxes.push_back(
+            {underside(-1e3), underside(1e3), c, [](const dealii::Point<dim> &, double) { return 0.0; }});
+      solid.set_loads(loads);
+      motion = std::make_unique<fem::ExplicitSolver<dim>>(solid, explicitly);
+      motion->set_velocity([velocity](const dealii::Point<dim> &x, double) { return velocity(x); });
+      participant = std::make_unique<coupling::SolidParticipant<dim>>(solid, *motion);
+      for (const auto &cell : solid.dofs().active_cell_iterators())
+        for (const unsigned int v : cell->vertex_indices())
+          body_of[cell->vertex_dof_index(v, 0)] = cell->material_id();
+      both = std::make_unique<coupling::ConcurrentMotion<dim>>(specimen, solid, *motion, *participant);
+      both->contacts().add({"contact", {}, contact});
+    }
+    /** Corners of a box around all that lies half a metre under the origin. */
+    static dealii::Point<dim> underside(const double out)
+    {
+      dealii::Point<dim> corner;
+      for (int d = 0; d < dim; ++d)
+        corner[d] = d == 2 ? -0.5 + 1e-9 * out : out;
+      return corner;
+    }
+    static fem::SolidOptions options()
+    {
+      fem::SolidOptions o;
+      o.large_displacement = true;
+      return o;
+    }
+    const coupling::ContactCoupling<dim> &contact() const { return *both->contacts().all().front(); }
+    /** Mean of a body's nodes, by its number. */
+    Vector3d velocity_of(const std::size_t body) const
+    {
+      Vector3d sum  = Vector3d::Zero();
+      double   mass = 0;
+      for (std::size_t i = 0; i < participant->carriers(); ++i)
+        if (body_of.at(participant->displacements(i)[0]) == body)
+          {
+            sum += participant->mass(i) * participant->velocity(i);
+            mass += participant->mass(i);
+          }
+      return sum / mass;
+    }
+    double energy() const
+    {
+      const auto  e = motion->energy();
+      const auto &c = contact().balance().energy;
+      return e.kinetic + e.internal + c.normal + c.shear + c.dissipated;
+    }
+
+    fem::Solid<dim>                                        solid;
+    dem::Specimen                                          specimen;
+    std::unique_ptr<fem::ExplicitSolver<dim>>              motion;
+    std::unique_ptr<coupling::SolidParticipant<dim>>       participant;
+    std::unique_ptr<coupling::ConcurrentMotion<dim>>       both;
+    std::map<dealii::types::global_dof_index, std::size_t> body_of; ///< by the first displacement of a node
+  };
+
+  dem::BodyContactParameters contact(const dem::BodyContactForm form, const double friction)
+  {
+    dem::BodyContactParameters law;
+    law.form                 = form;
+    law.stiffness            = 4e8;
+    law.friction_coefficient = friction;
+    return law;
+  }
+
+  /** A small cube that hits a corner of a larger one askew. */
+  std::vector<Part<3>> cubes()
+  {
+    return {{{0, 0, 0}, {1, 1, 1}, {3, 3, 3}, 0}, {{1.25, 0.0, 0.55}, {1.85, 0.6, 1.15}, {2, 2, 2}, 0.2}};
+  }
+} // namespace
+
+namespace
+{
+  /** What a collision has shown. */
+  struct Seen
+  {
+    double momentum = 0, turn = 0; ///< largest changes, over those of the start
+    double made     = 0;           ///< largest energy made by the contact, over that of the start
+    double left     = 0;           ///< at the end, over that of the start, minus one
+    double force    = 0;           ///< the largest [N]
+    bool   touching = false;       ///< at the end
+  };
+
+  template <int dim>
+  Seen collide(Bodies<dim> &b, const int steps)
+  {
+    const coupling::Momentum start  = coupling::momentum_of(*b.participant);
+    const double             energy = b.energy();
+    Seen                     seen;
+    for (int n = 0; n < steps; ++n)
+      {
+        b.both->advance(1.0);
+        seen.momentum = std::max(seen.momentum, (coupling::momentum_of(*b.participant).linear - start.linear).norm() /
+                                                  start.linear.norm());
+        seen.turn     = std::max(seen.turn, b.contact().balance().turn.norm() / start.angular.norm());
+        seen.made     = std::max(seen.made, std::fabs(b.contact().balance().made()) / energy);
+        seen.force    = std::max(seen.force, b.contact().contacts().on_body()[0].norm());
+      }
+    seen.left     = b.energy() / energy - 1;
+    seen.touching = b.contact().contacts().touching() > 0;
+    return seen;
+  }
+
+  template <int dim>
+  typename Bodies<dim>::Velocity beyond(const double x0, const dealii::Tensor<1, dim> &velocity)
+  {
+    return [=](const dealii::Point<dim> &x) { return x[0] > x0 ? velocity : dealii::Tensor<1, dim>(); };
+  }
+} // namespace
+
+TEST_CASE("body contact: a closed system keeps its momentum, and a potential its energy", "[coupling]")
+{
+  const auto family   = GENERATE(fem::ElementFamily::hypercube, fem::ElementFamily::simplex);
+  const auto friction = GENERATE(0.0, 0.5);
+  CAPTURE(static_cast<int>(family), friction);
+  Bodies<3>  b(parts<3>(cubes(), family), beyond<3>(1.05, dealii::Tensor<1, 3>({-4, 0.5, -0.8})),
+               contact(dem::BodyContactForm::potential, friction));
+  const Seen seen = collide(b, 1500);
+  CHECK(seen.momentum < 1e-12);
+  CHECK(seen.turn < 1e-12);
+  CHECK(seen.made < 0.01);
+  CHECK(seen.left == Approx(0).margin(0.005));
+  CHECK(seen.force > 1e4);
+  CHECK_FALSE(seen.touching);
+  CHECK((b.contact().balance().energy.dissipated > 0.05 * b.energy()) == (friction > 0));
+}
+
+TEST_CASE("body contact: the potential's energy error is of second order in the step", "[coupling][slow]")
+{
+  double before = 0;
+  for (const double safety : {0.5, 0.25, 0.125})
+    {
+      Bodies<3>    b(parts<3>(cubes(), fem::ElementFamily::hypercube),
+                     beyond<3>(1.05, dealii::Tensor<1, 3>({-4, 0.5, -0.8})), contact(dem::BodyContactForm::potential, 0),
+                     1e7, safety);
+      const double made = collide(b, static_cast<int>(1500 * 0.5 / safety)).made;
+      INFO("safety " << safety << ": " << made);
+      CHECK((before == 0 || before / made > 3.2));
+      before = made;
+    }
+}
+
+TEST_CASE("body contact: the penalty keeps momentum, and energy to some per cent", "[coupling]")
+{
+  const auto family = GENERATE(fem::ElementFamily::hypercube, fem::ElementFamily::simplex);
+  CAPTURE(static_cast<int>(family));
+  Bodies<3>  b(parts<3>(cubes(), family), beyond<3>(1.05, dealii::Tensor<1, 3>({-4, 0.5, -0.8})),
+               contact(dem::BodyContactForm::penalty, 0.5));
+  const Seen seen = collide(b, 1500);
+  CHECK(seen.momentum < 1e-12);
+  CHECK(seen.turn < 1e-12);
+  CHECK(seen.left == Approx(0).margin(0.05));
+  CHECK(seen.force > 1e4);
+  CHECK_FALSE(seen.touching);
+}
+
+TEST_CASE("body contact: in the plane momentum and energy are kept as well", "[coupling]")
+{
+  const auto family = GENERATE(fem::ElementFamily::hypercube, fem::ElementFamily::simplex);
+  CAPTURE(static_cast<int>(family));
+  Bodies<2>  b(parts<2>({{{0, 0}, {1, 1}, {4, 4}, 0}, {{1.25, 0.0}, {1.85, 0.6}, {3, 3}, 0.2}}, family),
+               beyond<2>(1.05, dealii::Tensor<1, 2>({-4, 0.5})), contact(dem::BodyContactForm::potential, 0.3));
+  const Seen seen = collide(b, 3000);
+  CHECK(seen.momentum < 1e-12);
+  CHECK(seen.turn < 1e-12);
+  CHECK(seen.made < 0.01);
+  CHECK(seen.left == Approx(0).margin(0.005));
+  CHECK(seen.force > 1e4);
+  CHECK_FALSE(seen.touching);
+}
+
+TEST_CASE("body contact: equal bodies that meet head-on exchange their velocities", "[coupling]")
+{
+  // Bars: the wave goes through both once and leaves nothing behind (Saint-Venant), but for what the mesh disperses.
+  Bodies<3>    b(parts<3>({{{0, 0, 0}, {1, 0.2, 0.2}, {20, 2, 2}, 0}, {{1.01, 0, 0}, {2.01, 0.2, 0.2}, {20, 2, 2}, 0}},
+                       fem::ElementFamily::hypercube),
+                 beyond<3>(1.005, dealii::Tensor<1, 3>({-1, 0, 0})), contact(dem::BodyContactForm::potential, 0));
+  const double before = b.velocity_of(1)[0];
+  collide(b, 1200);
+  CHECK(b.contact().contacts().touching() == 0);
+  CHECK(b.velocity_of(0)[0] == Approx(before).epsilon(0.1));
+  CHECK(std::fabs(b.velocity_of(1)[0]) < 0.1 * std::fabs(before));
+}
+
+TEST_CASE("body contact: a block slides down at the rate that Coulomb's law leaves, and rests below the friction angle",
+          "[coupling][slow]")
+{
+  constexpr double g = 9.81, mu = 0.4;
+  const double     slope = GENERATE(0.2, 0.6); // tangent of the inclination
+  CAPTURE(slope);
+  const double c = 1 / std::sqrt(1 + slope * slope), s = slope * c;
+  // Gravity is inclined instead of the plane. The block hops on its contact a hundred times a second: measured over half a second.
+  Bodies<3> b(
+    parts<3>({{{0, 0, -0.5}, {4, 2, 0}, {8, 4, 1}, 0}, {{0.63, 0.6, 0}, {1.43, 1.4, 0.5}, {2, 2, 1}, 0}},
+             fem::ElementFamily::hypercube),
+    [](const dealii::Point<3> &) { return dealii::Tensor<1, 3>(); }, contact(dem::BodyContactForm::potential, mu), 1e8,
+    0.5, {g * s, 0, -g * c}, true);
+  double       from = 0, at = 0, dt = 0;
+  const double end = 0.75;
+  while (b.motion->time() < end * (1 - 1e-12))
+    {
+      b.both->advance(end - b.motion->time());
+      if (from == 0 && b.motion->time() > 0.15)
+        {
+          from = b.velocity_of(1)[0];
+          at   = b.motion->time();
+        }
+    }
+  dt                = b.motion->time() - at;
+  const double rate = (b.velocity_of(1)[0] - from) / dt;
+  if (slope > mu)
+    CHECK(rate == Approx(g * (s - mu * c)).epsilon(0.03));
+  else
+    CHECK(std::fabs(b.velocity_of(1)[0]) < 0.02 * g * s * end);
+}
+
+TEST_CASE("body contact: a clamp that closes touches itself only where self-contact is on", "[coupling]")
+{
+  const bool                 self = GENERATE(false, true);
+  dem::BodyContactParameters law  = contact(dem::BodyContactForm::potential, 0);
+  law.self_contact                = self;
+  // A U of blocks, whose arms come together; a second body far away, without which there would be no contact at all.
+  auto mesh = fem::make_mesh_of_bodies<2>(
+    [](dealii::Triangulation<2> &made) {
+      std::vector<dealii::Point<2>>    points;
+      std::vector<dealii::CellData<2>> cells;
+      const auto add_grid = [&](const double x0, const double y0, const unsigned int nx, const unsigned int ny,
+                                const auto &keep) {
+        std::map<std::pair<unsigned int, unsigned int>, unsigned int> number;
+        const auto at = [&](const unsigned int i, const unsigned int j) {
+          const auto [found, is_new] = number.emplace(std::pair(i, j), points.size());
+          if (is_new)
+            points.emplace_back(x0 + 0.1 * i, y0 + 0.1 * j);
+          return found->second;
+        };
+        for (unsigned int j = 0; j < ny; ++j)
+          for (unsigned int i = 0; i < nx; ++i)
+            if (keep(i, j))
+              {
+                dealii::CellData<2> cell;
+                cell.vertices = {at(i, j), at(i + 1, j), at(i, j + 1), at(i + 1, j + 1)};
+                cells.push_back(cell);
+              }
+      };
+      add_grid(0, 0, 10, 7, [](const unsigned int i, const unsigned int j) { return i < 2 || j < 3 || j > 3; });
+      add_grid(9, 9, 1, 1, [](unsigned int, unsigned int) { return true; });
+      made.create_triangulation(points, cells, dealii::SubCellData());
+    },
+    fem::ElementFamily::hypercube, MPI_COMM_SELF);
+  Bodies<2> b(
+    std::move(mesh),
+    [](const dealii::Point<2> &x) {
+      dealii::Tensor<1, 2> v;
+      if (x[0] < 2 && x[0] > 0.2)
+        v[1] = (x[1] > 0.35 ? -1 : 1) * 10 * (x[0] - 0.2);
+      return v;
+    },
+    law);
+  double force = 0, overlap = 0;
+  for (int n = 0; n < 400; ++n)
+    {
+      b.both->advance(1.0);
+      overlap = std::max(overlap, b.contact().contacts().overlap());
+      force   = std::max(force, b.contact().balance().energy.normal);
+    }
+  CHECK((force > 0) == self);
+  CHECK((overlap > 0) == self);
+  CHECK(b.contact().balance().momentum.norm() < 1e-9);
+}
+
+TEST_CASE("body contact: what cannot be is refused by name", "[coupling]")
+{
+  const auto still = [](const dealii::Point<3> &) { return dealii::Tensor<1, 3>(); };
+  const auto law   = contact(dem::BodyContactForm::potential, 0);
+  CHECK_THROWS_WITH(
+    (Bodies<3>(parts<3>({{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, 0}, {{0.9, 0, 0}, {1.9, 1, 1}, {2, 2, 2}, 0}},
+                        fem::ElementFamily::hypercube),
+               still, law)),
+    Catch::Contains("Contacts/contact: at the start bodies lie in each other with 0.1 m^3. Move them apart"));
+  CHECK_THROWS_WITH(
+    (Bodies<3>(parts<3>({{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, 0}}, fem::ElementFamily::hypercube), still, law)),
+    Catch::Contains("there is only one body, and self-contact is off"));
+  Bodies<3> b(parts<3>(cubes(), fem::ElementFamily::hypercube), still, law);
+  CHECK_THROWS_WITH(b.both->contacts().add({"other", {"steel"}, law}),
+                    Catch::Contains("no body is of a material steel. There are: 0, 1"));
+  auto soft      = law;
+  soft.stiffness = 0;
+  CHECK_THROWS_WITH(b.both->contacts().add({"other", {}, soft}), Catch::Contains("stiffness must be positive"));
+}
+
+TEST_CASE("body contact: a body that runs through another stops the run", "[coupling]")
+{
+  auto law      = contact(dem::BodyContactForm::potential, 0);
+  law.stiffness = 1; // as good as none
+  Bodies<3> b(parts<3>({{{0, 0, 0}, {1, 1, 1}, {6, 6, 6}, 0}, {{1.1, 0.3, 0.3}, {1.7, 0.9, 0.9}, {2, 2, 2}, 0}},
+                       fem::ElementFamily::hypercube),
+              beyond<3>(1.05, dealii::Tensor<1, 3>({-4, 0, 0})), law);
+  CHECK_THROWS_WITH(
+    [&] {
+      for (int n = 0; n < 2000; ++n)
+        b.both->advance(1.0);
+    }(),
+    Catch::Contains("where 0 and 1 touch, they are deeper in each other than one element. Raise the stiffness"));
+}
