@@ -138,8 +138,8 @@ namespace coupling
     visit(visitor, group + "momentum", account.momentum);
     visit(visitor, group + "turn", account.turn);
     visitor.scalar(group + "work", account.work);
-    dem::visit_vectors(visitor, group + "place", place);
-    dem::visit_vectors(visitor, group + "force", force);
+    dem::visit_vectors(visitor, group + "node_place", place);
+    dem::visit_vectors(visitor, group + "node_force", force);
     bodies.visit_state(visitor, group);
     account.energy = bodies.energy();
   }

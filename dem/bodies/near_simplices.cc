@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace dem
 {
@@ -11,7 +12,7 @@ namespace dem
 
   namespace
   {
-    constexpr double margin_over_size = 0.3; ///< a list lasts for many steps, and is short
+    constexpr double growth = 0.2; ///< of a box, over its size: a list lasts for many steps, and is short
 
     using Cells = Eigen::Array<std::int64_t, 3, 1>;
 
@@ -103,14 +104,6 @@ namespace dem
       return boxes;
     }
 
-    double mean_size(const std::vector<Box> &boxes)
-    {
-      double sum = 0;
-      for (const Box &box : boxes)
-        sum += box.sizes().maxCoeff();
-      return sum / static_cast<double>(boxes.size());
-    }
-
     Box grown(const Box &box, const double by)
     {
       return Box(box.min() - Eigen::Vector3d::Constant(by), box.max() + Eigen::Vector3d::Constant(by));
@@ -121,21 +114,27 @@ namespace dem
   {
     if (reference.empty())
       return false;
-    double most = 0;
     for (std::size_t v = 0; v < reference.size(); ++v)
-      most = std::max(most, (mesh.place[v] - reference[v]).squaredNorm());
-    return 2 * std::sqrt(most) < margin;
+      if ((mesh.place[v] - reference[v]).squaredNorm() > reach[v] * reach[v])
+        return false;
+    return true;
   }
 
   void NearBodies::search(const BodyMesh &mesh)
   {
     std::vector<Box> boxes = boxes_of(mesh);
-    margin                 = margin_over_size * mean_size(boxes);
+    reach.assign(mesh.place.size(), std::numeric_limits<double>::infinity());
     std::vector<Box>                       around(mesh.bodies.size());
     std::vector<std::vector<std::int32_t>> of_body(mesh.bodies.size());
     for (std::size_t s = 0; s < boxes.size(); ++s)
       {
-        boxes[s]        = grown(boxes[s], 0.5 * margin);
+        const double by = growth * boxes[s].sizes().maxCoeff();
+        boxes[s]        = grown(boxes[s], by);
+        for (int c = 0; c < mesh.corners; ++c)
+          {
+            double &least = reach[static_cast<std::size_t>(mesh.simplices[s].vertex[c])];
+            least         = std::min(least, by);
+          }
         const auto body = static_cast<std::size_t>(mesh.body_of(mesh.simplices[s]));
         around[body].extend(boxes[s]);
         of_body[body].push_back(static_cast<std::int32_t>(s));

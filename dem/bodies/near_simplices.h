@@ -13,8 +13,9 @@ namespace dem
   };
 
   /**
-   * Which simplices of different bodies are near each other. The list holds all pairs whose boxes are nearer than a margin, and is good
-   * until vertices have moved half of it. Boxes are sorted into a grid: linear in the number of simplices.
+   * Which simplices of different bodies are near each other. The list holds all pairs whose boxes meet, each grown by a part of its own
+   * size, and is good while every vertex is within what the boxes around it have grown by. Boxes are sorted into a grid: linear in the
+   * number of simplices.
    */
   class NearBodies
   {
@@ -36,8 +37,8 @@ namespace dem
     void search(const BodyMesh &mesh);
 
     bool                         same;
-    double                       margin = 0;
     std::vector<Eigen::Vector3d> reference; ///< places when the list was made
+    std::vector<double>          reach;     ///< of each vertex, from there [m]
     std::vector<NearSimplices>   pairs;
     std::int64_t                 search_count = 0;
   };

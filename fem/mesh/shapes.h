@@ -31,10 +31,22 @@ namespace fem
     std::array<unsigned int, 3> divisions{1, 1, 1};
   };
 
-  /// Several bodies, which share no node even where they touch.
-  struct BoxesShape
+  /// One of several balls, in the plane discs; all of its surface is the boundary of its name.
+  struct NamedBall
   {
-    std::vector<NamedBox> boxes;
+    std::string           name, material = "solid";
+    std::array<double, 3> centre{};        ///< [m]
+    double                radius      = 1; ///< [m]
+    unsigned int          refinements = 3; ///< each halves the elements of a mesh of 7 blocks, in the plane of 5
+    std::array<double, 3> towards{};       ///< side on which elements are finest, of any length
+    double                fineness = 1;    ///< how much smaller they are there than in an even mesh
+  };
+
+  /// Several bodies, which share no node even where they touch.
+  struct BodiesShape
+  {
+    std::vector<NamedBox>  boxes;
+    std::vector<NamedBall> balls;
   };
 
   /**
@@ -74,9 +86,9 @@ namespace fem
   /// @throws std::invalid_argument on measures that do not fit together. The only material is named solid.
   template <int dim>
   Mesh<dim> make_shape(const BoxShape &shape, const ShapeOptions &options);
-  /// With the materials of its boxes. @throws also for boxes that overlap
+  /// With the materials of its bodies. @throws also for bodies that overlap
   template <int dim>
-  Mesh<dim> make_shape(const BoxesShape &shape, const ShapeOptions &options);
+  Mesh<dim> make_shape(const BodiesShape &shape, const ShapeOptions &options);
   template <int dim>
   Mesh<dim> make_shape(const NotchedBeamShape &shape, const ShapeOptions &options);
   template <int dim>

@@ -43,7 +43,7 @@ TEST_CASE("a round bar has the volume and the end faces of a cylinder at every r
 TEST_CASE("boxes are bodies of their own, with their materials and the names of their sides, even where they touch",
           "[fem]")
 {
-  fem::BoxesShape shape;
+  fem::BodiesShape shape;
   shape.boxes = {{"lower", "steel", {0.1, 0, -0.02}, {0.2, 0.3, 0.02}, {2, 3, 1}},
                  {"upper", "brass", {0.1, 0, 0}, {0.2, 0.3, 0.05}, {2, 3, 2}},
                  {"far", "steel", {1, 1, 1}, {0.1, 0.1, 0.1}, {1, 1, 1}}};
@@ -82,7 +82,7 @@ TEST_CASE("boxes that overlap, have no extent or share a name are refused by nam
   options.communicator     = MPI_COMM_SELF;
   const fem::NamedBox a    = {"a", "solid", {0, 0, 0}, {1, 1, 1}, {1, 1, 1}};
   fem::NamedBox       b    = {"b", "solid", {0.5, 0.5, 0.5}, {1, 1, 1}, {1, 1, 1}};
-  const auto          made = [&] { return fem::make_shape<3>(fem::BoxesShape{{a, b}}, options); };
+  const auto          made = [&] { return fem::make_shape<3>(fem::BodiesShape{{a, b}}, options); };
   CHECK_THROWS_WITH(made(), Catch::Contains("boxes a and b overlap"));
   b.corner = {1, 0, 0};
   CHECK_NOTHROW(made());

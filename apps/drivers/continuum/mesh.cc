@@ -52,6 +52,33 @@ namespace apps
     return made;
   }
 
+  void BallSection::declare(Section &s)
+  {
+    name = s.name();
+    s.vector("Centre", centre, "m", Range(), Need::optional).means("Of the ball, in two dimensions of the disc");
+    s.number("Radius", radius, "m", Range::positive(), Need::required).means("Of the ball");
+    s.integer("Refinements", refinements, "", Range::between(0, 8), Need::optional)
+      .means("Each halves the elements of a mesh of 7 blocks, in two dimensions of 5");
+    s.vector("Towards", towards, "-", Range(), Need::optional)
+      .means("Direction from the centre in which elements are finest; 0, 0, 0: nowhere");
+    s.number("Fineness", fineness, "-", Range::between(1, 1000), Need::optional)
+      .means("How much smaller elements are there than in an even mesh; on the other side they are as much larger");
+    s.text("Material", material, Need::optional).means("Name of its section in Materials");
+  }
+
+  fem::NamedBall BallSection::ball() const
+  {
+    fem::NamedBall made;
+    made.name        = name;
+    made.material    = material;
+    made.centre      = centre;
+    made.radius      = radius;
+    made.refinements = whole(refinements);
+    made.towards     = towards;
+    made.fineness    = fineness;
+    return made;
+  }
+
   void MeshSection::declare(Section &root, const int &dimension)
   {
     const auto from  = [this](const Source wanted) { return [this, wanted] { return source == wanted; }; };
@@ -60,13 +87,13 @@ namespace apps
     s.choice("Source", source,
              {{"file", Source::file},
               {"box", Source::box},
-              {"boxes", Source::boxes},
+              {"bodies", Source::bodies},
               {"notched beam", Source::notched_beam},
               {"plate with hole", Source::plate_with_hole},
               {"cylinder", Source::cylinder}},
              Need::required)
       .means("file: a Gmsh mesh, whose named physical groups are the names of boundaries and materials; otherwise a "
-             "shape, of the one material solid; boxes: several bodies, each by itself");
+             "shape, of the one material solid; bodies: boxes and balls, each by itself");
     s.file("File", file)
       .means("Gmsh 2.2 or 4.1, text; from the scene's folder")
       .only_if(from(Source::file), "Mesh/Source = file");
@@ -90,7 +117,7 @@ namespace apps
     box.vector("Growth", box_growth, "-", Range::between(0.1, 10), Need::optional)
       .means(
         "Along each edge, the size of an element over that of its neighbour towards the origin: fine where it matters");
-    declare_boxes(s, dimension);
+    declare_bodies(s, dimension);
     declare_beam(s, dimension);
     declare_plate(s, dimension);
 
@@ -102,14 +129,19 @@ namespace apps
       .means("Elements along the axis; across there are five blocks");
   }
 
-  void MeshSection::declare_boxes(Section &mesh, const int &dimension)
+  void MeshSection::declare_bodies(Section &mesh, const int &dimension)
   {
-    Section &all = mesh.section("Boxes", "One sub-section per box: bodies that share no node, even where they touch. "
-                                         "Boundaries are those of a box with the body's name before: NAME left, NAME "
-                                         "front");
-    all.only_if([this] { return source == Source::boxes; }, "Mesh/Source = boxes");
-    all.named_sections("BODY",
-                       [this, &dimension](Section &opened) { boxes.emplace_back().declare(opened, dimension); });
+    const auto  bodies = [this] { return source == Source::bodies; };
+    const char *when   = "Mesh/Source = bodies";
+    Section &some = mesh.section("Boxes", "One sub-section per box: bodies that share no node, even where they touch. "
+                                          "Boundaries are those of a box with the body's name before: NAME left, "
+                                          "NAME front");
+    some.only_if(bodies, when);
+    some.named_sections("BODY",
+                        [this, &dimension](Section &opened) { boxes.emplace_back().declare(opened, dimension); });
+    Section &others = mesh.section("Balls", "One sub-section per ball; its boundary has its name");
+    others.only_if(bodies, when);
+    others.named_sections("BODY", [this](Section &opened) { balls.emplace_back().declare(opened); });
   }
 
   void MeshSection::declare_beam(Section &mesh, const int &dimension)
@@ -165,14 +197,14 @@ namespace apps
       s.refuse("Source", "a cylinder is a body in three dimensions, and Model/Dimension is 2. Take a box.");
     if (source == Source::box)
       require_edges(*s.find_section("Box"), box_size, dimension);
-    if (source == Source::boxes)
-      validate_boxes(s, dimension);
+    if (source == Source::bodies)
+      validate_bodies(s, dimension);
   }
 
-  void MeshSection::validate_boxes(const Section &mesh, const int dimension) const
+  void MeshSection::validate_bodies(const Section &mesh, const int dimension) const
   {
-    if (boxes.empty())
-      mesh.refuse("Source", "there is no box. Give each body a section Mesh/Boxes/NAME.");
+    if (boxes.empty() && balls.empty())
+      mesh.refuse("Source", "there is no body. Give each a section Mesh/Boxes/NAME or Mesh/Balls/NAME.");
     for (const BoxSection &box : boxes)
       require_edges(*mesh.find_section("Boxes")->find_section(box.name), box.size, dimension);
   }
@@ -199,11 +231,13 @@ namespace apps
             box.divisions[i] = whole(mesh.box_divisions[i]);
           return fem::make_shape<dim>(box, options);
         }
-      case MeshSection::Source::boxes:
+      case MeshSection::Source::bodies:
         {
-          fem::BoxesShape shape;
+          fem::BodiesShape shape;
           for (const BoxSection &box : mesh.boxes)
             shape.boxes.push_back(box.box());
+          for (const BallSection &ball : mesh.balls)
+            shape.balls.push_back(ball.ball());
           return fem::make_shape<dim>(shape, options);
         }
       case MeshSection::Source::notched_beam:

@@ -18,6 +18,18 @@ namespace apps
     fem::NamedBox box() const;
   };
 
+  /** Sub-section of "Balls": a body of its own. */
+  struct BallSection
+  {
+    std::string           name, material = "solid";
+    std::array<double, 3> centre{}, towards{};
+    double                radius = 0, fineness = 1;
+    std::int64_t          refinements = 3;
+
+    void           declare(Section &section);
+    fem::NamedBall ball() const;
+  };
+
   /** Section "Mesh": a file of Gmsh, or a built-in shape. */
   struct MeshSection
   {
@@ -25,7 +37,7 @@ namespace apps
     {
       file,
       box,
-      boxes,
+      bodies,
       notched_beam,
       plate_with_hole,
       cylinder
@@ -34,12 +46,13 @@ namespace apps
     Source                      source = Source::file;
     std::string                 file;
     bool                        several_bodies = false;
-    fem::ElementFamily          family      = fem::ElementFamily::hypercube;
-    std::int64_t                refinements = 0;
+    fem::ElementFamily          family         = fem::ElementFamily::hypercube;
+    std::int64_t                refinements    = 0;
     std::array<double, 3>       box_size{};
     std::array<std::int64_t, 3> box_divisions{1, 1, 1};
     std::array<double, 3>       box_growth{1, 1, 1};
     std::list<BoxSection>       boxes;
+    std::list<BallSection>      balls;
     fem::NotchedBeamShape       beam;
     std::int64_t                beam_width_divisions = 4;
     fem::PlateWithHoleShape     plate;
@@ -51,8 +64,8 @@ namespace apps
     void validate(const Section &root, int dimension) const;
 
   private:
-    void declare_boxes(Section &mesh, const int &dimension);
-    void validate_boxes(const Section &mesh, int dimension) const;
+    void declare_bodies(Section &mesh, const int &dimension);
+    void validate_bodies(const Section &mesh, int dimension) const;
     void declare_beam(Section &mesh, const int &dimension);
     void declare_plate(Section &mesh, const int &dimension);
   };

@@ -248,8 +248,9 @@ namespace apps
   } // namespace
 
   template <int dim>
-  SolidCut cut_of(const fem::Solid<dim> &solid, const fem::Vector &displacement)
+  SolidCut cut_of(const fem::Solid<dim> &solid, const fem::Vector &displacement, const unsigned int across)
   {
+    const unsigned int             along = dim == 3 ? across : 1;
     SolidCut                       cut;
     PicturePlane                   plane;
     std::map<unsigned int, double> no_value;
@@ -267,22 +268,23 @@ namespace apps
     each_vertex([&](const auto &cell, const dealii::Point<dim> &vertex, const double squared) {
       no_value[cell->active_cell_index()] = 0;
       most                                = std::max(most, squared);
-      low                                 = std::min(low, vertex[1]);
-      high                                = std::max(high, vertex[1]);
+      low                                 = std::min(low, vertex[along]);
+      high                                = std::max(high, vertex[along]);
     });
     // Of what moves next to most the place that is most in the middle; and just inside of elements, whose faces belong to none.
     if (dim == 3)
       each_vertex([&](const auto &cell, const dealii::Point<dim> &vertex, const double squared) {
-        const double off = std::fabs(vertex[1] - 0.5 * (low + high));
+        const double off = std::fabs(vertex[along] - 0.5 * (low + high));
         if (squared < 0.8 * most || off >= nearest)
           return;
         nearest        = off;
-        plane.position = vertex[1] + 1e-3 * (cell->center()[1] - vertex[1]);
+        plane.position = vertex[along] + 1e-3 * (cell->center()[along] - vertex[along]);
       });
     if (dim == 3)
       {
-        plane.up     = 2;
-        plane.across = 1;
+        plane.right  = across == 0 ? 1 : 0;
+        plane.up     = across == 2 ? 1 : 2;
+        plane.across = across;
       }
     const std::vector<double> all = facets_of(solid, displacement, no_value, plane);
     for (auto numbers = all.begin(); numbers != all.end(); numbers += facet_length)
@@ -299,11 +301,47 @@ namespace apps
     cut.up       = static_cast<int>(plane.up);
     cut.across   = static_cast<int>(plane.across);
     cut.position = plane.position;
+    cut.in_space = dim == 3;
     return cut;
   }
 
-  template SolidCut cut_of(const fem::Solid<2> &, const fem::Vector &);
-  template SolidCut cut_of(const fem::Solid<3> &, const fem::Vector &);
+  template SolidCut cut_of(const fem::Solid<2> &, const fem::Vector &, unsigned int);
+  template SolidCut cut_of(const fem::Solid<3> &, const fem::Vector &, unsigned int);
+
+  unsigned int calmest_axis(const fem::Solid<3> &solid, const fem::Vector &displacement)
+  {
+    std::array<double, 3> sum{};
+    for (const auto &cell : solid.dofs().active_cell_iterators())
+      for (const unsigned int v : cell->vertex_indices())
+        for (unsigned int c = 0; c < 3; ++c)
+          sum[c] += std::pow(displacement[cell->vertex_dof_index(v, c)], 2);
+    return static_cast<unsigned int>(std::min_element(sum.begin(), sum.end()) - sum.begin());
+  }
+
+  std::string draw_cut(const std::filesystem::path            &file,
+                       const SolidCut                         &cut,
+                       const std::string                      &title,
+                       std::vector<postprocess::PictureCircle> circles)
+  {
+    postprocess::FieldPicture what;
+    what.right   = "xyz"[cut.right];
+    what.up      = "xyz"[cut.up];
+    what.circles = std::move(circles);
+    what.title   = title;
+    if (cut.in_space)
+      what.title += fmt::format(": cut at {} = {}", "xyz"[cut.across], postprocess::length_text(cut.position));
+    double most = 0;
+    for (const postprocess::PictureFacet &facet : cut.facets)
+      most = std::max(most, facet.value);
+    const postprocess::LengthUnit unit   = postprocess::length_unit(most);
+    auto                          facets = cut.facets;
+    for (postprocess::PictureFacet &facet : facets)
+      facet.value *= unit.per_metre;
+    what.highest = most > 0 ? most * unit.per_metre : 1;
+    what.tick    = postprocess::tick_step(what.highest, 8);
+    what.label   = fmt::format("Displacement [{}]", unit.name);
+    return postprocess::picture_of_field(file, facets, what);
+  }
 
   template <int dim>
   std::string draw_damage(fem::Solid<dim>             &solid,

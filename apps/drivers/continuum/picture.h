@@ -15,11 +15,24 @@ namespace apps
     std::vector<postprocess::PictureFacet> facets; ///< their value: displacement in the plane of the cut [m]
     int                                    right = 0, up = 1, across = 2; ///< axes
     double                                 position = 0;                  ///< along `across`, in three dimensions [m]
+    bool                                   in_space = false;
   };
 
-  /** All of a plane solid; one in space across y, where it moves most. On one rank. */
+  /** All of a plane solid; one in space across an axis, where it moves most. On one rank. */
   template <int dim>
-  SolidCut cut_of(const fem::Solid<dim> &solid, const fem::Vector &displacement);
+  SolidCut cut_of(const fem::Solid<dim> &solid, const fem::Vector &displacement, unsigned int across = 1);
+
+  /** The axis along which a solid in space moves least: a cut across it shows how it moves. On one rank. */
+  unsigned int calmest_axis(const fem::Solid<3> &solid, const fem::Vector &displacement);
+
+  /**
+   * Draw a cut as it is, coloured by displacement. @param circles particles that it meets
+   * @return what went wrong, "" if nothing
+   */
+  std::string draw_cut(const std::filesystem::path            &file,
+                       const SolidCut                         &cut,
+                       const std::string                      &title,
+                       std::vector<postprocess::PictureCircle> circles = {});
 
   /**
    * Draw the damage of a solid, deformed and magnified: all elements in two dimensions; in three a section, in the plane of the

@@ -255,6 +255,17 @@ namespace apps
   }
 
   template <int dim>
+  std::string ContinuumRun<dim>::draw_bodies() const
+  {
+    const fem::Vector &displacement = *analysis->state().displacement;
+    unsigned int       across       = 2;
+    if constexpr (dim == 3)
+      across = calmest_axis(*solid, displacement);
+    return draw_cut(location / "bodies.png", cut_of(*solid, displacement, across),
+                    std::filesystem::path(request.scene_file).stem().string());
+  }
+
+  template <int dim>
   std::string ContinuumRun<dim>::finish(const std::filesystem::path &folder, const double wall_seconds)
   {
     // The way to the end asks for a snapshot there; a run that stopped early shows where.
@@ -266,10 +277,14 @@ namespace apps
     size.points               = size.elements * solid->quadrature().size();
     const std::string problem = draw_damage(*solid, *analysis->state().displacement, folder / "damage.png",
                                             std::filesystem::path(request.scene_file).stem().string());
-    const bool        at_end  = analysis->coordinate() >= analysis->end() * (1 - 1e-9);
-    std::string       words;
+    std::string       undrawn;
+    if (!model.contacts.empty()) // on one rank
+      undrawn = draw_bodies();
+    const bool  at_end = analysis->coordinate() >= analysis->end() * (1 - 1e-9);
+    std::string words;
     on_first_rank([&] {
       warn_of_missing("damage.png", problem);
+      warn_of_missing("bodies.png", undrawn);
       const ContinuumReport report{request,
                                    postprocess::read_csv_table(folder / "series.csv", true),
                                    gauges->columns(),

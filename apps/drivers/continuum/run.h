@@ -15,7 +15,7 @@ namespace apps
    * The work of a continuum analysis.
    *
    * In the result folder, besides what every run has (life_cycle.h; a row of the series per step or sample): solid.pvd with its
-   * snapshots, and at the end summary.json, curve.png and, where something can be damaged, damage.png. Under MPI every rank
+   * snapshots, and at the end summary.json, curve.png and, where something can be damaged, damage.png, where bodies can touch, bodies.png. Under MPI every rank
    * calls it; the first one writes.
    */
   template <int dim>
@@ -67,11 +67,12 @@ namespace apps
     void leave_last_state() override { snapshot(); }
     std::string finish(const std::filesystem::path &folder, double wall_seconds) override;
 
-    void      open(const std::filesystem::path &folder);
-    SeriesRow row();
-    void      snapshot();
-    void      snapshot_if_due();
-    void      choose_curve();
+    void        open(const std::filesystem::path &folder);
+    SeriesRow   row();
+    std::string draw_bodies() const; ///< @return what went wrong, "" if nothing
+    void        snapshot();
+    void        snapshot_if_due();
+    void        choose_curve();
 
     RunRequest            request;
     const ContinuumModel &model;

@@ -10,7 +10,6 @@
 #include "apps/results/run_work.h"
 #include "coupling/concurrent/concurrent_motion.h"
 #include "dem/facets/surface.h"
-#include "postprocess/picture_axes.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -213,33 +212,18 @@ namespace apps
 
       std::string draw(const std::filesystem::path &file, const std::string &title) const override
       {
-        const SolidCut            cut = cut_of(*solid, motion->displacement());
-        postprocess::FieldPicture what;
-        what.right = "xyz"[cut.right];
-        what.up    = "xyz"[cut.up];
-        what.title =
-          title +
-          (dim == 3 ? fmt::format(": cut at {} = {}", "xyz"[cut.across], postprocess::length_text(cut.position)) : "");
-        const dem::ParticleOutput particles = body.specimen().particles();
+        const SolidCut                          cut       = cut_of(*solid, motion->displacement());
+        const dem::ParticleOutput               particles = body.specimen().particles();
+        std::vector<postprocess::PictureCircle> circles;
         for (std::size_t i = 0; i < particles.position.size(); ++i)
           {
             const Vector3d &at    = particles.position[i];
             const double    off   = dim == 3 ? at[cut.across] - cut.position : 0.0;
             const double    round = particles.radius[i] * particles.radius[i] - off * off;
             if (round > 0)
-              what.circles.push_back({{at[cut.right], at[cut.up]}, std::sqrt(round)});
+              circles.push_back({{at[cut.right], at[cut.up]}, std::sqrt(round)});
           }
-        double most = 0;
-        for (const postprocess::PictureFacet &facet : cut.facets)
-          most = std::max(most, facet.value);
-        const postprocess::LengthUnit unit   = postprocess::length_unit(most);
-        auto                          facets = cut.facets;
-        for (postprocess::PictureFacet &facet : facets)
-          facet.value *= unit.per_metre;
-        what.highest = most > 0 ? most * unit.per_metre : 1;
-        what.tick    = postprocess::tick_step(what.highest, 8);
-        what.label   = fmt::format("Displacement [{}]", unit.name);
-        return postprocess::picture_of_field(file, facets, what);
+        return draw_cut(file, cut, title, std::move(circles));
       }
 
       void visit_state(RunState &state) override

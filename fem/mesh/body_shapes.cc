@@ -1,0 +1,233 @@
+#include "fem/mesh/bodies.h"
+#include "fem/mesh/shapes.h"
+
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/tria.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace fem
+{
+  using namespace dealii;
+
+  namespace
+  {
+    using Names = std::vector<std::string>;
+
+    constexpr const char *side_names[6] = {"left", "right", "bottom", "top", "back", "front"};
+
+    void check(const NamedBox &box, const unsigned int dim)
+    {
+      for (unsigned int d = 0; d < dim; ++d)
+        if (!(box.size[d] > 0) || box.divisions[d] == 0)
+          throw std::invalid_argument("box " + box.name + ": its size and divisions must be positive.");
+    }
+
+    template <int dim>
+    void make_box(const NamedBox &box, Triangulation<dim> &part)
+    {
+      Point<dim>                corner, opposite;
+      std::vector<unsigned int> divisions;
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          corner[d]   = box.corner[d];
+          opposite[d] = box.corner[d] + box.size[d];
+          divisions.push_back(box.divisions[d]);
+        }
+      GridGenerator::subdivided_hyper_rectangle(part, divisions, corner, opposite, true);
+    }
+
+    /// More than touching, up to rounding.
+    bool overlap(const NamedBox &a, const NamedBox &b, const unsigned int dim)
+    {
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          const double slack = 1e-9 * std::min(a.size[d], b.size[d]);
+          if (a.corner[d] + a.size[d] <= b.corner[d] + slack || b.corner[d] + b.size[d] <= a.corner[d] + slack)
+            return false;
+        }
+      return true;
+    }
+
+    void refuse_overlaps(const std::vector<NamedBox> &boxes, const unsigned int dim)
+    {
+      for (std::size_t a = 0; a < boxes.size(); ++a)
+        for (std::size_t b = a + 1; b < boxes.size(); ++b)
+          if (overlap(boxes[a], boxes[b], dim))
+            throw std::invalid_argument("boxes " + boxes[a].name + " and " + boxes[b].name +
+                                        " overlap. Bodies may touch, no more.");
+    }
+
+    void check(const NamedBall &ball)
+    {
+      if (!(ball.radius > 0) || !(ball.fineness >= 1))
+        throw std::invalid_argument("ball " + ball.name +
+                                    ": its radius must be positive, and its fineness at least 1.");
+    }
+
+    void
+    refuse_overlaps(const std::vector<NamedBall> &balls, const std::vector<NamedBox> &boxes, const unsigned int dim)
+    {
+      const auto refuse = [](const std::string &a, const std::string &b) {
+        throw std::invalid_argument("bodies " + a + " and " + b + " overlap. Bodies may touch, no more.");
+      };
+      for (std::size_t a = 0; a < balls.size(); ++a)
+        {
+          const NamedBall &ball = balls[a];
+          for (std::size_t b = a + 1; b < balls.size(); ++b)
+            {
+              double square = 0;
+              for (unsigned int d = 0; d < dim; ++d)
+                square += (ball.centre[d] - balls[b].centre[d]) * (ball.centre[d] - balls[b].centre[d]);
+              if (std::sqrt(square) < (ball.radius + balls[b].radius) * (1 - 1e-9))
+                refuse(ball.name, balls[b].name);
+            }
+          for (const NamedBox &box : boxes)
+            {
+              double square = 0; // of the distance from the box
+              for (unsigned int d = 0; d < dim; ++d)
+                {
+                  const double nearest = std::clamp(ball.centre[d], box.corner[d], box.corner[d] + box.size[d]);
+                  square += (ball.centre[d] - nearest) * (ball.centre[d] - nearest);
+                }
+              if (std::sqrt(square) < ball.radius * (1 - 1e-9))
+                refuse(ball.name, box.name);
+            }
+        }
+    }
+
+    /**
+     * The unit ball onto itself, so that elements become finer towards one side: a Moebius transformation (translation of hyperbolic
+     * space), which keeps angles. @param shift where the centre goes
+     */
+    template <int dim>
+    Point<dim> moved_towards(const Point<dim> &x, const Tensor<1, dim> &shift)
+    {
+      const double squares = shift * shift, along = 2 * (shift * Tensor<1, dim>(x)), square = x.square();
+      return Point<dim>(((1 - squares) * Tensor<1, dim>(x) + (square + along + 1) * shift) /
+                        (squares * square + along + 1));
+    }
+
+    template <int dim>
+    void make_ball(const NamedBall &ball, Triangulation<dim> &part)
+    {
+      Triangulation<dim> curved;
+      GridGenerator::hyper_ball(curved);
+      curved.refine_global(ball.refinements);
+      curved.set_all_manifold_ids(numbers::flat_manifold_id); // its nodes lie where they lie now
+      GridGenerator::flatten_triangulation(curved, part);
+      Tensor<1, dim> shift;
+      Point<dim>     centre;
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          shift[d]  = ball.towards[d];
+          centre[d] = ball.centre[d];
+        }
+      if (shift.norm() > 0)
+        shift *= (ball.fineness - 1) / (ball.fineness + 1) / shift.norm();
+      GridTools::transform(
+        [&](const Point<dim> &x) { return Point<dim>(centre + ball.radius * Tensor<1, dim>(moved_towards(x, shift))); },
+        part);
+    }
+
+    /// Elements of all bodies, side by side: no vertex is shared.
+    template <int dim>
+    struct Coarse
+    {
+      std::vector<Point<dim>>    vertices;
+      std::vector<CellData<dim>> cells;
+      SubCellData                faces;
+
+      void
+      add(const Triangulation<dim> &part, const types::material_id material, const types::boundary_id first_boundary)
+      {
+        auto [places, elements, sides] = GridTools::get_coarse_mesh_description(part);
+        const auto moved               = [&](auto &pieces) {
+          for (auto &piece : pieces)
+            for (unsigned int &vertex : piece.vertices)
+              vertex += static_cast<unsigned int>(vertices.size());
+        };
+        moved(elements);
+        for (CellData<dim> &element : elements)
+          element.material_id = material;
+        auto &outer = side_list(sides);
+        moved(outer);
+        for (auto &side : outer)
+          side.boundary_id += first_boundary;
+        append(cells, elements);
+        append(side_list(faces), outer);
+        append(vertices, places);
+      }
+
+    private:
+      static auto &side_list(SubCellData &of)
+      {
+        if constexpr (dim == 2)
+          return of.boundary_lines;
+        else
+          return of.boundary_quads;
+      }
+
+      template <typename List>
+      static void append(List &whole, const List &part)
+      {
+        whole.insert(whole.end(), part.begin(), part.end());
+      }
+    };
+  }
+
+  template <int dim>
+  Mesh<dim> make_shape(const BodiesShape &shape, const ShapeOptions &options)
+  {
+    if (shape.boxes.empty() && shape.balls.empty())
+      throw std::invalid_argument("bodies: there is none.");
+    for (const NamedBox &box : shape.boxes)
+      check(box, dim);
+    for (const NamedBall &ball : shape.balls)
+      check(ball);
+    refuse_overlaps(shape.boxes, dim);
+    refuse_overlaps(shape.balls, shape.boxes, dim);
+
+    Coarse<dim>                               coarse;
+    std::map<std::string, types::boundary_id> boundaries;
+    std::map<std::string, types::material_id> materials;
+    const auto add = [&](const Triangulation<dim> &part, const std::string &material, const Names &sides) {
+      const auto first = static_cast<types::boundary_id>(boundaries.size());
+      coarse.add(part, materials.emplace(material, materials.size()).first->second, first);
+      for (std::size_t side = 0; side < sides.size(); ++side)
+        if (!boundaries.emplace(sides[side], first + side).second)
+          throw std::invalid_argument("bodies: two of them are named " + sides[side] + ".");
+    };
+    for (const NamedBox &box : shape.boxes)
+      {
+        Triangulation<dim> part;
+        make_box(box, part);
+        Names sides;
+        for (unsigned int side = 0; side < 2 * dim; ++side)
+          sides.push_back(box.name + " " + side_names[side]);
+        add(part, box.material, sides);
+      }
+    for (const NamedBall &ball : shape.balls)
+      {
+        Triangulation<dim> part;
+        make_ball(ball, part);
+        add(part, ball.material, {ball.name});
+      }
+    const auto build = [&](Triangulation<dim> &mesh) {
+      Triangulation<dim> whole;
+      whole.create_triangulation(coarse.vertices, coarse.cells, coarse.faces);
+      mesh.copy_triangulation(whole);
+      mesh.refine_global(options.refinements);
+    };
+    Mesh<dim> mesh  = make_mesh_of_bodies<dim>(build, options.family, options.communicator);
+    mesh.boundaries = boundaries;
+    mesh.materials  = materials;
+    return mesh;
+  }
+
+  template Mesh<2> make_shape(const BodiesShape &, const ShapeOptions &);
+  template Mesh<3> make_shape(const BodiesShape &, const ShapeOptions &);
+}
