@@ -1,0 +1,295 @@
+// Scenes in which bodies of a solid touch each other, as the program runs, resumes and refuses them.
+#include "postprocess/csv_table.h"
+#include "tests/apps/program.h"
+#include "tests/apps/scenes.h"
+#include "tests/apps/scratch_folder.h"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <thread>
+
+using namespace apps_tests;
+using Catch::Contains;
+
+namespace
+{
+  const std::string solid = R"(subsection Model
+  set Dimension          = 3
+  set Analysis           = explicit
+  set Large displacement = true
+end
+subsection Mesh
+  set Source = bodies
+  subsection Boxes
+    subsection base
+      set Size        = 0.2, 0.2, 0.05
+      set Divisions x = 4
+      set Divisions y = 4
+      set Material    = lower
+    end
+    subsection brick
+      set Corner      = 0.06, 0.05, 0.0501
+      set Size        = 0.08, 0.1, 0.06
+      set Divisions x = 2
+      set Divisions y = 2
+      set Divisions z = 2
+      set Material    = upper
+    end
+  end
+end
+subsection Materials
+  subsection lower
+    set Law     = isotropic elastic
+    set Density = 2400
+    subsection isotropic elastic
+      set Young modulus = 1e8
+      set Poisson ratio = 0.2
+    end
+  end
+  subsection upper
+    set Law     = isotropic elastic
+    set Density = 2400
+    subsection isotropic elastic
+      set Young modulus = 1e8
+      set Poisson ratio = 0.2
+    end
+  end
+end
+subsection Motion
+  set Initial velocity x = z > 0.05005 ? 0.3 : 0
+  set Initial velocity z = z > 0.05005 ? -1 : 0
+end
+subsection Contacts
+  subsection joint
+    set Stiffness            = 4e10
+    set Friction coefficient = 0.4
+  end
+end
+)";
+
+  const std::string bodies = "set Kind = continuum\n" +
+                             replaced(solid, "subsection Motion\n", "subsection Motion\n  set End time = 4e-3\n") +
+                             R"(subsection Output
+  set Samples   = 40
+  set Snapshots = 4
+end
+)";
+
+  /** The same, and a ball that falls on the brick, and a plane wall beside it that a second ball flies against. */
+  std::string with_particles()
+  {
+    std::string part =
+      "subsection Continuum\n" + replaced(solid, "  set Analysis           = explicit\n", "") + "end\n";
+    return "set Kind = coupled\n" + part + R"(subsection Particles
+  subsection Specimen
+    set Source  = none
+    set Density = 7800
+  end
+  subsection More particles
+    subsection ball
+      set Centre = 0.1, 0.1, 0.1255
+      set Radius = 0.015
+    end
+    subsection other
+      set Centre = 0.26, 0.1, 0.1
+      set Radius = 0.01
+    end
+  end
+  subsection Material
+    set Law = linear
+    subsection linear
+      set Effective modulus = 1e8
+    end
+  end
+  subsection Physics
+    set Dimension = 3
+  end
+  subsection Walls
+    subsection side
+      set Shape  = plane
+      set Point  = 0.28, 0, 0
+      set Normal = -1, 0, 0
+      set Effective modulus = 1e8
+    end
+  end
+  subsection Initial velocity
+    subsection ball
+      set Velocity z = -3
+    end
+    subsection other
+      set Velocity x = 8
+    end
+  end
+end
+subsection Couplings
+  subsection top
+    set Boundary          = brick front
+    set Effective modulus = 1e8
+  end
+end
+subsection Time
+  set End time    = 4e-3
+  set Damping     = 0
+  set Step factor = 0.2
+end
+subsection Output
+  set Samples   = 40
+  set Snapshots = 2
+end
+)";
+  }
+
+  Outcome outcome_of(const ScratchFolder &folder, const std::string &command, std::vector<std::string> changes = {})
+  {
+    std::vector<std::string> words = {command, "x.prm"};
+    if (command == "run")
+      words.insert(words.end(), {"-o", "results"});
+    for (const std::string &change : changes)
+      words.insert(words.end(), {"-s", change});
+    return run(folder.path(), words);
+  }
+
+  std::string reproducible_part(const std::filesystem::path &results)
+  {
+    return listing_of(results / "solid") + content_of(results / "series.csv");
+  }
+} // namespace
+
+TEST_CASE("A brick that lands on a base tells forces, energies and momentum of the contact", "[apps][contact]")
+{
+  const ScratchFolder folder;
+  folder.file("x.prm", bodies);
+  const Outcome outcome = outcome_of(folder, "run");
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  const auto series  = postprocess::read_csv_table(folder / "results/series.csv", true);
+  const auto summary = nlohmann::json::parse(content_of(folder / "results/summary.json"));
+  CHECK(std::filesystem::exists(folder / "results/bodies.png"));
+  const double peak = summary["figures"]["peak_force"]["value"].get<double>();
+  CHECK(peak > 100);
+  CHECK(summary["figures"]["contact_time"]["value"].get<double>() > 1e-4);
+  CHECK(summary["energy"]["balance_error"].get<double>() < 0.01);
+  bool pressed = false, rubbed = false;
+  for (std::size_t row = 0; row < series.columns[0].size(); ++row)
+    {
+      const double up = series.column("joint_upper_force_z")[row], down = series.column("joint_lower_force_z")[row];
+      CHECK(up + down == Approx(0).margin(1e-11 * peak));
+      pressed = pressed || up > 0;
+      rubbed  = rubbed || series.column("joint_upper_force_x")[row] < 0;
+      for (const char *axis : {"momentum_x", "momentum_y", "momentum_z"})
+        CHECK(series.column(axis)[row] == Approx(series.column(axis).front()).margin(1e-12));
+    }
+  CHECK(pressed);
+  CHECK(rubbed);
+  CHECK(series.column("joint_dissipated").back() > 0);
+}
+
+TEST_CASE("Bodies, particles and walls touch in one scene, and one account holds them all", "[apps][contact][coupled]")
+{
+  const ScratchFolder folder;
+  folder.file("x.prm", with_particles());
+  const Outcome outcome = outcome_of(folder, "run");
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  const auto series = postprocess::read_csv_table(folder / "results/series.csv", true);
+  const auto most   = [&](const char *column) {
+    double largest = 0;
+    for (const double value : series.column(column))
+      largest = std::max(largest, std::fabs(value));
+    return largest;
+  };
+  CHECK(most("joint_pairs") == 1);
+  CHECK(most("top_force_z") > 10);
+  CHECK(most("contacts") >= 1); // with the wall
+  CHECK(most("energy_residual") < 0.01 * most("energy_solid_kinetic"));
+  CHECK(most("joint_dissipated") > 0);
+  // Until the other ball meets the wall nothing pushes from outside.
+  CHECK(series.column("momentum_z")[1] == Approx(series.column("momentum_z").front()).epsilon(1e-12));
+}
+
+TEST_CASE("A run with contact is the same to the last bit with any number of threads", "[apps][contact]")
+{
+  const ScratchFolder folder;
+  for (const std::string &scene : {bodies, with_particles()})
+    {
+      folder.file("x.prm", scene);
+      std::string first;
+      for (const char *threads : {"1", "2", "3"})
+        {
+          std::filesystem::remove_all(folder / "results");
+          REQUIRE(run(folder.path(), {"run", "x.prm", "-o", "results", "--threads", threads}).status == 0);
+          const std::string now = reproducible_part(folder / "results");
+          CHECK((first.empty() || now == first));
+          first = now;
+        }
+    }
+}
+
+TEST_CASE("An interrupted or killed run with contact goes on to the same bits", "[apps][contact][slow][S13]")
+{
+  const ScratchFolder folder;
+  folder.file("x.prm",
+              replaced(bodies, "subsection Output\n", "subsection Output\n  set Checkpoint interval = 0.01\n"));
+  const std::string steps = "Motion/Safety=0.02";
+  REQUIRE(run(folder.path(), {"run", "x.prm", "-o", "whole", "-s", steps}).status == 0);
+  for (const int signal : {SIGINT, SIGKILL})
+    {
+      Program program(folder.path(), {"run", "x.prm", "-o", "results", "-s", steps});
+      bool    sent = false;
+      while (program.running())
+        {
+          std::this_thread::sleep_for(std::chrono::milliseconds(5));
+          if (!sent && std::filesystem::exists(folder / "results/running/solid/solid_000002.vtu") &&
+              std::filesystem::exists(folder / "results/running/checkpoint.h5"))
+            {
+              program.send(signal);
+              sent = true;
+            }
+        }
+      REQUIRE(program.wait().status == 128 + signal);
+      const Outcome resumed = run(folder.path(), {"run", "x.prm", "-o", "results", "--resume", "-s", steps});
+      INFO(resumed.err);
+      REQUIRE(resumed.status == 0);
+      CHECK(reproducible_part(folder / "results") == reproducible_part(folder / "whole"));
+      std::filesystem::remove_all(folder / "results");
+    }
+}
+
+TEST_CASE("Contacts that cannot be are refused by name", "[apps][contact]")
+{
+  const ScratchFolder folder;
+  folder.file("x.prm", bodies);
+  const auto refused = [&](const std::vector<std::string> &changes, const char *words) {
+    for (const char *command : {"check", "run"})
+      {
+        const Outcome outcome = outcome_of(folder, command, changes);
+        INFO(outcome.err);
+        CHECK(outcome.status == 2);
+        CHECK_THAT(outcome.err, Contains(words));
+        CHECK_FALSE(std::filesystem::exists(folder / "results"));
+      }
+  };
+  refused({"Contacts/joint/Bodies=steel"},
+          "Contacts/joint: contact of bodies: no body is of a material steel. There are: "
+          "lower, upper");
+  refused({"Contacts/joint/Bodies=upper"}, "there is only one body, and self-contact is off");
+  refused({"Contacts/joint/Stiffness=0"}, "Contacts/joint/Stiffness");
+  refused({"Mesh/Boxes/brick/Corner=0.06, 0.05, 0.04"}, "boxes base and brick overlap");
+  refused({"Model/Analysis=static"}, "Contacts/joint: goes with Model/Analysis = explicit");
+  folder.file("x.prm", replaced(bodies, "    set Stiffness            = 4e10\n", ""));
+  refused({}, "Contacts/joint/Stiffness");
+}
+
+TEST_CASE("A contact that makes more energy than it may stops the run and says where", "[apps][contact]")
+{
+  const ScratchFolder folder;
+  folder.file("x.prm", bodies);
+  const Outcome outcome =
+    outcome_of(folder, "run", {"Contacts/joint/Form=penalty", "Contacts/joint/Energy limit=1e-9"});
+  CHECK(outcome.status != 0);
+  CHECK_THAT(outcome.err, Contains("Contacts/joint: at ") && Contains("the contact has made"));
+}
