@@ -11,6 +11,9 @@ namespace postprocess::hdf5
 {
   namespace
   {
+    /** HDF5 (1.10) keeps what it could not read of a damaged file, and would complain of it in its own words when the program ends. */
+    [[maybe_unused]] const herr_t no_last_words = H5dont_atexit();
+
     /** What HDF5 noted first, where it went wrong. */
     std::string reason()
     {
@@ -26,24 +29,30 @@ namespace postprocess::hdf5
     }
 
     /**
-     * Metadata with checksums (file format of HDF5 1.8). Where the file system knows no locks, do without: a file is
-     * written under a name of its own and never changed afterwards.
+     * Checksums in all that says where numbers lie: the file format of HDF5 1.10, for the lists of chunks of older ones have none.
+     * Where the file system knows no locks, do without: a file is written under a name of its own and never changed afterwards.
      */
     Handle access_properties()
     {
       Handle properties(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-      H5Pset_libver_bounds(properties, H5F_LIBVER_V18, H5F_LIBVER_LATEST);
+      H5Pset_libver_bounds(properties, H5F_LIBVER_V110, H5F_LIBVER_LATEST);
       H5Pset_file_locking(properties, true, true);
       return properties;
     }
 
-    /** Chunks of about 1 MiB, which checksums need; no time stamps, so that equal contents make equal files. */
-    Handle array_properties(const Shape &shape)
+    /**
+     * Chunks of about 1 MiB, which checksums need; one number or text lies in the header of its array, which has one too. No time
+     * stamps, so that equal contents make equal files.
+     */
+    Handle array_properties(const Shape &shape, const std::size_t value_bytes)
     {
-      constexpr hsize_t chunk_values = hsize_t(1) << 17;
+      constexpr hsize_t     chunk_values = hsize_t(1) << 17;
+      constexpr std::size_t header_holds = 60000; // bytes; HDF5 sets a limit of 64 KiB for all of it
 
       Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
       H5Pset_obj_track_times(properties, false);
+      if (shape.empty() && value_bytes <= header_holds)
+        H5Pset_layout(properties, H5D_COMPACT);
       if (shape.empty() || *std::min_element(shape.begin(), shape.end()) == 0)
         return properties;
       Shape   chunk = shape;
@@ -87,7 +96,9 @@ namespace postprocess::hdf5
   {
     const Handle access = access_properties();
     driver.use_in(access);
-    file = Handle(H5Fcreate(target.partial().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose);
+    const Handle properties(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
+    H5Pset_obj_track_times(properties, false); // of the root
+    file = Handle(H5Fcreate(target.partial().c_str(), H5F_ACC_TRUNC, properties, access), H5Fclose);
     check(file.valid(), "the file");
   }
 
@@ -106,12 +117,26 @@ namespace postprocess::hdf5
       throw OutputError(path.string() + ": " + what + " cannot be written: " + reason() + ".");
   }
 
+  void OutputFile::make_groups(const std::string &name)
+  {
+    const Handle properties(H5Pcreate(H5P_GROUP_CREATE), H5Pclose);
+    H5Pset_obj_track_times(properties, false);
+    for (std::size_t end = name.find('/'); end != std::string::npos; end = name.find('/', end + 1))
+      {
+        const std::string group = name.substr(0, end);
+        if (H5Lexists(file, group.c_str(), H5P_DEFAULT) > 0)
+          continue;
+        const Handle made(H5Gcreate2(file, group.c_str(), H5P_DEFAULT, properties, H5P_DEFAULT), H5Gclose);
+        check(made.valid(), "\"" + group + "\"");
+      }
+  }
+
   void OutputFile::write_array(const std::string &name, const Type &type, const void *const values, const Shape &shape)
   {
-    const Handle space = make_space(shape), properties = array_properties(shape);
-    const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
-    H5Pset_create_intermediate_group(links, 1);
-    const Handle array(H5Dcreate2(file, name.c_str(), type.in_file, space, links, properties, H5P_DEFAULT), H5Dclose);
+    const Handle space = make_space(shape), properties = array_properties(shape, H5Tget_size(type.in_file));
+    make_groups(name);
+    const Handle array(H5Dcreate2(file, name.c_str(), type.in_file, space, H5P_DEFAULT, properties, H5P_DEFAULT),
+                       H5Dclose);
     check(array.valid() && H5Dwrite(array, type.in_memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0,
           "\"" + name + "\"");
   }
@@ -173,16 +198,29 @@ namespace postprocess::hdf5
     throw dem::InputError(path.string() + ": " + what + ": " + reason() + ".");
   }
 
-  bool InputFile::has(const std::string &name) const
+  void InputFile::damaged(const std::string &name) const { fail("\"" + name + "\" is damaged"); }
+
+  bool InputFile::linked(const std::string &name) const
   {
-    return Handle(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose).valid();
+    for (std::size_t end = name.find('/');; end = name.find('/', end + 1))
+      {
+        const htri_t found = H5Lexists(file, name.substr(0, end).c_str(), H5P_DEFAULT);
+        if (found < 0)
+          damaged(name);
+        if (found == 0 || end == std::string::npos)
+          return found > 0;
+      }
   }
+
+  bool InputFile::has(const std::string &name) const { return linked(name) && open(name).valid(); }
 
   Handle InputFile::open(const std::string &name) const
   {
+    if (!linked(name))
+      throw dem::InputError(path.string() + ": \"" + name + "\" is missing.");
     Handle array(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose);
     if (!array.valid())
-      throw dem::InputError(path.string() + ": \"" + name + "\" is missing.");
+      damaged(name);
     return array;
   }
 
@@ -205,7 +243,7 @@ namespace postprocess::hdf5
     if (H5Tget_class(stored) != H5Tget_class(type) || H5Tget_size(stored) > H5Tget_size(type))
       throw dem::InputError(path.string() + ": \"" + name + "\" is of another type: " + expected + " expected.");
     if (H5Dread(array, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
-      fail("\"" + name + "\" is damaged");
+      damaged(name);
   }
 
   void InputFile::read(const std::string &name, double *const values) const
@@ -234,7 +272,7 @@ namespace postprocess::hdf5
       size *= n;
     std::string content(size, '\0');
     if (size > 0 && H5Dread(array, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, content.data()) < 0)
-      fail("\"" + name + "\" is damaged");
+      damaged(name);
     return content;
   }
 
@@ -247,7 +285,7 @@ namespace postprocess::hdf5
                             "\" is of another type: one text of fixed length expected.");
     std::string text(H5Tget_size(type), '\0');
     if (H5Dread(array, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) < 0)
-      fail("\"" + name + "\" is damaged");
+      damaged(name);
     text.erase(std::find(text.begin(), text.end(), '\0'), text.end());
     return text;
   }
@@ -260,12 +298,17 @@ namespace postprocess::hdf5
       std::vector<std::string> found;
     } search{group == "/" ? "" : group + "/", {}};
 
+    if (group != "/" && !linked(group))
+      return {};
     const Handle start(H5Gopen2(file, group.c_str(), H5P_DEFAULT), H5Gclose);
     if (!start.valid())
-      return {};
+      damaged(group);
     const H5L_iterate_t add = [](const hid_t from, const char *const name, const H5L_info_t *, void *const data) {
-      auto &result = *static_cast<Search *>(data);
-      if (Handle(H5Dopen2(from, name, H5P_DEFAULT), H5Dclose).valid())
+      auto        &result = *static_cast<Search *>(data);
+      const Handle object(H5Oopen(from, name, H5P_DEFAULT), H5Oclose);
+      if (!object.valid())
+        return herr_t(-1);
+      if (H5Iget_type(object) == H5I_DATASET)
         result.found.push_back(result.prefix + name);
       return herr_t(0);
     };

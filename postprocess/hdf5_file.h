@@ -65,7 +65,7 @@ namespace postprocess::hdf5
   /**
    * A new file that replaces its destination when commit() is called, and otherwise leaves it as it was.
    *
-   * Arrays carry a checksum (Fletcher 32). Names may contain `/`: groups are made as needed. Every failure is an
+   * Everything carries a checksum: arrays that of Fletcher, what else there is that of HDF5's own headers. Names may contain `/`: groups are made as needed. Every failure is an
    * OutputError.
    */
   class OutputFile
@@ -85,6 +85,7 @@ namespace postprocess::hdf5
     {
       hid_t in_memory, in_file;
     };
+    void make_groups(const std::string &name); ///< that the name lies in
     void write_array(const std::string &name, const Type &type, const void *values, const Shape &shape);
     void check(bool succeeded, const std::string &what) const; ///< @throws OutputError unless all went well
 
@@ -101,8 +102,8 @@ namespace postprocess::hdf5
   public:
     explicit InputFile(const std::filesystem::path &path);
 
-    bool        has(const std::string &name) const; ///< is there an array or text of this name
-    Shape       shape(const std::string &name) const;
+    bool  has(const std::string &name) const; ///< is there an array or text of this name; a damaged one is not missing
+    Shape shape(const std::string &name) const;
     std::string read_text(const std::string &name) const;
 
     /** Read into `values`, which has room for all of shape(name). */
@@ -117,8 +118,10 @@ namespace postprocess::hdf5
     std::vector<std::string> names(const std::string &group = "/") const;
 
   private:
+    bool              linked(const std::string &name) const; ///< does the file list such a name
     Handle            open(const std::string &name) const;
     void              read_array(const std::string &name, hid_t type, const std::string &expected, void *values) const;
+    [[noreturn]] void damaged(const std::string &name) const;
     [[noreturn]] void fail(const std::string &what) const;
 
     QuietErrors           quiet;
