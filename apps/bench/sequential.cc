@@ -34,7 +34,7 @@ namespace apps
     {
       Variant     variant;
       std::string instant;
-      double      strain = 0, error = 0, near = 0, seconds = 0, seconds_saved = 0;
+      double      strain = 0, error = 0, near = 0, reaches = 1, seconds = 0, seconds_saved = 0;
     };
 
     std::string number_text(const double value) { return fmt::format("{}", value); }
@@ -123,6 +123,7 @@ namespace apps
         curve.offset            = outcome.curve_strain.back();
         row.error               = error_against(curve, all);
         row.near                = error_against(near_the_transfer(curve), all);
+        row.reaches             = near_reaches(curve);
         if (!std::isfinite(row.error))
           fmt::print(stderr, "{}, {}: ends too soon to be compared.\n", variant.name, outcome.name);
       };
@@ -152,11 +153,11 @@ namespace apps
 
     std::string csv_of(const std::vector<Row> &rows)
     {
-      std::string text =
-        "study,variant,instant,strain,error,error_near,continuum_seconds [s],particle_seconds_saved [s]\n";
+      std::string text = "study,variant,instant,strain,error,error_near,near_reaches [strains of the "
+                         "transfer],continuum_seconds [s],particle_seconds_saved [s]\n";
       for (const Row &r : rows)
-        text += fmt::format("{},{},{},{},{},{},{},{}\n", r.variant.study, r.variant.name, r.instant, r.strain, r.error,
-                            r.near, r.seconds, r.seconds_saved);
+        text += fmt::format("{},{},{},{},{},{},{},{},{}\n", r.variant.study, r.variant.name, r.instant, r.strain,
+                            r.error, r.near, r.reaches, r.seconds, r.seconds_saved);
       return text;
     }
 
@@ -164,12 +165,13 @@ namespace apps
     {
       std::string text =
         "# When a transfer pays\n\nError: mean |stress of the continuation - stress of the all-particle run| over the "
-        "mean of the latter, past the transfer; near: to 1.5 times the strain of the transfer.\n\n"
-        "| study | variant | handed over at | error | near | continuum s | particle s saved |\n"
-        "|---|---|---|---|---|---|---|\n";
+        "mean of the latter, past the transfer; near: to 1.5 times the strain of the transfer; both as far as the "
+        "continuation came, in such strains: up to.\n\n"
+        "| study | variant | handed over at | error | near | up to | continuum s | particle s saved |\n"
+        "|---|---|---|---|---|---|---|---|\n";
       for (const Row &r : rows)
-        text += fmt::format("| {} | {} | {} | {:.3f} | {:.3f} | {:.2f} | {:.2f} |\n", r.variant.study, r.variant.name,
-                            r.instant, r.error, r.near, r.seconds, r.seconds_saved);
+        text += fmt::format("| {} | {} | {} | {:.3f} | {:.3f} | {:.2f} | {:.2f} | {:.2f} |\n", r.variant.study,
+                            r.variant.name, r.instant, r.error, r.near, r.reaches, r.seconds, r.seconds_saved);
       return text;
     }
 

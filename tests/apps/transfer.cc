@@ -1,3 +1,4 @@
+#include "apps/drivers/sequential/study.h"
 #include "apps/scene/value_text.h"
 #include "postprocess/csv_table.h"
 #include "postprocess/discrete_state_hdf5.h"
@@ -138,6 +139,35 @@ TEST_CASE("A continuation that softens everywhere ends when little force is left
   CHECK(std::abs(force[force.size() - 2]) >= 0.05 * peak);
 }
 
+TEST_CASE("A study says how far each continuation came that it compares with the particles", "[apps]")
+{
+  apps::ParticleOutcome all_particles;
+  all_particles.curve_strain = {-1e-3, -2e-3, -2.1e-3, -2.2e-3, -4e-3};
+  all_particles.curve_stress = {-30e6, -40e6, -36e6, -30e6, -5e6};
+  apps::ContinuationCurve early, whole, never;
+  early.offset = whole.offset = never.offset = -2e-3;
+  early.horizontal                           = {0, -1e-4, -1.5e-4};
+  early.vertical                             = {-40e6, -36e6, -30e6};
+  early.ended_by                             = "no equilibrium";
+  whole.horizontal                           = {0, -1e-3, -2e-3};
+  whole.vertical                             = {-40e6, -30e6, -5e6};
+  CHECK(apps::near_reaches(early) == Approx(1.075));
+  CHECK(apps::near_reaches(whole) == Approx(1.5));
+  CHECK(apps::near_reaches(never) == 1);
+
+  const std::vector<apps::ParticleOutcome>   particles(3);
+  const std::vector<apps::ContinuationCurve> curves{early, whole, never};
+  const apps::SequentialModel                model;
+  const apps::StudyReport                    report{model, {"-", "Pa"}, particles, &all_particles, curves};
+  const std::string                          text = report.text(), csv = report.csv();
+  INFO(text << csv);
+  CHECK_THAT(text, Contains("near [-]  up to  ended by"));
+  CHECK_THAT(text, Contains("     0.000   1.07  "));
+  CHECK_THAT(text, Contains("     0.104   1.50  "));
+  CHECK_THAT(csv, Contains("near_reaches"));
+  CHECK(report.json()[0]["near_reaches"].get<double>() == Approx(1.075));
+}
+
 TEST_CASE("Handed over at the peak and past it, many elements go on within a quarter of the particles' stress",
           "[apps][slow]")
 {
@@ -155,6 +185,7 @@ TEST_CASE("Handed over at the peak and past it, many elements go on within a qua
       INFO(one.dump(1));
       CHECK(one["ended_by"] == "end");
       CHECK(one["error_near"].get<double>() < 0.25);
+      CHECK(one["near_reaches"] == 1.5);
     }
   CHECK_THAT(outcome.out, Contains("near [-]"));
   const double filled = summary["transfers"][0]["volume"]["filled"];

@@ -92,9 +92,22 @@ namespace apps
     return common > 0 && size > 0 ? difference / size : std::numeric_limits<double>::quiet_NaN();
   }
 
+  namespace
+  {
+    constexpr double near = 0.5; ///< past the transfer, over its strain
+  }
+
+  double near_reaches(const ContinuationCurve &curve)
+  {
+    double furthest = 0;
+    for (const double x : curve.horizontal)
+      furthest = std::max(furthest, std::abs(x));
+    return 1 + std::min(near, furthest / std::abs(curve.offset));
+  }
+
   ContinuationCurve near_the_transfer(ContinuationCurve curve)
   {
-    const double      reach = 0.5 * std::abs(curve.offset);
+    const double      reach = near * std::abs(curve.offset);
     const std::size_t end   = static_cast<std::size_t>(
       std::find_if(curve.horizontal.begin(), curve.horizontal.end(), [&](double x) { return std::abs(x) > reach; }) -
       curve.horizontal.begin());
@@ -106,10 +119,12 @@ namespace apps
   std::string StudyReport::csv() const
   {
     const std::string h = " [" + units.horizontal + "]", v = " [" + units.vertical + "]";
-    std::string       text = "case,event,severity [" + severity_unit() +
-                       "],absorbed [J],particle_stress [Pa],particle_seconds [s],balance_error [-],peak" + v +
-                       ",horizontal_at_peak" + h + ",furthest" + h + ",dissipated [J],continuum_seconds [s],broke_off" +
-                       (all_particles ? ",error_against_all_particles [-],error_near [-]\n" : "\n");
+    std::string       text =
+      "case,event,severity [" + severity_unit() +
+      "],absorbed [J],particle_stress [Pa],particle_seconds [s],balance_error [-],peak" + v + ",horizontal_at_peak" +
+      h + ",furthest" + h + ",dissipated [J],continuum_seconds [s],broke_off" +
+      (all_particles ? ",error_against_all_particles [-],error_near [-],near_reaches [strains of the transfer]\n" :
+                       "\n");
     for (std::size_t k = 0; k < curves.size(); ++k)
       {
         const ContinuationCurve &c = curves[k];
@@ -117,8 +132,8 @@ namespace apps
         text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}", k, p.name, p.severity, p.absorbed, p.stress,
                             p.seconds, p.balance_error, c.peak(), c.horizontal_at_peak(), c.furthest(), c.energy(),
                             c.seconds, c.broke_off() ? 1 : 0);
-        text += all_particles ? fmt::format(",{},{}\n", error_against(c, *all_particles),
-                                            error_against(near_the_transfer(c), *all_particles)) :
+        text += all_particles ? fmt::format(",{},{},{}\n", error_against(c, *all_particles),
+                                            error_against(near_the_transfer(c), *all_particles), near_reaches(c)) :
                                 "\n";
       }
     return text;
@@ -149,6 +164,7 @@ namespace apps
           {
             one["error_against_all_particles"] = error_against(curves[k], *all_particles);
             one["error_near"]                  = error_against(near_the_transfer(curves[k]), *all_particles);
+            one["near_reaches"]                = near_reaches(curves[k]);
           }
         cases.push_back(one);
       }
@@ -173,7 +189,7 @@ namespace apps
   {
     const std::string h = " [" + units.horizontal + "]", v = " [" + units.vertical + "]";
     std::string text = fmt::format("{:<22} {:>13} {:>13} {:>15} {:>8}{}  ended by\n", "event", "peak" + v, "at" + h,
-                                   "dissipated [J]", "time [s]", all_particles ? "  error [-]  near [-]" : "");
+                                   "dissipated [J]", "time [s]", all_particles ? "  error [-]  near [-]  up to" : "");
     std::string failures;
     for (std::size_t k = 0; k < curves.size(); ++k)
       {
@@ -181,16 +197,17 @@ namespace apps
         text += fmt::format("{:<22} {:>13.4g} {:>13.4g} {:>15.4g} {:>8.2f}", particles[k].name, c.peak(),
                             c.horizontal_at_peak(), c.energy(), c.seconds);
         if (all_particles)
-          text += fmt::format("  {:>9.3f}  {:>8.3f}", error_against(c, *all_particles),
-                              error_against(near_the_transfer(c), *all_particles));
+          text += fmt::format("  {:>9.3f}  {:>8.3f}  {:>5.2f}", error_against(c, *all_particles),
+                              error_against(near_the_transfer(c), *all_particles), near_reaches(c));
         text += "  " + how_it_ended(c) + "\n";
         if (c.broke_off())
           failures += fmt::format("  {}: {}\n", particles[k].name, c.ended_by);
       }
     if (all_particles)
       text +=
-        "error: mean |stress - stress of all particles| over the mean of the latter, past the hand-over; near: to 1.5 "
-        "times its strain\n";
+        "error: mean |stress - stress of all particles| over the mean of the latter, past the hand-over, as far as the "
+        "continuation came;\nnear: no further than 1.5 times the strain of the hand-over; up to: how many times that "
+        "strain it came\n";
     return failures.empty() ? text : text + "continuations that broke off:\n" + failures;
   }
 } // namespace apps

@@ -39,6 +39,9 @@ namespace apps
   /** The continuation as far as half the strain of the transfer again. */
   ContinuationCurve near_the_transfer(ContinuationCurve curve);
 
+  /** How far the continuation came within that, in strains of the transfer: 1.5 where it came all the way, 1 where it never began. */
+  double near_reaches(const ContinuationCurve &curve);
+
   /** Units of what a study compares: "-" and "Pa", or those of the columns. */
   struct StudyUnits
   {
