@@ -58,6 +58,14 @@ namespace postprocess
     return 10 * decade;
   }
 
+  double round_magnification(const double wished)
+  {
+    if (!(wished > 1))
+      return 1;
+    const double decade = std::pow(10, std::floor(std::log10(wished)));
+    return std::floor(wished / decade) * decade;
+  }
+
   double horizontal_tick_step(const double low, const double high, const double pixels)
   {
     double step = tick_step(high - low, std::min(8.0, pixels / line));

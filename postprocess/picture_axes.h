@@ -24,6 +24,9 @@ namespace postprocess
   /** Distance of ticks, 1, 2 or 5 times a power of ten: labels of the range then have the room asked for. @param most at most so many ticks */
   double tick_step(double range, double most);
 
+  /** A round number to magnify displacements by, not above the wished one; at least 1. */
+  double round_magnification(double wished);
+
   /** Distance of ticks along a horizontal axis whose labels must fit side by side. */
   double horizontal_tick_step(double low, double high, double pixels);
 

@@ -118,6 +118,20 @@ namespace postprocess
       return now.intersection(Eigen::AlignedBox2d(at_first.min() - margin, at_first.max() + margin));
     }
 
+    /** Closed polygons, each a block of its own. */
+    std::string body_rows(const std::vector<std::vector<Eigen::Vector2d>> &bodies, const double scale)
+    {
+      std::string text;
+      for (const auto &body : bodies)
+        {
+          for (const Eigen::Vector2d &corner : body)
+            append_row(text, {scale * corner.x(), scale * corner.y()});
+          append_row(text, {scale * body.front().x(), scale * body.front().y()});
+          text += "\n\n";
+        }
+      return text;
+    }
+
     std::string circle_rows(const dem::ParticleOutput      &particles,
                             const View                     &view,
                             const std::vector<std::size_t> &shown,
@@ -276,24 +290,33 @@ namespace postprocess
         const auto shown  = shown_particles(particles, view);
         const auto cracks = find_cracks(particles, links, view);
 
-        GnuplotJob         job;
-        const PictureFrame frame{
-          frame_of(particles, view, shown), view.name_of_right(), view.name_of_up(), 760, 230, 150, 480};
-        const double scale    = set_axes(job, frame).per_metre;
-        job.data["particles"] = circle_rows(particles, view, shown, scale);
+        GnuplotJob          job;
+        Eigen::AlignedBox2d seen = frame_of(particles, view, shown);
+        for (const auto &body : slab.bodies)
+          for (const Eigen::Vector2d &corner : body)
+            seen.extend(corner);
+        const PictureFrame frame{seen, view.name_of_right(), view.name_of_up(), 760, 230, 150, 480};
+        const double       scale = set_axes(job, frame).per_metre;
+        job.data["particles"]    = circle_rows(particles, view, shown, scale);
         job.script += "set title " + gnuplot_quoted(title) + " noenhanced\nset cblabel 'Damage'\nset cbrange [0:1]\n" +
                       colour_bar(job, frame) +
                       "set palette defined (0 '#f0f0f0', 1 '#5b7fb0')\nset style fill solid 1 noborder\n" +
-                      "set key outside below center Left reverse samplen 2\n" +
-                      "plot 'particles' using 1:2:3:4 with circles lc palette notitle";
+                      "set key outside below center Left reverse samplen 2\nplot ";
+        if (!slab.bodies.empty())
+          {
+            job.data["bodies"] = body_rows(slab.bodies, scale);
+            job.script += "'bodies' using 1:2 with filledcurves closed fc rgb '#c3ccd6' notitle, "
+                          "'bodies' using 1:2 with lines lw 0.5 lc rgb '#7d8996' notitle, ";
+          }
+        job.script += "'particles' using 1:2:3:4 with circles lc palette notitle";
         draw_materials(job, particles, view, shown, slab.materials, scale);
         if (!cracks.empty())
           {
-            const double wide  = wide_opening(cracks);
-            job.data["cracks"] = crack_rows(cracks, wide, scale);
-            job.script += ", 'cracks' using 1:2:3:4:5 with vectors nohead lw 2.5 lc rgb variable notitle, " +
-                          std::string("NaN with lines lw 2.5 lc rgb '#c1272d' title 'crack faces, full red from ") +
-                          length_text(wide) + "'";
+          const double wide  = wide_opening(cracks);
+          job.data["cracks"] = crack_rows(cracks, wide, scale);
+          job.script += ", 'cracks' using 1:2:3:4:5 with vectors nohead lw 2.5 lc rgb variable notitle, " +
+                        std::string("NaN with lines lw 2.5 lc rgb '#c1272d' title 'crack faces, full red from ") +
+                        length_text(wide) + "'";
           }
         draw_with_gnuplot(path, job);
         return {};

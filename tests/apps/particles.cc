@@ -1,4 +1,5 @@
 // Scenes of kind "particles", through the program: closed forms, groups, stops, resuming, refusals.
+#include "postprocess/packing_io.h"
 #include "tests/apps/particle_runs.h"
 #include "tests/apps/scenes.h"
 #include "tests/apps/scratch_folder.h"
@@ -333,4 +334,36 @@ TEST_CASE("Contacts take the law that is chosen for them, apart from that of the
   const Outcome missing = outcome_of(folder, "run", "x.prm", {"Material/Contacts=CPM"});
   CHECK(missing.status == 2);
   CHECK_THAT(missing.err, Contains("CPM") && Contains("Normal modulus"));
+}
+
+TEST_CASE("The force on a group is all that changes its momentum, and of its own links nothing counts",
+          "[apps][particles]")
+{
+  const ScratchFolder folder;
+  folder.file("x.prm", collision);
+  const Results found =
+    results_of(folder, (folder / "x.prm").string(),
+               {"Gauges/push/Quantity=force", "Gauges/push/Group=second", "Gauges/push/Component=x",
+                "Gauges/nothing/Quantity=force", "Gauges/nothing/Group=all", "Output/Samples=2000"});
+  const auto  &time = found.series.column("time"), &push = found.series.column("push");
+  const double mass    = 2500 * 4.0 / 3 * pi * 1e-6;
+  double       impulse = 0;
+  for (std::size_t row = 1; row < time.size(); ++row)
+    impulse += push[row] * (time[row] - time[row - 1]);
+  REQUIRE(found.figure("second", "end") > 0.4); // it has been hit
+  CHECK(impulse == Approx(mass * found.figure("second", "end")).epsilon(0.01));
+  CHECK(found.figure("nothing", "largest") == 0);
+}
+
+TEST_CASE("A run leaves its particles as they lie at the end, a packing that another scene begins with",
+          "[apps][particles]")
+{
+  const ScratchFolder folder;
+  folder.file("x.prm", collision);
+  const Results      found = results_of(folder, (folder / "x.prm").string());
+  const dem::Packing left  = postprocess::read_packing(folder / "results/packing_at_end.h5");
+  REQUIRE(left.size() == 2);
+  CHECK(left.radius[1] == 0.01);
+  CHECK((left.centre[1] - left.centre[0]).norm() == Approx(found.figure("gap", "end")).epsilon(1e-12));
+  CHECK(found.figure("gap", "end") != Approx(0.021).epsilon(0.01)); // they have moved
 }

@@ -151,6 +151,19 @@ TEST_CASE("a picture of a specimen is drawn across each axis, with and without b
   REQUIRE(content_of(folder / "a.png") != content_of(folder / "b.png"));
 }
 
+TEST_CASE("bodies stand beside the particles of a picture, which shows all of them", "[postprocess]")
+{
+  const ScratchFolder folder;
+  const auto          particles = postprocess_tests::numbered_particles(30);
+  PictureSlab         alone, beside;
+  alone.thickness = beside.thickness = 100;
+  beside.bodies                      = {{{0, 60}, {5, 60}, {5, 80}, {0, 80}}};
+  REQUIRE(picture_of_specimen(folder / "a.png", particles, {}, "title", alone) == "");
+  REQUIRE(picture_of_specimen(folder / "b.png", particles, {}, "title", beside) == "");
+  const auto low = size_of_png(folder / "a.png"), high = size_of_png(folder / "b.png");
+  CHECK(double(high.second) / high.first > double(low.second) / low.first);
+}
+
 TEST_CASE("only a link that has opened is drawn as a crack", "[postprocess]")
 {
   const ScratchFolder folder;
@@ -226,6 +239,10 @@ TEST_CASE("lengths are drawn in the unit of their size, with ticks that have roo
   CHECK(tick_step(10, 5) == Approx(2));
   CHECK(tick_step(4.1, 3) == Approx(2));
   CHECK(tick_step(0.9, 8) == Approx(0.2));
+  CHECK(round_magnification(47) == Approx(40));
+  CHECK(round_magnification(2.5) == Approx(2));
+  CHECK(round_magnification(0.3) == 1); // what moves far is drawn as it is
+  CHECK(round_magnification(std::nan("")) == 1);
 
   // A pillar of 4 m by 12 m: ticks every 2 m, in metres.
   GnuplotJob   job;

@@ -242,8 +242,7 @@ namespace apps
           }
       if (!(most > 0))
         return 1;
-      const double wished = 0.05 * (high - low) / most, decade = std::pow(10, std::floor(std::log10(wished)));
-      return wished < 1 ? 1 : std::floor(wished / decade) * decade;
+      return postprocess::round_magnification(0.05 * (high - low) / most);
     }
   } // namespace
 

@@ -22,6 +22,7 @@ namespace apps
               {"wall moment", Quantity::wall_moment},
               {"wall travel", Quantity::wall_travel},
               {"wall impulse", Quantity::wall_impulse},
+              {"force", Quantity::force},
               {"kinetic energy", Quantity::kinetic_energy},
               {"broken links", Quantity::broken_links},
               {"unbalanced ratio", Quantity::unbalanced_ratio}},
@@ -30,7 +31,8 @@ namespace apps
              "other group; reaction: force that the prescribed motion exerts on the group; reaction moment: sum of its "
              "moments on the particles about their own centres; wall force, wall moment: of the particles on the wall, "
              "about the "
-             "origin; wall travel: of the wall since the start; wall impulse: momentum that it has taken; kinetic "
+             "origin; wall travel: of the wall since the start; wall impulse: momentum that it has taken; force: of "
+             "links, contacts and walls on the group, from all that is not of it; kinetic "
              "energy: of the group; broken links: that have "
              "an end in it; unbalanced ratio: mean force on all free particles over mean force of links and contacts");
     s.text("Group", group, Need::optional).means("What is measured");
@@ -70,6 +72,7 @@ namespace apps
         return "m/s";
       case Quantity::reaction:
       case Quantity::wall_force:
+      case Quantity::force:
         return "N";
       case Quantity::reaction_moment:
       case Quantity::wall_moment:
@@ -155,6 +158,24 @@ namespace apps
       return sum;
     }
 
+    /** Of all that is not of the group, at t_n [N]. */
+    Eigen::Vector3d force_on(const std::vector<std::size_t> &members, const dem::Specimen &specimen)
+    {
+      const auto holds = [&](const std::size_t i) { return std::binary_search(members.begin(), members.end(), i); };
+      const dem::LinkOutput links = specimen.links();
+      Eigen::Vector3d       sum   = Eigen::Vector3d::Zero();
+      for (std::size_t l = 0; l < links.ends.size(); ++l)
+        {
+          const bool first = holds(links.ends[l][0]), second = holds(links.ends[l][1]);
+          if (first != second && links.kind[l] != dem::LinkOutput::broken)
+            sum += first ? links.load[l].force : Eigen::Vector3d(-links.load[l].force);
+        }
+      for (const dem::WallContact &contact : specimen.wall_contacts())
+        if (holds(contact.particle))
+          sum += contact.force;
+      return sum;
+    }
+
     double broken_links(const std::vector<std::size_t> &members, const ObservedSpecimen &seen)
     {
       const dem::LinkOutput links = seen.specimen.links();
@@ -196,6 +217,8 @@ namespace apps
           return seen.walls.surface(gauge.wall).total_moment;
         case Quantity::wall_travel:
           return seen.walls.surface(gauge.wall).travel;
+        case Quantity::force:
+          return force_on(members, seen.specimen);
         case Quantity::wall_impulse:
           return seen.walls.surface(gauge.wall).momentum;
         default:

@@ -25,6 +25,7 @@ namespace apps
       wall_moment,
       wall_travel,
       wall_impulse,
+      force,
       kinetic_energy, // vectors until here, numbers from here on
       broken_links,
       unbalanced_ratio

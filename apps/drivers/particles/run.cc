@@ -21,6 +21,14 @@ namespace apps
   namespace
   {
     constexpr const char *packing_name = "packing.h5";
+
+    /** What another scene can begin with: places as they are, outside any mould. */
+    dem::Packing at_end(const dem::Packing &packing, const dem::Specimen &specimen)
+    {
+      dem::Packing now = packing;
+      now.centre       = specimen.particles().position;
+      return now;
+    }
   }
 
   ParticlesRun::ParticlesRun(const RunRequest &asked, const ParticlesModel &what)
@@ -138,6 +146,7 @@ namespace apps
 
   std::string ParticlesRun::finish(const std::filesystem::path &folder, const double wall_seconds)
   {
+    postprocess::write_packing(at_end(packing, body->specimen()), folder / "packing_at_end.h5");
     if (model.bonded())
       {
         postprocess::write_discrete_state(dem::discrete_state(body->specimen()), folder / "state.h5");

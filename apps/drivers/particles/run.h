@@ -15,7 +15,7 @@ namespace apps
    * The work of a scene of kind "particles".
    *
    * In the result folder, besides what every run has (life_cycle.h): packing.h5, particles_particles.pvd and particles_links.pvd with
-   * their snapshots, and at the end summary.json and curve.png; of bonded particles crack.png and state.h5 as well.
+   * their snapshots, and at the end packing_at_end.h5, summary.json and curve.png; of bonded particles crack.png and state.h5 as well.
    */
   class ParticlesRun : public RunWork
   {
