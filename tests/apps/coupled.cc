@@ -308,5 +308,22 @@ TEST_CASE("An interface that nobody ever touches is said", "[apps][coupled]")
   folder.file("x.prm", collision);
   const Outcome outcome = outcome_of(folder, "run", {"Particles/More particles/ball/Centre=0.03, 0.062, 0.3"});
   CHECK(outcome.status == 0);
-  CHECK_THAT(outcome.out, Contains("no particle has ever touched the solid"));
+  CHECK_THAT(outcome.out, Contains("nothing has ever touched the solid"));
+}
+
+TEST_CASE("A test in the press is refused where its couplings, points or axis are not there, by name",
+          "[apps][coupled]")
+{
+  const ScratchFolder folder;
+  const auto          refusal = [&](const std::string &change) {
+    const Outcome outcome =
+      run(folder.path(), {"check", places::sources() + "/apps/scenes/crushed_cube.prm", "-s", change});
+    CHECK(outcome.status == 2);
+    return outcome.err;
+  };
+  CHECK_THAT(refusal("Laboratory/Low coupling=lwer"),
+             Contains("Low coupling = lwer") && Contains("Did you mean \"lower\""));
+  CHECK_THAT(refusal("Laboratory/High coupling=lower"), Contains("Give each end a coupling of its own"));
+  CHECK_THAT(refusal("Laboratory/High point=middle"), Contains("there is no such section in Continuum/Points"));
+  CHECK_THAT(refusal("Laboratory/Area=0"), Contains("Area = 0"));
 }

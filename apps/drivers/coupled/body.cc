@@ -10,6 +10,8 @@
 #include "apps/results/run_work.h"
 #include "coupling/concurrent/concurrent_motion.h"
 #include "dem/facets/surface.h"
+#include "postprocess/picture_axes.h"
+#include "postprocess/specimen_picture.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -50,6 +52,7 @@ namespace apps
     public:
       Body(const CoupledModel &what, const dem::Packing &packing)
         : model(what)
+        , material_names(packing.material_names)
         , body(what.particles, packing)
         , solid(make_solid<dim>(what.continuum))
         , motion(make_motion(*solid, what.continuum, what.particles.gravity.acceleration))
@@ -131,6 +134,8 @@ namespace apps
             all.push_back({column_name(coupling.name) + "_force" + axes[d], "N"});
         for (const postprocess::SeriesColumn &force : touching.force_columns())
           all.push_back(force);
+        for (const postprocess::SeriesColumn &of_press : model.laboratory.columns())
+          all.push_back(of_press);
         return all;
       }
 
@@ -149,6 +154,7 @@ namespace apps
           for (int d = 0; d < dim; ++d)
             values.push_back(specimen.surface(surface->surface()).total_force[d]);
         add(touching.forces());
+        add(model.laboratory.read(columns(), values));
         const dem::Counts counts = specimen.counts();
         add(std::initializer_list<double>{static_cast<double>(counts.links), static_cast<double>(counts.broken),
                                           static_cast<double>(counts.contacts + counts.wall_contacts)});
@@ -226,6 +232,28 @@ namespace apps
         return draw_cut(file, cut, title, std::move(circles));
       }
 
+      std::string draw_cracks(const std::filesystem::path &file, const std::string &title) const override
+      {
+        const dem::ParticleOutput particles = body.specimen().particles();
+        postprocess::PictureSlab  slab;
+        slab.magnify         = magnification(particles);
+        slab.materials       = material_names;
+        fem::Vector enlarged = motion->displacement();
+        enlarged *= slab.magnify;
+        enlarged.update_ghost_values();
+        const SolidCut cut = cut_of(*solid, enlarged);
+        slab.axis          = cut.across;
+        for (const postprocess::PictureFacet &facet : cut.facets)
+          {
+            auto &corners = slab.bodies.emplace_back();
+            for (const auto &corner : facet.corner)
+              corners.emplace_back(corner[0], corner[1]);
+          }
+        return postprocess::picture_of_specimen(
+          file, particles, body.specimen().links(),
+          fmt::format("{} at {:.3g} s, displacements x {}", title, time(), slab.magnify), slab);
+      }
+
       void visit_state(RunState &state) override
       {
         state.group("specimen");
@@ -281,6 +309,21 @@ namespace apps
         return both_have.empty() ? std::nullopt : std::optional<std::size_t>(both_have.front());
       }
 
+      /** So that a displacement that half of the particles stay below shows as a twentieth of their extent; a round number. */
+      static double magnification(const dem::ParticleOutput &particles)
+      {
+        Eigen::AlignedBox3d box;
+        std::vector<double> moved;
+        for (std::size_t i = 0; i < particles.position.size(); ++i)
+          {
+            box.extend(particles.position[i] - particles.displacement[i]);
+            moved.push_back(particles.displacement[i].norm());
+          }
+        const auto median = moved.begin() + static_cast<std::ptrdiff_t>(moved.size() / 2);
+        std::nth_element(moved.begin(), median, moved.end());
+        return postprocess::round_magnification(*median > 0 ? 0.05 * box.sizes().maxCoeff() / *median : 1);
+      }
+
       void step(const double rest)
       {
         const double at = body.specimen().time(); // of the forces that the step takes
@@ -317,6 +360,7 @@ namespace apps
       }
 
       const CoupledModel                       &model;
+      std::vector<std::string>                  material_names;
       ParticlesBody                             body;
       std::unique_ptr<fem::Solid<dim>>          solid;
       std::unique_ptr<fem::ExplicitSolver<dim>> motion;

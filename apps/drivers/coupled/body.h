@@ -54,6 +54,9 @@ namespace apps
     /** Draw a cut through both, as they are now. @return what went wrong, "" if nothing */
     virtual std::string draw(const std::filesystem::path &file, const std::string &title) const = 0;
 
+    /** Draw a slab of bonded particles coloured by damage, and their cracks, with the solid beside; displacements magnified. @return as draw() */
+    virtual std::string draw_cracks(const std::filesystem::path &file, const std::string &title) const = 0;
+
     /** A reader must have been made from the same model and packing. */
     virtual void visit_state(RunState &state) = 0;
   };

@@ -24,6 +24,7 @@ namespace apps
         "Steps that particles may take in one of the solid, where their stable step is the shorter one. 1: both take "
         "the same, which keeps energy to rounding; more saves time and costs energy in proportion to the step of the "
         "solid");
+    laboratory.declare(scene);
     references.declare(scene);
   }
 
@@ -38,6 +39,7 @@ namespace apps
     const GroupNames groups = particles.validate_as_part(body);
     particles.gravity.validate(scene, dimension());
     couplings.validate(scene, groups, continuum.contacts.empty());
+    laboratory.validate(scene, couplings, continuum.loads, dimension());
     for (const CouplingSection &coupling : couplings.couplings)
       if (particles.walls.knows(coupling.name))
         throw dem::InputError("Couplings/" + coupling.name + ": there is a wall of this name. Take another.");
@@ -70,7 +72,8 @@ namespace apps
                                                           const std::vector<postprocess::SeriesColumn> &told) const
   {
     const std::vector<std::string> names = names_of(columns);
-    return {chosen_column(names, "Curve horizontal", particles.horizontal, "time"),
-            chosen_column(names, "Curve vertical", particles.vertical, told.back().name)};
+    return {
+      chosen_column(names, "Curve horizontal", particles.horizontal, laboratory.given() ? "strain" : "time"),
+      chosen_column(names, "Curve vertical", particles.vertical, laboratory.given() ? "stress" : told.back().name)};
   }
 } // namespace apps

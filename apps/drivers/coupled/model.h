@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/drivers/coupled/couplings.h"
+#include "apps/drivers/coupled/laboratory.h"
 #include "apps/drivers/particles/model.h"
 #include "apps/drivers/parts/contact_figures.h"
 
@@ -14,6 +15,7 @@ namespace apps
     ContinuumModel    continuum;
     ParticlesModel    particles; ///< its course (time, gravity, stops, output) is that of all
     CouplingsSection  couplings;
+    LaboratorySection laboratory;
     ReferencesSection references;
     std::int64_t      largest_ratio = 1;       ///< of steps of the particles in one of the solid
     const Section    *root          = nullptr; ///< of the scene, which outlives the model

@@ -23,9 +23,25 @@ namespace apps
     nlohmann::json found = nlohmann::json::object();
     for (const postprocess::SeriesColumn &column : body.told())
       found[column.name] = figure_of(series, column.name, column.unit);
+    if (model.laboratory.given())
+      found.update(figures_of({notes()}));
     found["broken_links"] = body.particles().specimen().counts().broken;
     if (body.interface().touched())
       body.interface().put_into(found, model.references);
+    return found;
+  }
+
+  LabNotes CoupledReport::notes() const
+  {
+    const dem::Specimen &specimen = body.particles().specimen();
+    LabNotes             found;
+    found.name    = "compression";
+    found.figures = LaboratorySection::figures(series);
+    found.crack =
+      dem::measure_crack(specimen.particles(), specimen.links(),
+                         {model.dimension(), model.particles.source.density, model.particles.source.thickness});
+    found.section      = model.laboratory.area;
+    found.gauge_length = model.laboratory.length;
     return found;
   }
 
@@ -88,6 +104,8 @@ namespace apps
     for (const postprocess::SeriesColumn &column : body.told())
       text += fmt::format("{:<40} {:.6g} {}\n", column.name, series.column(column.name).back(), column.unit);
     text += body.interface().touched() ? body.interface().text() : "warning      nothing has ever touched the solid\n";
+    if (model.laboratory.given())
+      text += text_of(notes());
     text += fmt::format("ended by     {}, at {:.6g} s\n", model.particles.stops.what_ended(series), body.time());
     if (start)
       text += fmt::format("start        {}\n", text_of(*start));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/drivers/coupled/body.h"
+#include "apps/drivers/parts/lab_report.h"
 #include "apps/drivers/parts/material_counts.h"
 #include "apps/scene/scene.h"
 #include "postprocess/csv_table.h"
@@ -30,6 +31,7 @@ namespace apps
     std::string text() const;
 
   private:
+    LabNotes       notes() const; ///< @pre there is a laboratory test
     nlohmann::json figures() const;
     nlohmann::json energy() const;
     nlohmann::json cost() const;

@@ -161,9 +161,12 @@ namespace apps
   std::string CoupledRun::finish(const std::filesystem::path &folder, const double wall_seconds)
   {
     const dem::Specimen &specimen = body->particles().specimen();
+    const std::string    title    = std::filesystem::path(request.scene_file).stem().string();
     if (model.particles.bonded())
-      postprocess::write_discrete_state(dem::discrete_state(specimen), folder / "state.h5");
-    const std::string title = std::filesystem::path(request.scene_file).stem().string();
+      {
+        postprocess::write_discrete_state(dem::discrete_state(specimen), folder / "state.h5");
+        warn_of_missing("crack.png", body->draw_cracks(folder / "crack.png", title));
+      }
     warn_of_missing("coupled.png", body->draw(folder / "coupled.png", title));
     const CoupledReport report{request,
                                model,

@@ -15,7 +15,7 @@ namespace apps
    * The work of a scene of kind "coupled".
    *
    * In the result folder, besides what every run has (life_cycle.h): packing.h5; coupled.pvd, which shows solid, particles and surfaces
-   * together, with the snapshots and lists of each; and at the end summary.json, curve.png, coupled.png (a cut through both), and of bonded particles state.h5.
+   * together, with the snapshots and lists of each; and at the end summary.json, curve.png, coupled.png (a cut through both), and of bonded particles state.h5 and crack.png.
    */
   class CoupledRun : public RunWork
   {

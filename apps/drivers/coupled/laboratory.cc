@@ -1,0 +1,97 @@
+#include "apps/drivers/coupled/laboratory.h"
+
+#include "apps/drivers/continuum/gauges.h"
+#include "apps/scene/nearest_name.h"
+
+#include <algorithm>
+
+namespace apps
+{
+  void LaboratorySection::declare(Section &root)
+  {
+    Section   &s = root.section("Laboratory", "A specimen of particles between two faces of the solid, as in a press: "
+                                                "stress and strain, positive in compression, become columns of series.csv, "
+                                                "strength and modulus figures of summary.json");
+    const auto asked = [this](Entry &entry) { entry.only_if([this] { return given(); }, "High coupling is given"); };
+    s.text("High coupling", high, Need::optional)
+      .means("The coupling on the face at the high end of the axis; empty: there is no such test");
+    asked(s.text("Low coupling", low, Need::required).means("That at the low end"));
+    asked(s.text("High point", high_point, Need::required)
+            .means("Of Continuum/Points; strain is the approach of the two points over the length"));
+    asked(s.text("Low point", low_point, Need::required).means("The other one"));
+    asked(s.choice("Axis", axis, {{"x", 0}, {"y", 1}, {"z", 2}}, Need::optional).means("From the low end to the high"));
+    asked(s.number("Area", area, "m^2", Range::positive(), Need::required)
+            .means("Section: stress is the mean of the forces on both faces over it"));
+    asked(
+      s.number("Length", length, "m", Range::positive(), Need::required).means("Of the specimen, between the faces"));
+  }
+
+  namespace
+  {
+    void require(const Section                  &section,
+                 const char                     *entry,
+                 const std::string              &name,
+                 const std::vector<std::string> &names,
+                 const char                     *what)
+    {
+      if (std::find(names.begin(), names.end(), name) == names.end())
+        section.refuse(entry, std::string("there is no such ") + what + ". " + did_you_mean(name, names));
+    }
+  } // namespace
+
+  void LaboratorySection::validate(const Section          &root,
+                                   const CouplingsSection &couplings,
+                                   const LoadsSection     &loads,
+                                   const int               dimension) const
+  {
+    if (!given())
+      return;
+    const Section           &section = *root.find_section("Laboratory");
+    std::vector<std::string> known, points;
+    for (const CouplingSection &coupling : couplings.couplings)
+      known.push_back(coupling.name);
+    for (const auto &point : loads.points)
+      points.push_back(point->name);
+    require(section, "High coupling", high, known, "section in Couplings");
+    require(section, "Low coupling", low, known, "section in Couplings");
+    require(section, "High point", high_point, points, "section in Continuum/Points");
+    require(section, "Low point", low_point, points, "section in Continuum/Points");
+    if (high == low)
+      section.refuse("Low coupling", "is that of the high end. Give each end a coupling of its own.");
+    if (axis >= dimension)
+      section.refuse("Axis", "in two dimensions the axes are x and y.");
+  }
+
+  std::vector<postprocess::SeriesColumn> LaboratorySection::columns() const
+  {
+    if (!given())
+      return {};
+    return {{"stress", "Pa"}, {"strain", "-"}};
+  }
+
+  std::vector<double> LaboratorySection::read(const std::vector<postprocess::SeriesColumn> &columns,
+                                              const std::vector<double>                    &values) const
+  {
+    if (!given())
+      return {};
+    const std::string along = std::string("_") + "xyz"[axis];
+    const auto        value = [&](const std::string &name) {
+      const auto found = std::find_if(columns.begin(), columns.end(), [&](const auto &c) { return c.name == name; });
+      return values.at(static_cast<std::size_t>(found - columns.begin()));
+    };
+    const auto force = [&](const std::string &coupling) { return value(column_name(coupling) + "_force" + along); };
+    const auto moved = [&](const std::string &point) { return value("displacement_" + column_name(point) + along); };
+    return {(force(high) - force(low)) / (2 * area), (moved(low_point) - moved(high_point)) / length};
+  }
+
+  dem::UniaxialFigures LaboratorySection::figures(const postprocess::CsvTable &series)
+  {
+    const std::vector<double> &strain = series.column("strain"), &stress = series.column("stress");
+    dem::CurveFigures          curve;
+    for (std::size_t row = 0; row < strain.size(); ++row)
+      curve.add(strain[row], stress[row]);
+    dem::UniaxialFigures found = curve.figures();
+    found.peak_passed          = dem::is_past_peak(found, strain.back(), stress.back(), 0);
+    return found;
+  }
+} // namespace apps
