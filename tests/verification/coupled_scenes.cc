@@ -1,6 +1,7 @@
 // The shipped coupled scenes against closed forms and published values, through the program.
 #include "tests/verification/scene_results.h"
 
+#include <algorithm>
 #include <cmath>
 
 TEST_CASE("Impact on a block tends to Hertz's as elements get smaller", "[verification][coupled][slow]")
@@ -39,8 +40,125 @@ TEST_CASE("Spheres thrown at a cantilever: the published example's momentum, ene
   CHECK(series.column("momentum_y").front() == Approx(6948.70).epsilon(1e-6));
   CHECK(series.column("momentum_z").front() == Approx(0).margin(1e-9));
   CHECK(series.column("energy_particles_kinetic").front() == Approx(25015.3 + 17371.8).epsilon(1e-5));
-  CHECK(found.summary["figures"]["first_contact"]["value"].get<double>() == Approx(0.0867).epsilon(0.02));
+  CHECK(found.summary["figures"]["first_contact"]["value"].get<double>() == Approx(0.0867).epsilon(0.03));
   const double start = series.column("energy_particles_initial").front();
   CHECK(std::fabs(series.column("energy_residual").back()) < 0.01 * start);
   CHECK(std::fabs(found.summary["energy"]["made_by_couplings"]["beam"].get<double>()) < 1e-10 * start);
+}
+
+namespace
+{
+  const std::vector<std::string> smooth = {"Couplings/lower/Friction coefficient=0",
+                                           "Couplings/upper/Friction coefficient=0"};
+
+  std::vector<std::string> with(std::vector<std::string> changes, const std::vector<std::string> &more)
+  {
+    changes.insert(changes.end(), more.begin(), more.end());
+    return changes;
+  }
+
+  /** The cube of crushed_cube.prm between grips that leave it free sideways, in compression to the strain. */
+  SceneResults between_grips(const std::string &strain, const std::vector<std::string> &changes)
+  {
+    // own_packing.prm has the same law. Centres of a layer at the mould lie within micrometres.
+    return results_of("own_packing",
+                      with({"Specimen/File=" + places::sources() + "/meshes/moulded_cube.h5", "Specimen/Density=4240",
+                            "Time/Step factor=0.8", "Time/Damping=0.3", "Loading/Grip thickness=0.0003",
+                            "Loading/Grip lateral motion blocked=false", "Loading/Area=0.010072",
+                            "Loading/Gauge length=outermost centres", "Loading/Compression/Strain rate=1.2",
+                            "Loading/Compression/Stop strain=" + strain},
+                           changes));
+  }
+
+  /** Least-squares slope of y over x of the rows in which x lies in the range. */
+  double slope(const std::vector<double> &x, const std::vector<double> &y, const double from, const double to)
+  {
+    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+    for (std::size_t i = 0; i < x.size(); ++i)
+      if (x[i] >= from && x[i] <= to)
+        {
+          n += 1;
+          sx += x[i];
+          sy += y[i];
+          sxx += x[i] * x[i];
+          sxy += x[i] * y[i];
+        }
+    return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+  }
+} // namespace
+
+TEST_CASE("A cube between smooth platens is as stiff as the cube alone and its contacts in series",
+          "[verification][coupled][slow]")
+{
+  const std::vector<std::string> elastic = {"Limit elastic strain=1", "Cohesion=1e12"};
+  const auto                     law_at  = [&](const std::string &section) {
+    std::vector<std::string> changes;
+    for (const std::string &entry : elastic)
+      changes.push_back(section + "/" + entry);
+    return changes;
+  };
+  const SceneResults press =
+    results_of("crushed_cube", with(with(smooth, law_at("Particles/Material/CPM")), {"Time/End time=1.2e-3"}));
+  const SceneResults alone   = between_grips("1e-3", law_at("Material/CPM"));
+  const double       modulus = slope(alone.series.column("strain"), alone.series.column("stress"), -0.9e-3, -0.3e-3);
+  const double       stiffness =
+    slope(press.series.column("strain"), press.series.column("stress"), 0.3e-3, press.series.column("strain").back());
+
+  // Between the layers at the faces, 100.374 mm less twice the radius of 3 mm, the cube itself; then n contacts of pi r E* at either end.
+  const double contacts =
+    0.5 * (press.series.column("lower_contacts").back() + press.series.column("upper_contacts").back());
+  const double of_contact = 3.14159265358979 * 3e-3 * 25e9, area = 0.010072;
+  const double compliance = 94.374e-3 / modulus + 2 * area / (contacts * of_contact);
+  CHECK(contacts > 150); // a whole layer stands on the platen
+  CHECK(stiffness == Approx(100.374e-3 / compliance).epsilon(0.03));
+}
+
+TEST_CASE("Rough platens raise the strength of a cube, smooth ones find the strength that it has between grips",
+          "[verification][coupled][slow]")
+{
+  const std::vector<std::string> short_run = {"Time/End time=2.8e-3"};
+  const SceneResults             rough     = results_of("crushed_cube", short_run);
+  const SceneResults             slippery  = results_of("crushed_cube", with(smooth, short_run));
+  const SceneResults             alone     = between_grips("5e-3", {});
+  const auto                     strength  = [](const SceneResults &of) {
+    return *std::max_element(of.series.column("stress").begin(), of.series.column("stress").end());
+  };
+  CHECK(slippery.figure("compressive_strength") == Approx(alone.figure("compressive_strength")).epsilon(0.1));
+  CHECK(strength(rough) > 1.15 * slippery.figure("compressive_strength")); // not past its peak for good yet
+  for (const SceneResults *run : {&rough, &slippery})
+    {
+      CHECK(run->summary["energy"]["balance_error"].get<double>() < 1e-3);
+      for (const char *made : {"lower", "upper"})
+        CHECK(std::fabs(run->summary["energy"]["made_by_couplings"][made].get<double>()) < 1e-6);
+      // Friction holds the faces sideways: without it nothing is there but the push.
+      const auto &series  = run->series;
+      const auto  middle  = series.rows() / 2;
+      const auto  working = series.column("energy_particles_external_work")[middle];
+      CHECK(series.column("energy_particles_kinetic")[middle] < 0.02 * working); // quasi-static
+    }
+  CHECK(slippery.summary["figures"]["lower_force_x"]["largest"]["value"].get<double>() < 100);
+}
+
+TEST_CASE("Supports and weight give the momentum that ball, beam and supports change by, and the account closes",
+          "[verification][coupled][slow]")
+{
+  // Every row is a step: sums of forces times the step are then impulses. The ball's own force is all that changes its velocity.
+  const SceneResults found =
+    results_of("drop_weight", {"Gravity/Acceleration=0, 0, 0", "Time/End time=6e-4", "Output/Samples=1200"});
+  const auto &series = found.series;
+  const auto &time = series.column("time"), &velocity = series.column("weight_velocity"),
+             &momentum  = series.column("momentum_z");
+  const double ball     = 7850 * 4.0 / 3 * 3.14159265358979 * std::pow(0.04, 3);
+  double       supports = 0, on_ball = 0;
+  for (std::size_t row = 1; row < time.size(); ++row)
+    {
+      const double step = time[row] - time[row - 1];
+      supports += step * (series.column("reaction_left_back_z")[row] + series.column("reaction_right_back_z")[row]);
+      on_ball += step * series.column("weight_force")[row];
+    }
+  REQUIRE(supports > 0.05 * ball * 1.5); // the blow has gone through the beam
+  CHECK(momentum.front() == Approx(-1.5 * ball).epsilon(1e-9));
+  CHECK(ball * (velocity.back() - velocity.front()) == Approx(on_ball).epsilon(0.01));
+  CHECK(momentum.back() - momentum.front() == Approx(supports).epsilon(0.01));
+  CHECK(found.summary["energy"]["balance_error"].get<double>() < 1e-3);
 }

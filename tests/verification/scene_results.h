@@ -32,5 +32,5 @@ inline SceneResults results_of(const std::string &scene, const std::vector<std::
   INFO(outcome.err);
   REQUIRE(outcome.status == 0);
   return {nlohmann::json::parse(apps_tests::content_of(folder / "results/summary.json")),
-          postprocess::read_csv_table(folder / "results/series.csv")};
+          postprocess::read_csv_table(folder / "results/series.csv", false, {"test"})};
 }
