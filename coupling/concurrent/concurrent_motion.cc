@@ -9,17 +9,19 @@
 namespace coupling
 {
   template <int dim>
-  ConcurrentMotion<dim>::ConcurrentMotion(dem::Specimen            &specimen_,
-                                          const fem::Solid<dim>    &solid_,
-                                          fem::ExplicitSolver<dim> &motion_,
-                                          SolidParticipant<dim>    &participant_,
-                                          std::function<void()>     lead_)
+  ConcurrentMotion<dim>::ConcurrentMotion(dem::Specimen                  &specimen_,
+                                          const fem::Solid<dim>          &solid_,
+                                          fem::ExplicitSolver<dim>       &motion_,
+                                          SolidParticipant<dim>          &participant_,
+                                          std::function<void()>           lead_,
+                                          const std::vector<std::string> &rigid)
     : specimen(specimen_)
     , solid(solid_)
     , motion(motion_)
     , participant(participant_)
     , particles(specimen_)
     , body_contacts(solid_, participant_)
+    , rigid_bodies(solid_, motion_, participant_, rigid)
     , lead(std::move(lead_))
   {
   }
@@ -94,6 +96,7 @@ namespace coupling
     for (const auto &c : couplings)
       c->forces_to_fem(of_solid, steps.particles > 1 ? 0.0 : of_particles / of_solid);
     body_contacts.push(of_solid);
+    rigid_bodies.lead(last_solid_step > 0 ? of_solid : 0.5 * steps.window, steps.window);
     participant.advance(steps.window, 1);
     for (const auto &c : couplings)
       c->solid_has_moved();
@@ -121,6 +124,7 @@ namespace coupling
     for (const auto &c : couplings)
       c->visit_state(visitor);
     body_contacts.visit_state(visitor);
+    rigid_bodies.visit_state(visitor);
   }
 
   template class ConcurrentMotion<2>;

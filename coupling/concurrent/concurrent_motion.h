@@ -1,5 +1,6 @@
 #pragma once
 
+#include "coupling/contact/rigid_bodies.h"
 #include "coupling/contact/solid_contacts.h"
 #include "coupling/participants/particle_participant.h"
 #include "coupling/surface/surface_coupling.h"
@@ -29,12 +30,16 @@ namespace coupling
   class ConcurrentMotion
   {
   public:
-    /** All must outlive it. @param lead what the particles' next step asks for from outside: motion, walls, forces; called before each */
-    ConcurrentMotion(dem::Specimen            &specimen,
-                     const fem::Solid<dim>    &solid,
-                     fem::ExplicitSolver<dim> &motion,
-                     SolidParticipant<dim>    &participant,
-                     std::function<void()>     lead = {});
+    /**
+     * All but the materials must outlive it. @param lead what the particles' next step asks for from outside: motion, walls, forces;
+     * called before each @param rigid materials of bodies that do not deform @throws as RigidBodies
+     */
+    ConcurrentMotion(dem::Specimen                  &specimen,
+                     const fem::Solid<dim>          &solid,
+                     fem::ExplicitSolver<dim>       &motion,
+                     SolidParticipant<dim>          &participant,
+                     std::function<void()>           lead  = {},
+                     const std::vector<std::string> &rigid = {});
 
     /** Before the first window. @throws as SurfaceCoupling */
     const SurfaceCoupling<dim>                               &add_surface(const SurfaceCouplingParameters &parameters);
@@ -75,6 +80,7 @@ namespace coupling
     std::function<void()>                              lead;
     std::vector<std::unique_ptr<SurfaceCoupling<dim>>> couplings;
     SolidContacts<dim>                                 body_contacts;
+    RigidBodies<dim>                                   rigid_bodies;
     int                                                largest_ratio = 1;
     double                                             stiffest      = 0; ///< sum of added eigenvalues so far [1/s^2]
     double last_particle_step = 0, last_solid_step = 0;                   ///< [s]; 0: none yet

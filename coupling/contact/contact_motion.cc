@@ -6,12 +6,14 @@
 namespace coupling
 {
   template <int dim>
-  ContactMotion<dim>::ContactMotion(const fem::Solid<dim>    &solid,
-                                    fem::ExplicitSolver<dim> &motion_,
-                                    SolidParticipant<dim>    &participant_)
+  ContactMotion<dim>::ContactMotion(const fem::Solid<dim>          &solid,
+                                    fem::ExplicitSolver<dim>       &motion_,
+                                    SolidParticipant<dim>          &participant_,
+                                    const std::vector<std::string> &rigid_)
     : motion(motion_)
     , participant(participant_)
     , bodies(solid, participant_)
+    , rigid(solid, motion_, participant_, rigid_)
   {
   }
 
@@ -27,6 +29,7 @@ namespace coupling
     constexpr double rounding = 1e-12;
     const double     length   = rest / std::max(1.0, std::ceil(rest / step() * (1 - rounding)));
     bodies.push(kick_of(length, last_step));
+    rigid.lead(last_step > 0 ? kick_of(length, last_step) : 0.5 * length, length);
     participant.advance(length, 1);
     bodies.find();
     last_step = length;
@@ -37,6 +40,7 @@ namespace coupling
   {
     visitor.scalar("last_step", last_step);
     bodies.visit_state(visitor);
+    rigid.visit_state(visitor);
   }
 
   template <int dim>

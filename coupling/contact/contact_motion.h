@@ -1,5 +1,6 @@
 #pragma once
 
+#include "coupling/contact/rigid_bodies.h"
 #include "coupling/contact/solid_contacts.h"
 
 namespace coupling
@@ -9,8 +10,11 @@ namespace coupling
   class ContactMotion
   {
   public:
-    /** Both must outlive it. */
-    ContactMotion(const fem::Solid<dim> &solid, fem::ExplicitSolver<dim> &motion, SolidParticipant<dim> &participant);
+    /** @param rigid materials of bodies that do not deform. The others must outlive it. @throws as RigidBodies */
+    ContactMotion(const fem::Solid<dim>          &solid,
+                  fem::ExplicitSolver<dim>       &motion,
+                  SolidParticipant<dim>          &participant,
+                  const std::vector<std::string> &rigid = {});
 
     /** To be added to before the first step. */
     SolidContacts<dim>       &contacts() { return bodies; }
@@ -28,6 +32,7 @@ namespace coupling
     fem::ExplicitSolver<dim> &motion;
     SolidParticipant<dim>    &participant;
     SolidContacts<dim>        bodies;
+    RigidBodies<dim>          rigid;
     double                    last_step = 0; ///< [s]; 0: none yet
   };
 

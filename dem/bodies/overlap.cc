@@ -226,8 +226,11 @@ namespace dem
   {
     found.volume = 0;
     found.pieces.clear();
-    const Planes of_first = planes_of(first), of_second = planes_of(second);
-    if (apart(second, of_first) || apart(first, of_second))
+    const Planes of_first = planes_of(first);
+    if (apart(second, of_first))
+      return;
+    const Planes of_second = planes_of(second);
+    if (apart(first, of_second))
       return;
     cut_sides(first, of_second, of_first, false, found.pieces);
     cut_sides(second, of_first, of_second, true, found.pieces);

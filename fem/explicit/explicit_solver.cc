@@ -108,8 +108,8 @@ namespace fem
   {
     if (options.gravity == std::array<double, 3>{0, 0, 0})
       return;
-    weight         = solid.make_vector();
-    const auto &fe = solid.dofs().get_fe();
+    weight                                  = solid.make_vector();
+    const auto                          &fe = solid.dofs().get_fe();
     std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
     for (const auto &cell : solid.dofs().active_cell_iterators())
       if (!cell->is_artificial())
@@ -308,19 +308,23 @@ namespace fem
     double pushed = 0; // kinetic energy that the supports give to their own nodes
     for (unsigned int i = 0; i < u.locally_owned_size(); ++i)
       {
-        const double old = v.local_element(i);
-        double       now = 0;
+        const double old        = v.local_element(i);
+        double       now        = 0;
+        bool         in_account = started; // whether the account has the old velocity
         if (!held[i])
           now = kicked(i, old, kick);
         else if (const auto own = outside.driven.find(i); own != outside.driven.end())
-          now = own->second;
+          {
+            now        = own->second;
+            in_account = true; // as energy of the start, where it had one
+          }
         else
           now = (target.local_element(i) - u.local_element(i)) / length;
         v.local_element(i)     = now;
         moved.local_element(i) = length * now;
         u.local_element(i) += moved.local_element(i);
         if (held[i])
-          pushed += 0.5 * lumped.local_element(i) * (now * now - (started ? old * old : 0.0));
+          pushed += 0.5 * lumped.local_element(i) * (now * now - (in_account ? old * old : 0.0));
       }
     started     = true;
     last_length = length;

@@ -211,6 +211,29 @@ TEST_CASE("Bodies, particles and walls touch in one scene, and one account holds
   CHECK(series.column("momentum_z")[1] == Approx(series.column("momentum_z").front()).epsilon(1e-12));
 }
 
+TEST_CASE("A rigid body rests between a deformable one, particles and walls like any other", "[apps][contact][coupled]")
+{
+  const ScratchFolder folder;
+  folder.file("x.prm", with_particles());
+  const Outcome outcome =
+    outcome_of(folder, "run", {"Continuum/Motion/Rigid bodies=upper", "Continuum/Motion/Safety=0.5"});
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  const auto series = postprocess::read_csv_table(folder / "results/series.csv", true);
+  const auto most   = [&](const char *column) {
+    double largest = 0;
+    for (const double value : series.column(column))
+      largest = std::max(largest, std::fabs(value));
+    return largest;
+  };
+  CHECK(most("joint_upper_force_z") > 100);
+  CHECK(most("top_force_z") > 10);
+  CHECK(most("energy_residual") < 0.01 * most("energy_solid_kinetic"));
+  const Outcome stiff = outcome_of(folder, "check", {"Continuum/Motion/Rigid bodies=steel"});
+  CHECK(stiff.status == 2);
+  CHECK_THAT(stiff.err, Contains("the mesh has no material steel"));
+}
+
 TEST_CASE("A run with contact is the same to the last bit with any number of threads", "[apps][contact]")
 {
   const ScratchFolder folder;

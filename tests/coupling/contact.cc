@@ -84,7 +84,8 @@ namespace
            const double                      young   = 1e7,
            const double                      safety  = 0.5,
            const std::array<double, 3>      &gravity = {0, 0, 0},
-           const bool                        held    = false)
+           const bool                        held    = false,
+           const std::vector<std::string>   &rigid   = {})
       : solid(std::move(mesh), options())
       , specimen(bystander())
     {
@@ -110,7 +111,8 @@ namespace
       for (const auto &cell : solid.dofs().active_cell_iterators())
         for (const unsigned int v : cell->vertex_indices())
           body_of[cell->vertex_dof_index(v, 0)] = cell->material_id();
-      both = std::make_unique<coupling::ConcurrentMotion<dim>>(specimen, solid, *motion, *participant);
+      both = std::make_unique<coupling::ConcurrentMotion<dim>>(specimen, solid, *motion, *participant,
+                                                               std::function<void()>(), rigid);
       both->contacts().add({"contact", {}, contact});
     }
     /** Corners of a box around all that lies half a metre under the origin. */
@@ -404,4 +406,58 @@ TEST_CASE("body contact: a body that runs through another stops the run", "[coup
         b.both->advance(1.0);
     }(),
     Catch::Contains("where 0 and 1 touch, they are deeper in each other than one element. Raise the stiffness"));
+}
+
+TEST_CASE("rigid bodies: a free one keeps its shape, momentum, angular momentum and energy while it tumbles",
+          "[coupling]")
+{
+  // About the middle axis of a box, which turns over again and again.
+  const Vector3d        spin(0.05, 20, 0.02);
+  auto                  law = contact(dem::BodyContactForm::potential, 0);
+  Bodies<3>             b(parts<3>({{{0, 0, 0}, {0.2, 0.4, 0.8}, {2, 2, 3}, 0}, {{5, 5, 5}, {6, 6, 6}, {1, 1, 1}, 0}},
+                       fem::ElementFamily::hypercube),
+                          [&](const dealii::Point<3> &x) {
+                if (x[0] > 2)
+                  return dealii::Tensor<1, 3>();
+                const Vector3d v = Vector3d(1, 0, 0) + spin.cross(Vector3d(x[0] - 0.1, x[1] - 0.2, x[2] - 0.4));
+                return dealii::Tensor<1, 3>({v[0], v[1], v[2]});
+              },
+                          law, 1e7, 0.5, {0, 0, 0}, false, {"0"});
+  const auto            start  = coupling::momentum_of(*b.participant);
+  const double          energy = b.motion->energy().kinetic;
+  std::vector<Vector3d> place;
+  for (std::size_t i = 0; i < b.participant->carriers(); ++i)
+    place.push_back(b.participant->position(i));
+  double shape = 0, off_energy = 0, off_turn = 0, tilted = 1;
+  for (int n = 0; n < 3000; ++n)
+    {
+      b.both->advance(1.0);
+      for (std::size_t i = 1; i < place.size(); ++i)
+        if (b.body_of.at(b.participant->displacements(i)[0]) == 0 &&
+            b.body_of.at(b.participant->displacements(0)[0]) == 0)
+          shape = std::max(shape, std::fabs((b.participant->position(i) - b.participant->position(0)).norm() -
+                                            (place[i] - place[0]).norm()));
+      off_energy          = std::max(off_energy, std::fabs(b.motion->energy().kinetic / energy - 1));
+      off_turn            = std::max(off_turn, (coupling::momentum_of(*b.participant).angular - start.angular).norm() /
+                                                 start.angular.norm());
+      const Vector3d axis = (b.participant->position(1) - b.participant->position(0)).normalized();
+      tilted              = std::min(tilted, axis.dot((place[1] - place[0]).normalized()));
+    }
+  CHECK((coupling::momentum_of(*b.participant).linear - start.linear).norm() < 1e-10 * start.linear.norm());
+  CHECK(shape < 1e-12);
+  CHECK(off_energy < 2e-3);
+  CHECK(off_turn < 2e-3); // nodes move along chords, not arcs
+  CHECK(tilted < -0.5);   // it has turned over
+}
+
+TEST_CASE("rigid bodies: one that hits a deformable body keeps the momentum and the energy of both", "[coupling]")
+{
+  Bodies<3>  b(parts<3>(cubes(), fem::ElementFamily::hypercube), beyond<3>(1.05, dealii::Tensor<1, 3>({-4, 0.5, -0.8})),
+               contact(dem::BodyContactForm::potential, 0.3), 1e7, 0.25, {0, 0, 0}, false, {"1"});
+  const Seen seen = collide(b, 3000);
+  CHECK(seen.momentum < 1e-10);
+  CHECK(seen.made < 0.01);
+  CHECK(seen.left == Approx(0).margin(0.005));
+  CHECK(seen.force > 1e4);
+  CHECK_FALSE(seen.touching);
 }

@@ -1,24 +1,13 @@
 #include "apps/drivers/continuum/contacts.h"
 #include "apps/drivers/continuum/motion_analysis.h"
+#include "apps/drivers/parts/in_words_of_input.h"
+#include "apps/scene/name_list.h"
 #include "coupling/contact/contact_motion.h"
 
 namespace apps
 {
   namespace
   {
-    template <int dim>
-    coupling::SolidParticipant<dim> participant_of(fem::Solid<dim> &solid, fem::ExplicitSolver<dim> &solver)
-    {
-      try
-        {
-          return coupling::SolidParticipant<dim>(solid, solver);
-        }
-      catch (const std::invalid_argument &refusal)
-        {
-          throw dem::InputError(std::string("Contacts: ") + refusal.what());
-        }
-    }
-
     template <int dim>
     class ContactAnalysis : public MotionAnalysis<dim>
     {
@@ -29,8 +18,9 @@ namespace apps
       ContactAnalysis(fem::Solid<dim> &solid, const ContinuumModel &what)
         : MotionAnalysis<dim>(solid, what)
         , model(what)
-        , participant(participant_of(solid, solver))
-        , bodies(solid, solver, participant)
+        , participant(in_words_of_input([&] { return coupling::SolidParticipant<dim>(solid, solver); }))
+        , bodies(in_words_of_input(
+            [&] { return coupling::ContactMotion<dim>(solid, solver, participant, names_in(what.motion.rigid)); }))
         , contacts(what.contacts, bodies.contacts())
       {
         this->count_steps(bodies.step());
@@ -89,7 +79,7 @@ namespace apps
         return all;
       }
 
-      const ContactFigures *contact_figures() const override { return &figures; }
+      const ContactFigures *contact_figures() const override { return model.contacts.empty() ? nullptr : &figures; }
 
       void visit_state(dem::StateVisitor &visitor) override
       {

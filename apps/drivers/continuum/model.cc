@@ -110,6 +110,10 @@ namespace apps
       .means("alpha of the damping force alpha M v, which halves vibrations in 1.4/alpha");
     s.number("Safety", safety, "-", {std::numeric_limits<double>::min(), 1.0, false}, Need::optional)
       .means("Time step over the critical step of the elements");
+    s.text("Rigid bodies", rigid, Need::optional)
+      .means("Materials of bodies that move without deforming, separated by commas; of the material only the density "
+             "counts, "
+             "and its stiffness for the time step: take a soft one");
     for (int i = 0; i < 3; ++i)
       s.expression(std::string("Initial velocity ") + "xyz"[i], initial_velocity[static_cast<std::size_t>(i)], "m/s")
         .means("At the start; empty: at rest");
@@ -178,6 +182,8 @@ namespace apps
     const Section &s = *root.find_section("Model");
     if (solid.large_displacement && solid.mean_dilatation)
       s.refuse("Mean dilatation", "is a small-strain form. Switch it off with large displacements.");
+    if (!motion.rigid.empty() && !solid.large_displacement)
+      root.find_section("Motion")->refuse("Rigid bodies", "they turn: Model/Large displacement = true goes with them.");
     mesh.validate(root, solid.dimension);
     materials.validate(root, solid.large_displacement);
     loads.validate(root, solid.dimension);

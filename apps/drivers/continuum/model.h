@@ -68,6 +68,7 @@ namespace apps
   {
     double                    end_time = 0, damping = 0, safety = 0.9;
     std::array<Expression, 3> initial_velocity;
+    std::string               rigid;              ///< materials of bodies that do not deform, separated by commas
     bool                      ends_itself = true; ///< otherwise the scene says when
 
     void declare(Section &root, std::function<bool()> is_explicit);

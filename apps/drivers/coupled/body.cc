@@ -6,8 +6,10 @@
 #include "apps/drivers/continuum/picture.h"
 #include "apps/drivers/continuum/snapshot.h"
 #include "apps/drivers/continuum/solid.h"
+#include "apps/drivers/parts/in_words_of_input.h"
 #include "apps/process/interrupt.h"
 #include "apps/results/run_work.h"
+#include "apps/scene/name_list.h"
 #include "coupling/concurrent/concurrent_motion.h"
 #include "dem/facets/surface.h"
 #include "postprocess/picture_axes.h"
@@ -29,23 +31,6 @@ namespace apps
   {
     constexpr const char *axes[3] = {"_x", "_y", "_z"};
 
-    template <typename Refusable>
-    auto in_words_of_input(const Refusable &work)
-    {
-      try
-        {
-          return work();
-        }
-      catch (const dem::InputError &)
-        {
-          throw;
-        }
-      catch (const std::invalid_argument &refusal)
-        {
-          throw dem::InputError(refusal.what());
-        }
-    }
-
     template <int dim>
     class Body : public CoupledBody
     {
@@ -57,7 +42,11 @@ namespace apps
         , solid(make_solid<dim>(what.continuum))
         , motion(make_motion(*solid, what.continuum, what.particles.gravity.acceleration))
         , participant(in_words_of_input([&] { return coupling::SolidParticipant<dim>(*solid, *motion); }))
-        , both(body.specimen(), *solid, *motion, participant, [this] { body.lead_next_step(); })
+        , both(in_words_of_input([&] {
+          return coupling::ConcurrentMotion<dim>(
+            body.specimen(), *solid, *motion, participant, [this] { body.lead_next_step(); },
+            names_in(what.continuum.motion.rigid));
+        }))
         , touching(what.continuum.contacts, both.contacts())
         , gauges(*solid, what.continuum)
       {
