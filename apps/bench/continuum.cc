@@ -2,15 +2,15 @@
 
 #include "apps/bench/continuum_cases.h"
 #include "apps/bench/continuum_rates.h"
+#include "apps/bench/results.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/mpi_session.h"
 #include "postprocess/atomic_file.h"
-#include "postprocess/errors.h"
-#include "postprocess/plot.h"
 
 #include <fmt/format.h>
 
 #include <fstream>
+#include <optional>
 
 namespace apps
 {
@@ -76,18 +76,17 @@ namespace apps
       return md;
     }
 
-    void write(const std::filesystem::path &folder, const Table &table)
+    void write(const std::filesystem::path &folder, const BenchResults &results, const Table &table)
     {
-      std::string csv = "element,solver,divisions,unknowns,iterations,cost [s],error [-]\n";
-      for (const auto &r : table.errors)
-        csv += fmt::format("{},{},{},{},{},{},{}\n", r.which.element_name(), r.which.solver_name(), r.which.divisions,
-                           r.unknowns, r.iterations, r.cost, r.error);
-      postprocess::write_text(folder / "continuum.csv", csv);
-      csv = "operation,unknowns,breccia [s],plain [s]\n";
+      std::string csv = "operation,unknowns,breccia [s],plain [s]\n";
       for (const auto &r : table.rates)
         csv += fmt::format("{},{},{},{}\n", r.operation, r.unknowns, r.ours, r.plain);
       postprocess::write_text(folder / "continuum_rates.csv", csv);
-      postprocess::write_text(folder / "continuum.md", markdown(table));
+      csv = "element,solver,divisions,unknowns,iterations,cost [s],error [-]\n";
+      for (const auto &r : table.errors)
+        csv += fmt::format("{},{},{},{},{},{},{}\n", r.which.element_name(), r.which.solver_name(), r.which.divisions,
+                           r.unknowns, r.iterations, r.cost, r.error);
+      results.write(csv, markdown(table));
     }
 
     postprocess::PlotPanel panel(const std::string &title, const std::string &x, const std::string &y)
@@ -110,7 +109,7 @@ namespace apps
       return p.series.back();
     }
 
-    std::string draw(const std::filesystem::path &file, const Table &table)
+    std::vector<postprocess::PlotPanel> panels_of(const Table &table)
     {
       auto hexahedra  = panel("hexahedra", "Processor time [s]", "Relative error of the displacement");
       auto tetrahedra = panel("tetrahedra", "Processor time [s]", "Relative error of the displacement");
@@ -131,7 +130,7 @@ namespace apps
             s.x.push_back(static_cast<double>(r.unknowns));
             s.y.push_back(r.per_second(ours ? r.ours : r.plain));
           }
-      return postprocess::plot(file, {hexahedra, tetrahedra, rates});
+      return {hexahedra, tetrahedra, rates};
     }
 
     void measure_on_one_rank(const ContinuumBench &bench, Table &table)
@@ -159,12 +158,8 @@ namespace apps
   int run_continuum_bench(const ContinuumBench &bench)
   {
     start_mpi();
-    on_first_rank([&] {
-      std::error_code error;
-      std::filesystem::create_directories(bench.folder, error);
-      if (error)
-        throw postprocess::OutputError(bench.folder.string() + ": cannot be made: " + error.message() + ".");
-    });
+    std::optional<BenchResults> results; // on the first rank
+    on_first_rank([&] { results.emplace(bench.folder, "continuum"); });
     Table table;
     for (const unsigned int divisions : bench.quick ? std::vector<unsigned int>{16} : std::vector<unsigned int>{32, 72})
       {
@@ -185,15 +180,14 @@ namespace apps
         csv += row + "\n";
       postprocess::write_text(file, csv);
       if (rank_count() > 1)
-        return;
+        {
+          fmt::print("written to {}\n", file.string());
+          return;
+        }
       measure_on_one_rank(bench, table);
-      write(bench.folder, table);
-      const std::string problem = draw(bench.folder / "continuum.png", table);
-      if (!problem.empty())
-        fmt::print(stderr, "breccia: warning: no picture: {}\n", problem);
+      write(bench.folder, *results, table);
+      results->finish(panels_of(table));
     });
-    if (is_first_rank())
-      fmt::print("written to {}\n", bench.folder.string());
     return exit_success;
   }
 } // namespace apps

@@ -1,5 +1,6 @@
 #include "apps/bench/continuum_cases.h"
 
+#include "apps/bench/results.h"
 #include "fem/materials/isotropic_elastic.h"
 #include "fem/mesh/shapes.h"
 #include "fem/solvers/static_solver.h"
@@ -9,7 +10,6 @@
 #include <deal.II/numerics/vector_tools.h>
 
 #include <cmath>
-#include <ctime>
 
 namespace apps
 {
@@ -53,8 +53,6 @@ namespace apps
       return cells.l2_norm() / std::sqrt(1.0 / 8); // the mean square of the bump over the cube is 1/8
     }
   } // namespace
-
-  double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
   std::string ContinuumCase::element_name() const
   {

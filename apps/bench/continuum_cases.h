@@ -41,6 +41,4 @@ namespace apps
 
   /** The unit cube of elastic material, held at x = 0 and pulled at x = 1: what the rates are measured on. */
   fem::Mesh<3> unit_cube(fem::ElementFamily family, unsigned int divisions, MPI_Comm communicator);
-
-  double processor_seconds();
 } // namespace apps

@@ -1,20 +1,16 @@
 #include "apps/bench/homogenise.h"
 
+#include "apps/bench/results.h"
 #include "apps/drivers/homogenisation/report.h"
 #include "apps/drivers/parts/specimen_packing.h"
-#include "apps/process/exit_status.h"
-#include "dem/laws/cpm.h"
+#include "dem/laws/elastic_links.h"
 #include "dem/loading/periodic_cell.h"
 #include "dem/statics/dynamic_relaxation.h"
-#include "postprocess/atomic_file.h"
-#include "postprocess/errors.h"
-#include "postprocess/plot.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <string>
 
 namespace apps
@@ -30,8 +26,6 @@ namespace apps
       double      cost       = 0; ///< [s], processor time
       double      error      = 0; ///< relative, of the stiffness; in the study of seeds of the modulus
     };
-
-    double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
     dem::Packing packing(const HomogeniseBench &bench, const int particles, const int seed)
     {
@@ -126,17 +120,12 @@ namespace apps
       s.density                                                  = 4800;
       s.interaction_ratio                                        = bench.interaction_ratio;
       s.damping                                                  = 0.2;
-      dem::CpmParameters law;
-      law.normal_modulus       = 1;
-      law.shear_ratio          = bench.shear_ratio;
-      law.limit_elastic_strain = 1;
-      law.relative_ductility   = 2;
-      law.cohesion             = 1e3;
-      Row          row;
-      const double start = processor_seconds();
+      const dem::LinkMaterials links                             = dem::elastic_links(1, bench.shear_ratio);
+      Row                      row;
+      const double             start = processor_seconds();
       for (int c = 0; c < 6; ++c)
         {
-          dem::Specimen           body(packing, s, law);
+          dem::Specimen           body(packing, s, links);
           dem::CellTestParameters test;
           test.path.resize(1);
           test.path[0].duration  = 10 * body.time_step();
@@ -218,7 +207,7 @@ namespace apps
         }
     }
 
-    void write(const std::filesystem::path &folder, const std::vector<Row> &rows)
+    void write(const BenchResults &results, const std::vector<Row> &rows)
     {
       std::string csv = "study,solver,particles,links,tolerance,iterations,residual,cost [s],error [-]\n";
       std::string md = "| Study | Solver | Particles | Links | Tolerance | Iterations | Residual | Cost [s] | Error |\n"
@@ -230,8 +219,7 @@ namespace apps
           md += fmt::format("| {} | {} | {} | {} | {:.0e} | {} | {:.1e} | {:.4f} | {:.2e} |\n", r.study, r.solver,
                             r.particles, r.links, r.tolerance, r.iterations, r.residual, r.cost, r.error);
         }
-      postprocess::write_text(folder / "homogenise.csv", csv);
-      postprocess::write_text(folder / "homogenise.md", md);
+      results.write(csv, md);
     }
 
     /** The scatter over seeds of cells as large, as a level: a tighter solution than that is no better for the material. */
@@ -258,7 +246,7 @@ namespace apps
     }
 
     /** A panel per size of cell: error over cost of each solver, and the scatter of such cells as a level to stay below. */
-    std::string draw(const std::filesystem::path &file, const HomogeniseBench &bench, const std::vector<Row> &rows)
+    std::vector<postprocess::PlotPanel> panels_of(const HomogeniseBench &bench, const std::vector<Row> &rows)
     {
       std::vector<postprocess::PlotPanel> panels;
       const auto                          panel_of = [](const std::string &title, const std::string &y) {
@@ -298,7 +286,7 @@ namespace apps
           }
       scatter.series.push_back(series);
       panels.push_back(scatter);
-      return postprocess::plot(file, panels);
+      return panels;
     }
   } // namespace
 
@@ -311,18 +299,11 @@ namespace apps
         bench.seed_particles = {64, 125};
         bench.seeds          = 3;
       }
-    std::error_code error;
-    std::filesystem::create_directories(bench.folder, error);
-    if (error)
-      throw postprocess::OutputError(bench.folder.string() + ": cannot be made: " + error.message() + ".");
-    std::vector<Row> rows;
+    const BenchResults results(bench.folder, "homogenise");
+    std::vector<Row>   rows;
     study_solvers(bench, rows);
     study_seeds(bench, rows);
-    write(bench.folder, rows);
-    const std::string problem = draw(bench.folder / "homogenise.png", bench, rows);
-    if (!problem.empty())
-      fmt::print(stderr, "no picture: {}\n", problem);
-    fmt::print("written to {}\n", bench.folder.string());
-    return exit_success;
+    write(results, rows);
+    return results.finish(panels_of(bench, rows));
   }
 } // namespace apps

@@ -1,132 +1,101 @@
 #include "apps/bench/quasi_static.h"
 
+#include "apps/bench/results.h"
+#include "apps/bench/scene_variant.h"
 #include "apps/drivers/parts/specimen_packing.h"
-#include "apps/process/exit_status.h"
-#include "dem/laws/cpm.h"
-#include "dem/loading/uniaxial.h"
-#include "dem/statics/quasi_static_path.h"
-#include "postprocess/atomic_file.h"
-#include "postprocess/errors.h"
-#include "postprocess/plot.h"
+#include "apps/drivers/quasi_static/stage.h"
+#include "apps/drivers/uniaxial/scene.h"
+#include "apps/drivers/uniaxial/stage.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <ctime>
-#include <limits>
 #include <string>
 
 namespace apps
 {
   namespace
   {
-    constexpr double radius = 1e-3, interaction_ratio = 1.5;
+    constexpr double strain_step = 5e-6, strain_per_sample = 1e-7, stop_fraction = 0.8, stop_strain = 1e-3;
 
     struct Row
     {
-      double       rate     = 0; ///< [1/s]; 0: quasi-static
-      double       strength = 0, strain_at_peak = 0, young_modulus = 0;
-      double       balance_error = 0;
-      std::int64_t steps         = 0; ///< time steps, or linear solutions
-      double       cost          = 0; ///< processor time [s]
+      double               rate = 0; ///< [1/s]; 0: quasi-static
+      dem::UniaxialFigures figures;
+      double               balance_error = 0;
+      std::int64_t         steps         = 0; ///< time steps, or linear solutions
+      double               cost          = 0; ///< processor time [s]
     };
 
-    dem::GripParameters grips_of_the_bench()
+    /** The scene, pulled only, with the specimen of the bench. */
+    UniaxialModel model_of(const LoadedScene &loaded, const QuasiStaticBench &bench)
     {
-      dem::GripParameters p;
-      p.thickness = 2.2 * radius;
-      return p;
+      UniaxialModel model = scene_of_kind<UniaxialScene>(loaded, "uniaxial").model();
+      if (model.source.source != SpecimenSection::Source::generator || model.specimen.physics.dimension != 3)
+        refuse_scene(loaded, "Specimen/Source and Physics/Dimension: this bench makes its own specimen of spheres and "
+                             "needs the generator.");
+      const double edge                   = bench.edge * model.source.generator.radius;
+      model.source.box                    = {edge, edge, 1.5 * edge};
+      model.source.generator.cell_count   = bench.cell_particles;
+      model.loading.tests                 = {UniaxialLoad::tension};
+      model.loading.axis                  = 2;
+      model.loading.tension.stop_fraction = stop_fraction;
+      model.loading.tension.stop_strain   = stop_strain;
+      model.output.samples                = static_cast<std::int64_t>(stop_strain / strain_per_sample);
+      return model;
     }
 
-    double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
-    dem::CpmParameters concrete()
+    Row follow(const UniaxialModel &model, const dem::Packing &packing)
     {
-      dem::CpmParameters law;
-      law.normal_modulus       = 25e9;
-      law.shear_ratio          = 0.2;
-      law.limit_elastic_strain = 1e-4;
-      law.relative_ductility   = 30;
-      law.cohesion             = 3e6;
-      law.friction_coefficient = 0.8;
-      return law;
-    }
-
-    Row follow(const dem::Packing &packing)
-    {
-      const dem::CpmParameters law = concrete();
-      dem::NetworkParameters   links;
-      links.interaction_ratio = interaction_ratio;
-      links.normal_modulus    = law.normal_modulus;
-      links.shear_ratio       = law.shear_ratio;
-      dem::GripPair grips;
-      grips.layers      = dem::find_grip_layers({packing.centre, packing.radius}, 2, grips_of_the_bench());
-      const auto loaded = dem::load_grips(dem::make_network(packing, links), grips);
-
-      dem::QuasiStaticParameters p;
-      p.strain_step              = 5e-6;
-      p.end_strain               = 1e-3;
-      p.end_stress               = 0.8;
-      const double         start = processor_seconds();
-      dem::QuasiStaticPath path(loaded, law, p);
-      Row                  row;
-      while (!path.finished())
-        {
-          const dem::QuasiStaticPoint &point = path.advance();
-          row.steps += point.iterations;
-          row.balance_error = std::max(row.balance_error, point.balance_error());
-          if (path.points().size() == 2)
-            row.young_modulus = point.stress[0] / point.strain[0];
-          if (point.stress[0] > row.strength)
-            {
-              row.strength       = point.stress[0];
-              row.strain_at_peak = point.strain[0];
-            }
-        }
-      row.cost = processor_seconds() - start;
+      QuasiStaticModel still;
+      still.source           = model.source;
+      still.rotations        = model.specimen.physics.rotations;
+      still.material         = model.material;
+      still.tests            = model.loading.tests;
+      still.axis             = model.loading.axis;
+      still.grips            = model.loading.grips;
+      still.lateral_blocked  = model.loading.lateral_blocked;
+      still.spin_blocked     = model.loading.spin_blocked;
+      still.tension          = {strain_step, stop_fraction, stop_strain};
+      const double     start = processor_seconds();
+      QuasiStaticStage stage(still, packing, 0);
+      while (!stage.finished())
+        stage.advance();
+      Row row;
+      row.figures       = stage.result.notes.figures;
+      row.balance_error = stage.result.worst_balance_error;
+      row.steps         = stage.result.solutions;
+      row.cost          = processor_seconds() - start;
       return row;
     }
 
-    Row pull(const dem::Packing &packing, const double rate, const double damping)
+    Row pull(UniaxialModel model, const dem::Packing &packing, const double rate)
     {
-      dem::SpecimenParameters s;
-      s.density           = 4800;
-      s.interaction_ratio = interaction_ratio;
-      s.damping           = damping;
-      dem::UniaxialParameters u;
-      u.strain_rate           = rate;
-      u.grips                 = grips_of_the_bench();
-      u.stop_fraction         = 0.8;
-      u.stop_strain           = 1e-3;
-      const double      start = processor_seconds();
-      dem::Specimen     body(packing, s, concrete());
-      dem::UniaxialTest test(body, u);
-      Row               row;
-      row.rate = rate;
-      while (!test.finished())
-        {
-          test.advance(std::max<std::int64_t>(1, static_cast<std::int64_t>(1e-7 / (rate * body.time_step()))));
-          row.balance_error = std::max(row.balance_error, body.energy().balance_error());
-        }
-      const dem::UniaxialFigures figures = test.figures();
-      row.strength                       = figures.strength;
-      row.strain_at_peak                 = figures.strain_at_peak;
-      row.young_modulus                  = figures.young_modulus;
-      row.steps                          = body.steps();
-      row.cost                           = processor_seconds() - start;
+      model.loading.tension.rate = rate;
+      const double  start        = processor_seconds();
+      UniaxialStage stage(model, packing, 0);
+      while (!stage.finished())
+        stage.advance();
+      Row row;
+      row.rate          = rate;
+      row.figures       = stage.result.notes.figures;
+      row.balance_error = stage.result.worst_balance_error;
+      row.steps         = stage.result.steps;
+      row.cost          = processor_seconds() - start;
       return row;
     }
 
     void announce(const Row &row, const Row &still)
     {
       fmt::print("{:<22} strength {:.4f} MPa ({:+.2f} %) at {:.3e}, E {:.3f} GPa, {} {}, {:.2f} s, balance {:.1e}\n",
-                 row.rate > 0 ? fmt::format("dynamic, {} 1/s", row.rate) : "quasi-static", 1e-6 * row.strength,
-                 100 * (row.strength / still.strength - 1), row.strain_at_peak, 1e-9 * row.young_modulus, row.steps,
-                 row.rate > 0 ? "steps" : "solutions", row.cost, row.balance_error);
+                 row.rate > 0 ? fmt::format("dynamic, {} 1/s", row.rate) : "quasi-static", 1e-6 * row.figures.strength,
+                 100 * (row.figures.strength / still.figures.strength - 1), row.figures.strain_at_peak,
+                 1e-9 * row.figures.young_modulus, row.steps, row.rate > 0 ? "steps" : "solutions", row.cost,
+                 row.balance_error);
       std::fflush(stdout);
     }
 
-    void write(const std::filesystem::path &folder, const std::vector<Row> &rows)
+    void write(const BenchResults &results, const std::vector<Row> &rows)
     {
       const Row  &still = rows.front();
       std::string csv = "rate [1/s],strength [Pa],over_static [-],strain_at_peak [-],young_modulus [Pa],steps,cost [s],"
@@ -136,18 +105,18 @@ namespace apps
         "Energy balance |\n|---|---|---|---|---|---|---|---|\n";
       for (const Row &r : rows)
         {
-          const double ratio = r.strength / still.strength;
-          csv += fmt::format("{},{},{},{},{},{},{},{}\n", r.rate, r.strength, ratio, r.strain_at_peak, r.young_modulus,
-                             r.steps, r.cost, r.balance_error);
-          md += fmt::format("| {} | {:.4f} | {:.4f} | {:.3e} | {:.3f} | {} | {:.2f} | {:.1e} |\n",
-                            r.rate > 0 ? fmt::format("{}", r.rate) : "0 (quasi-static)", 1e-6 * r.strength, ratio,
-                            r.strain_at_peak, 1e-9 * r.young_modulus, r.steps, r.cost, r.balance_error);
+          const double ratio = r.figures.strength / still.figures.strength;
+          csv += fmt::format("{},{},{},{},{},{},{},{}\n", r.rate, r.figures.strength, ratio, r.figures.strain_at_peak,
+                             r.figures.young_modulus, r.steps, r.cost, r.balance_error);
+          md +=
+            fmt::format("| {} | {:.4f} | {:.4f} | {:.3e} | {:.3f} | {} | {:.2f} | {:.1e} |\n",
+                        r.rate > 0 ? fmt::format("{}", r.rate) : "0 (quasi-static)", 1e-6 * r.figures.strength, ratio,
+                        r.figures.strain_at_peak, 1e-9 * r.figures.young_modulus, r.steps, r.cost, r.balance_error);
         }
-      postprocess::write_text(folder / "quasi_static.csv", csv);
-      postprocess::write_text(folder / "quasi_static.md", md);
+      results.write(csv, md);
     }
 
-    std::string draw(const std::filesystem::path &file, const std::vector<Row> &rows)
+    std::vector<postprocess::PlotPanel> panels_of(const std::vector<Row> &rows)
     {
       postprocess::PlotPanel strength, cost;
       strength.title   = "strength over the rate";
@@ -166,15 +135,15 @@ namespace apps
         if (r.rate > 0)
           {
             dynamic.x.push_back(r.rate);
-            dynamic.y.push_back(1e-6 * r.strength);
+            dynamic.y.push_back(1e-6 * r.figures.strength);
             still.x.push_back(r.rate);
-            still.y.push_back(1e-6 * rows.front().strength);
+            still.y.push_back(1e-6 * rows.front().figures.strength);
             excess.x.push_back(r.cost);
-            excess.y.push_back(std::fabs(r.strength / rows.front().strength - 1));
+            excess.y.push_back(std::fabs(r.figures.strength / rows.front().figures.strength - 1));
           }
       strength.series = {dynamic, still};
       cost.series     = {excess};
-      return postprocess::plot(file, {strength, cost});
+      return {strength, cost};
     }
   } // namespace
 
@@ -184,32 +153,22 @@ namespace apps
     if (bench.quick)
       {
         bench.cell_particles = 250;
-        bench.edge           = 0.008;
+        bench.edge           = 8;
         bench.rates          = {30, 3, 0.3};
       }
-    std::error_code error;
-    std::filesystem::create_directories(bench.folder, error);
-    if (error)
-      throw postprocess::OutputError(bench.folder.string() + ": cannot be made: " + error.message() + ".");
-    dem::CompactionParameters make;
-    make.radius          = radius;
-    make.count           = static_cast<std::size_t>(bench.cell_particles);
-    dem::Packing packing = cropped(compact_with_progress(make).packing, {bench.edge, bench.edge, 1.5 * bench.edge});
-    packing.periodic_cell.reset();
+    const UniaxialModel model = model_of(load_scene(bench.scene, bench.overrides), bench);
+    const BenchResults  results(bench.folder, "quasi_static");
+    const dem::Packing  packing = make_packing(model.source, model.material, model.specimen.physics.dimension);
     fmt::print("{} particles\n", packing.size());
 
-    std::vector<Row> rows = {follow(packing)};
+    std::vector<Row> rows = {follow(model, packing)};
     announce(rows.back(), rows.front());
     for (const double rate : bench.rates)
       {
-        rows.push_back(pull(packing, rate, bench.damping));
+        rows.push_back(pull(model, packing, rate));
         announce(rows.back(), rows.front());
       }
-    write(bench.folder, rows);
-    const std::string problem = draw(bench.folder / "quasi_static.png", rows);
-    if (!problem.empty())
-      fmt::print(stderr, "no picture: {}\n", problem);
-    fmt::print("written to {}\n", bench.folder.string());
-    return exit_success;
+    write(results, rows);
+    return results.finish(panels_of(rows));
   }
 } // namespace apps

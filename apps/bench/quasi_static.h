@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace apps
@@ -8,17 +9,18 @@ namespace apps
   /** What `breccia bench quasi-static` is asked. */
   struct QuasiStaticBench
   {
-    std::filesystem::path folder;
-    int                   cell_particles = 500;  ///< of the packing that the specimen is cropped from
-    double                edge           = 0.01; ///< of the specimen, 1.5 times as high [m]
-    double                damping        = 0.3;  ///< local, of the dynamic runs
-    std::vector<double>   rates          = {10, 3, 1, 0.3, 0.1, 0.03}; ///< [1/s]
-    bool                  quick          = false;                      ///< smaller and faster
+    std::string              scene;     ///< of kind uniaxial: material, particles, grips, damping
+    std::vector<std::string> overrides; ///< of the scene
+    std::filesystem::path    folder;
+    int                      cell_particles = 500; ///< of the packing that the specimen is cropped from
+    double                   edge  = 10; ///< of the specimen, 1.5 times as high, over the radius of its spheres
+    std::vector<double>      rates = {10, 3, 1, 0.3, 0.1, 0.03}; ///< [1/s]
+    bool                     quick = false;                      ///< smaller and faster
   };
 
   /**
-   * Tensile strength of one CPM specimen (spheres of 1 mm, the concrete of concrete_uniaxial.prm) along its quasi-static
-   * path, and pulled in time at falling rates: the rate effect of the dynamic strengths, and what it costs to be rid of it.
+   * Tensile strength of one small specimen, made as the scene says, along its quasi-static path, and pulled in time at falling
+   * rates: the rate effect of the dynamic strengths, and what it costs to be rid of it.
    *
    * Written to quasi_static.csv, quasi_static.md and quasi_static.png. @return exit status. @throws dem::InputError,
    * postprocess::OutputError.

@@ -1,36 +1,25 @@
 #include "apps/bench/surface.h"
 
+#include "apps/bench/results.h"
+#include "apps/bench/scene_variant.h"
 #include "apps/drivers/coupled/body.h"
 #include "apps/drivers/coupled/scene.h"
-#include "apps/drivers/load.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
 #include "apps/process/mpi_session.h"
 #include "apps/process/progress.h"
-#include "dem/core/errors.h"
-#include "postprocess/atomic_file.h"
-#include "postprocess/errors.h"
-#include "postprocess/plot.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <ctime>
 
 namespace apps
 {
   namespace
   {
-    /** One thing about the scene, at one value. */
-    struct Case
-    {
-      std::string              study, value;
-      std::vector<std::string> changes;
-    };
-
     struct Measurement
     {
-      Case         which;
+      SceneVariant which;
       std::size_t  elements    = 0;
       double       force_error = 0, time_error = 0; ///< relative
       double       made    = 0;                     ///< by the coupling, over the initial energy
@@ -39,21 +28,13 @@ namespace apps
       double       cost    = 0; ///< processor time [s]
     };
 
-    std::vector<std::string> divisions(const int n)
+    std::vector<SceneVariant> cases_of(const bool quick, const std::string &coupling)
     {
-      std::vector<std::string> changes;
-      for (const char axis : {'x', 'y', 'z'})
-        changes.push_back(fmt::format("Continuum/Mesh/Box/Divisions {}={}", axis, n));
-      return changes;
-    }
-
-    std::vector<Case> cases_of(const bool quick, const std::string &coupling)
-    {
-      const std::vector<int> meshes = quick ? std::vector<int>{8, 11} : std::vector<int>{11, 14, 17, 20, 22};
-      const int              other  = quick ? 8 : 14; // for all but the mesh
-      std::vector<Case>      all;
+      const std::vector<int>    meshes = quick ? std::vector<int>{8, 11} : std::vector<int>{11, 14, 17, 20, 22};
+      const int                 other  = quick ? 8 : 14; // for all but the mesh
+      std::vector<SceneVariant> all;
       const auto add = [&](const char *study, const std::string &value, const int mesh, const std::string &change) {
-        std::vector<std::string> changes = divisions(mesh);
+        std::vector<std::string> changes = box_divisions({mesh, mesh, mesh});
         if (!change.empty())
           changes.push_back(change);
         changes.push_back("Couplings/" + coupling + "/Energy limit=1e9"); // what is made is measured
@@ -77,27 +58,22 @@ namespace apps
 
     const CoupledModel &model_of(const LoadedScene &loaded)
     {
-      const auto *scene = dynamic_cast<const CoupledScene *>(loaded.scene.get());
-      if (!scene)
-        throw dem::InputError(loaded.file + ": Kind = " + loaded.kind + ": this bench needs a scene of kind coupled.");
-      const CoupledModel &model = scene->parameters();
+      const CoupledModel &model = scene_of_kind<CoupledScene>(loaded, "coupled").parameters();
       if (model.continuum.mesh.source != MeshSection::Source::box || model.couplings.couplings.size() != 1)
-        throw dem::InputError(loaded.file +
-                              ": this bench varies the divisions of a box (Continuum/Mesh/Source) and one "
-                              "coupling.");
+        refuse_scene(loaded, "this bench varies the divisions of a box (Continuum/Mesh/Source) and one coupling.");
       if (!(model.references.peak_force > 0 && model.references.contact_time > 0))
-        throw dem::InputError(loaded.file + ": References: this bench needs Peak force and Contact time.");
+        refuse_scene(loaded, "References: this bench needs Peak force and Contact time.");
       return model;
     }
 
-    Measurement measure(const CoupledModel &model, const Case &which, Progress &progress)
+    Measurement measure(const CoupledModel &model, const SceneVariant &which, Progress &progress)
     {
       const dem::Packing packing = model.particles.packing();
       const auto         body    = make_coupled_body(model, packing);
       body->start();
-      const std::clock_t start = std::clock();
-      const double       end   = model.particles.end_time;
-      constexpr int      looks = 50;
+      const double  start = processor_seconds();
+      const double  end   = model.particles.end_time;
+      constexpr int looks = 50;
       for (int n = 1; n <= looks && !interrupted(); ++n)
         {
           body->advance_to(end * n / looks);
@@ -105,7 +81,7 @@ namespace apps
         }
       Measurement found;
       found.which                    = which;
-      found.cost                     = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+      found.cost                     = processor_seconds() - start;
       const auto             columns = body->columns();
       const auto             row     = body->row();
       const ContactFigures seen    = body->interface();
@@ -125,7 +101,7 @@ namespace apps
       return found;
     }
 
-    void write(const std::filesystem::path &folder, const std::vector<Measurement> &rows)
+    void write(const BenchResults &results, const std::vector<Measurement> &rows)
     {
       std::string csv = "study,value,elements,force_error [-],time_error [-],made [-],missing [-],windows,cost [s]\n";
       std::string md =
@@ -139,11 +115,10 @@ namespace apps
                             r.which.value, r.elements, 100 * r.force_error, 100 * r.time_error, r.made, r.missing,
                             r.windows, r.cost);
         }
-      postprocess::write_text(folder / "surface.csv", csv);
-      postprocess::write_text(folder / "surface.md", md);
+      results.write(csv, md);
     }
 
-    std::string draw(const std::filesystem::path &file, const std::vector<Measurement> &rows)
+    std::vector<postprocess::PlotPanel> panels_of(const std::vector<Measurement> &rows)
     {
       postprocess::PlotPanel force, time;
       force.title   = "peak force";
@@ -164,26 +139,21 @@ namespace apps
           time.series.back().x.push_back(r.cost);
           time.series.back().y.push_back(std::fabs(r.time_error));
         }
-      return postprocess::plot(file, {force, time});
+      return {force, time};
     }
   } // namespace
 
   int run_surface_bench(const SurfaceBench &bench)
   {
     start_mpi();
-    const std::string coupling = model_of(load_scene(bench.scene, bench.overrides)).couplings.couplings.front().name;
-    std::error_code   error;
-    std::filesystem::create_directories(bench.folder, error);
-    if (error)
-      throw postprocess::OutputError(bench.folder.string() + ": cannot be made: " + error.message() + ".");
+    const std::string  coupling = model_of(load_scene(bench.scene, bench.overrides)).couplings.couplings.front().name;
+    const BenchResults results(bench.folder, "surface");
     catch_interrupts();
-    const std::vector<Case>  cases = cases_of(bench.quick, coupling);
-    std::vector<Measurement> rows;
-    for (const Case &which : cases)
+    const std::vector<SceneVariant> cases = cases_of(bench.quick, coupling);
+    std::vector<Measurement>        rows;
+    for (const SceneVariant &which : cases)
       {
-        std::vector<std::string> changes = bench.overrides;
-        changes.insert(changes.end(), which.changes.begin(), which.changes.end());
-        const LoadedScene loaded = load_scene(bench.scene, changes);
+        const LoadedScene loaded = which.of(bench.scene, bench.overrides);
         Progress progress(fmt::format("case {} of {}, {} {}", rows.size() + 1, cases.size(), which.study, which.value));
         const Measurement found = measure(model_of(loaded), which, progress);
         if (interrupted())
@@ -193,12 +163,8 @@ namespace apps
                    which.study, which.value, 100 * found.force_error, 100 * found.time_error, found.made, found.missing,
                    found.windows, found.cost);
         std::fflush(stdout);
-        write(bench.folder, rows);
+        write(results, rows);
       }
-    const std::string problem = draw(bench.folder / "surface.png", rows);
-    if (!problem.empty())
-      fmt::print(stderr, "breccia: warning: no picture: {}\n", problem);
-    fmt::print("written to {}: surface.csv, surface.md, surface.png\n", bench.folder.string());
-    return exit_success;
+    return results.finish(panels_of(rows));
   }
 } // namespace apps

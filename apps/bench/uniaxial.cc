@@ -1,16 +1,15 @@
 #include "apps/bench/uniaxial.h"
 
+#include "apps/bench/results.h"
+#include "apps/bench/scene_variant.h"
 #include "apps/bench/uniaxial_cases.h"
 #include "apps/bench/uniaxial_table.h"
-#include "apps/drivers/load.h"
 #include "apps/drivers/parts/specimen_packing.h"
 #include "apps/drivers/uniaxial/scene.h"
 #include "apps/drivers/uniaxial/stage.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
 #include "apps/process/progress.h"
-#include "dem/core/errors.h"
-#include "postprocess/errors.h"
 
 #include <fmt/format.h>
 
@@ -41,16 +40,12 @@ namespace apps
 
     UniaxialModel model_of(const UniaxialBench &bench)
     {
-      const LoadedScene loaded = load_scene(bench.scene, bench.overrides);
-      const auto       *scene  = dynamic_cast<const UniaxialScene *>(loaded.scene.get());
-      if (!scene)
-        throw dem::InputError(bench.scene + ": Kind = " + loaded.kind + ": this bench needs a scene of kind uniaxial.");
-      const UniaxialModel model = scene->model();
+      const LoadedScene   loaded = load_scene(bench.scene, bench.overrides);
+      const UniaxialModel model  = scene_of_kind<UniaxialScene>(loaded, "uniaxial").model();
       if (model.source.source != SpecimenSection::Source::generator)
-        throw dem::InputError(bench.scene +
-                              ": Specimen/Source = file: this bench varies the particle size and needs the generator.");
+        refuse_scene(loaded, "Specimen/Source = file: this bench varies the particle size and needs the generator.");
       if (!model.loading.asks_for(UniaxialLoad::tension) || !model.loading.asks_for(UniaxialLoad::compression))
-        throw dem::InputError(bench.scene + ": Loading/Tests: this bench needs tension and compression.");
+        refuse_scene(loaded, "Loading/Tests: this bench needs tension and compression.");
       return model;
     }
 
@@ -73,22 +68,13 @@ namespace apps
         }
       return true;
     }
-
-    void make_folder(const std::filesystem::path &folder)
-    {
-      std::error_code error;
-      std::filesystem::create_directories(folder, error);
-      if (error)
-        throw postprocess::OutputError(folder.string() + ": the output folder cannot be made: " + error.message() +
-                                       ".");
-    }
   } // namespace
 
   int run_uniaxial_bench(const UniaxialBench &bench)
   {
     const UniaxialModel             scene = model_of(bench);
     const std::vector<UniaxialCase> cases = uniaxial_cases(bench.quick);
-    make_folder(bench.folder);
+    const BenchResults              results(bench.folder, "uniaxial");
     catch_interrupts();
     UniaxialTable table;
     PackingStore  packings;
@@ -109,12 +95,8 @@ namespace apps
           }
         fmt::print("{}\n", measured.text());
         table.add(std::move(measured));
-        table.write(bench.folder);
+        table.write(results);
       }
-    const std::string problem = table.draw(bench.folder / "uniaxial.png");
-    if (!problem.empty())
-      fmt::print(stderr, "breccia: warning: no picture: {}\n", problem);
-    fmt::print("written to {}: uniaxial.csv, uniaxial.md, uniaxial.png\n", bench.folder.string());
-    return exit_success;
+    return results.finish(table.panels());
   }
 } // namespace apps

@@ -1,8 +1,5 @@
 #include "apps/bench/uniaxial_table.h"
 
-#include "postprocess/atomic_file.h"
-#include "postprocess/plot.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -90,7 +87,7 @@ namespace apps
                        particles, seconds);
   }
 
-  void UniaxialTable::write(const std::filesystem::path &folder) const
+  void UniaxialTable::write(const BenchResults &results) const
   {
     std::string csv  = "study,value,value_of,reference,particles,links,steps,seconds [s]";
     std::string md   = "| Study | Value | Particles | Links | Steps | Cost [s] |";
@@ -121,11 +118,10 @@ namespace apps
         csv += '\n';
         md += '\n';
       }
-    postprocess::write_text(folder / "uniaxial.csv", csv);
-    postprocess::write_text(folder / "uniaxial.md", md);
+    results.write(csv, md);
   }
 
-  std::string UniaxialTable::draw(const std::filesystem::path &file) const
+  std::vector<postprocess::PlotPanel> UniaxialTable::panels() const
   {
     std::vector<postprocess::PlotPanel> panels;
     for (const std::string &study : studies_in(rows))
@@ -150,6 +146,6 @@ namespace apps
           }
         panels.push_back(panel);
       }
-    return postprocess::plot(file, panels);
+    return panels;
   }
 } // namespace apps

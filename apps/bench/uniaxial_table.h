@@ -1,9 +1,9 @@
 #pragma once
 
+#include "apps/bench/results.h"
 #include "apps/bench/uniaxial_cases.h"
 #include "apps/drivers/uniaxial/result.h"
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -40,10 +40,10 @@ namespace apps
   {
   public:
     void add(UniaxialMeasurement measured) { rows.push_back(std::move(measured)); }
-    /** uniaxial.csv and uniaxial.md. @throws postprocess::OutputError. */
-    void write(const std::filesystem::path &folder) const;
-    /** A panel per study, error over cost. @return what went wrong, "" if nothing. */
-    std::string draw(const std::filesystem::path &file) const;
+    /** @throws postprocess::OutputError. */
+    void write(const BenchResults &results) const;
+    /** One per study, error over cost. */
+    std::vector<postprocess::PlotPanel> panels() const;
 
   private:
     std::vector<UniaxialMeasurement> rows;

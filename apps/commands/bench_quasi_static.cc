@@ -15,18 +15,19 @@ namespace apps
       int threads = 1;
     };
     const auto options = std::make_shared<Options>();
+    options->scene     = "apps/scenes/concrete_uniaxial.prm";
     options->folder    = "output/bench_quasi_static";
     CLI::App &command =
       *bench.add_subcommand("quasi-static", "Tensile strength without inertia and at falling loading rates");
+    command.add_option("scene", options->scene, "Scene of kind uniaxial; default: " + options->scene)
+      ->type_name("SCENE");
+    add_overrides(command, options->overrides, "Set an entry of the scene; repeatable");
     add_bench_folder(command, options->folder);
     command
       .add_option("--rates", options->rates, "Strain rates of the dynamic runs [1/s]; default: 10,3,1,0.3,0.1,0.03")
       ->delimiter(',')
       ->type_name("R,R,...")
       ->check(CLI::PositiveNumber);
-    command.add_option("--damping", options->damping, "Local damping of the dynamic runs; default: 0.3")
-      ->type_name("D")
-      ->check(CLI::Range(0.0, 0.99));
     command.add_flag("--quick", options->quick, "A smaller specimen, three rates");
     add_threads(command, options->threads);
     command.callback([options, &chosen] {

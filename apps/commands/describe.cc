@@ -29,7 +29,7 @@ namespace apps
       return text;
     }
 
-    /** Whether the path ("Material/CPM/Cohesion") is the wanted one or ends with it; case does not matter. */
+    /** Whether the path ("Loading/Tension/Strain rate") is the wanted one or ends with it; case does not matter. */
     bool is_called(const std::string &path, const std::string &wanted)
     {
       const std::string longer = "/" + in_lower_case(path), end = "/" + in_lower_case(wanted);
@@ -185,7 +185,7 @@ namespace apps
     command
       .add_option(
         "name", options->wanted,
-        "Section or entry by its name or the end of its path, e.g. CPM, Cohesion, Loading/Tension; default: all")
+        "Section or entry by its name or the end of its path, e.g. Damping, Tension, Loading/Tension; default: all")
       ->type_name("NAME");
     std::vector<std::string> kinds;
     for (const SceneKind &kind : scene_kinds())

@@ -12,7 +12,7 @@ namespace apps
   {
     command.add_option("scene", options.scene, "Scene file (.prm or .json)")->required()->type_name("SCENE");
     add_overrides(command, options.overrides,
-                  "Set an entry of the scene, e.g. -s \"Material/CPM/Cohesion=4e6\"; repeatable");
+                  "Set an entry of the scene, e.g. -s \"Time/Damping=0.2\"; repeatable");
     add_threads(command, options.threads);
   }
 

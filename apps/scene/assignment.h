@@ -17,7 +17,7 @@ namespace apps
 
     bool opens_section() const { return entry.empty(); }
 
-    /** "Material/CPM/Cohesion" */
+    /** "Loading/Tension/Strain rate" */
     std::string path() const
     {
       std::string joined;

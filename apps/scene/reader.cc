@@ -9,7 +9,7 @@ namespace apps
 {
   namespace
   {
-    /** " of section "Material/CPM"", or "" at the top. */
+    /** " of section "Loading/Tension"", or "" at the top. */
     std::string inside(const Section &section)
     {
       return section.path().empty() ? "" : " in section \"" + section.path() + "\"";

@@ -110,8 +110,8 @@ namespace apps
     const std::string                           &name() const { return own_name; }
     const std::string                           &meaning() const { return own_meaning; }
     const std::string                           &condition() const { return words_of_condition; } ///< "" for always
-    std::string                                  path() const; ///< "Material/CPM"; "" for the root
-    std::string                                  path_of(const std::string &entry) const; ///< "Material/CPM/Cohesion"
+    std::string                                  path() const; ///< "Loading/Tension"; "" for the root
+    std::string                                  path_of(const std::string &entry) const; ///< "Loading/Tension/Strain rate"
     bool                                         needed() const;
     const std::vector<std::unique_ptr<Entry>>   &entries() const { return own_entries; }
     const std::vector<std::unique_ptr<Section>> &sections() const { return subsections; }

@@ -1,12 +1,9 @@
 #pragma once
 
-#include "dem/kernels/first_order_shear.h"
-#include "dem/kernels/half_records.h"
-#include "dem/kernels/kinematics.h"
-#include "dem/kernels/link_law_of.h"
-#include "dem/kernels/moment_kinematics.h"
-#include "dem/model/links.h"
-#include "dem/model/particles.h"
+#include "dem/kernels/link_ends.h"
+#include "dem/kernels/link_history.h"
+#include "dem/kernels/link_policy.h"
+#include "dem/kernels/link_records.h"
 
 #include <algorithm>
 #include <type_traits>
@@ -17,184 +14,6 @@
  */
 namespace dem::link_update
 {
-  /**
-   * What the pass is compiled for, besides the law. `periodic`: second ends are images.
-   * @tparam Law_ see dem/kernels/link_law_of.h
-   */
-  template <typename Law_, int dimension_, bool rotations_, Mixture mixture_, bool periodic_>
-  struct Policy
-  {
-    using Law                          = Law_;
-    static constexpr int  dimension    = dimension_;
-    static constexpr bool rotations    = rotations_;
-    static constexpr bool equal_radii  = mixture_ == Mixture::equal;
-    static constexpr bool several_laws = mixture_ == Mixture::materials;
-    static constexpr bool periodic     = periodic_;
-    static constexpr int  across       = dimension == 3 ? 3 : 1; ///< components of a vector across the link
-    static constexpr bool moment       = Law::moment && rotations;
-    static constexpr bool first_order  = is_first_order_shear<Law>;
-    static constexpr bool may_rest     = moment && dimension == 3 && has_resting_shear<Law>(0);
-
-    template <typename T>
-    using State = typename Law::template State<T, across>;
-  };
-  /** Differences and sums of the two ends' records of eight links, one pack per quantity. */
-  struct Ends
-  {
-    Pack pose[8];       ///< branch (3) | sum of tau theta (3) | r_K - r_J | -
-    Pack motion[8];     ///< branch increment (3) | sum of theta, with moments difference (second - first) (3) | - -
-    Pack half_twist[8]; ///< - - - | difference (first - second) of tau theta (3) | - -; unequal radii only
-  };
-
-  inline const Pack difference_and_sum([](auto lane) { return lane < 3 || lane > 5 ? -1.0 : 1.0; });
-
-  template <typename P>
-  BRECCIA_KERNEL void
-  gather(const Particles &particles, const LinkSet &links, const std::size_t l, const Pack &signs, Ends &ends)
-  {
-    const std::int32_t *first = &links.first[l], *second = &links.second[l];
-    const double       *pose = particles.pose.data(), *motion = particles.motion.data();
-    for (int lane = 0; lane < pack_size; ++lane)
-      {
-        const std::size_t J = record_size * static_cast<std::size_t>(first[lane]),
-                          K = record_size * static_cast<std::size_t>(second[lane]);
-        const Pack pose_J = load(pose + J), pose_K = load(pose + K);
-        ends.pose[lane] = pose_K + signs * pose_J;
-        if constexpr (P::moment)
-          ends.motion[lane] = load(motion + K) - load(motion + J);
-        else
-          ends.motion[lane] = load(motion + K) + signs * load(motion + J);
-        if constexpr (P::periodic)
-          {
-            const std::size_t image = record_size * static_cast<std::size_t>(links.image[l + lane]);
-            ends.pose[lane] += load(&particles.cell.offset[image]);
-            ends.motion[lane] += load(&particles.cell.motion[image]);
-          }
-        if constexpr (P::rotations && !P::equal_radii)
-          ends.half_twist[lane] = pose_J - pose_K;
-      }
-    transpose(ends.pose);
-    transpose(ends.motion);
-    if constexpr (P::rotations && !P::equal_radii)
-      transpose(ends.half_twist);
-  }
-
-  /** (r_J - r_K)/L, by which the contact point lies off the middle of the branch; arms are (1 +- this) L/2. */
-  template <typename P>
-  BRECCIA_KERNEL Pack eccentricity(const Ends &ends, const Pack &length)
-  {
-    if constexpr (P::equal_radii)
-      return Pack(0.0);
-    else
-      return (Pack(0.0) - ends.pose[6]) / length;
-  }
-
-  template <typename P>
-  BRECCIA_KERNEL Pack arm_rotation(const Ends &ends, const int c, const Pack &eccentric)
-  {
-    if constexpr (P::equal_radii)
-      return Pack(0.5) * ends.pose[3 + c];
-    else
-      return Pack(0.5) * (ends.pose[3 + c] + eccentric * ends.half_twist[3 + c]);
-  }
-
-  template <typename P>
-  BRECCIA_KERNEL auto pair_motion(const Ends &ends, const Pack &eccentric)
-  {
-    if constexpr (P::dimension == 3)
-      {
-        PairMotion<Pack> m;
-        for (int c = 0; c < 3; ++c)
-          {
-            m.branch[c]    = ends.pose[c];
-            m.increment[c] = ends.motion[c];
-            if constexpr (P::rotations)
-              {
-                m.mean_rotation[c] = Pack(0.5) * ends.motion[3 + c];
-                m.arm_rotation[c]  = arm_rotation<P>(ends, c, eccentric);
-              }
-          }
-        return m;
-      }
-    else
-      return PlanePairMotion<Pack>{
-        {{ends.pose[0], ends.pose[1]}}, {{ends.motion[0], ends.motion[1]}}, arm_rotation<P>(ends, 2, eccentric)};
-  }
-
-  /** Motion in space of pairs whose links carry moments. */
-  template <typename P>
-  BRECCIA_KERNEL MomentPairMotion<Pack> moment_pair_motion(const Ends &ends, const Pack &eccentric)
-  {
-    MomentPairMotion<Pack> m;
-    for (int c = 0; c < 3; ++c)
-      {
-        m.branch[c]       = ends.pose[c];
-        m.increment[c]    = ends.motion[c];
-        m.arm_rotation[c] = arm_rotation<P>(ends, c, eccentric);
-        m.spin[c]         = Pack(0.5) * ends.pose[3 + c];
-        m.turned[c]       = ends.motion[3 + c];
-      }
-    return m;
-  }
-
-  /** Eight packs, one per quantity, as the records of eight links. */
-  BRECCIA_KERNEL void put_records(Pack (&out)[8], double *record)
-  {
-    transpose(out);
-    for (int lane = 0; lane < pack_size; ++lane)
-      store(out[lane], record + record_size * lane);
-  }
-
-  /**
-       * Force on the first end, half branch x force, eccentricity: what a particle needs of its link, as records.
-       * @return the force, z only in space
-       */
-  template <typename P, typename Frame>
-  BRECCIA_KERNEL Vec<Pack, 3>
-  put_force(const Frame &frame, const LinkForce<Pack, P::across> &answer, const Pack &eccentric, double *record)
-  {
-    Pack out[8];
-    for (auto &o : out)
-      o = Pack(0.0);
-    const Pack half_length = Pack(0.5) * frame.length;
-    if constexpr (P::dimension == 3)
-      {
-        const Vec<Pack, 3> force  = answer.normal * frame.direction + answer.shear;
-        const Vec<Pack, 3> couple = half_length * cross(frame.direction, answer.shear);
-        for (int c = 0; c < 3; ++c)
-          {
-            out[c] = force[c];
-            if constexpr (P::rotations)
-              out[3 + c] = couple[c];
-          }
-      }
-    else
-      {
-        out[0] = answer.normal * frame.direction[0] - answer.shear[0] * frame.direction[1];
-        out[1] = answer.normal * frame.direction[1] + answer.shear[0] * frame.direction[0];
-        if constexpr (P::rotations)
-          out[5] = half_length * answer.shear[0];
-      }
-    if constexpr (!P::equal_radii)
-      out[6] = eccentric;
-    const Vec<Pack, 3> force = {{out[0], out[1], out[2]}};
-    put_records(out, record);
-    return force;
-  }
-
-  /** Moment on the first end at the contact point, as records. */
-  template <typename P, typename Frame>
-  BRECCIA_KERNEL void put_moment(const Frame &frame, const LinkForce<Pack, P::across> &answer, double *record)
-  {
-    Pack out[3] = {Pack(0.0), Pack(0.0), Pack(0.0)};
-    if constexpr (P::dimension == 3)
-      for (int c = 0; c < 3; ++c)
-        out[c] = answer.bending_moment[c] + answer.twisting_moment * frame.direction[c];
-    else
-      out[2] = answer.bending_moment[0];
-    store_half_records(out, record);
-  }
-
   /** What a block sums up while it goes through its links. */
   struct BlockSums
   {
@@ -211,72 +30,6 @@ namespace dem::link_update
   template <typename P>
   using Sums = std::conditional_t<P::periodic, PeriodicBlockSums, BlockSums>;
 
-  /** Where the columns of a law's history begin; looked up once per block. */
-  template <typename P>
-  struct HistoryColumns
-  {
-    using State = typename P::template State<Pack>;
-
-    double *column[State::columns > 0 ? State::columns : 1];
-
-    explicit HistoryColumns(LinkSet &links)
-    {
-      for (int c = 0; c < State::columns; ++c)
-        column[c] = links.history[static_cast<std::size_t>(c)].data();
-    }
-    static constexpr int shear_column(const int i) { return State::numbers + P::across * i; }
-    static constexpr int bending_column(const int i) { return shear_column(State::shears) + P::across * i; }
-  };
-
-  template <typename P>
-  BRECCIA_KERNEL void
-  load_history(const HistoryColumns<P> &history, const std::size_t l, typename P::template State<Pack> &state)
-  {
-    using H = HistoryColumns<P>;
-    using S = typename H::State;
-    for (int i = 0; i < S::numbers; ++i)
-      state.number[i] = load(history.column[i] + l);
-    for (int c = 0; c < P::across; ++c)
-      {
-        for (int i = 0; i < S::shears; ++i)
-          state.shear[i][c] = load(history.column[H::shear_column(i) + c] + l);
-        for (int i = 0; i < S::bendings; ++i)
-          state.bending[i][c] = load(history.column[H::bending_column(i) + c] + l);
-      }
-  }
-
-  /** Whether this is the one that lies still while the law says so. */
-  template <typename P>
-  constexpr bool is_resting_shear(const int i)
-  {
-    if constexpr (P::may_rest)
-      return i == P::Law::resting_shear;
-    else
-      return false;
-  }
-
-  template <typename P>
-  BRECCIA_KERNEL void store_history(const HistoryColumns<P>                &history,
-                                    const std::size_t                       l,
-                                    const typename P::template State<Pack> &before,
-                                    const typename P::template State<Pack> &state,
-                                    const bool                              rests)
-  {
-    using H                = HistoryColumns<P>;
-    using S                = typename H::State;
-    const unsigned changed = P::Law::changes_numbers(before, state);
-    for (int i = 0; i < S::numbers; ++i)
-      if (changed >> i & 1u)
-        store(state.number[i], history.column[i] + l);
-    for (int i = 0; i < S::shears; ++i)
-      if (!rests || !is_resting_shear<P>(i))
-        for (int c = 0; c < P::across; ++c)
-          store(state.shear[i][c], history.column[H::shear_column(i) + c] + l);
-    for (int i = 0; i < S::bendings; ++i)
-      for (int c = 0; c < P::across; ++c)
-        store(state.bending[i][c], history.column[H::bending_column(i) + c] + l);
-  }
-
   /** Constants of eight links that may join other materials each. */
   template <typename Law>
   BRECCIA_KERNEL auto gather_constants(const LinkLawOf<Law> &laws, const LinkSet &links, const std::size_t l)
@@ -291,15 +44,6 @@ namespace dem::link_update
     for (int r = 0; r < Law::records; ++r)
       transpose(c[r]);
     return Law::gathered(c, laws.constants(0));
-  }
-
-  template <typename P>
-  BRECCIA_KERNEL Pack branch_length(const Ends &ends)
-  {
-    Pack squared = ends.pose[0] * ends.pose[0] + ends.pose[1] * ends.pose[1];
-    if constexpr (P::dimension == 3)
-      squared = squared + ends.pose[2] * ends.pose[2];
-    return square_root(squared);
   }
 
   /** Where the links lie, and their shears at the end of the step; of laws without moments. */

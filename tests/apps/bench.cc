@@ -154,7 +154,8 @@ TEST_CASE("bench homogenise: every way tends to the direct answer as its toleran
 TEST_CASE("bench quasi-static: dynamic strengths fall towards the static one", "[apps][slow]")
 {
   const ScratchFolder folder;
-  const Outcome       outcome = run(folder.path(), {"bench", "quasi-static", "--quick", "-o", "bench"});
+  const std::string   scene   = places::sources() + "/apps/scenes/concrete_uniaxial.prm";
+  const Outcome       outcome = run(folder.path(), {"bench", "quasi-static", scene, "--quick", "-o", "bench"});
   INFO(outcome.err);
   REQUIRE(outcome.status == 0);
   std::vector<double> over;
@@ -166,6 +167,24 @@ TEST_CASE("bench quasi-static: dynamic strengths fall towards the static one", "
   CHECK(std::fabs(over[3] - 1) < std::fabs(over[2] - 1));
   CHECK(over[3] == Approx(1).epsilon(0.02));
   CHECK(std::filesystem::file_size(folder / "bench/quasi_static.png") > 0);
+}
+
+TEST_CASE("bench quasi-static takes its material from the scene, and refuses a scene of another kind", "[apps][slow]")
+{
+  const ScratchFolder folder;
+  const std::string   scenes = places::sources() + "/apps/scenes/";
+  const Outcome       weaker =
+    run(folder.path(), {"bench", "quasi-static", scenes + "concrete_uniaxial.prm", "--quick", "--rates", "30", "-s",
+                        "Material/CPM/Normal modulus=12.5e9", "-o", "weak"});
+  INFO(weaker.err);
+  REQUIRE(weaker.status == 0);
+  CHECK(*apps::number_in(table(folder / "weak/quasi_static.csv").front()["young_modulus"]) ==
+        Approx(6.6e9).epsilon(0.05));
+  const Outcome refused =
+    run(folder.path(), {"bench", "quasi-static", scenes + "bouncing_sphere.prm", "--quick", "-o", "bench"});
+  CHECK(refused.status == 2);
+  CHECK_THAT(refused.err, Contains("Kind = particles: this bench needs a scene of kind uniaxial"));
+  CHECK_FALSE(std::filesystem::exists(folder / "bench"));
 }
 
 TEST_CASE("bench surface: errors of an impact fall with the elements", "[apps][slow]")

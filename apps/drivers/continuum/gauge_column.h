@@ -19,4 +19,13 @@ namespace apps
     Told                      told    = Told::not_at_all;
     std::string               told_as = ""; ///< of the last value: its name in the summary
   };
+
+  /** A name as part of a column: without blanks, slashes and commas. */
+  inline std::string column_name(std::string name)
+  {
+    for (char &c : name)
+      if (c == ' ' || c == '/' || c == ',')
+        c = '_';
+    return name;
+  }
 } // namespace apps

@@ -26,14 +26,6 @@ namespace apps
     }
   } // namespace
 
-  std::string column_name(std::string name)
-  {
-    for (char &c : name)
-      if (c == ' ' || c == '/' || c == ',')
-        c = '_';
-    return name;
-  }
-
   template <int dim>
   ContinuumGauges<dim>::ContinuumGauges(fem::Solid<dim> &solid_, const ContinuumModel &model)
     : solid(solid_)

@@ -72,7 +72,4 @@ namespace apps
     std::vector<Displacement> displacements;
     std::vector<Watched>      watched;
   };
-
-  /** A name as part of a column: without blanks and slashes. */
-  std::string column_name(std::string name);
 } // namespace apps

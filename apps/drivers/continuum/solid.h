@@ -28,7 +28,7 @@ namespace apps
   std::unique_ptr<fem::Solid<dim>> make_solid(const ContinuumModel &model);
 
   /**
-   * Warnings of elements that are too wide for the fracture energy of their concrete, in every direction: a run ends where one of them
+   * Warnings of elements that are too wide for the fracture energy of their material, in every direction: a run ends where one of them
    * cracks. (make_solid() refuses a group of which every element is.) All ranks together.
    */
   template <int dim>

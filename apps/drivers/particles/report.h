@@ -1,9 +1,7 @@
 #pragma once
 
 #include "apps/drivers/particles/body.h"
-#include "apps/drivers/parts/material_counts.h"
-#include "apps/scene/scene.h"
-#include "postprocess/csv_table.h"
+#include "apps/drivers/parts/motion_report.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -30,6 +28,7 @@ namespace apps
     std::string text() const;
 
   private:
+    MotionReport   common() const;
     nlohmann::json figures() const;
     nlohmann::json energy() const;
   };

@@ -34,6 +34,7 @@ namespace apps
   ParticlesRun::ParticlesRun(const RunRequest &asked, const ParticlesModel &what)
     : request(asked)
     , model(what)
+    , sampling(model.end_time, model.output)
   {
   }
 
@@ -81,8 +82,7 @@ namespace apps
   {
     state.group("particles");
     apps::visit_state(state, start);
-    state.scalar("samples", samples);
-    state.scalar("stopped", stopped);
+    sampling.visit_state(state);
     state.group("specimen");
     body->visit_state(state);
     snapshots.visit_state(state);
@@ -105,33 +105,23 @@ namespace apps
                        static_cast<double>(body->specimen().steps() - steps_before) / std::max(stepping_seconds, 1e-9));
   }
 
-  bool ParticlesRun::finished() const { return stopped != 0 || samples == model.output.samples; }
-
-  double ParticlesRun::sample_time() const
-  {
-    return model.end_time * (static_cast<double>(samples + 1) / static_cast<double>(model.output.samples));
-  }
-
   void ParticlesRun::advance(const Record &record)
   {
     const Stopwatch watch;
-    body->advance_to(sample_time());
+    body->advance_to(sampling.next_time());
     stepping_seconds += watch.seconds();
-    if (body->specimen().time() < sample_time()) // interrupted on the way
+    if (!sampling.take(body->specimen().time())) // interrupted on the way
       return;
-    const std::int64_t wanted = model.output.snapshots, before = samples;
-    while (samples < model.output.samples && sample_time() <= body->specimen().time())
-      ++samples; // several of them may fall into one step
     record_row(record);
-    const auto due = [&](const std::int64_t at) { return at * wanted / model.output.samples; };
-    if (finished() || due(samples) > due(before))
+    if (sampling.snapshot_due())
       snapshots.take(body->specimen());
   }
 
   void ParticlesRun::record_row(const Record &record)
   {
     const std::vector<double> row = body->row();
-    stopped                       = model.stops.fulfilled(model.column_names(), row).empty() ? 0 : 1;
+    if (!model.stops.fulfilled(model.column_names(), row).empty())
+      sampling.stop();
     record({{}, row, {}});
   }
 

@@ -2,6 +2,7 @@
 
 #include "apps/drivers/particles/body.h"
 #include "apps/drivers/parts/material_counts.h"
+#include "apps/drivers/parts/sampling.h"
 #include "apps/drivers/parts/specimen_snapshots.h"
 #include "apps/results/run_work.h"
 #include "apps/scene/scene.h"
@@ -35,13 +36,12 @@ namespace apps
     std::string                            stage() const override { return "motion"; }
     double                                 done() const override;
     std::string                            details() const override;
-    bool                                   finished() const override;
+    bool                                   finished() const override { return sampling.finished(); }
     void                                   advance(const Record &record) override;
     std::string                            finish(const std::filesystem::path &folder, double wall_seconds) override;
 
-    void   make_body();
-    void   open(const std::filesystem::path &folder);
-    double sample_time() const; ///< of the next sample [s]
+    void make_body();
+    void open(const std::filesystem::path &folder);
     /** The row of now: recorded, and looked at by the stop conditions. */
     void        record_row(const Record &record);
     std::string draw_crack(const std::filesystem::path &file) const;
@@ -52,9 +52,8 @@ namespace apps
     std::unique_ptr<ParticlesBody> body;
     MaterialCounts                 materials; ///< before anything moves
     StaticStart                    start;
+    Sampling                       sampling;
     SpecimenSnapshots              snapshots;
-    std::int64_t                   samples          = 0; ///< so far, without that of the start
-    std::int64_t                   stopped          = 0; ///< 1: a stop condition holds
     double                         stepping_seconds = 0; ///< wall clock, since the run began or was resumed
     std::int64_t                   steps_before     = 0; ///< when it did
   };

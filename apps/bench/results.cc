@@ -1,0 +1,44 @@
+#include "apps/bench/results.h"
+
+#include "apps/process/exit_status.h"
+#include "apps/results/warning.h"
+#include "postprocess/atomic_file.h"
+#include "postprocess/errors.h"
+
+#include <fmt/format.h>
+
+#include <ctime>
+#include <utility>
+
+namespace apps
+{
+  BenchResults::BenchResults(std::filesystem::path where, std::string what)
+    : folder(std::move(where))
+    , name(std::move(what))
+  {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error)
+      throw postprocess::OutputError(folder.string() + ": the output folder cannot be made: " + error.message() + ".");
+  }
+
+  void BenchResults::write(const std::string &csv, const std::string &table) const
+  {
+    postprocess::write_text(file(".csv"), csv);
+    postprocess::write_text(file(".md"), table);
+  }
+
+  void BenchResults::draw(const std::vector<postprocess::PlotPanel> &panels) const
+  {
+    warn_of_missing(name + ".png", postprocess::plot(file(".png"), panels));
+  }
+
+  int BenchResults::finish(const std::vector<postprocess::PlotPanel> &panels) const
+  {
+    draw(panels);
+    fmt::print("written to {0}: {1}.csv, {1}.md, {1}.png\n", folder.string(), name);
+    return exit_success;
+  }
+
+  double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+} // namespace apps

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "postprocess/plot.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace apps
+{
+  /** Where a bench leaves what it measured: NAME.csv, NAME.md and NAME.png in a folder. */
+  class BenchResults
+  {
+  public:
+    /** Makes the folder. @throws postprocess::OutputError. */
+    BenchResults(std::filesystem::path folder, std::string name);
+
+    /** @throws postprocess::OutputError. */
+    void write(const std::string &csv, const std::string &table) const;
+    /** Draws the picture; a warning where that cannot be. */
+    void draw(const std::vector<postprocess::PlotPanel> &panels) const;
+    /** The same, and says where everything is. @return exit status */
+    int finish(const std::vector<postprocess::PlotPanel> &panels) const;
+
+  private:
+    std::filesystem::path file(const char *extension) const { return folder / (name + extension); }
+
+    std::filesystem::path folder;
+    std::string           name;
+  };
+
+  /** Of this process, all threads together, since it began [s]. */
+  double processor_seconds();
+} // namespace apps

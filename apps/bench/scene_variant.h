@@ -1,0 +1,44 @@
+#pragma once
+
+#include "apps/drivers/load.h"
+#include "dem/core/errors.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace apps
+{
+  /** One case of a bench that varies a scene: what is studied, at which value, and the entries that say so. */
+  struct SceneVariant
+  {
+    std::string              study, value;
+    std::vector<std::string> changes; ///< "Section/Key=value"
+
+    /** The scene with the user's changes, and then these. @throws dem::InputError */
+    LoadedScene of(const std::string &scene, std::vector<std::string> overrides) const
+    {
+      overrides.insert(overrides.end(), changes.begin(), changes.end());
+      return load_scene(scene, overrides);
+    }
+  };
+
+  /** Entries that divide the box of a continuum into so many elements along each axis. */
+  std::vector<std::string> box_divisions(const std::array<int, 3> &elements);
+
+  /** A bench refuses a scene that it cannot vary. @param why "Section/Entry: what it needs" */
+  [[noreturn]] inline void refuse_scene(const LoadedScene &loaded, const std::string &why)
+  {
+    throw dem::InputError(loaded.file + ": " + why);
+  }
+
+  /** The scene of a bench. @throws dem::InputError where it is of another kind than `kind` */
+  template <typename Kind>
+  const Kind &scene_of_kind(const LoadedScene &loaded, const std::string &kind)
+  {
+    const auto *scene = dynamic_cast<const Kind *>(loaded.scene.get());
+    if (!scene)
+      refuse_scene(loaded, "Kind = " + loaded.kind + ": this bench needs a scene of kind " + kind + ".");
+    return *scene;
+  }
+} // namespace apps

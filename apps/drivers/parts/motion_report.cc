@@ -1,0 +1,54 @@
+#include "apps/drivers/parts/motion_report.h"
+
+#include "apps/drivers/parts/drawn_curve.h"
+#include "apps/drivers/parts/left_out_of_balance.h"
+#include "apps/drivers/parts/series_figures.h"
+#include "apps/process/version.h"
+#include "apps/results/warning.h"
+#include "postprocess/summary.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <omp.h>
+
+namespace apps
+{
+  void MotionReport::write(const std::filesystem::path               &folder,
+                           const nlohmann::json                      &figures,
+                           nlohmann::json                             energy,
+                           nlohmann::json                             cost,
+                           const std::pair<std::string, std::string> &curve) const
+  {
+    energy["balance_error"] = worst_residual(series);
+    energy["unit"]          = "J";
+    if (!not_in_balance.empty())
+      energy["not_in_balance"] = not_in_balance;
+    cost["threads"] = omp_get_max_threads();
+    nlohmann::json summary;
+    summary["scene"]    = request.scene_file;
+    summary["asked"]    = {{"kind", kind}, {"overrides", request.overrides}};
+    summary["version"]  = version();
+    summary["ended_by"] = ended_by;
+    summary["end_time"] = {{"value", end_time}, {"unit", "s"}};
+    summary["figures"]  = figures;
+    summary["energy"]   = std::move(energy);
+    summary["cost"]     = std::move(cost);
+    materials.put_into(summary);
+    if (start)
+      summary["initial_equilibrium"] = json_of(*start);
+    postprocess::write_json(folder / "summary.json", summary);
+    const std::string title = std::filesystem::path(request.scene_file).stem().string();
+    warn_of_missing("curve.png",
+                    postprocess::plot(folder / "curve.png", {drawn_curve(series, curve.first, curve.second, title)}));
+  }
+
+  std::string MotionReport::text() const
+  {
+    std::string text = fmt::format("ended by     {}, at {:.6g} s\n", ended_by, end_time);
+    if (start)
+      text += fmt::format("start        {}\n", text_of(*start));
+    text += fmt::format("energy       balance error {:.1e} of the largest energy\n", worst_residual(series));
+    return text + balance_note(not_in_balance);
+  }
+} // namespace apps

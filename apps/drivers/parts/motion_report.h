@@ -1,0 +1,41 @@
+#pragma once
+
+#include "apps/drivers/parts/material_counts.h"
+#include "apps/drivers/parts/static_start.h"
+#include "apps/scene/scene.h"
+#include "postprocess/csv_table.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <filesystem>
+#include <string>
+#include <utility>
+
+namespace apps
+{
+  /** What a complete motion tells, whatever moved: of the particles alone, or with a solid. */
+  struct MotionReport
+  {
+    const RunRequest            &request;
+    std::string                  kind; ///< of the scene
+    std::string                  ended_by;
+    double                       end_time; ///< [s]
+    const MaterialCounts        &materials;
+    const StaticStart           &start;
+    const postprocess::CsvTable &series;         ///< complete
+    const std::string           &not_in_balance; ///< see left_out_of_balance()
+
+    /**
+     * summary.json and curve.png.
+     * @param energy its terms by name, to which the balance is added @param curve columns: what is over what
+     * @throws postprocess::OutputError.
+     */
+    void write(const std::filesystem::path               &folder,
+               const nlohmann::json                      &figures,
+               nlohmann::json                             energy,
+               nlohmann::json                             cost,
+               const std::pair<std::string, std::string> &curve) const;
+    /** Lines for the terminal: what ended the run, its start, the balance of its energy. */
+    std::string text() const;
+  };
+} // namespace apps

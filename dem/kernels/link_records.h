@@ -1,0 +1,68 @@
+#pragma once
+
+#include "dem/core/simd.h"
+#include "dem/core/vector.h"
+#include "dem/kernels/half_records.h"
+#include "dem/kernels/link_update_types.h"
+
+/** What the link pass writes for the particles. @tparam P see dem/kernels/link_policy.h */
+namespace dem::link_update
+{
+  /** Eight packs, one per quantity, as the records of eight links. */
+  BRECCIA_KERNEL void put_records(Pack (&out)[8], double *record)
+  {
+    transpose(out);
+    for (int lane = 0; lane < pack_size; ++lane)
+      store(out[lane], record + record_size * lane);
+  }
+
+  /**
+   * Force on the first end, half branch x force, eccentricity: what a particle needs of its link, as records.
+   * @return the force, z only in space
+   */
+  template <typename P, typename Frame>
+  BRECCIA_KERNEL Vec<Pack, 3>
+  put_force(const Frame &frame, const LinkForce<Pack, P::across> &answer, const Pack &eccentric, double *record)
+  {
+    Pack out[8];
+    for (auto &o : out)
+      o = Pack(0.0);
+    const Pack half_length = Pack(0.5) * frame.length;
+    if constexpr (P::dimension == 3)
+      {
+        const Vec<Pack, 3> force  = answer.normal * frame.direction + answer.shear;
+        const Vec<Pack, 3> couple = half_length * cross(frame.direction, answer.shear);
+        for (int c = 0; c < 3; ++c)
+          {
+            out[c] = force[c];
+            if constexpr (P::rotations)
+              out[3 + c] = couple[c];
+          }
+      }
+    else
+      {
+        out[0] = answer.normal * frame.direction[0] - answer.shear[0] * frame.direction[1];
+        out[1] = answer.normal * frame.direction[1] + answer.shear[0] * frame.direction[0];
+        if constexpr (P::rotations)
+          out[5] = half_length * answer.shear[0];
+      }
+    if constexpr (!P::equal_radii)
+      out[6] = eccentric;
+    const Vec<Pack, 3> force = {{out[0], out[1], out[2]}};
+    put_records(out, record);
+    return force;
+  }
+
+  /** Moment on the first end at the contact point, as records. */
+  template <typename P, typename Frame>
+  BRECCIA_KERNEL void put_moment(const Frame &frame, const LinkForce<Pack, P::across> &answer, double *record)
+  {
+    Pack out[3] = {Pack(0.0), Pack(0.0), Pack(0.0)};
+    if constexpr (P::dimension == 3)
+      for (int c = 0; c < 3; ++c)
+        out[c] = answer.bending_moment[c] + answer.twisting_moment * frame.direction[c];
+    else
+      out[2] = answer.bending_moment[0];
+    store_half_records(out, record);
+  }
+} // namespace dem::link_update
