@@ -45,8 +45,8 @@ namespace coupling
     , participant(participant_)
     , own_name(parameters.name)
     , facets(boundary_facets(solid, participant, parameters.boundaries))
-    , number(specimen.add_surface(
-        {parameters.name, facets.mesh, parameters.contact, skin_of(parameters, facets.mesh), parameters.particles}))
+    , number(specimen.add_surface({parameters.name, facets.mesh, parameters.contact, skin_of(parameters, facets.mesh),
+                                   parameters.particles, parameters.glue}))
     , force(facets.carrier.size(), Vector3d::Zero())
     , place(facets.mesh.vertex)
     , last_motion(facets.carrier.size(), Vector3d::Zero())

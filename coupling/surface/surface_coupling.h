@@ -2,6 +2,7 @@
 
 #include "coupling/surface/boundary_facets.h"
 #include "dem/core/state.h"
+#include "dem/facets/surface.h"
 #include "dem/laws/linear_contact.h"
 #include "dem/specimen/specimen.h"
 
@@ -19,6 +20,7 @@ namespace coupling
     bool                         pressure = false; ///< particles press on areas, not at points (dem/facets/pressure.h)
     double                   skin = 0; ///< in which pressure builds up [m]; 0: a twentieth of the smallest facet's size
     std::vector<std::size_t> particles = {}; ///< that touch it, by their number in the packing; empty: all
+    dem::SurfaceGlue         glue      = {}; ///< of those that touch it
   };
 
   /** What went through a surface since the start. */

@@ -161,10 +161,15 @@ namespace dem
   void NearFacets::look(const Particles &particles, const std::vector<Surface> &surfaces)
   {
     if (!still_good(particles, surfaces))
-      make_lists(particles, surfaces);
+      make_lists(particles, surfaces, chosen_margin(particles));
     next_look = margin;
     for (const double gap : smallest)
       next_look = std::min(next_look, gap);
+  }
+
+  void NearFacets::look_around(const Particles &particles, const std::vector<Surface> &surfaces, const double distance)
+  {
+    make_lists(particles, surfaces, std::nextafter(distance, 2 * distance));
   }
 
   void NearFacets::tabulate(const std::vector<FoundPair> &found, const std::size_t particles)
@@ -192,9 +197,10 @@ namespace dem
         std::min_element(begin(k), end(k), [](const NearFacet &a, const NearFacet &b) { return a.gap < b.gap; })->gap);
   }
 
-  void NearFacets::make_lists(const Particles &particles, const std::vector<Surface> &surfaces)
+  void
+  NearFacets::make_lists(const Particles &particles, const std::vector<Surface> &surfaces, const double nearer_than)
   {
-    margin = chosen_margin(particles);
+    margin = nearer_than;
     std::vector<FoundPair>       found;
     const std::vector<SizeClass> classes = size_classes(particles, margin);
     for (std::size_t s = 0; s < surfaces.size(); ++s)

@@ -34,6 +34,8 @@ namespace dem
     bool can_touch() const { return stale || path >= next_look; }
     /** Make the lists good for where everything is now. @pre can_touch() */
     void look(const Particles &particles, const std::vector<Surface> &surfaces);
+    /** The same, of all that are nearer than a distance [m], whatever there was before. */
+    void look_around(const Particles &particles, const std::vector<Surface> &surfaces, double distance);
     /** Forget all lists: places have changed otherwise than by steps. */
     void forget() { stale = true; }
 
@@ -56,7 +58,7 @@ namespace dem
     };
 
     bool   still_good(const Particles &particles, const std::vector<Surface> &surfaces);
-    void   make_lists(const Particles &particles, const std::vector<Surface> &surfaces);
+    void   make_lists(const Particles &particles, const std::vector<Surface> &surfaces, double nearer_than);
     void   tabulate(const std::vector<FoundPair> &found, std::size_t particles);
     double displacement(const Particles &particles, const std::vector<Surface> &surfaces) const;
 

@@ -115,6 +115,7 @@ namespace dem
     total_moment.setZero();
     along    = 0;
     touching = 0;
+    glued    = 0;
   }
 
   void Surface::serve(const double step)
@@ -204,6 +205,8 @@ namespace dem
     visitor.scalar(named("work"), work);
     visitor.scalar(named("along"), along);
     visitor.scalar(named("touching"), touching);
+    visitor.scalar(named("glued"), glued);
+    visitor.scalar(named("torn"), torn);
     std::int64_t was_moved = moved ? 1 : 0;
     visitor.scalar(named("moved"), was_moved);
     moved = was_moved != 0;

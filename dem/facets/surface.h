@@ -5,11 +5,24 @@
 #include "dem/laws/linear_contact.h"
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace dem
 {
+  class LinkLaw;
+
+  /**
+   * Particles that are glued to a surface from the start, of those that touch it: by links to the facets nearest to them
+   * (surface_bonds.h). Until one is torn off it has no other contact with the surface.
+   */
+  struct SurfaceGlue
+  {
+    double within = 0;                  ///< gaps between particle and surface up to this are glued [m]; 0: none is
+    std::shared_ptr<const LinkLaw> law; ///< nullptr: that of the specimen's bonds
+  };
+
   /** A surface that particles touch, before it is one of a specimen. */
   struct SurfaceParameters
   {
@@ -18,6 +31,7 @@ namespace dem
     LinearContactParameters contact; ///< with any particle of radius r: k_n = A E* / r, A = pi r^2 (discs 2 r t)
     double skin = 0; ///< thickness in which pressure builds up [m] (pressure.h); 0: contacts act at a point
     std::vector<std::size_t> particles = {}; ///< that touch it, by their number in the packing; empty: all
+    SurfaceGlue              glue      = {}; ///< of those that touch it
   };
 
   /**
@@ -77,9 +91,10 @@ namespace dem
 
     Eigen::Vector3d total_force = {0, 0, 0}, total_moment = {0, 0, 0};  ///< on it, about the origin, at t_n [N], [N m]
     Eigen::Vector3d momentum = {0, 0, 0}, angular_momentum = {0, 0, 0}; ///< that it has taken since the start
-    double          work     = 0; ///< that it has done on the particles by t_n + half a step [J]
-    double          along    = 0; ///< stiffness of its contacts along the servo's direction [N/m]
-    std::int64_t    touching = 0; ///< contacts at t_n
+    double          work     = 0;     ///< that it has done on the particles by t_n + half a step [J]
+    double          along    = 0;     ///< stiffness of its contacts along the servo's direction [N/m]
+    std::int64_t    touching = 0;     ///< contacts at t_n
+    std::int64_t glued = 0, torn = 0; ///< particles that are glued to it at t_n, and that were torn off since the start
 
     /** @param particles that touch it, in the order of Particles; empty: all */
     Surface(const SurfaceParameters &parameters, bool friction, std::vector<bool> particles = {});

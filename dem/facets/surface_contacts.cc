@@ -75,6 +75,21 @@ namespace dem
     born.clear();
     if (found)
       return born;
+    clear_forces();
+    if (!contacts.empty() || near.can_touch())
+      {
+        if (near.can_touch())
+          near.look(particles, all);
+        find_contacts(particles, shape);
+        hand_out(particles, shape);
+      }
+    find_bonds(particles);
+    found = true;
+    return born;
+  }
+
+  void SurfaceContacts::clear_forces()
+  {
     for (Surface &surface : all)
       surface.clear_totals();
     for (const SurfaceContact &contact : contacts)
@@ -85,15 +100,93 @@ namespace dem
           surface.stiffness[vertex] = 0;
         });
       }
-    if (!contacts.empty() || near.can_touch())
+    for (const SurfaceBonds &glue : glues)
       {
-        if (near.can_touch())
-          near.look(particles, all);
-        find_contacts(particles, shape);
-        hand_out(particles, shape);
+        Surface &surface = all[static_cast<std::size_t>(glue.surface())];
+        for (std::size_t b = 0; b < glue.count() && !records.empty(); ++b)
+          std::fill_n(&records[record_size * static_cast<std::size_t>(glue.particle_of(b))], record_size, 0.0);
+        for (const VertexPart &part : glue.parts())
+          {
+            surface.force[static_cast<std::size_t>(part.vertex)].setZero();
+            surface.stiffness[static_cast<std::size_t>(part.vertex)] = 0;
+          }
       }
-    found = true;
-    return born;
+  }
+
+  bool SurfaceContacts::holding() const
+  {
+    return std::any_of(glues.begin(), glues.end(), [](const SurfaceBonds &glue) { return glue.holds(); });
+  }
+
+  std::vector<std::int32_t> SurfaceContacts::glue(const std::size_t              surface,
+                                                  const double                   within,
+                                                  std::shared_ptr<const LinkLaw> law,
+                                                  const Particles               &particles,
+                                                  const ParticleShape           &shape,
+                                                  const bool                     rotations)
+  {
+    const Surface &to = all.at(surface);
+    if (to.mesh.is_plane())
+      throw InputError("wall " + to.name + ": nothing is glued to an unbounded plane. Take a plate of facets.");
+    glues.emplace_back(static_cast<std::int32_t>(surface), all, particles, shape, within, std::move(law), rotations);
+    std::vector<std::int32_t> glued;
+    for (std::size_t b = 0; b < glues.back().count(); ++b)
+      {
+        glued.push_back(glues.back().particle_of(b));
+        let_meet(surface, glued.back(), false, particles.count);
+      }
+    all[surface].glued += static_cast<std::int64_t>(glued.size());
+    return glued;
+  }
+
+  void SurfaceContacts::let_meet(const std::size_t  surface,
+                                 const std::int32_t particle,
+                                 const bool         meets,
+                                 const std::size_t  particles)
+  {
+    std::vector<bool> &those = all[surface].meets;
+    if (those.empty())
+      those.assign(particles, true);
+    those[static_cast<std::size_t>(particle)] = meets;
+    near.forget();
+  }
+
+  void SurfaceContacts::find_bonds(const Particles &particles)
+  {
+    if (holding() && records.empty())
+      records.assign(record_size * particles.count, 0.0);
+    for (SurfaceBonds &glue : glues)
+      {
+        const auto s = static_cast<std::size_t>(glue.surface());
+        for (const std::int32_t i : glue.find_forces(particles, all[s]))
+          let_meet(s, i, true, particles.count);
+        if (!records.empty())
+          glue.hand_out(records, all[s]);
+      }
+  }
+
+  double SurfaceContacts::friction() const
+  {
+    double sum = slid;
+    for (const SurfaceBonds &glue : glues)
+      sum += glue.friction();
+    return sum;
+  }
+
+  double SurfaceContacts::released() const
+  {
+    double sum = let_go;
+    for (const SurfaceBonds &glue : glues)
+      sum += glue.released();
+    return sum;
+  }
+
+  double SurfaceContacts::damage() const
+  {
+    double sum = 0;
+    for (const SurfaceBonds &glue : glues)
+      sum += glue.damage();
+    return sum;
   }
 
   void SurfaceContacts::check_start(const Particles &particles)
@@ -445,7 +538,7 @@ namespace dem
   void SurfaceContacts::collect_impulses(const double kick)
   {
     for (Surface &surface : all)
-      if (surface.touching > 0)
+      if (surface.touching > 0 || surface.glued > 0)
         {
           surface.momentum += kick * surface.total_force;
           surface.angular_momentum += kick * surface.total_moment;
@@ -454,6 +547,10 @@ namespace dem
       for_parts(contact, [&](Surface &surface, const std::size_t vertex, const VertexPart &part) {
         surface.impulse[vertex] += kick * part.force;
       });
+    for (const SurfaceBonds &glue : glues)
+      for (const VertexPart &part : glue.parts())
+        all[static_cast<std::size_t>(glue.surface())].impulse[static_cast<std::size_t>(part.vertex)] +=
+          kick * part.force;
   }
 
   double SurfaceContacts::add_work_of_last_motion()
@@ -466,6 +563,15 @@ namespace dem
         for_parts(contact, [&](const Surface &of, const std::size_t vertex, const VertexPart &part) {
           of_this -= 0.5 * part.force.dot(of.motion[vertex]);
         });
+        surface.work += of_this;
+        work += of_this;
+      }
+    for (const SurfaceBonds &glue : glues)
+      {
+        Surface &surface = all[static_cast<std::size_t>(glue.surface())];
+        double   of_this = 0;
+        for (const VertexPart &part : glue.parts())
+          of_this -= 0.5 * part.force.dot(surface.motion[static_cast<std::size_t>(part.vertex)]);
         surface.work += of_this;
         work += of_this;
       }
@@ -488,6 +594,8 @@ namespace dem
     double sum = 0;
     for (const SurfaceContact &contact : contacts)
       sum += stored(contact, shape, particles);
+    for (const SurfaceBonds &glue : glues)
+      sum += glue.stored();
     return sum;
   }
 
@@ -509,9 +617,13 @@ namespace dem
   std::vector<double>
   SurfaceContacts::stiffness_seen(const Particles &particles, const ParticleShape &shape, const bool rotations) const
   {
-    std::vector<double> sum(contacts.empty() ? 0 : particles.count, 0.0);
+    std::vector<double> sum(touching() ? particles.count : 0, 0.0);
     for (const SurfaceContact &contact : contacts)
       sum[static_cast<std::size_t>(contact.particle)] += kappa(contact, particles, shape, rotations);
+    for (const SurfaceBonds &glue : glues)
+      for (std::size_t b = 0; b < glue.count(); ++b)
+        if (glue.is_alive(b))
+          sum[static_cast<std::size_t>(glue.particle_of(b))] += glue.stiffness_seen(b);
     return sum;
   }
 
@@ -525,6 +637,10 @@ namespace dem
                                    [](const SurfaceContact &a, const std::int32_t p) { return a.particle < p; });
          c != contacts.end() && c->particle == particle; ++c)
       sum += kappa(*c, particles, shape, rotations);
+    for (const SurfaceBonds &glue : glues)
+      for (std::size_t b = 0; b < glue.count(); ++b)
+        if (glue.particle_of(b) == particle && glue.is_alive(b))
+          sum += glue.stiffness_seen(b);
     return sum;
   }
 } // namespace dem

@@ -5,6 +5,7 @@
 #include "dem/facets/near_facets.h"
 #include "dem/facets/pressure.h"
 #include "dem/facets/surface.h"
+#include "dem/facets/surface_bonds.h"
 #include "dem/model/particles.h"
 
 #include <cstdint>
@@ -45,6 +46,16 @@ namespace dem
      * @throws InputError for a surface that is none
      */
     std::size_t add(const SurfaceParameters &parameters, int dimension, bool friction, std::vector<bool> meets = {});
+    /**
+     * Glue particles that it meets to a surface, to which they have no other contact until they are torn off.
+     * @return which @throws InputError where nobody is near, someone lies in it, or it is an unbounded plane
+     */
+    std::vector<std::int32_t>   glue(std::size_t                    surface,
+                                     double                         within,
+                                     std::shared_ptr<const LinkLaw> law,
+                                     const Particles               &particles,
+                                     const ParticleShape           &shape,
+                                     bool                           rotations);
     const std::vector<Surface> &surfaces() const { return all; }
     /** To lead it: from the next step on. */
     Surface &surface(const std::size_t number) { return all.at(number); }
@@ -57,7 +68,7 @@ namespace dem
     const std::vector<std::int32_t> &find_forces(const Particles &particles, const ParticleShape &shape);
     /** @throws InputError for a particle behind a surface or in it by more than half its radius */
     void check_start(const Particles &particles);
-    bool touching() const { return !contacts.empty(); }
+    bool touching() const { return !contacts.empty() || holding(); }
 
     /** Records of force (3) [N] | moment (3) [N m] | 0 0 on each particle; empty as long as none has been touched. */
     const Column &on_particles() const { return records; }
@@ -77,8 +88,9 @@ namespace dem
     /** Enter the work of surfaces on particles over the half step that led here in their accounts. @return its sum [J] */
     double add_work_of_last_motion();
     double stored(const ParticleShape &shape, const Particles &particles) const; ///< in contacts [J]
-    double friction() const { return slid; }                                     ///< dissipated since the start [J]
-    double released() const { return let_go; } ///< still stored in shear where contacts ended, since the start [J]
+    double friction() const;                                                     ///< dissipated since the start [J]
+    double damage() const;   ///< dissipated in glue since the start [J]
+    double released() const; ///< still stored in shear where contacts ended, and in torn bonds, since the start [J]
 
     /** Sum of kappa_c over contacts, for the stable step of each particle [N/m]; empty: none touches. */
     std::vector<double> stiffness_seen(const Particles &particles, const ParticleShape &shape, bool rotations) const;
@@ -88,6 +100,7 @@ namespace dem
 
     const std::vector<SurfaceContact> &list() const { return contacts; } ///< by particle, surface and depth
     const std::vector<VertexPart>     &parts() const { return vertex_parts; }
+    const std::vector<SurfaceBonds>   &bonds() const { return glues; }
     const NearFacets                  &near_facets() const { return near; }
 
     void visit_state(StateVisitor &visitor);
@@ -99,6 +112,11 @@ namespace dem
     template <typename Use>
     void for_parts(const SurfaceContact &contact, const Use &use);
 
+    bool holding() const;
+    void clear_forces();
+    void find_bonds(const Particles &particles);
+    /** Contacts of a particle with a surface that it was glued to, or is from now on. */
+    void let_meet(std::size_t surface, std::int32_t particle, bool meets, std::size_t particles);
     void find_contacts(const Particles &particles, const ParticleShape &shape);
     void touch(const Particles &particles, const ParticleShape &shape, std::size_t listed, Block &block) const;
     /** A contact of the block with what it was before: slip, shear, forces on its vertices. */
@@ -127,6 +145,7 @@ namespace dem
     NearFacets                  near;
     std::vector<SurfaceContact> contacts;
     std::vector<VertexPart>     vertex_parts;
+    std::vector<SurfaceBonds>   glues;
     Column                      records;
     std::vector<std::int32_t>   born;
     bool                        found = false; ///< forces are those of where everything is

@@ -76,6 +76,14 @@ namespace dem
         const double *part = &weights[numbers_of_part * k];
         vertex_parts.push_back({vertices[k], part[0], Eigen::Vector3d(part + 1), part[4]});
       }
+    for (std::size_t k = 0; k < glues.size(); ++k)
+      {
+        SurfaceBonds &glue = glues[k];
+        const auto    s    = static_cast<std::size_t>(glue.surface());
+        glue.visit_state(visitor, "surface_bonds/" + std::to_string(k), all[s]);
+        for (std::size_t b = 0; b < glue.count(); ++b)
+          all[s].meets[static_cast<std::size_t>(glue.particle_of(b))] = !glue.is_alive(b);
+      }
     near.forget(); // what is near follows from the places
   }
 } // namespace dem

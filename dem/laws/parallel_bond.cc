@@ -70,8 +70,10 @@ namespace dem
     const double reference = reference_length(link);
     numbers[broken]        = 0;
     numbers[installed]     = (link.distance - reference) / reference;
-    numbers[radius]        = k.radius_multiplier * std::min(link.first_radius, link.second_radius);
-    numbers[twist]         = 0;
+    // A bond to a face has one particle only.
+    const double smaller = link.second_radius > 0 ? std::min(link.first_radius, link.second_radius) : link.first_radius;
+    numbers[radius]      = k.radius_multiplier * smaller;
+    numbers[twist]       = 0;
   }
 
   Matrix6 ParallelBond::tangent(const Constants        &k,

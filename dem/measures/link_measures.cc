@@ -1,5 +1,7 @@
 #include "dem/measures/link_measures.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 
 namespace dem
@@ -47,6 +49,25 @@ namespace dem
     place.area      = links.area[link];
     number          = links.law_of(link);
     links.get_history(link, row);
+  }
+
+  double work_not_taken_up(const Particles &particles, const LinkSet &links, const LinkView &link, const std::size_t l)
+  {
+    const std::int32_t J = links.first[l], K = links.second[l];
+    const auto         moved = [&](const std::int32_t i, const int c) {
+      return Eigen::Vector3d(
+                &particles.motion[record_size * static_cast<std::size_t>(i) + static_cast<std::size_t>(c)]);
+    };
+    Eigen::Vector3d opening = moved(K, 0) - moved(J, 0);
+    if (links.periodic)
+      opening += particles.cell.motion_of(links.image[l]);
+    const double          eccentric = particles.radius_of(J) - particles.radius_of(K);
+    const Eigen::Vector3d arms =
+      0.5 * ((link.length + eccentric) * moved(J, 3) + (link.length - eccentric) * moved(K, 3));
+    double work = link.force.dot(opening) - link.direction.cross(link.force).dot(arms);
+    if (links.has_moment)
+      work += Eigen::Vector3d(&links.moment[half_record_size * l]).dot(moved(K, 3) - moved(J, 3));
+    return 0.5 * work;
   }
 
   double elastic_energy(const Particles &particles, const LinkSet &links, const LinkLaw &law)

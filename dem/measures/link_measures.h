@@ -76,6 +76,12 @@ namespace dem
     std::vector<double> row;
   };
 
+  /**
+   * Work that its ends would have done on a link in the half step before t_n by the force (and moment) that the link pass has found
+   * at t_n [J]. A link that is deleted at t_n does not take it up: it never had this part of what it is thought to store.
+   */
+  double work_not_taken_up(const Particles &particles, const LinkSet &links, const LinkView &link, std::size_t number);
+
   /** Energy stored in all living links [J]. */
   double elastic_energy(const Particles &particles, const LinkSet &links, const LinkLaw &law);
 

@@ -60,12 +60,12 @@ namespace dem
     bool                           equal_radii;
     LinkSet                        bonds, contacts;
     std::shared_ptr<const LinkLaw> bond_law, contact_law;
-    double        start_margin; ///< gap that the interaction ratio leaves between unlinked particles [m]
-    ContactSearch search;
-    LinkPass      bond_pass, contact_pass;
+    double          start_margin; ///< gap that the interaction ratio leaves between unlinked particles [m]
+    ContactSearch   search;
+    LinkPass        bond_pass, contact_pass;
     SurfaceContacts surfaces;
-    double        space_per_solid = 1; ///< volume with voids over that of the particles, to share out stress
-    std::size_t   made_links      = 0;
+    double          space_per_solid = 1; ///< volume with voids over that of the particles, to share out stress
+    std::size_t     made_links      = 0;
 
     std::vector<ParticleBlockAccount> accounts;
     std::vector<HeldGrip>             grips;
@@ -97,7 +97,7 @@ namespace dem
     /** Contacts that carry something: those that wait do not count. */
     std::size_t              touching_contacts() const;
     std::vector<LawfulLinks> all_links() const { return {{bonds, *bond_law}, {contacts, *contact_law}}; }
-    double stable() const
+    double                   stable() const
     {
       return dem::stable_step(particles, all_links(), parameters.physics.rotations,
                               surfaces.stiffness_seen(particles, shape, parameters.physics.rotations));
@@ -152,6 +152,8 @@ namespace dem
     double largest_displacement() const;
     /** Forces of surfaces at t_n, unless they are known; new contacts may shorten the step. */
     void find_surface_forces();
+    /** Glue particles to a surface. @throws InputError where nobody is near, or the law has no bonds */
+    void glue(std::size_t surface, const SurfaceGlue &glue);
     /** Look where particles are before the first step. @return energy of surfaces that the account starts from [J] @throws InputError */
     double begin_surfaces();
     /** Move the surfaces, and take up what they have done in the halves of this step. */

@@ -34,10 +34,9 @@ namespace dem
     else
       for (const auto &block : s.accounts)
         e.kinetic += block.kinetic;
-    e.elastic =
-      elastic_energy(s.particles, s.bonds, *s.bond_law) + elastic_energy(s.particles, s.contacts, *s.contact_law) +
-      s.surfaces.stored(s.shape, s.particles);
-    e.damage   = damage_dissipation(s.particles, s.bonds, *s.bond_law) + s.broken_damage;
+    e.elastic = elastic_energy(s.particles, s.bonds, *s.bond_law) +
+                elastic_energy(s.particles, s.contacts, *s.contact_law) + s.surfaces.stored(s.shape, s.particles);
+    e.damage   = damage_dissipation(s.particles, s.bonds, *s.bond_law) + s.broken_damage + s.surfaces.damage();
     e.friction = plastic_dissipation(s.bonds) + plastic_dissipation(s.contacts) + s.surfaces.friction();
     e.released = s.released + released_in_place(s.bonds) + s.surfaces.released();
     e.damping  = s.damped_before + s.damped_now;
@@ -74,6 +73,10 @@ namespace dem
     for (const SurfaceContact &contact : self->surfaces.list())
       moments[static_cast<std::size_t>(contact.particle)] +=
         contact.distance * contact.direction * contact.force.transpose();
+    for (const SurfaceBonds &glue : self->surfaces.bonds())
+      for (std::size_t bond = 0; bond < glue.count(); ++bond)
+        if (glue.is_alive(bond))
+          moments[static_cast<std::size_t>(glue.particle_of(bond))] += glue.branch(bond) * glue.force(bond).transpose();
     LinkReader reader(p, self->bonds, *self->bond_law);
     for (std::size_t l = 0; l < self->bonds.count; ++l)
       if (self->bonds.is_alive(l) && !self->bonds.is_broken(l))

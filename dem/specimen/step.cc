@@ -16,30 +16,6 @@ namespace dem
     constexpr std::int64_t steps_between_checks = 100;
     /** Deleted links stay as idle lines until they are this part of all. */
     constexpr double idle_lines_allowed = 0.05;
-
-    /**
-     * Work that its ends would have done on a link in the half step before t_n by the force (and moment) that the link pass has found
-     * at t_n [J]. A link that is deleted at t_n does not take it up: it never had this part of what it is thought to store.
-     */
-    double
-    work_not_taken_up(const Particles &particles, const LinkSet &links, const LinkView &link, const std::size_t l)
-    {
-      const std::int32_t J = links.first[l], K = links.second[l];
-      const auto         moved = [&](const std::int32_t i, const int c) {
-        return Eigen::Vector3d(
-                  &particles.motion[record_size * static_cast<std::size_t>(i) + static_cast<std::size_t>(c)]);
-      };
-      Eigen::Vector3d opening = moved(K, 0) - moved(J, 0);
-      if (links.periodic)
-        opening += particles.cell.motion_of(links.image[l]);
-      const double          eccentric = particles.radius_of(J) - particles.radius_of(K);
-      const Eigen::Vector3d arms =
-        0.5 * ((link.length + eccentric) * moved(J, 3) + (link.length - eccentric) * moved(K, 3));
-      double work = link.force.dot(opening) - link.direction.cross(link.force).dot(arms);
-      if (links.has_moment)
-        work += Eigen::Vector3d(&links.moment[half_record_size * l]).dot(moved(K, 3) - moved(J, 3));
-      return 0.5 * work;
-    }
   } // namespace
 
   void Specimen::Implementation::step()

@@ -73,6 +73,22 @@ namespace dem
       }
   }
 
+  void Specimen::Implementation::glue(const std::size_t number, const SurfaceGlue &glue)
+  {
+    const std::string name = surfaces.surface(number).name;
+    if (step_count > 0)
+      throw InputError("wall " + name + ": particles are glued to it before the first step.");
+    if (!(glue.within > 0 && std::isfinite(glue.within)))
+      throw InputError("wall " + name + ": particles are glued within a distance above 0 m.");
+    const auto law = glue.law ? glue.law : bond_law;
+    if (!law->bonds())
+      throw InputError("wall " + name + ": links of law " + law->name() +
+                       " carry no tension. Take another law for what is glued.");
+    for (const std::int32_t i : surfaces.glue(number, glue.within, law, particles, shape, parameters.physics.rotations))
+      longest_step = std::min(longest_step, parameters.step_factor * stable(i));
+    time_step = std::min(time_step, longest_step);
+  }
+
   std::size_t Specimen::add_surface(const SurfaceParameters &surface)
   {
     if (self->parameters.physics.periodic)
@@ -87,8 +103,11 @@ namespace dem
           throw InputError("wall " + surface.name + ": there is no particle " + std::to_string(number + 1) + ".");
         meets[static_cast<std::size_t>(self->slot[number])] = true;
       }
-    const Physics &physics = self->parameters.physics;
-    return self->surfaces.add(surface, physics.dimension, physics.friction, std::move(meets));
+    const Physics    &physics = self->parameters.physics;
+    const std::size_t added   = self->surfaces.add(surface, physics.dimension, physics.friction, std::move(meets));
+    if (surface.glue.within != 0)
+      self->glue(added, surface.glue);
+    return added;
   }
 
   void Specimen::set_surface_motion(const std::size_t      number,

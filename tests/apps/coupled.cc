@@ -223,6 +223,75 @@ TEST_CASE("Couplings act between named boundaries and named groups, each with it
   CHECK(outcome_of(folder, "check", {"Couplings/smooth/Groups=", "Couplings/smooth/Boundary=left"}).status == 0);
 }
 
+namespace
+{
+  /** Two balls that hang, glued, from the front face of a held block: weight pulls away from it. */
+  std::string hanging()
+  {
+    std::string scene = replaced(collision, "    set Large displacement = true\n", "");
+    scene             = replaced(
+                  scene,
+                  "  subsection Initial velocity\n    subsection ball\n      set Velocity x = 2\n      set Velocity y = -1\n"
+                              "      set Velocity z = -5\n      set Spin y     = 100\n    end\n  end\n",
+                  "");
+    scene = replaced(scene, "set Centre = 0.03, 0.062, 0.1205", "set Centre = 0.03, 0.062, 0.12");
+    scene = replaced(scene, "    subsection ball\n",
+                     "    subsection other\n      set Centre = 0.07, 0.02, 0.12\n      set Radius = 0.02\n    end\n"
+                     "    subsection ball\n");
+    scene = replaced(
+      scene, "  subsection Materials\n",
+      "  subsection Boundary conditions\n    subsection back\n      set Displacement x = 0\n      set Displacement "
+      "y = 0\n      set Displacement z = 0\n    end\n  end\n  subsection Motion\n    set Damping = 2000\n  end\n"
+      "  subsection Materials\n");
+    scene =
+      replaced(scene, "    set Friction coefficient = 0.4\n",
+               "    set Friction coefficient = 0.4\n    subsection Bond\n      set Within = 1e-6\n      set Law = "
+               "parallel-bond\n      subsection parallel-bond\n        set Effective modulus = 1e7\n        set "
+               "Tensile strength = 1e6\n        set Cohesion = 1e6\n      end\n    end\n");
+    return scene + "subsection Gravity\n  set Acceleration = 0, 0, 9.81\nend\n";
+  }
+} // namespace
+
+TEST_CASE("What is glued to a face hangs from it until the strength of the glue, and both sides account for it",
+          "[apps][coupled]")
+{
+  const ScratchFolder folder;
+  folder.file("x.prm", hanging());
+  const std::vector<std::string> slow  = {"Time/End time=0.1", "Time/Damping=0.7", "Time/Step factor=0.3"};
+  const Results                  found = results_of(folder, slow);
+  const double                   balls = 2 * 7800 * 4.0 / 3 * M_PI * 8e-6 * 9.81, block = 2400 * 1e-3 * 9.81;
+  CHECK(found.series.column("block_glued").back() == 2);
+  CHECK(found.series.column("block_torn").back() == 0);
+  CHECK(found.series.column("block_force_z").back() == Approx(balls).epsilon(1e-6));
+  CHECK(found.series.column("reaction_back_z").back() == Approx(-balls - block).epsilon(1e-5));
+  CHECK(found.summary["energy"]["balance_error"].get<double>() < 1e-3);
+  CHECK(std::fabs(found.summary["energy"]["made_by_couplings"]["block"].get<double>()) <
+        1e-12 * std::fabs(found.series.column("energy_particles_gravity").back()));
+  // Glue of less than the weight over the section: pi r^2 = 1.26e-3 m^2.
+  std::vector<std::string> weak = slow;
+  weak.push_back("Couplings/block/Bond/parallel-bond/Tensile strength=" + std::to_string(0.4 * balls / 1.2566e-3));
+  const Results torn = results_of(folder, weak);
+  CHECK(torn.series.column("block_glued").back() == 0);
+  CHECK(torn.series.column("block_torn").back() == 2);
+  CHECK(torn.summary["figures"]["torn_off"]["block"] == 2);
+  CHECK(torn.series.column("block_force_z").back() == 0);
+  const auto refused = [&](const std::string &change, const char *words) {
+    const Outcome outcome = outcome_of(folder, "check", {change});
+    INFO(outcome.err);
+    CHECK(outcome.status == 2);
+    CHECK_THAT(outcome.err, Contains(words));
+  };
+  refused("Particles/More particles/ball/Centre=0.03, 0.062, 0.1", "lies in it");
+  refused("Couplings/block/Bond/Law=own", "carry no tension");
+  refused("Couplings/block/Bond/Law=linear", "carry no tension");
+  refused("Couplings/block/Bond/Within=-1", "Within");
+  const Outcome nobody = outcome_of(
+    folder, "check",
+    {"Particles/More particles/ball/Centre=0.03, 0.062, 0.2", "Particles/More particles/other/Centre=0.07, 0.02, 0.2"});
+  CHECK(nobody.status == 2);
+  CHECK_THAT(nobody.err, Contains("block: no particle is within 1e-06 m"));
+}
+
 TEST_CASE("A coupled run is the same to the last bit with any number of threads", "[apps][coupled]")
 {
   const ScratchFolder folder;

@@ -2,6 +2,7 @@
 #include "dem/facets/surface.h"
 
 #include "coupling/concurrent/concurrent_motion.h"
+#include "dem/laws/parallel_bond.h"
 #include "fem/materials/isotropic_elastic.h"
 #include "tests/dem/clusters.h"
 #include "tests/fem/solid_fixture.h"
@@ -230,37 +231,170 @@ TEST_CASE("surface coupling: S11, a heavy ball on a light block keeps it stable"
   CHECK(std::fabs(surface.balance().made()) < 1e-12 * start + 1e-12 * std::fabs(surface.balance().work_on_solid));
 }
 
+namespace
+{
+  /** Nodes of the upper face, and forces on them of a layer of equal balls that all press alike; the sum is one. */
+  struct Pressed
+  {
+    std::vector<Vector3d> place;
+    std::vector<double>   load;
+  };
+
+  /** @param elements along a side of the face @param balls likewise */
+  Pressed pressed_layer(const unsigned int elements, const int balls)
+  {
+    Block<3>     block(elements, stands);
+    dem::Packing packing;
+    const double radius = 0.5 * side / balls, overlap = 1e-3 * radius;
+    for (int i = 0; i < balls; ++i)
+      for (int j = 0; j < balls; ++j)
+        packing.centre.emplace_back((2 * i + 1) * radius, (2 * j + 1) * radius, side + radius - overlap);
+    packing.radius.assign(packing.centre.size(), radius * (1 - 1e-9));
+    dem::Specimen                specimen(packing, cluster::bonded(1.0), rough());
+    coupling::SurfaceCoupling<3> surface(specimen, block.solid, *block.participant, {"top", {"5"}, rough()});
+    specimen.find_surface_forces();
+    const dem::Surface &top = specimen.surface(surface.surface());
+    CHECK(top.touching == balls * balls);
+    Pressed found{top.place, {}};
+    for (const Vector3d &force : top.force)
+      found.load.push_back(force.norm() / top.total_force.norm());
+    return found;
+  }
+} // namespace
+
 TEST_CASE("surface coupling: a uniform layer of balls loads the nodes of a face consistently", "[coupling]")
 {
-  // 8 x 8 balls over 4 x 4 faces, each pressed in by the same overlap: nodal forces of a uniform pressure to 1 %.
-  Block<3>     block(4, stands);
-  dem::Packing packing;
-  const int    many   = 8;
-  const double radius = 0.5 * side / many, overlap = 1e-3 * radius;
-  for (int i = 0; i < many; ++i)
-    for (int j = 0; j < many; ++j)
-      packing.centre.emplace_back((2 * i + 1) * radius, (2 * j + 1) * radius, side + radius - overlap);
-  packing.radius.assign(packing.centre.size(), radius * (1 - 1e-9));
-  auto                         p = cluster::bonded(1.0);
-  dem::Specimen                specimen(packing, p, rough());
-  coupling::SurfaceCoupling<3> surface(specimen, block.solid, *block.participant, {"top", {"5"}, rough()});
-  specimen.find_surface_forces();
-  const dem::Surface &top   = specimen.surface(surface.surface());
-  const double        whole = top.total_force.norm();
-  CHECK(top.touching == many * many);
-  for (std::size_t v = 0; v < top.force.size(); ++v)
+  // Over faces of one, two and four ball sizes, each ball pressed in alike: nodal forces of a uniform pressure to 1 %.
+  for (const int per_face : {1, 2, 4})
     {
-      double share = 1.0 / 16; // of the face, an inner node's
-      for (int d = 0; d < 2; ++d)
-        if (top.place[v][d] < 1e-9 || top.place[v][d] > side - 1e-9)
-          share /= 2;
-      // A corner of the block that ends a diagonal gets 3/8 of its face's balls, another 1/8.
-      const bool on_diagonal = std::fabs(top.place[v][0] - top.place[v][1]) < 1e-9;
-      if (share > 1.0 / 63)
-        CHECK(top.force[v].norm() == Approx(share * whole).epsilon(0.01));
-      else
-        CHECK(top.force[v].norm() == Approx((on_diagonal ? 1.5 : 0.5) * share * whole).epsilon(0.01));
+      const Pressed found = pressed_layer(4, 4 * per_face);
+      for (std::size_t v = 0; v < found.load.size(); ++v)
+        {
+          double share = 1.0 / 16; // of the face, an inner node's
+          for (int d = 0; d < 2; ++d)
+            if (found.place[v][d] < 1e-9 || found.place[v][d] > side - 1e-9)
+              share /= 2;
+          if (share > 1.0 / 63)
+            CHECK(found.load[v] == Approx(share).epsilon(0.01));
+          else if (per_face == 2)
+            {
+              // A corner of the block that ends a diagonal gets 3/8 of its face's balls, another 1/8.
+              const bool on_diagonal = std::fabs(found.place[v][0] - found.place[v][1]) < 1e-9;
+              CHECK(found.load[v] == Approx((on_diagonal ? 1.5 : 0.5) * share).epsilon(0.01));
+            }
+        }
     }
+}
+
+namespace
+{
+  /** A mast of three bonded balls, glued to a free block, whose top is knocked. */
+  struct Mast
+  {
+    Block<3>                      block;
+    dem::Specimen                 specimen;
+    coupling::ConcurrentMotion<3> both;
+
+    explicit Mast(const double step_factor = 0.2)
+      : block(3)
+      , specimen(balls(), how(step_factor), mortar())
+      , both(specimen, block.solid, *block.motion, *block.participant)
+    {
+      specimen.set_velocity(2, {1, -0.6, 0.2}, {0, 20, 40});
+      coupling::SurfaceCouplingParameters glued{"foot", {"5"}, rough()};
+      glued.glue.within = 1e-6;
+      both.add_surface(glued);
+    }
+    static dem::Packing balls()
+    {
+      dem::Packing packing;
+      packing.centre = {{0.041, 0.057, 0.11}, {0.041, 0.057, 0.13}, {0.041, 0.057, 0.15}};
+      packing.radius.assign(3, 0.01);
+      return packing;
+    }
+    static dem::SpecimenParameters how(const double step_factor)
+    {
+      auto p        = cluster::bonded(1.05);
+      p.step_factor = step_factor;
+      p.damping     = 0;
+      return p;
+    }
+    static dem::ParallelBondParameters mortar()
+    {
+      dem::ParallelBondParameters p;
+      p.effective_modulus = 1e8;
+      p.tensile_strength = p.cohesion = 1e12;
+      return p;
+    }
+    /** Central differences keep the sums of m v(n-1/2), and of x(n) x m v(n-1/2) + I w. */
+    std::pair<Vector3d, Vector3d> momenta() const
+    {
+      Vector3d linear = block.momentum(), angular = Vector3d::Zero();
+      for (std::size_t i = 0; i < block.participant->carriers(); ++i)
+        angular += block.participant->position(i).cross(block.participant->mass(i) * block.participant->velocity(i));
+      for (std::size_t i = 0; i < 3; ++i)
+        {
+          const dem::ParticleState p = specimen.particle(i);
+          linear += p.mass * p.velocity;
+          angular += p.position.cross(p.mass * p.velocity) + p.inertia * p.spin;
+        }
+      return {linear, angular};
+    }
+    double energy() const
+    {
+      const auto e = specimen.energy();
+      const auto s = block.motion->energy();
+      return e.kinetic + e.elastic + s.kinetic + s.internal;
+    }
+  };
+} // namespace
+
+TEST_CASE("surface coupling: glue keeps momentum, angular momentum and energy of a closed system, couples included",
+          "[coupling]")
+{
+  Mast         mast;
+  const double step  = 0.5 * std::min(mast.both.solid_step(), mast.both.particle_step());
+  const auto   start = mast.momenta();
+
+  mast.both.advance(step);
+  const double energy = mast.energy();
+  double       linear = 0, angular = 0;
+  for (int n = 0; n < 1500; ++n)
+    {
+      mast.both.advance(step);
+      const auto now = mast.momenta();
+      linear         = std::max(linear, (now.first - start.first).norm());
+      angular        = std::max(angular, (now.second - start.second).norm());
+    }
+  CHECK(linear < 1e-12 * start.first.norm());
+  CHECK(angular < 1e-10 * start.second.norm());
+  CHECK(mast.energy() == Approx(energy).epsilon(1e-3));
+  const coupling::SurfaceBalance b = mast.both.surfaces().front()->balance();
+  CHECK(b.to_solid.norm() > 0.1 * start.first.norm());
+  CHECK((b.to_particles + b.to_solid).norm() < 1e-12 * b.to_solid.norm());
+  CHECK((b.turn_to_particles + b.turn_to_solid).norm() < 1e-10 * b.turn_to_solid.norm());
+  CHECK(std::fabs(b.made()) < 1e-12 * (std::fabs(b.work_on_solid) + energy));
+  CHECK(mast.specimen.energy().balance_error() < 1e-3);
+}
+
+TEST_CASE("surface coupling: glue keeps momentum with particles sub-cycled", "[coupling]")
+{
+  Mast mast(0.02);
+  mast.both.set_largest_ratio(4);
+  const auto            start = mast.momenta();
+  coupling::WindowSteps steps;
+  double                energy = 0;
+  for (int n = 0; n < 1500; ++n)
+    {
+      steps = mast.both.advance(1);
+      if (n == 0)
+        energy = mast.energy();
+    }
+  CHECK(steps.particles > 1);
+  const auto now = mast.momenta();
+  CHECK((now.first - start.first).norm() < 1e-12 * start.first.norm());
+  CHECK((now.second - start.second).norm() < 1e-4 * start.second.norm()); // vertices move while impulses are summed up
+  CHECK(mast.energy() < 1.001 * energy);
 }
 
 TEST_CASE("surface coupling: in the plane a disc bounces off a block of segments", "[coupling]")

@@ -76,14 +76,6 @@ namespace
     dem::Specimen      specimen;
     std::size_t        surface, most = 0; ///< of contacts at once
   };
-
-  double difference(const std::vector<Vector3d> &a, const std::vector<Vector3d> &b)
-  {
-    double sum = a.size() == b.size() ? 0 : 1;
-    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
-      sum += (a[i] - b[i]).cwiseAbs().sum();
-    return sum;
-  }
 } // namespace
 
 TEST_CASE("vertices get what spheres get, turned round: force, moment and power are equal on both sides to 1e-12",

@@ -105,4 +105,13 @@ namespace walls
     const double x = random(), y = random(), z = random();
     return half * Vector3d(2 * x - 1, 2 * y - 1, 2 * z - 1);
   }
+
+  /** By how much two lists differ, all in all; 0: to the last bit in nothing. */
+  inline double difference(const std::vector<Vector3d> &a, const std::vector<Vector3d> &b)
+  {
+    double sum = a.size() == b.size() ? 0 : 1;
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+      sum += (a[i] - b[i]).cwiseAbs().sum();
+    return sum;
+  }
 } // namespace walls

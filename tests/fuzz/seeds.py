@@ -586,6 +586,15 @@ subsection Couplings
     set Contact           = pressure
     set Effective modulus = 1e8
     set Energy limit      = 0.1
+    subsection Bond
+      set Within = 2e-4
+      set Law    = parallel-bond
+      subsection parallel-bond
+        set Effective modulus = 1e8
+        set Tensile strength  = 1e5
+        set Cohesion          = 1e5
+      end
+    end
   end
 end
 subsection Gravity

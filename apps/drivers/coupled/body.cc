@@ -53,8 +53,13 @@ namespace apps
         both.set_largest_ratio(static_cast<int>(what.largest_ratio));
         for (const CouplingSection &coupling : model.couplings.couplings)
           in_words_of_input([&] {
-            both.add_surface({coupling.name, coupling.boundaries(), coupling.contact, coupling.pressure, coupling.skin,
-                              coupling.particles(body.all_groups())});
+            both.add_surface({coupling.name,
+                              coupling.boundaries(),
+                              coupling.contact,
+                              coupling.pressure,
+                              coupling.skin,
+                              coupling.particles(body.all_groups()),
+                              {coupling.bond.within, coupling.bond.links(what.particles.physics)}});
             return 0;
           });
         refuse_shared_couplings();
@@ -92,6 +97,11 @@ namespace apps
         for (const CouplingSection &coupling : model.couplings.couplings)
           {
             add(column_name(coupling.name) + "_contacts", "");
+            if (coupling.bond.given())
+              {
+                add(column_name(coupling.name) + "_glued", "");
+                add(column_name(coupling.name) + "_torn", "");
+              }
             add(column_name(coupling.name) + "_work", "J");
             add(column_name(coupling.name) + "_made", "J");
           }
@@ -147,12 +157,16 @@ namespace apps
         const dem::Counts counts = specimen.counts();
         add(std::initializer_list<double>{static_cast<double>(counts.links), static_cast<double>(counts.broken),
                                           static_cast<double>(counts.contacts + counts.wall_contacts)});
-        double made = touching.energies().made();
+        double made     = touching.energies().made();
+        auto   coupling = model.couplings.couplings.begin();
         for (const auto &surface : both.surfaces())
           {
             const coupling::SurfaceBalance balance = surface->balance();
-            add(std::initializer_list<double>{static_cast<double>(specimen.surface(surface->surface()).touching),
-                                              balance.work_on_solid, balance.made()});
+            const dem::Surface            &touched = specimen.surface(surface->surface());
+            values.push_back(static_cast<double>(touched.touching));
+            if (coupling++->bond.given())
+              add(std::initializer_list<double>{static_cast<double>(touched.glued), static_cast<double>(touched.torn)});
+            add(std::initializer_list<double>{balance.work_on_solid, balance.made()});
             made += balance.made();
           }
         add(touching.values());
@@ -329,7 +343,7 @@ namespace apps
         for (const auto &coupled : both.surfaces())
           {
             const dem::Surface &surface = body.specimen().surface(coupled->surface());
-            if (surface.touching == 0)
+            if (surface.touching == 0 && surface.glued == 0)
               continue;
             figures.note(at, surface.total_force.norm());
           }

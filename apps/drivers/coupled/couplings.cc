@@ -30,6 +30,7 @@ namespace apps
       .only_if([this] { return pressure; }, "Contact = pressure");
     s.number("Energy limit", energy_limit, "-", Range::positive(), Need::optional)
       .means("The run stops where the coupling itself has made or lost more than this part of the largest energy");
+    bond.declare(s);
   }
 
   std::vector<std::string> CouplingSection::boundaries() const { return names_in(boundary); }
@@ -64,6 +65,7 @@ namespace apps
                                 ": a name without commas and quotes, please: it is part of columns of series.csv.");
         for (const std::string &group : names_in(coupling.group))
           groups.require(section, "Groups", group);
+        coupling.bond.validate(section);
       }
   }
 } // namespace apps

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/drivers/continuum/model.h"
+#include "apps/drivers/coupled/bond.h"
 #include "apps/drivers/particles/groups.h"
 #include "dem/laws/linear_contact.h"
 
@@ -20,6 +21,7 @@ namespace apps
     bool                         pressure     = false; ///< on areas, not at points
     double                       skin         = 0;     ///< [m]; 0: by the size of the facets
     double                       energy_limit = 0.01;  ///< that it may make, over the largest energy
+    BondSection                  bond;
 
     void                     declare(Section &section);
     std::vector<std::string> boundaries() const;

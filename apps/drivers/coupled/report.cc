@@ -26,6 +26,9 @@ namespace apps
     if (model.laboratory.given())
       found.update(figures_of({notes()}));
     found["broken_links"] = body.particles().specimen().counts().broken;
+    for (const CouplingSection &coupling : model.couplings.couplings)
+      if (coupling.bond.given())
+        found["torn_off"][coupling.name] = series.column(column_name(coupling.name) + "_torn").back();
     if (body.interface().touched())
       body.interface().put_into(found, model.references);
     return found;
