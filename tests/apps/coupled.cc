@@ -283,7 +283,6 @@ TEST_CASE("What is glued to a face hangs from it until the strength of the glue,
   };
   refused("Particles/More particles/ball/Centre=0.03, 0.062, 0.1", "lies in it");
   refused("Couplings/block/Bond/Law=own", "carry no tension");
-  refused("Couplings/block/Bond/Law=linear", "carry no tension");
   refused("Couplings/block/Bond/Within=-1", "Within");
   const Outcome nobody = outcome_of(
     folder, "check",
