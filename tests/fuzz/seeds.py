@@ -2,6 +2,8 @@
 
 import math
 
+from seeds_of_couplings import CONTACT, COUPLED
+
 CPM = """  set Law = CPM
   subsection CPM
     set Normal modulus       = 25e9
@@ -522,97 +524,9 @@ subsection Output
 end
 """
 
-COUPLED = """set Kind = coupled
-subsection Continuum
-  subsection Model
-    set Dimension = 3
-  end
-  subsection Mesh
-    set Source = box
-    subsection Box
-      set Size        = 0.01, 0.01, 0.005
-      set Divisions x = 3
-      set Divisions y = 3
-      set Divisions z = 2
-      set Growth      = 1, 1.2, 0.8
-    end
-  end
-  subsection Materials
-    subsection solid
-      set Law     = isotropic elastic
-      set Density = 2000
-      subsection isotropic elastic
-        set Young modulus = 1e9
-        set Poisson ratio = 0.2
-      end
-    end
-  end
-  subsection Boundary conditions
-    subsection back
-      set Displacement z = 0
-    end
-  end
-  subsection Motion
-    set Damping = 10
-  end
-end
-subsection Particles
-  subsection Specimen
-    set Source  = none
-    set Density = 2500
-  end
-  subsection More particles
-    subsection ball
-      set Centre = 0.005, 0.005, 0.0061
-      set Radius = 1e-3
-    end
-  end
-  subsection Material
-    set Law = linear
-    subsection linear
-      set Effective modulus = 1e8
-    end
-  end
-  subsection Initial velocity
-    subsection ball
-      set Velocity z = -1
-    end
-  end
-end
-subsection Couplings
-  subsection top
-    set Boundary          = front
-    set Groups            = ball
-    set Contact           = pressure
-    set Effective modulus = 1e8
-    set Energy limit      = 0.1
-    subsection Bond
-      set Within = 2e-4
-      set Law    = parallel-bond
-      subsection parallel-bond
-        set Effective modulus = 1e8
-        set Tensile strength  = 1e5
-        set Cohesion          = 1e5
-      end
-    end
-  end
-end
-subsection Gravity
-  set Acceleration = 0, 0, -9.81
-end
-subsection Time
-  set End time      = 2e-4
-  set Largest ratio = 2
-end
-subsection Output
-  set Samples   = 10
-  set Snapshots = 1
-end
-"""
-
 SCENES = {"uniaxial": UNIAXIAL, "cell": CELL, "quasi_static": QUASI_STATIC, "homogenisation": HOMOGENISATION,
           "generated": GENERATED, "continuum_static": CONTINUUM_STATIC, "continuum_explicit": CONTINUUM_EXPLICIT,
-          "sequential": SEQUENTIAL, "particles": PARTICLES, "coupled": COUPLED}
+          "sequential": SEQUENTIAL, "particles": PARTICLES, "coupled": COUPLED, "contact": CONTACT}
 
 FILES = {"packing.txt": packing(), "cell.txt": periodic_cell(), "two.msh": MESH_2, "two4.msh": MESH_4,
          "link.csv": LINK_PATH, "point.csv": POINT_PATH}
