@@ -2,7 +2,6 @@
 
 #include "coupling/surface/boundary_facets.h"
 
-#include <boost/geometry/index/rtree.hpp>
 #include <deal.II/boost_adaptors/bounding_box.h>
 #include <deal.II/dofs/dof_accessor.h>
 #include <deal.II/numerics/rtree.h>

@@ -78,7 +78,7 @@ namespace apps
 
   std::vector<postprocess::SeriesColumn> QuasiStaticRun::series_columns() const
   {
-    return QuasiStaticStage::series_columns();
+    return QuasiStaticStage::series_columns(model.is_cell());
   }
 
   std::string QuasiStaticRun::size() const

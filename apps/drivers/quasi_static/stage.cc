@@ -130,43 +130,33 @@ namespace apps
     return (layers->planes->second.motion(place) - layers->planes->first.motion(place)) / layers->gauge_length;
   }
 
-  std::vector<postprocess::SeriesColumn> QuasiStaticStage::series_columns()
+  std::vector<postprocess::SeriesColumn> QuasiStaticStage::series_columns(const bool of_cell)
   {
-    return {{"test", ""},
-            {"point", ""},
-            {"strain", "-"},
-            {"stress", "Pa"},
-            {"mean_damage", "-"},
-            {"strain_xx", "-"},
-            {"strain_yy", "-"},
-            {"strain_zz", "-"},
-            {"energy_work", "J"},
-            {"energy_stored", "J"},
-            {"energy_damage", "J"},
-            {"energy_friction", "J"},
-            {"energy_damped", "J"},
-            {"energy_residual", "J"},
-            {"unbalanced", "-"},
-            {"solutions", ""},
-            {"relaxation_steps", ""},
-            {"control", ""}};
+    std::vector<postprocess::SeriesColumn> all = {
+      {"test", ""}, {"point", ""}, {"strain", "-"}, {"stress", "Pa"}, {"mean_damage", "-"}};
+    if (of_cell)
+      for (const char *strain : {"strain_xx", "strain_yy", "strain_zz"})
+        all.push_back({strain, "-"});
+    for (const char *energy :
+         {"energy_work", "energy_stored", "energy_damage", "energy_friction", "energy_damped", "energy_residual"})
+      all.push_back({energy, "J"});
+    for (const auto &last :
+         {postprocess::SeriesColumn{"unbalanced", "-"}, {"solutions", ""}, {"relaxation_steps", ""}, {"control", ""}})
+      all.push_back(last);
+    return all;
   }
 
   SeriesRow QuasiStaticStage::row() const
   {
-    const dem::QuasiStaticPoint &p       = path.points().back();
-    Eigen::Vector3d              strains = p.strain.head<3>();
-    if (loaded.network.volume == 0) // between grips only the strain along the axis is known
-      {
-        strains.setConstant(std::nan(""));
-        strains[axis] = result.strain.back();
-      }
-    return {{name},
-            {static_cast<double>(path.points().size() - 1), result.strain.back(), p.stress[loaded.led], p.mean_damage,
-             strains[0], strains[1], strains[2], p.external_work, p.stored, p.damage, p.friction, p.damped,
-             p.energy_residual(), p.residual, static_cast<double>(p.iterations),
-             static_cast<double>(p.relaxation_steps)},
-            {dem::name_of(p.control)}};
+    const dem::QuasiStaticPoint &p      = path.points().back();
+    std::vector<double>          values = {static_cast<double>(path.points().size() - 1), result.strain.back(),
+                                           p.stress[loaded.led], p.mean_damage};
+    if (model.is_cell())
+      values.insert(values.end(), p.strain.data(), p.strain.data() + 3);
+    values.insert(values.end(),
+                  {p.external_work, p.stored, p.damage, p.friction, p.damped, p.energy_residual(), p.residual,
+                   static_cast<double>(p.iterations), static_cast<double>(p.relaxation_steps)});
+    return {{name}, values, {dem::name_of(p.control)}};
   }
 
   void QuasiStaticStage::visit_state(RunState &state)

@@ -64,7 +64,8 @@ namespace apps
     QuasiStaticResult result;
     MaterialCounts    materials;
 
-    static std::vector<postprocess::SeriesColumn> series_columns();
+    /** @param of_cell all strains are known; between grips only that along the axis */
+    static std::vector<postprocess::SeriesColumn> series_columns(bool of_cell);
 
   private:
     void   snapshot();
