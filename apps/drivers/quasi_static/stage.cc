@@ -151,7 +151,7 @@ namespace apps
     const dem::QuasiStaticPoint &p      = path.points().back();
     std::vector<double>          values = {static_cast<double>(path.points().size() - 1), result.strain.back(),
                                            p.stress[loaded.led], p.mean_damage};
-    if (model.is_cell())
+    if (!layers)
       values.insert(values.end(), p.strain.data(), p.strain.data() + 3);
     values.insert(values.end(),
                   {p.external_work, p.stored, p.damage, p.friction, p.damped, p.energy_residual(), p.residual,
