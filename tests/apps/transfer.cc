@@ -447,8 +447,11 @@ TEST_CASE("bench sequential tells error and cost of every kernel and mesh", "[ap
       INFO(line);
       ++rows;
       const auto fields = apps::comma_separated(line);
-      REQUIRE(fields.size() == 8); // error over all that follows, and near the transfer
-      const auto error = apps::number_in(fields[4]);
+      REQUIRE(fields.size() == 9); // error over all that follows, and near the transfer, and how far that comes
+      const auto error = apps::number_in(fields[4]), reaches = apps::number_in(fields[6]);
+      REQUIRE(reaches);
+      if (apps::number_in(fields[5]))
+        CHECK((*reaches > 1 && *reaches <= 1.5));
       if (error)
         CHECK((*error > 0 && *error < 2));
       // Single particles, and the few within a narrow ball, are refused; past its peak a field may find no way on over several
