@@ -51,23 +51,46 @@ namespace dem
     links.get_history(link, row);
   }
 
+  namespace
+  {
+    /** Work of a link's force and moment on what its ends are told to move by, turned round: what they do on the link. */
+    double work_on(const Particles       &particles,
+                   const LinkSet         &links,
+                   const LinkView        &link,
+                   const std::size_t      l,
+                   const Column          &moves,
+                   const Eigen::Vector3d &of_cell)
+    {
+      const std::int32_t J = links.first[l], K = links.second[l];
+      const auto         moved = [&](const std::int32_t i, const int c) {
+        return Eigen::Vector3d(&moves[record_size * static_cast<std::size_t>(i) + static_cast<std::size_t>(c)]);
+      };
+      const Eigen::Vector3d opening   = moved(K, 0) - moved(J, 0) + of_cell;
+      const double          eccentric = particles.radius_of(J) - particles.radius_of(K);
+      const Eigen::Vector3d arms =
+        0.5 * ((link.length + eccentric) * moved(J, 3) + (link.length - eccentric) * moved(K, 3));
+      double work = link.force.dot(opening) - link.direction.cross(link.force).dot(arms);
+      if (links.has_moment)
+        work += Eigen::Vector3d(&links.moment[half_record_size * l]).dot(moved(K, 3) - moved(J, 3));
+      return work;
+    }
+  } // namespace
+
   double work_not_taken_up(const Particles &particles, const LinkSet &links, const LinkView &link, const std::size_t l)
   {
-    const std::int32_t J = links.first[l], K = links.second[l];
-    const auto         moved = [&](const std::int32_t i, const int c) {
-      return Eigen::Vector3d(
-                &particles.motion[record_size * static_cast<std::size_t>(i) + static_cast<std::size_t>(c)]);
-    };
-    Eigen::Vector3d opening = moved(K, 0) - moved(J, 0);
-    if (links.periodic)
-      opening += particles.cell.motion_of(links.image[l]);
-    const double          eccentric = particles.radius_of(J) - particles.radius_of(K);
-    const Eigen::Vector3d arms =
-      0.5 * ((link.length + eccentric) * moved(J, 3) + (link.length - eccentric) * moved(K, 3));
-    double work = link.force.dot(opening) - link.direction.cross(link.force).dot(arms);
-    if (links.has_moment)
-      work += Eigen::Vector3d(&links.moment[half_record_size * l]).dot(moved(K, 3) - moved(J, 3));
-    return 0.5 * work;
+    const Eigen::Vector3d of_cell =
+      links.periodic ? particles.cell.motion_of(links.image[l]) : Eigen::Vector3d(Eigen::Vector3d::Zero());
+    return 0.5 * work_on(particles, links, link, l, particles.motion, of_cell);
+  }
+
+  double power_of_ends(const Particles &particles, const LinkSet &links)
+  {
+    double power = 0;
+    for (std::size_t l = 0; l < links.count; ++l)
+      if (links.is_alive(l))
+        power +=
+          work_on(particles, links, link_at(particles, links, l), l, particles.velocity, Eigen::Vector3d::Zero());
+    return power;
   }
 
   double elastic_energy(const Particles &particles, const LinkSet &links, const LinkLaw &law)

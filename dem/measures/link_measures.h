@@ -82,6 +82,9 @@ namespace dem
    */
   double work_not_taken_up(const Particles &particles, const LinkSet &links, const LinkView &link, std::size_t number);
 
+  /** Power that particles put into living links by their velocities, those about a periodic cell's motion [W]. */
+  double power_of_ends(const Particles &particles, const LinkSet &links);
+
   /** Energy stored in all living links [J]. */
   double elastic_energy(const Particles &particles, const LinkSet &links, const LinkLaw &law);
 

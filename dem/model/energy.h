@@ -14,7 +14,7 @@ namespace dem
  */
   struct EnergyAccount
   {
-    double initial       = 0; ///< kinetic energy put in before the first step, and what a static start has stored
+    double initial = 0; ///< kinetic energy given before the first step, and what a static start or overlaps there store
     double external_work = 0; ///< by prescribed motion, and by the stress on a deforming cell, V sigma : G
     double gravity       = 0; ///< work of the weight: potential energy lost since the first step
     double kinetic       = 0; ///< in a periodic cell: of the motion about the cell's

@@ -227,16 +227,24 @@ namespace dem
           if (stored_at_start > 0) // otherwise links carry nothing yet
             of_links += (particles.force[record_size * i + c] - weight) * moved;
         }
-    initial         = kinetic_of_velocities() + stored_at_start + of_links + of_surfaces;
+    initial         = kinetic_of_velocities() + stored_at_start + of_links + begin_contacts() + of_surfaces;
     weight_at_start = weight_work() - of_weight;
+  }
+
+  double Specimen::Implementation::begin_contacts()
+  {
+    if (contacts.alive == 0)
+      return 0;
+    contact_pass(contacts, particles, *contact_law); // nothing has moved yet: the first step will find the same
+    return elastic_energy(particles, contacts, *contact_law) - 0.5 * time_step * power_of_ends(particles, contacts);
   }
 
   void Specimen::Implementation::find_forces()
   {
     bond_pass(bonds, particles, *bond_law);
     // A step of no length: forces are summed up, nothing moves, and the last motion is done with.
-    select_particle_pass(false, false, equal_radii, moments(), surroundings())(particles, bonds, nullptr,
-                                                                               surfaces.on_particles(), {0.0, 0.0}, 0.0, parameters.gravity, accounts);
+    select_particle_pass(false, false, equal_radii, moments(), surroundings())(
+      particles, bonds, nullptr, surfaces.on_particles(), {0.0, 0.0}, 0.0, parameters.gravity, accounts);
     sum_pulls();
   }
 

@@ -118,6 +118,8 @@ namespace dem
     }
     /** Set the energy account to where the first step starts from. */
     void begin();
+    /** Find the forces of contacts that exist before the first step. @return energy of theirs that the account starts from [J] */
+    double begin_contacts();
     /** Work of the weight on the way from the packing to where the particles were at t_n [J]. */
     double             weight_work() const;
     InitialEquilibrium find_equilibrium();

@@ -29,7 +29,8 @@ namespace dem
     if (s.step_count == 0)
       {
         e.kinetic = s.kinetic_of_velocities();
-        e.initial = e.kinetic + s.stored_at_start + s.surfaces.stored(s.shape, s.particles);
+        e.initial = e.kinetic + s.stored_at_start + elastic_energy(s.particles, s.contacts, *s.contact_law) +
+                    s.surfaces.stored(s.shape, s.particles);
       }
     else
       for (const auto &block : s.accounts)

@@ -136,6 +136,8 @@ namespace dem
       throw InputError("Interaction ratio = " + std::to_string(p.interaction_ratio) +
                        ": no two particles are near enough to be linked, nothing holds the specimen together. Raise "
                        "the ratio or check the packing.");
+    if (parameters.physics.contacts)
+      make_contacts(); // of what overlaps from the start
   }
 
   std::size_t Specimen::Implementation::touching_contacts() const
@@ -263,8 +265,8 @@ namespace dem
   Counts Specimen::counts() const
   {
     const std::size_t in_place = self->bonds.broken();
-    return {self->particles.count, self->bonds.alive - in_place, self->touching_contacts() + in_place,
-            self->crack_log.size() / 2, self->search.searches(), self->surfaces.list().size()};
+    return {self->particles.count,      self->bonds.alive - in_place, self->touching_contacts() + in_place,
+            self->crack_log.size() / 2, self->search.searches(),      self->surfaces.list().size()};
   }
 
   std::size_t Specimen::bytes() const { return self->particles.bytes() + self->bonds.bytes() + self->contacts.bytes(); }
