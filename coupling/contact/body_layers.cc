@@ -1,5 +1,6 @@
 #include "coupling/contact/body_layers.h"
 
+#include "coupling/contact/solid_parts.h"
 #include "coupling/surface/boundary_facets.h"
 
 #include <deal.II/boost_adaptors/bounding_box.h>
@@ -44,9 +45,6 @@ namespace coupling
     template <int dim>
     std::vector<Cell> cells_of(const fem::Solid<dim> &solid, const SolidParticipant<dim> &participant)
     {
-      std::map<dealii::types::global_dof_index, std::size_t> carrier_of; // by the first displacement
-      for (std::size_t i = 0; i < participant.carriers(); ++i)
-        carrier_of.emplace(participant.displacements(i)[0], i);
       std::vector<Cell> cells;
       for (const auto &cell : solid.dofs().active_cell_iterators())
         {
@@ -54,48 +52,19 @@ namespace coupling
           made.measure  = cell->measure();
           made.material = static_cast<int>(cell->material_id());
           for (const unsigned int v : cell->vertex_indices())
-            made.nodes.push_back(carrier_of.at(cell->vertex_dof_index(v, 0)));
+            made.nodes.push_back(participant.carrier_of(cell->vertex_dof_index(v, 0)));
           for (const unsigned int f : cell->face_indices())
             {
               const auto face = cell->face(f);
               Carriers   nodes;
               for (const unsigned int v : face->vertex_indices())
-                nodes.push_back(carrier_of.at(face->vertex_dof_index(v, 0)));
+                nodes.push_back(participant.carrier_of(face->vertex_dof_index(v, 0)));
               made.faces.push_back(around(nodes));
               made.beyond.push_back(face->at_boundary() ? -1 :
                                                           static_cast<int>(cell->neighbor(f)->active_cell_index()));
             }
         }
       return cells;
-    }
-
-    /** Give each cell the number of its body. @return how many there are */
-    std::size_t find_bodies(std::vector<Cell> &cells)
-    {
-      constexpr auto none = static_cast<std::size_t>(-1);
-      for (Cell &cell : cells)
-        cell.body = none;
-      std::size_t count = 0;
-      for (std::size_t first = 0; first < cells.size(); ++first)
-        {
-          if (cells[first].body != none)
-            continue;
-          std::vector<std::size_t> open{first};
-          cells[first].body = count;
-          while (!open.empty())
-            {
-              const Cell &cell = cells[open.back()];
-              open.pop_back();
-              for (const int next : cell.beyond)
-                if (next >= 0 && cells[static_cast<std::size_t>(next)].body == none)
-                  {
-                    cells[static_cast<std::size_t>(next)].body = count;
-                    open.push_back(static_cast<std::size_t>(next));
-                  }
-            }
-          ++count;
-        }
-      return count;
     }
 
     /** How deep a place lies below the faces of a solid. */
@@ -183,16 +152,16 @@ namespace coupling
         own.size = dim == 3 ? std::cbrt(cell.measure * cell.measure) : std::sqrt(cell.measure) * made.mesh.thickness;
         for (const std::size_t node : cell.nodes)
           own.vertices.push_back(vertex({node}));
-        const bool whole =
-          cell.nodes.size() == dim + 1 && !all_on_surface(cell.nodes) &&
-          std::none_of(cell.faces.begin(), cell.faces.end(), [&](const Carriers &face) { return divided(cell, face); });
+        bool whole = cell.nodes.size() == dim + 1 && !all_on_surface(cell.nodes);
+        for (std::size_t f = 0; f < cell.faces.size(); ++f)
+          whole = whole && !divided(cell, f);
         if (whole)
           {
             add_whole(cell, in_layer);
             return;
           }
         for (std::size_t f = 0; f < cell.faces.size(); ++f)
-          for (const auto &part : parts_of(cell, cell.faces[f]))
+          for (const auto &part : parts_of(cell, f))
             {
               Corners corners = part;
               corners.push_back(cell.nodes);
@@ -220,16 +189,15 @@ namespace coupling
         return cell.beyond[face] >= 0 && !in_layer[static_cast<std::size_t>(cell.beyond[face])];
       }
       /** Whether a face gets a corner of its own: seen alike from both sides. */
-      bool divided(const Cell &cell, const Carriers &face) const
+      bool divided(const Cell &cell, const std::size_t face) const
       {
-        const auto number =
-          static_cast<std::size_t>(std::find(cell.faces.begin(), cell.faces.end(), face) - cell.faces.begin());
-        return face.size() == 4 || (!at_surface(cell, number) && all_on_surface(face));
+        return cell.faces[face].size() == 4 || (!at_surface(cell, face) && all_on_surface(cell.faces[face]));
       }
 
-      std::vector<Corners> parts_of(const Cell &cell, const Carriers &face) const
+      std::vector<Corners> parts_of(const Cell &cell, const std::size_t number) const
       {
-        if (!divided(cell, face))
+        const Carriers &face = cell.faces[number];
+        if (!divided(cell, number))
           {
             Corners whole;
             for (const std::size_t node : face)
@@ -349,8 +317,12 @@ namespace coupling
                          const SolidParticipant<dim>    &participant,
                          const std::vector<std::string> &names)
   {
-    std::vector<Cell>              cells     = cells_of(solid, participant);
-    const std::size_t              bodies    = find_bodies(cells);
+    std::vector<Cell>            cells  = cells_of(solid, participant);
+    const std::vector<SolidPart> parts  = solid_parts(solid, participant);
+    const std::size_t            bodies = parts.size();
+    for (std::size_t b = 0; b < bodies; ++b)
+      for (const unsigned int cell : parts[b].cells)
+        cells[cell].body = b;
     const std::vector<std::string> materials = names_of(solid, cells, bodies), all = numbered(materials);
     refuse_unknown(names, materials);
     std::vector<std::int32_t> number(bodies, -1); // among those wanted

@@ -28,16 +28,24 @@ namespace coupling
   ContactCoupling<dim>::ContactCoupling(const fem::Solid<dim>           &solid,
                                         SolidParticipant<dim>           &participant_,
                                         const ContactCouplingParameters &parameters)
+    : ContactCoupling(body_layers(solid, participant_, parameters.bodies), participant_, parameters)
+  {
+  }
+
+  template <int dim>
+  ContactCoupling<dim>::ContactCoupling(BodyLayers                     &&layers,
+                                        SolidParticipant<dim>           &participant_,
+                                        const ContactCouplingParameters &parameters)
     : participant(participant_)
     , own_name(parameters.name)
-    , layers(body_layers(solid, participant_, parameters.bodies))
     , carriers(all_parents(layers))
-    , bodies(layers.mesh, parameters.contact)
-    , vertex_place(layers.mesh.place)
+    , parents(std::move(layers.parents))
+    , bodies(std::move(layers.mesh), parameters.contact)
+    , vertex_place(bodies.mesh().place)
     , force(carriers.size(), Vector3d::Zero())
   {
-    for (auto &parents : layers.parents) // from now on by their place in the list of carriers
-      for (std::size_t &node : parents)
+    for (auto &nodes : parents)
+      for (std::size_t &node : nodes)
         node = static_cast<std::size_t>(std::lower_bound(carriers.begin(), carriers.end(), node) - carriers.begin());
     for (const std::size_t carrier : carriers)
       place.push_back(participant.position(carrier));
@@ -50,8 +58,8 @@ namespace coupling
     constexpr double rounding = 1e-9; // of places, in parts of the bodies
     kinematics_to_dem();
     double volume = 0;
-    for (const dem::BodySimplex &simplex : layers.mesh.simplices)
-      volume += layers.mesh.thickness * layers.mesh.at(simplex).volume();
+    for (const dem::BodySimplex &simplex : bodies.mesh().simplices)
+      volume += bodies.mesh().thickness * bodies.mesh().at(simplex).volume();
     if (bodies.overlap() > rounding * volume)
       {
         std::ostringstream text;
@@ -65,9 +73,9 @@ namespace coupling
   double ContactCoupling<dim>::added_eigenvalue() const
   {
     std::vector<double> stiffness(carriers.size(), 0.0);
-    for (std::size_t v = 0; v < layers.parents.size(); ++v)
-      for (const std::size_t c : layers.parents[v])
-        stiffness[c] += bodies.stiffness()[v] / static_cast<double>(layers.parents[v].size());
+    for (std::size_t v = 0; v < parents.size(); ++v)
+      for (const std::size_t c : parents[v])
+        stiffness[c] += bodies.stiffness()[v] / static_cast<double>(parents[v].size());
     double most = 0;
     for (std::size_t c = 0; c < carriers.size(); ++c)
       most = std::max(most, stiffness[c] / participant.mass(carriers[c]));
@@ -88,9 +96,9 @@ namespace coupling
     for (std::size_t v = 0; v < vertex_place.size(); ++v)
       {
         vertex_place[v].setZero();
-        for (const std::size_t c : layers.parents[v])
+        for (const std::size_t c : parents[v])
           vertex_place[v] += place[c];
-        vertex_place[v] /= static_cast<double>(layers.parents[v].size());
+        vertex_place[v] /= static_cast<double>(parents[v].size());
       }
     bodies.move_to(vertex_place);
     gather(bodies.force());
@@ -105,8 +113,8 @@ namespace coupling
     std::fill(force.begin(), force.end(), Vector3d::Zero());
     for (std::size_t v = 0; v < of_vertices.size(); ++v)
       if (!of_vertices[v].isZero(0))
-        for (const std::size_t c : layers.parents[v])
-          force[c] += of_vertices[v] / static_cast<double>(layers.parents[v].size());
+        for (const std::size_t c : parents[v])
+          force[c] += of_vertices[v] / static_cast<double>(parents[v].size());
   }
 
   template <int dim>

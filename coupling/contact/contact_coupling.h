@@ -56,16 +56,20 @@ namespace coupling
     void visit_state(dem::StateVisitor &visitor);
 
   private:
+    ContactCoupling(BodyLayers                     &&layers,
+                    SolidParticipant<dim>           &participant,
+                    const ContactCouplingParameters &parameters);
+
     void refuse_overlap();
     void gather(const std::vector<Eigen::Vector3d> &of_vertices);
 
-    SolidParticipant<dim>       &participant;
-    std::string                  own_name;
-    BodyLayers                   layers;
-    std::vector<std::size_t>     carriers; ///< nodes of the layers, ascending
-    dem::BodyContacts            bodies;
-    std::vector<Eigen::Vector3d> vertex_place;
-    std::vector<Eigen::Vector3d> place, force; ///< of the carriers [m], [N]
-    ContactBalance               account;
+    SolidParticipant<dim>                &participant;
+    std::string                           own_name;
+    std::vector<std::size_t>              carriers; ///< nodes of the layers, ascending
+    std::vector<std::vector<std::size_t>> parents;  ///< of each vertex, in the list of carriers: it is their mean
+    dem::BodyContacts                     bodies;
+    std::vector<Eigen::Vector3d>          vertex_place;
+    std::vector<Eigen::Vector3d>          place, force; ///< of the carriers [m], [N]
+    ContactBalance                        account;
   };
 } // namespace coupling

@@ -1,9 +1,8 @@
 #include "coupling/contact/rigid_bodies.h"
 
-#include <deal.II/dofs/dof_accessor.h>
+#include "coupling/contact/solid_parts.h"
 
 #include <algorithm>
-#include <map>
 #include <set>
 #include <stdexcept>
 
@@ -11,64 +10,6 @@ namespace coupling
 {
   using Eigen::Matrix3d;
   using Eigen::Vector3d;
-
-  namespace
-  {
-    /** Carriers of each part of these materials that hangs together. */
-    template <int dim>
-    std::vector<std::vector<std::size_t>> parts_of(const fem::Solid<dim>                      &solid,
-                                                   const SolidParticipant<dim>                &participant,
-                                                   const std::set<dealii::types::material_id> &materials)
-    {
-      std::map<dealii::types::global_dof_index, std::size_t> carrier_of; // by the first displacement
-      for (std::size_t i = 0; i < participant.carriers(); ++i)
-        carrier_of.emplace(participant.displacements(i)[0], i);
-      std::vector<std::size_t> root(participant.carriers());
-      for (std::size_t i = 0; i < root.size(); ++i)
-        root[i] = i;
-      const auto find = [&](std::size_t i) {
-        while (root[i] != i)
-          i = root[i] = root[root[i]];
-        return i;
-      };
-      std::set<std::size_t>                        rigid, others;
-      const unsigned int                           n = solid.dofs().get_fe().n_dofs_per_cell();
-      std::vector<dealii::types::global_dof_index> indices(n);
-      for (const auto &cell : solid.dofs().active_cell_iterators())
-        {
-          cell->get_dof_indices(indices);
-          std::size_t first = 0;
-          bool        any   = false;
-          for (const auto index : indices)
-            if (const auto found = carrier_of.find(index); found != carrier_of.end())
-              {
-                if (materials.count(cell->material_id()) == 0)
-                  {
-                    others.insert(found->second);
-                    continue;
-                  }
-                rigid.insert(found->second);
-                if (any)
-                  root[find(found->second)] = find(first);
-                first = found->second;
-                any   = true;
-              }
-        }
-      std::map<std::size_t, std::vector<std::size_t>> found;
-      for (const std::size_t carrier : rigid)
-        {
-          if (others.count(carrier) > 0)
-            throw std::invalid_argument(
-              "rigid bodies: one shares a node with elements of another material. A rigid body "
-              "is a body of its own.");
-          found[find(carrier)].push_back(carrier);
-        }
-      std::vector<std::vector<std::size_t>> parts;
-      for (auto &entry : found)
-        parts.push_back(std::move(entry.second));
-      return parts;
-    }
-  } // namespace
 
   template <int dim>
   RigidBodies<dim>::RigidBodies(const fem::Solid<dim>          &solid,
@@ -88,12 +29,19 @@ namespace coupling
           throw std::invalid_argument("rigid bodies: the mesh has no material " + name + ".");
         wanted.insert(found->second);
       }
-    for (const auto &carriers : parts_of(solid, participant, wanted))
+    for (const SolidPart &part : solid_parts(solid, participant))
       {
+        const auto rigid = std::count_if(part.materials.begin(), part.materials.end(),
+                                         [&](const auto id) { return wanted.count(id) > 0; });
+        if (rigid == 0)
+          continue;
+        if (static_cast<std::size_t>(rigid) < part.materials.size())
+          throw std::invalid_argument("rigid bodies: one shares a node with elements of another material. A rigid body "
+                                      "is a body of its own.");
         Body &body    = bodies.emplace_back();
-        body.carriers = carriers;
+        body.carriers = part.carriers;
         begin(body);
-        body.group = participant.prescribe(carriers, {true, true, dim == 3});
+        body.group = participant.prescribe(part.carriers, {true, true, dim == 3});
       }
   }
 

@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_accessor.h>
 
+#include <algorithm>
 #include <map>
 #include <stdexcept>
 
@@ -51,6 +52,14 @@ namespace coupling
   SolidParticipant<dim>::displacements(const std::size_t carrier) const
   {
     return nodes.at(carrier).dofs;
+  }
+
+  template <int dim>
+  std::size_t SolidParticipant<dim>::carrier_of(const dealii::types::global_dof_index first) const
+  {
+    const auto at = std::lower_bound(nodes.begin(), nodes.end(), first,
+                                     [](const Node &node, const auto number) { return node.dofs[0] < number; });
+    return static_cast<std::size_t>(at - nodes.begin());
   }
 
   template <int dim>

@@ -36,6 +36,8 @@ namespace coupling
     void        save() override;
     void        restore() override;
 
+    /** The node of a first displacement. @pre it is one */
+    std::size_t carrier_of(dealii::types::global_dof_index first) const;
     /** The displacements of a node, by component. */
     const std::array<dealii::types::global_dof_index, dim> &displacements(std::size_t carrier) const;
 

@@ -74,28 +74,31 @@ namespace dem
   void BodyContacts::find_pairs()
   {
     const std::vector<NearSimplices> &candidates = near.look(bodies);
-    std::vector<Pair>                 all(candidates.size());
-    const auto                        count = static_cast<std::int64_t>(candidates.size());
+    const auto                        count      = static_cast<std::int64_t>(candidates.size());
+    touched.clear();
 #pragma omp parallel if (count > 256) // threads cost more than fewer
     {
-      Overlap room;
-#pragma omp for schedule(dynamic, 16)
+      Overlap           room;
+      std::vector<Pair> own;
+#pragma omp for schedule(dynamic, 16) nowait
       for (std::int64_t p = 0; p < count; ++p)
         {
           const NearSimplices &pair  = candidates[static_cast<std::size_t>(p)];
           const BodySimplex   &first = bodies.simplices[index(pair.first)],
                             &second  = bodies.simplices[index(pair.second)];
-          if (may_overlap(bodies, first, second))
-            all[static_cast<std::size_t>(p)] = {pair,
-                                                overlap_force(bodies, first, second, law.form, law.stiffness, room)};
+          if (!may_overlap(bodies, first, second))
+            continue;
+          const OverlapForce found = overlap_force(bodies, first, second, law.form, law.stiffness, room);
+          if (found.volume > 0 || found.stiffness > 0 || found.inside_out)
+            own.emplace_back(pair, found);
         }
+#pragma omp critical
+      touched.insert(touched.end(), own.begin(), own.end());
     }
-    touched.clear();
-    for (const Pair &pair : all)
-      if (pair.second.volume > 0 || pair.second.stiffness > 0 || pair.second.inside_out)
-        touched.push_back(pair);
-    std::stable_sort(touched.begin(), touched.end(),
-                     [this](const Pair &a, const Pair &b) { return holder_of(a) < holder_of(b); });
+    std::sort(touched.begin(), touched.end(), [this](const Pair &a, const Pair &b) { // the same for all threads
+      const Holder of_a = holder_of(a), of_b = holder_of(b);
+      return of_a < of_b || (!(of_b < of_a) && a.first < b.first);
+    });
   }
 
   void BodyContacts::push()

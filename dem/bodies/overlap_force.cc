@@ -9,8 +9,8 @@ namespace dem
     /** Barycentric coordinates of a simplex, and the depth in it, as linear functions of the place. */
     struct Coordinates
     {
-      Coordinates(const BodyMesh &mesh, const BodySimplex &of)
-        : simplex(mesh.at(of))
+      Coordinates(const BodyMesh &mesh, const BodySimplex &of, const Simplex &here)
+        : simplex(here)
       {
         for (int c = 0; c < simplex.corners; ++c)
           {
@@ -95,11 +95,12 @@ namespace dem
                              const double          stiffness,
                              Overlap              &overlap)
   {
-    OverlapForce      found;
-    const Coordinates one(mesh, first), two(mesh, second);
-    find_overlap(one.simplex, two.simplex, overlap);
+    OverlapForce  found;
+    const Simplex first_here = mesh.at(first), second_here = mesh.at(second);
+    find_overlap(first_here, second_here, overlap);
     if (overlap.pieces.empty())
       return found;
+    const Coordinates one(mesh, first, first_here), two(mesh, second, second_here);
     found.inside_out     = !(one.simplex.volume() > 0 && two.simplex.volume() > 0);
     const int    corners = mesh.corners;
     const double k = stiffness * (corners == 3 ? mesh.thickness : 1.0), units = corners == 3 ? mesh.thickness : 1.0;

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "coupling/participants/solid_participant.h"
+
+#include <set>
+#include <vector>
+
+namespace coupling
+{
+  /** What hangs together in a solid by nodes that its elements share. */
+  struct SolidPart
+  {
+    std::vector<std::size_t>             carriers; ///< its nodes, ascending
+    std::vector<unsigned int>            cells;    ///< their active indices, ascending
+    std::set<dealii::types::material_id> materials;
+  };
+
+  /** All parts of a solid, in the order of their first elements. */
+  template <int dim>
+  std::vector<SolidPart> solid_parts(const fem::Solid<dim> &solid, const SolidParticipant<dim> &participant);
+} // namespace coupling
