@@ -11,7 +11,8 @@ namespace postprocess
   {
     constexpr Field::Of points = Field::Of::points, cells = Field::Of::cells;
 
-    constexpr const char *several = "several materials", *periodic = "periodic cells";
+    constexpr const char *several = "several materials", *periodic = "periodic cells",
+                         *glued = "particles glued to surfaces";
 
     FieldFile particle_fields()
     {
@@ -39,8 +40,11 @@ namespace postprocess
         "TEST_links.pvd, cell_links.pvd",
         "a line per link or contact between the present places of its particles, or from a particle to the periodic "
         "image that it "
-        "is linked to; the points are the particles, then these images",
-        {{"id", "", 1, points, "number of the particle in the packing, from 0; an image has that of its particle", ""},
+        "is linked to, or to the place where it is or was glued to a surface; the points are the particles, then these "
+        "images and places",
+        {{"id", "", 1, points,
+          "number of the particle in the packing, from 0; an image has that of its particle, a place on a surface -1",
+          ""},
          {"radius", "m", 1, points, "of the particle", ""},
          {"displacement", "m", 3, points, "of the particle, or of the image", ""},
          {"normal_force", "N", 1, cells, "tension positive", ""},
@@ -53,6 +57,8 @@ namespace postprocess
          {"broken", "", 1, cells, "1: the link was deleted", ""},
          {"material_pair", "", 1, cells, "pair of materials that the link joins (0-0: 0, 1-0: 1, 1-1: 2, 2-0: 3, ...)",
           several},
+         {"surface", "", 1, cells, "number of the wall or coupling that the link leads to, from 0; -1: to a particle",
+          glued},
          {"to_image", "", 1, cells, "1: the link leads to a periodic image of its second particle", periodic}}};
     }
 

@@ -58,6 +58,16 @@ namespace postprocess
             const vtkIdType   joins[2] = {static_cast<vtkIdType>(ends[0]), static_cast<vtkIdType>(second)};
             lines->InsertNextCell(2, joins);
           }
+        for (std::size_t b = 0; b < links.glue.particle.size(); ++b)
+          {
+            const vtkIdType joins[2] = {static_cast<vtkIdType>(links.glue.particle[b]),
+                                        static_cast<vtkIdType>(position.size())};
+            position.push_back(links.glue.anchor[b]);
+            displacement.push_back(links.glue.moved[b]);
+            radius.push_back(0);
+            id.push_back(-1);
+            lines->InsertNextCell(2, joins);
+          }
       }
 
       std::vector<Eigen::Vector3d>  position, displacement;
@@ -84,11 +94,26 @@ namespace postprocess
       return flags;
     }
 
+    /** Of links between particles, and after them of glue. */
+    template <typename Value>
+    std::vector<Value> joined(std::vector<Value> of_links, const std::vector<Value> &of_glue)
+    {
+      of_links.insert(of_links.end(), of_glue.begin(), of_glue.end());
+      return of_links;
+    }
+
+    std::vector<std::int32_t> kinds(const dem::LinkOutput &links)
+    {
+      std::vector<std::int32_t> all = links.kind;
+      for (const std::int32_t torn : links.glue.torn)
+        all.push_back(torn == 1 ? dem::LinkOutput::broken : dem::LinkOutput::cohesive);
+      return all;
+    }
+
     std::vector<std::int32_t> broken_flags(const dem::LinkOutput &links)
     {
       std::vector<std::int32_t> flags;
-      flags.reserve(links.kind.size());
-      for (const std::int32_t kind : links.kind)
+      for (const std::int32_t kind : kinds(links))
         flags.push_back(kind == dem::LinkOutput::broken ? 1 : 0);
       return flags;
     }
@@ -111,20 +136,25 @@ namespace postprocess
     values.add("id", points.id);
     values.add("radius", points.radius);
     values.add("displacement", points.displacement);
-    values.add("normal_force", links.normal_force);
-    values.add("shear_force", links.shear_force);
-    values.add("normal_stress", links.normal_stress);
-    values.add("shear_stress", links.shear_stress);
-    values.add("normal_strain", links.normal_strain);
-    values.add("damage", links.damage);
-    values.add("kind", links.kind);
+    const dem::GlueOutput &glue = links.glue;
+    const std::size_t      more = glue.particle.size();
+    values.add("normal_force", joined(links.normal_force, glue.normal_force));
+    values.add("shear_force", joined(links.shear_force, glue.shear_force));
+    values.add("normal_stress", joined(links.normal_stress, glue.normal_stress));
+    values.add("shear_stress", joined(links.shear_stress, glue.shear_stress));
+    values.add("normal_strain", joined(links.normal_strain, glue.normal_strain));
+    values.add("damage", joined(links.damage, glue.damage));
+    values.add("kind", kinds(links));
     values.add("broken", broken_flags(links));
+    if (more > 0)
+      values.add("surface", joined(std::vector<std::int32_t>(links.kind.size(), -1), glue.surface));
     if (!links.law.empty())
-      values.add("material_pair", links.law);
+      values.add("material_pair", joined(links.law, std::vector<std::int32_t>(more, -1)));
     if (!images.empty())
-      values.add("to_image", image_flags(images));
+      values.add("to_image", joined(image_flags(images), std::vector<std::int32_t>(more, 0)));
     for (std::size_t c = 0; c < links.quantities.size(); ++c)
-      values.add_own(links.quantities[c].name, links.quantities[c].unit, links.history[c]);
+      values.add_own(links.quantities[c].name, links.quantities[c].unit,
+                     joined(links.history[c], std::vector<double>(more, 0.0)));
     write(path, data, time);
   }
 } // namespace postprocess

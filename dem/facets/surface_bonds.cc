@@ -2,6 +2,7 @@
 
 #include "dem/core/errors.h"
 #include "dem/facets/facet_spin.h"
+#include "dem/facets/glue_output.h"
 #include "dem/integrators/stable_step.h"
 #include "dem/measures/link_measures.h"
 #include "dem/model/materials.h"
@@ -46,14 +47,17 @@ namespace dem
         double             least  = std::numeric_limits<double>::infinity();
         Anchor             found{-1, {}};
         for (const NearFacet *pair = near.begin(k); pair != near.end(k); ++pair)
-          if (pair->surface == surface_number && pair->gap < std::min(least, std::nextafter(within, 2 * within)))
-            {
-              const auto facet = static_cast<std::size_t>(pair->facet);
-              least            = pair->gap;
-              found            = {pair->facet, closest_on_facet(surface.mesh, surface.place, facet,
-                                                                particles.position_of(static_cast<std::size_t>(i)))
-                                                 .weight};
-            }
+          {
+            const Vector3d centre = particles.position_of(static_cast<std::size_t>(i));
+            const auto     facet  = static_cast<std::size_t>(pair->facet);
+            if (pair->surface != surface_number)
+              continue;
+            const double gap = surface.distance(facet, centre) - radius;
+            if (gap >= std::min(least, std::nextafter(within, 2 * within)))
+              continue;
+            least = gap;
+            found = {pair->facet, closest_on_facet(surface.mesh, surface.place, facet, centre).weight};
+          }
         if (found.facet < 0)
           continue;
         if (least < -0.5 * radius)
@@ -284,6 +288,43 @@ namespace dem
           sum += quantity(reader);
         }
     return sum;
+  }
+
+  void SurfaceBonds::show(GlueOutput &out, const Particles &particles, const Surface &surface) const
+  {
+    LinkReader reader(bodies, links, *law);
+    for (std::size_t b = 0; b < count(); ++b)
+      {
+        Vector3d now = Vector3d::Zero(), then = now;
+        for (std::size_t c = 0; c < static_cast<std::size_t>(surface.mesh.corners); ++c)
+          {
+            const auto v = static_cast<std::size_t>(surface.mesh.facet[static_cast<std::size_t>(anchor[b].facet)][c]);
+            now += anchor[b].weight[c] * surface.place[v];
+            then += anchor[b].weight[c] * surface.mesh.vertex[v];
+          }
+        const bool whole  = links.is_alive(b) && !links.is_broken(b);
+        double     normal = 0, shear = 0, strain = 0, damage = 1;
+        if (links.is_alive(b))
+          {
+            reader.read(b);
+            const LinkView &view = reader.view();
+            normal               = view.force.dot(view.direction);
+            shear                = (view.force - normal * view.direction).norm();
+            strain               = view.strain;
+            damage               = whole ? reader.damage().stiffness : 1.0;
+          }
+        out.particle.push_back(static_cast<std::size_t>(particles.number[static_cast<std::size_t>(particle[b])]));
+        out.surface.push_back(surface_number);
+        out.anchor.push_back(now);
+        out.moved.push_back(now - then);
+        out.torn.push_back(whole ? 0 : 1);
+        out.normal_force.push_back(normal);
+        out.shear_force.push_back(shear);
+        out.normal_stress.push_back(normal / links.area[b]);
+        out.shear_stress.push_back(shear / links.area[b]);
+        out.normal_strain.push_back(strain);
+        out.damage.push_back(damage);
+      }
   }
 
   double SurfaceBonds::stored() const

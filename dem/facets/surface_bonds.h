@@ -15,6 +15,8 @@
 
 namespace dem
 {
+  struct GlueOutput;
+
   /**
    * Particles that are glued to a surface (doc/theory/surface-coupling.md, 5).
    *
@@ -63,6 +65,9 @@ namespace dem
     /** From the particle to the anchor, and the force on the particle, at t_n [m], [N]. */
     Eigen::Vector3d branch(std::size_t bond) const;
     Eigen::Vector3d force(std::size_t bond) const;
+
+    /** Add all bonds to those that an observer sees. */
+    void show(GlueOutput &out, const Particles &particles, const Surface &surface) const;
 
     void visit_state(StateVisitor &visitor, const std::string &group, const Surface &surface);
 

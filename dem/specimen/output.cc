@@ -195,6 +195,8 @@ namespace dem
              {&out.normal_force, &out.shear_force, &out.normal_stress, &out.shear_stress, &out.normal_strain})
           column->push_back(0.0);
       }
+    for (const SurfaceBonds &glue : self->surfaces.bonds())
+      glue.show(out.glue, self->particles, self->surfaces.surfaces()[static_cast<std::size_t>(glue.surface())]);
     return out;
   }
 } // namespace dem

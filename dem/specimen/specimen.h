@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dem/core/state.h"
+#include "dem/facets/glue_output.h"
 #include "dem/measures/loads.h"
 #include "dem/measures/mandel.h"
 #include "dem/model/energy.h"
@@ -95,6 +96,8 @@ namespace dem
     /** What the law of the bonds shows of what it remembers, in its own names; zero for contacts of another law and broken links. */
     std::vector<LinkQuantity>        quantities;
     std::vector<std::vector<double>> history; ///< one column per quantity
+
+    GlueOutput glue; ///< not in the columns above
   };
 
   /** The periodic cell of a specimen. */

@@ -175,11 +175,26 @@ TEST_CASE("what is glued is torn off at the strength of the glue, and is an ordi
     {
       led.to({0, 0, R + 5e-5 * R * n});
       most = std::max(most, ball.surface(face).total_force.z());
+      if (n == 100)
+        {
+          const dem::GlueOutput whole = ball.links().glue;
+          CHECK(whole.torn[0] == 0);
+          CHECK(whole.normal_force[0] == Approx(ball.surface(face).total_force.z()).epsilon(1e-12));
+          CHECK(whole.normal_stress[0] == Approx(whole.normal_force[0] / area).epsilon(1e-12));
+        }
     }
   CHECK(most == Approx(strength * area).epsilon(0.01)); // a step is a two hundredth of it
   CHECK(most <= strength * area * (1 + 1e-12));
   CHECK(ball.surface(face).glued == 0);
   CHECK(ball.surface(face).torn == 1);
+  const dem::GlueOutput crack = ball.links().glue;
+  REQUIRE(crack.particle.size() == 1);
+  CHECK(crack.particle[0] == 0);
+  CHECK(crack.surface[0] == static_cast<std::int32_t>(face));
+  CHECK(crack.anchor[0].norm() < 1e-12 * R);
+  CHECK(crack.torn[0] == 1);
+  CHECK(crack.damage[0] == 1);
+  CHECK(crack.normal_force[0] == 0);
   CHECK(ball.surface(face).total_force.norm() == 0);
   // Released: what the bond held in that moment.
   CHECK(ball.energy().released == Approx(0.5 * strength * area * strength / 1e8 * R).epsilon(0.02));

@@ -170,6 +170,36 @@ TEST_CASE("a link to a periodic image is a line to that image, not across the ce
   REQUIRE_THROWS_AS(write_vtk_links(folder / "l.vtp", links, particles, 0, {image}), std::invalid_argument);
 }
 
+TEST_CASE("what is glued to a surface is a line to where it is glued, and broken where it was torn off",
+          "[postprocess]")
+{
+  const ScratchFolder folder;
+  const auto          particles = numbered_particles(3);
+  auto                links     = numbered_links(3); // 0-1 and 1-2
+  links.glue                    = {
+                       {2, 0},    {4, 4},  {{1, 2, 3}, {4, 5, 6}}, {{0, 0, 1}, {0, 0, 2}}, {0, 1}, {7, 0}, {8, 0}, {9, 0}, {10, 0},
+                       {1e-3, 0}, {0.5, 1}};
+  write_vtk_links(folder / "l.vtp", links, particles, 0);
+  const auto data = open(folder / "l.vtp");
+  REQUIRE(data->GetNumberOfCells() == 4);
+  REQUIRE(data->GetNumberOfPoints() == 5);
+  const auto end = [&](const int link, const int which) {
+    double x[3];
+    data->GetCell(link)->GetPoints()->GetPoint(which, x);
+    return Eigen::Vector3d(x);
+  };
+  CHECK(end(2, 0) == particles.position[2]);
+  CHECK(end(2, 1) == Eigen::Vector3d(1, 2, 3));
+  CHECK(end(3, 0) == particles.position[0]);
+  vtkCellData *const values = data->GetCellData();
+  CHECK(values->GetArray("normal_force")->GetTuple1(2) == 7);
+  CHECK(values->GetArray("broken")->GetTuple1(2) == 0);
+  CHECK(values->GetArray("broken")->GetTuple1(3) == 1);
+  CHECK(values->GetArray("surface")->GetTuple1(1) == -1);
+  CHECK(values->GetArray("surface")->GetTuple1(3) == 4);
+  CHECK(data->GetPointData()->GetArray("id")->GetTuple1(3) == -1);
+}
+
 TEST_CASE("arrays carry the units that are declared for them", "[postprocess]")
 {
   const ScratchFolder folder;
@@ -177,6 +207,7 @@ TEST_CASE("arrays carry the units that are declared for them", "[postprocess]")
   auto                links     = numbered_links(5);
   particles.material            = {0, 1, 0, 1, 0};
   links.law                     = {0, 1, 2, 1};
+  links.glue                    = {{0}, {0}, {{1, 2, 3}}, {{0, 0, 0}}, {0}, {1}, {1}, {1}, {1}, {0}, {0}};
   write_vtk_particles(folder / "p.vtp", particles, 0);
   write_vtk_links(folder / "l.vtp", links, particles, 0, std::vector<dem::LinkImage>(4));
   for (const char *kind : {"particles", "links"})
