@@ -10,29 +10,41 @@ namespace coupling
 {
   namespace
   {
-    /** Corners of the facets that a face becomes, as numbers of its vertices. */
-    std::vector<std::vector<unsigned int>> split(const unsigned int vertices)
+    /** Corners of a face in the order around it. */
+    std::vector<unsigned int> around(const unsigned int vertices)
     {
       if (vertices == 4)
-        return {{0, 1, 3}, {0, 3, 2}};
-      return vertices == 3 ? std::vector<std::vector<unsigned int>>{{0, 1, 2}} :
-                             std::vector<std::vector<unsigned int>>{{0, 1}};
+        return {0, 1, 3, 2};
+      return vertices == 3 ? std::vector<unsigned int>{0, 1, 2} : std::vector<unsigned int>{0, 1};
+    }
+
+    /** Four triangles about a vertex that is the mean of the corners. @param ring corners around the face */
+    void split_about_middle(const std::vector<std::int32_t> &ring, BoundaryFacets &found)
+    {
+      const auto number = static_cast<std::int32_t>(found.carrier.size() + found.middle.size());
+      auto      &nodes  = found.middle.emplace_back();
+      auto      &place  = found.mesh.vertex.emplace_back(Eigen::Vector3d::Zero());
+      for (std::size_t k = 0; k < 4; ++k)
+        {
+          nodes[k] = static_cast<std::size_t>(ring[k]);
+          place += 0.25 * found.mesh.vertex[nodes[k]];
+          found.mesh.facet.push_back({ring[k], ring[(k + 1) % 4], number});
+        }
     }
   } // namespace
 
   template <int dim>
   BoundaryFacets boundary_facets(const fem::Solid<dim>          &solid,
                                  const SolidParticipant<dim>    &participant,
-                                 const std::vector<std::string> &names)
+                                 const std::vector<std::string> &names,
+                                 const QuadrilateralSplit        split)
   {
-    std::map<dealii::types::global_dof_index, std::size_t> carrier_of; // by the first displacement
-    for (std::size_t i = 0; i < participant.carriers(); ++i)
-      carrier_of.emplace(participant.displacements(i)[0], i);
     std::set<dealii::types::boundary_id> ids;
     for (const std::string &name : names)
       ids.insert(solid.mesh().boundary(name));
-    std::map<std::size_t, std::int32_t> vertex_of; // by the carrier
-    BoundaryFacets                      found;
+    std::map<std::size_t, std::int32_t>    vertex_of; // by the carrier
+    std::vector<std::vector<std::int32_t>> faces;
+    BoundaryFacets                         found;
     found.mesh.corners       = dim;
     const auto vertex_number = [&](const std::size_t carrier) {
       const auto [at, is_new] = vertex_of.emplace(carrier, static_cast<std::int32_t>(vertex_of.size()));
@@ -46,20 +58,32 @@ namespace coupling
     for (const auto &cell : solid.dofs().active_cell_iterators())
       for (const auto &face : cell->face_iterators())
         if (face->at_boundary() && (names.empty() || ids.count(face->boundary_id()) > 0))
-          for (const auto &corners : split(face->n_vertices()))
-            {
-              std::array<std::int32_t, 3> facet{};
-              for (std::size_t k = 0; k < corners.size(); ++k)
-                facet[k] = vertex_number(carrier_of.at(face->vertex_dof_index(corners[k], 0)));
-              found.mesh.facet.push_back(facet);
-            }
+          {
+            auto &corners = faces.emplace_back();
+            for (const unsigned int v : around(face->n_vertices()))
+              corners.push_back(vertex_number(participant.carrier_of(face->vertex_dof_index(v, 0))));
+          }
+    for (const auto &corner : faces)
+      if (corner.size() < 4)
+        found.mesh.facet.push_back({corner[0], corner[1], corner.size() == 3 ? corner[2] : 0});
+      else if (split == QuadrilateralSplit::middle)
+        split_about_middle(corner, found);
+      else
+        {
+          found.mesh.facet.push_back({corner[0], corner[1], corner[2]});
+          found.mesh.facet.push_back({corner[0], corner[2], corner[3]});
+        }
     if (found.mesh.facet.empty())
       throw std::invalid_argument("surface: this part of the boundary has no faces.");
     return found;
   }
 
-  template BoundaryFacets
-  boundary_facets<2>(const fem::Solid<2> &, const SolidParticipant<2> &, const std::vector<std::string> &);
-  template BoundaryFacets
-  boundary_facets<3>(const fem::Solid<3> &, const SolidParticipant<3> &, const std::vector<std::string> &);
+  template BoundaryFacets boundary_facets<2>(const fem::Solid<2> &,
+                                             const SolidParticipant<2> &,
+                                             const std::vector<std::string> &,
+                                             QuadrilateralSplit);
+  template BoundaryFacets boundary_facets<3>(const fem::Solid<3> &,
+                                             const SolidParticipant<3> &,
+                                             const std::vector<std::string> &,
+                                             QuadrilateralSplit);
 } // namespace coupling

@@ -11,6 +11,14 @@
 
 namespace coupling
 {
+  /** Whether contacts act on as much of the surface as lies under the particle (dem/facets/footprint.h). */
+  enum class Spreading
+  {
+    none,
+    automatic, ///< where a particle is larger than a face
+    footprint
+  };
+
   /** A boundary of a solid that particles touch. */
   struct SurfaceCouplingParameters
   {
@@ -19,8 +27,9 @@ namespace coupling
     dem::LinearContactParameters contact;          ///< with any particle
     bool                         pressure = false; ///< particles press on areas, not at points (dem/facets/pressure.h)
     double                   skin = 0; ///< in which pressure builds up [m]; 0: a twentieth of the smallest facet's size
-    std::vector<std::size_t> particles = {}; ///< that touch it, by their number in the packing; empty: all
-    dem::SurfaceGlue         glue      = {}; ///< of those that touch it
+    std::vector<std::size_t> particles = {};              ///< that touch it, by their number in the packing; empty: all
+    dem::SurfaceGlue         glue      = {};              ///< of those that touch it
+    Spreading                spreading = Spreading::none; ///< of contacts at points
   };
 
   /** What went through a surface since the start. */
@@ -45,7 +54,7 @@ namespace coupling
   class SurfaceCoupling
   {
   public:
-    /** All must outlive the coupling. @throws std::invalid_argument as boundary_facets(), dem::InputError as Specimen::add_surface() */
+    /** All must outlive the coupling. @throws std::invalid_argument as boundary_facets(), dem::InputError as Specimen::add_surface(), and for a particle whose centre lies in the solid */
     SurfaceCoupling(dem::Specimen                   &specimen,
                     const fem::Solid<dim>           &solid,
                     SolidParticipant<dim>           &participant,
@@ -81,12 +90,31 @@ namespace coupling
     void visit_state(dem::StateVisitor &visitor);
 
   private:
+    SurfaceCoupling(dem::Specimen                   &specimen,
+                    BoundaryFacets                 &&facets,
+                    SolidParticipant<dim>           &participant,
+                    const SurfaceCouplingParameters &parameters,
+                    bool                             spread);
+
+    /** Of all vertices, from the values of the nodes: middles of faces have their mean. */
+    std::vector<Eigen::Vector3d> of_vertices(std::vector<Eigen::Vector3d> of_nodes) const;
+    /** The transpose: what acts on middles acts on their nodes. */
+    template <typename Value>
+    std::vector<Value> to_nodes(const std::vector<Value> &on_vertices) const;
+
+    /**
+     * What vertices have taken, each where it was at the time, as impulses where they are for the solid: what its moment lacks is added
+     * as the smallest forces on a facet that are a couple.
+     */
+    std::vector<Eigen::Vector3d> impulses_here() const;
+
     dem::Specimen               &specimen;
     SolidParticipant<dim>       &participant;
     std::string                  own_name;
     BoundaryFacets               facets;
     std::size_t                  number;
-    std::vector<Eigen::Vector3d> force;       ///< of the particles on the vertices [N]
+    std::vector<std::int32_t>    facet_of;    ///< a facet of each vertex
+    std::vector<Eigen::Vector3d> force;       ///< of the particles on the nodes [N]
     std::vector<Eigen::Vector3d> place;       ///< of the nodes, last looked at [m]
     std::vector<Eigen::Vector3d> last_motion; ///< of the nodes in the solid's step that led here [m]
     SurfaceBalance               exchanged;   ///< its part that the specimen does not know

@@ -7,15 +7,28 @@ namespace dem
 {
   FacetSpin::FacetSpin(const Surface &surface, const std::size_t facet, const double back)
     : corners(static_cast<std::size_t>(surface.mesh.corners))
-    , inverse(Eigen::Matrix3d::Zero())
   {
-    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     for (std::size_t c = 0; c < corners; ++c)
       {
         const auto v = static_cast<std::size_t>(surface.mesh.facet[facet][c]);
         arm[c]       = surface.place[v] - back * surface.motion[v];
-        mean += arm[c] / static_cast<double>(corners);
       }
+    measure();
+  }
+
+  FacetSpin::FacetSpin(const FacetMesh &mesh, const std::vector<Eigen::Vector3d> &place, const std::size_t facet)
+    : corners(static_cast<std::size_t>(mesh.corners))
+  {
+    for (std::size_t c = 0; c < corners; ++c)
+      arm[c] = place[static_cast<std::size_t>(mesh.facet[facet][c])];
+    measure();
+  }
+
+  void FacetSpin::measure()
+  {
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    for (std::size_t c = 0; c < corners; ++c)
+      mean += arm[c] / static_cast<double>(corners);
     Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
     for (std::size_t c = 0; c < corners; ++c)
       {
@@ -23,9 +36,12 @@ namespace dem
         inertia += arm[c].squaredNorm() * Eigen::Matrix3d::Identity() - arm[c] * arm[c].transpose();
       }
     if (corners == 3)
-      inverse = inertia.inverse();
-    else
-      inverse(2, 2) = 1 / inertia(2, 2);
+      {
+        inverse = inertia.inverse();
+        return;
+      }
+    inverse.setZero();
+    inverse(2, 2) = 1 / inertia(2, 2);
   }
 
   Eigen::Vector3d FacetSpin::turn(const std::array<Eigen::Vector3d, 3> &moved) const

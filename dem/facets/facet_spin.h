@@ -20,6 +20,8 @@ namespace dem
   public:
     /** Of a facet where it is, or where it was before a part of its last step. @param back 0: now; 1: before the step */
     FacetSpin(const Surface &surface, std::size_t facet, double back = 0);
+    /** Of a facet with its vertices at the places given. */
+    FacetSpin(const FacetMesh &mesh, const std::vector<Eigen::Vector3d> &place, std::size_t facet);
 
     /** Of motions (or velocities) of the corners: with places of the middle of the step, of a rigid motion 2 tan(angle/2) times its axis. */
     Eigen::Vector3d turn(const std::array<Eigen::Vector3d, 3> &moved) const;
@@ -29,6 +31,8 @@ namespace dem
     double stiffness(std::size_t corner, double turning) const;
 
   private:
+    void measure(); ///< arms hold places
+
     std::size_t                    corners;
     std::array<Eigen::Vector3d, 3> arm;     ///< y_i [m]
     Eigen::Matrix3d                inverse; ///< J^-1 [1/m^2]

@@ -14,7 +14,8 @@ namespace dem
     class SizeClass
     {
     public:
-      SizeClass(const Particles &p, std::vector<std::int32_t> of, const double margin)
+      /** @param look how far particles look for facets, over their radius */
+      SizeClass(const Particles &p, std::vector<std::int32_t> of, const double look, const double margin)
         : members(std::move(of))
       {
         Eigen::Vector3d low     = p.position_of(members.front());
@@ -26,7 +27,7 @@ namespace dem
             high    = high.cwiseMax(p.position_of(i));
             largest = std::max(largest, p.radius_of(i));
           }
-        reach  = largest + margin;
+        reach  = look * largest + margin;
         origin = low;
         choose_cells(high - low);
         sort_in(p);
@@ -105,7 +106,7 @@ namespace dem
       Cells                     cells;
     };
 
-    std::vector<SizeClass> size_classes(const Particles &p, const double margin)
+    std::vector<SizeClass> size_classes(const Particles &p, const double look, const double margin)
     {
       double smallest = std::numeric_limits<double>::infinity();
       for (std::size_t i = 0; i < p.count; ++i)
@@ -121,7 +122,7 @@ namespace dem
       std::vector<SizeClass> classes;
       for (auto &of : members)
         if (!of.empty())
-          classes.emplace_back(p, std::move(of), margin);
+          classes.emplace_back(p, std::move(of), look, margin);
       return classes;
     }
 
@@ -200,16 +201,20 @@ namespace dem
   void
   NearFacets::make_lists(const Particles &particles, const std::vector<Surface> &surfaces, const double nearer_than)
   {
-    margin = nearer_than;
+    margin      = nearer_than;
+    double look = 1;
+    for (const Surface &surface : surfaces)
+      look = std::max(look, surface.look(1));
     std::vector<FoundPair>       found;
-    const std::vector<SizeClass> classes = size_classes(particles, margin);
+    const std::vector<SizeClass> classes = size_classes(particles, look, margin);
     for (std::size_t s = 0; s < surfaces.size(); ++s)
       for (std::size_t f = 0; f < surfaces[s].mesh.size(); ++f)
         {
           const auto test = [&](const std::int32_t i) {
             if (!surfaces[s].meets_particle(i))
               return;
-            const double gap = surfaces[s].distance(f, particles.position_of(i)) - particles.radius_of(i);
+            const double gap =
+              surfaces[s].distance(f, particles.position_of(i)) - surfaces[s].look(particles.radius_of(i));
             ++test_count;
             if (gap <= margin)
               found.push_back({i, {static_cast<std::int32_t>(s), static_cast<std::int32_t>(f), gap}});

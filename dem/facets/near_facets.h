@@ -12,7 +12,7 @@ namespace dem
   struct NearFacet
   {
     std::int32_t surface, facet;
-    double       gap; ///< when the list was made [m]; negative: overlap
+    double       gap; ///< when the list was made [m]; negative: within the particle's look
   };
 
   /**

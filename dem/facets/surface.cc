@@ -34,11 +34,13 @@ namespace dem
     , mesh(p.mesh)
     , contact(constants(p.contact, friction))
     , skin(p.skin)
+    , footprint(p.spread ? Footprint(p.mesh) : Footprint())
     , meets(std::move(particles))
     , place(mesh.vertex)
     , motion(place.size(), Eigen::Vector3d::Zero())
     , force(motion)
     , impulse(motion)
+    , turn_impulse(motion)
     , stiffness(place.size(), 0.0)
   {
     for (std::size_t facet = 0; skin > 0 && facet < mesh.size(); ++facet)
@@ -118,6 +120,18 @@ namespace dem
     glued    = 0;
   }
 
+  void Surface::take_impulse(const std::size_t vertex, const Eigen::Vector3d &taken)
+  {
+    impulse[vertex] += taken;
+    turn_impulse[vertex] += place[vertex].cross(taken);
+  }
+
+  void Surface::clear_impulses()
+  {
+    std::fill(impulse.begin(), impulse.end(), Eigen::Vector3d::Zero());
+    std::fill(turn_impulse.begin(), turn_impulse.end(), Eigen::Vector3d::Zero());
+  }
+
   void Surface::serve(const double step)
   {
     if (led != Led::by_force)
@@ -187,6 +201,7 @@ namespace dem
     visit(visitor, named("rate"), rate);
     visit(visitor, named("force"), force);
     visit(visitor, named("impulse"), impulse);
+    visit(visitor, named("turn_impulse"), turn_impulse);
     Column stiff(stiffness.begin(), stiffness.end());
     visitor.column(named("stiffness"), stiff);
     stiffness.assign(stiff.begin(), stiff.end());

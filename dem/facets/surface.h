@@ -2,6 +2,7 @@
 
 #include "dem/core/state.h"
 #include "dem/facets/facet_mesh.h"
+#include "dem/facets/footprint.h"
 #include "dem/laws/linear_contact.h"
 
 #include <cstdint>
@@ -32,6 +33,7 @@ namespace dem
     double skin = 0; ///< thickness in which pressure builds up [m] (pressure.h); 0: contacts act at a point
     std::vector<std::size_t> particles = {}; ///< that touch it, by their number in the packing; empty: all
     SurfaceGlue              glue      = {}; ///< of those that touch it
+    bool spread = false; ///< contacts at a point are spread over the facets under the sphere (footprint.h)
   };
 
   /**
@@ -74,8 +76,9 @@ namespace dem
     FacetMesh              mesh;
     LinearContactConstants contact;
     double                 skin = 0; ///< [m]; 0: contacts act at a point
-    std::vector<double>    area;  ///< of the facets as they were made, segments their length [m^2, m]; of a skin only
-    std::vector<bool>      meets; ///< each particle, in the order of Particles; empty: all
+    std::vector<double>    area; ///< of the facets as they were made, segments their length [m^2, m]; of a skin only
+    Footprint              footprint; ///< given where contacts are spread
+    std::vector<bool>      meets;     ///< each particle, in the order of Particles; empty: all
     Led                    led      = Led::rigidly;
     Eigen::Vector3d        velocity = {0, 0, 0}, spin = {0, 0, 0}; ///< of a rigid one [m/s], [rad/s]
     Eigen::Vector3d        centre = {0, 0, 0};                     ///< that it spins about; moves with it [m]
@@ -87,6 +90,7 @@ namespace dem
     std::vector<Eigen::Vector3d> rate;          ///< velocities given to the vertices, if they are led one by one [m/s]
     std::vector<Eigen::Vector3d> force;         ///< of particles on vertices at t_n [N]
     std::vector<Eigen::Vector3d> impulse;       ///< of that since it was last cleared [N s]
+    std::vector<Eigen::Vector3d> turn_impulse;  ///< its moment about the origin, where vertices were each time [N m s]
     std::vector<double>          stiffness;     ///< of contacts at vertices: sum of k_n N_i at t_n [N/m]
 
     Eigen::Vector3d total_force = {0, 0, 0}, total_moment = {0, 0, 0};  ///< on it, about the origin, at t_n [N], [N m]
@@ -100,6 +104,8 @@ namespace dem
     Surface(const SurfaceParameters &parameters, bool friction, std::vector<bool> particles = {});
 
     bool meets_particle(const std::int32_t i) const { return meets.empty() || meets[static_cast<std::size_t>(i)]; }
+    /** How far from its centre a particle of this radius looks for facets [m]. */
+    double look(const double radius) const { return footprint.given() ? Footprint::reach * radius : radius; }
     /** Of a facet where it is now; of a plane signed [m]. */
     double      distance(std::size_t facet, const Eigen::Vector3d &x) const;
     FacetBounds bounds(std::size_t facet) const;
@@ -107,6 +113,9 @@ namespace dem
     Eigen::Vector3d turn_of(std::size_t facet) const;
     /** Sums over its contacts are found anew. */
     void clear_totals();
+    /** A vertex takes an impulse where it is now [N s]. */
+    void take_impulse(std::size_t vertex, const Eigen::Vector3d &taken);
+    void clear_impulses();
     /** Let the servo choose the velocity of the step to come. @param step [s] */
     void serve(double step);
     /** Move over a step [s]. @return the largest displacement of a vertex [m] */

@@ -25,11 +25,6 @@ namespace dem
         &column[record_size * static_cast<std::size_t>(particle) + static_cast<std::size_t>(from)]);
     }
 
-    double area_of(const SurfaceContact &contact, const ParticleShape &shape, const double radius)
-    {
-      return contact.share * shape.link_area(radius, radius);
-    }
-
     [[noreturn]] void refuse_sunk(const Particles &p, const std::int32_t i, const Surface &surface)
     {
       std::ostringstream message;
@@ -45,6 +40,7 @@ namespace dem
     std::vector<VertexPart>     parts;
     std::vector<NearPoint>      near;  ///< kept for its memory, as is the next
     std::vector<SurfaceContact> fresh; ///< of one particle and surface, without history
+    SpreadContact               spread;
     std::int32_t                sunk = -1, sunk_into = 0;
   };
 
@@ -57,17 +53,6 @@ namespace dem
     all.emplace_back(parameters, friction, std::move(meets));
     forget_places();
     return all.size() - 1;
-  }
-
-  template <typename Use>
-  void SurfaceContacts::for_parts(const SurfaceContact &contact, const Use &use)
-  {
-    Surface &surface = all[static_cast<std::size_t>(contact.surface)];
-    for (std::int32_t k = contact.parts_begin; k < contact.parts_end; ++k)
-      {
-        const VertexPart &part = vertex_parts[static_cast<std::size_t>(k)];
-        use(surface, static_cast<std::size_t>(part.vertex), part);
-      }
   }
 
   const std::vector<std::int32_t> &SurfaceContacts::find_forces(const Particles &particles, const ParticleShape &shape)
@@ -165,30 +150,6 @@ namespace dem
       }
   }
 
-  double SurfaceContacts::friction() const
-  {
-    double sum = slid;
-    for (const SurfaceBonds &glue : glues)
-      sum += glue.friction();
-    return sum;
-  }
-
-  double SurfaceContacts::released() const
-  {
-    double sum = let_go;
-    for (const SurfaceBonds &glue : glues)
-      sum += glue.released();
-    return sum;
-  }
-
-  double SurfaceContacts::damage() const
-  {
-    double sum = 0;
-    for (const SurfaceBonds &glue : glues)
-      sum += glue.damage();
-    return sum;
-  }
-
   void SurfaceContacts::check_start(const Particles &particles)
   {
     near.look(particles, all);
@@ -250,7 +211,7 @@ namespace dem
 
   namespace
   {
-    /** Nearest points within the radius of the facets of one surface; false where the centre is on or behind one. */
+    /** Nearest points within reach of the facets of one surface; false where the centre is on or behind one. */
     bool points_within(const Surface          &surface,
                        const NearFacets       &lists,
                        const NearFacet        *from,
@@ -259,6 +220,7 @@ namespace dem
                        const double            radius,
                        std::vector<NearPoint> &points)
     {
+      const double look = surface.look(radius);
       points.clear();
       for (; from != to; ++from)
         {
@@ -269,7 +231,7 @@ namespace dem
           const Eigen::Vector3d branch = point.place - centre;
           const double          distance =
             surface.mesh.is_plane() ? surface.mesh.normal.dot(centre - surface.place[0]) : branch.norm();
-          if (distance >= radius)
+          if (distance >= look)
             continue;
           if (!(distance > 1e-9 * radius))
             return false;
@@ -345,9 +307,22 @@ namespace dem
                                   const Eigen::Vector3d &centre,
                                   Block                 &block) const
   {
-    const auto corners = static_cast<std::size_t>(surface.mesh.corners);
-    for (const ContactZone &zone : contact_zones(block.near, centre, radius))
+    const auto   corners = static_cast<std::size_t>(surface.mesh.corners);
+    const double look    = surface.look(radius);
+    for (ContactZone &zone : contact_zones(block.near, centre, look))
       {
+        zone.overlap -= look - radius;
+        const bool spread = surface.footprint.given() &&
+                            surface.footprint.spread(surface.mesh, surface.place, zone, radius, block.spread);
+        if (spread)
+          {
+            zone.overlap   = block.spread.overlap;
+            zone.place     = block.spread.place;
+            zone.distance  = (zone.place - centre).norm();
+            zone.direction = (zone.place - centre) / zone.distance;
+          }
+        if (!(zone.overlap > 0)) // looked for further than it reaches
+          continue;
         SurfaceContact now{};
         now.facet       = zone.facet;
         now.place       = zone.place;
@@ -355,16 +330,22 @@ namespace dem
         now.distance    = zone.distance;
         now.share       = zone.share;
         now.overlap     = zone.overlap;
-        now.stiffness   = area_of(now, shape, radius) * surface.contact.normal / radius;
+        now.stiffness   = now.area(shape, radius) * surface.contact.normal / radius;
         now.pressing    = now.stiffness * now.overlap;
         now.push        = -now.pressing * now.direction;
         now.spring      = 0.5 * now.pressing * now.overlap;
         now.parts_begin = static_cast<std::int32_t>(block.parts.size());
-        for (const ContactZone::Part &part : zone.parts)
-          for (std::size_t c = 0; c < corners; ++c)
-            if (part.weight[c] != 0)
-              block.parts.push_back({surface.mesh.facet[static_cast<std::size_t>(part.facet)][c], part.weight[c],
-                                     -part.weight[c] * now.push, part.weight[c] * now.stiffness});
+        const auto add  = [&](const std::int32_t vertex, const double weight) {
+          if (weight != 0)
+            block.parts.push_back({vertex, weight, -weight * now.push, weight * now.stiffness});
+        };
+        if (spread)
+          for (const VertexWeight &part : block.spread.weights)
+            add(part.vertex, part.weight);
+        else
+          for (const ContactZone::Part &part : zone.parts)
+            for (std::size_t c = 0; c < corners; ++c)
+              add(surface.mesh.facet[static_cast<std::size_t>(part.facet)][c], part.weight[c]);
         now.parts_end = static_cast<std::int32_t>(block.parts.size());
         block.fresh.push_back(now);
       }
@@ -427,7 +408,7 @@ namespace dem
       }
     const Eigen::Vector3d across = slip - mean.dot(slip) * mean;
     const Vec<double, 3>  added  = (1 / radius) * transport(plain(mean), n1, plain(across));
-    const double          area   = area_of(now, shape, radius);
+    const double          area   = now.area(shape, radius);
     double                lost   = 0;
     if (before && surface.skin > 0)
       {
@@ -499,11 +480,10 @@ namespace dem
       records.assign(record_size * particles.count, 0.0);
     for (const SurfaceContact &contact : contacts)
       {
-        Surface     &surface         = all[static_cast<std::size_t>(contact.surface)];
-        const double radius          = particles.radius_of(static_cast<std::size_t>(contact.particle));
-        const double normal          = contact.stiffness,
-                     shear           = area_of(contact, shape, radius) * surface.contact.shear / radius;
-        double               *sum    = &records[record_size * static_cast<std::size_t>(contact.particle)];
+        Surface     &surface = all[static_cast<std::size_t>(contact.surface)];
+        const double radius  = particles.radius_of(static_cast<std::size_t>(contact.particle));
+        const double normal = contact.stiffness, shear = contact.area(shape, radius) * surface.contact.shear / radius;
+        double      *sum             = &records[record_size * static_cast<std::size_t>(contact.particle)];
         const Eigen::Vector3d branch = contact.distance * contact.direction, sheared = contact.force - contact.push;
         const Eigen::Vector3d moment = branch.cross(sheared); // pressure points to the centre
         for (int c = 0; c < 3; ++c)
@@ -533,114 +513,5 @@ namespace dem
       }
     found = false;
     return largest;
-  }
-
-  void SurfaceContacts::collect_impulses(const double kick)
-  {
-    for (Surface &surface : all)
-      if (surface.touching > 0 || surface.glued > 0)
-        {
-          surface.momentum += kick * surface.total_force;
-          surface.angular_momentum += kick * surface.total_moment;
-        }
-    for (const SurfaceContact &contact : contacts)
-      for_parts(contact, [&](Surface &surface, const std::size_t vertex, const VertexPart &part) {
-        surface.impulse[vertex] += kick * part.force;
-      });
-    for (const SurfaceBonds &glue : glues)
-      for (const VertexPart &part : glue.parts())
-        all[static_cast<std::size_t>(glue.surface())].impulse[static_cast<std::size_t>(part.vertex)] +=
-          kick * part.force;
-  }
-
-  double SurfaceContacts::add_work_of_last_motion()
-  {
-    double work = 0;
-    for (const SurfaceContact &contact : contacts)
-      {
-        Surface &surface = all[static_cast<std::size_t>(contact.surface)];
-        double   of_this = 0;
-        for_parts(contact, [&](const Surface &of, const std::size_t vertex, const VertexPart &part) {
-          of_this -= 0.5 * part.force.dot(of.motion[vertex]);
-        });
-        surface.work += of_this;
-        work += of_this;
-      }
-    for (const SurfaceBonds &glue : glues)
-      {
-        Surface &surface = all[static_cast<std::size_t>(glue.surface())];
-        double   of_this = 0;
-        for (const VertexPart &part : glue.parts())
-          of_this -= 0.5 * part.force.dot(surface.motion[static_cast<std::size_t>(part.vertex)]);
-        surface.work += of_this;
-        work += of_this;
-      }
-    return work;
-  }
-
-  double
-  SurfaceContacts::stored(const SurfaceContact &contact, const ParticleShape &shape, const Particles &particles) const
-  {
-    const double                    radius = particles.radius_of(static_cast<std::size_t>(contact.particle));
-    LinearContact::State<double, 3> state;
-    state.shear[0] = plain(contact.shear);
-    return contact.spring + LinearContact::stored(all[static_cast<std::size_t>(contact.surface)].contact,
-                                                  {0, contact.distance, radius, area_of(contact, shape, radius)},
-                                                  state);
-  }
-
-  double SurfaceContacts::stored(const ParticleShape &shape, const Particles &particles) const
-  {
-    double sum = 0;
-    for (const SurfaceContact &contact : contacts)
-      sum += stored(contact, shape, particles);
-    for (const SurfaceBonds &glue : glues)
-      sum += glue.stored();
-    return sum;
-  }
-
-  double SurfaceContacts::kappa(const SurfaceContact &contact,
-                                const Particles      &particles,
-                                const ParticleShape  &shape,
-                                const bool            rotations) const
-  {
-    const auto   i          = static_cast<std::size_t>(contact.particle);
-    const double radius     = particles.radius_of(i);
-    const auto  &law        = all[static_cast<std::size_t>(contact.surface)].contact;
-    const double lever      = rotations ? particles.mass[i] * radius * radius / particles.inertia[i] : 0.0;
-    const double at_a_point = shape.link_area(radius, radius) / radius, shear = law.shear * (1 + lever);
-    if (all[static_cast<std::size_t>(contact.surface)].skin > 0)
-      return std::max(contact.stiffness, contact.share * at_a_point * shear);
-    return at_a_point * std::max(law.normal, shear);
-  }
-
-  std::vector<double>
-  SurfaceContacts::stiffness_seen(const Particles &particles, const ParticleShape &shape, const bool rotations) const
-  {
-    std::vector<double> sum(touching() ? particles.count : 0, 0.0);
-    for (const SurfaceContact &contact : contacts)
-      sum[static_cast<std::size_t>(contact.particle)] += kappa(contact, particles, shape, rotations);
-    for (const SurfaceBonds &glue : glues)
-      for (std::size_t b = 0; b < glue.count(); ++b)
-        if (glue.is_alive(b))
-          sum[static_cast<std::size_t>(glue.particle_of(b))] += glue.stiffness_seen(b);
-    return sum;
-  }
-
-  double SurfaceContacts::stiffness_seen(const Particles     &particles,
-                                         const ParticleShape &shape,
-                                         const bool           rotations,
-                                         const std::int32_t   particle) const
-  {
-    double sum = 0;
-    for (auto c = std::lower_bound(contacts.begin(), contacts.end(), particle,
-                                   [](const SurfaceContact &a, const std::int32_t p) { return a.particle < p; });
-         c != contacts.end() && c->particle == particle; ++c)
-      sum += kappa(*c, particles, shape, rotations);
-    for (const SurfaceBonds &glue : glues)
-      for (std::size_t b = 0; b < glue.count(); ++b)
-        if (glue.particle_of(b) == particle && glue.is_alive(b))
-          sum += glue.stiffness_seen(b);
-    return sum;
   }
 } // namespace dem

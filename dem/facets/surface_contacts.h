@@ -30,6 +30,12 @@ namespace dem
     double          pressing;                 ///< size of what friction is in proportion to [N]
     double          stiffness;                ///< across the surface [N/m]
     double          spring;                   ///< stored by it [J]
+
+    /** Of the link that it is like [m^2]. @param radius of its particle */
+    double area(const ParticleShape &shape, const double radius) const
+    {
+      return share * shape.link_area(radius, radius);
+    }
   };
 
   /**
@@ -151,4 +157,15 @@ namespace dem
     bool                        found = false; ///< forces are those of where everything is
     double                      slid = 0, let_go = 0;
   };
+
+  template <typename Use>
+  void SurfaceContacts::for_parts(const SurfaceContact &contact, const Use &use)
+  {
+    Surface &surface = all[static_cast<std::size_t>(contact.surface)];
+    for (std::int32_t k = contact.parts_begin; k < contact.parts_end; ++k)
+      {
+        const VertexPart &part = vertex_parts[static_cast<std::size_t>(k)];
+        use(surface, static_cast<std::size_t>(part.vertex), part);
+      }
+  }
 } // namespace dem

@@ -178,8 +178,7 @@ namespace dem
 
   void Specimen::clear_vertex_impulses(const std::size_t number)
   {
-    auto &impulse = self->surfaces.surface(number).impulse;
-    std::fill(impulse.begin(), impulse.end(), Eigen::Vector3d::Zero());
+    self->surfaces.surface(number).clear_impulses();
   }
 
   std::vector<WallContact> Specimen::wall_contacts() const

@@ -1,115 +1,14 @@
 // Particles that touch a deformable solid: momentum, power and energy of the surface coupling.
 #include "dem/facets/surface.h"
 
-#include "coupling/concurrent/concurrent_motion.h"
-#include "dem/laws/parallel_bond.h"
-#include "fem/materials/isotropic_elastic.h"
-#include "tests/dem/clusters.h"
-#include "tests/fem/solid_fixture.h"
+#include "block_fixture.h"
 
-#include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
-#include <cmath>
-#include <functional>
-#include <memory>
-
-using Eigen::Vector3d;
+using namespace block;
 
 namespace
 {
-  constexpr double side = 0.1; ///< of the block [m]
-
-  /** A block of the given number of elements along each side, its first corner in the origin. */
-  template <int dim>
-  struct Block
-  {
-    explicit Block(const unsigned int elements, const std::function<void(fem::Loads<dim> &)> &hold = {})
-      : solid(fem::make_mesh<dim>(box<dim>(corner(), std::vector<unsigned int>(dim, elements)),
-                                  fem::ElementFamily::hypercube,
-                                  MPI_COMM_SELF),
-              options())
-    {
-      solid.assign("0", fem::make_points(elastic(10e9, 0.2), fem::Plane::strain));
-      fem::Loads<dim> loads;
-      loads.may_move_freely = !hold;
-      if (hold)
-        hold(loads);
-      solid.set_loads(loads);
-      fem::ExplicitOptions explicitly;
-      explicitly.density = {{"0", 2400}};
-      motion             = std::make_unique<fem::ExplicitSolver<dim>>(solid, explicitly);
-      participant        = std::make_unique<coupling::SolidParticipant<dim>>(solid, *motion);
-    }
-    static dealii::Point<dim> corner()
-    {
-      dealii::Point<dim> p;
-      for (int d = 0; d < dim; ++d)
-        p[d] = side;
-      return p;
-    }
-    static fem::SolidOptions options()
-    {
-      fem::SolidOptions o;
-      o.large_displacement = true;
-      return o;
-    }
-    Vector3d momentum() const
-    {
-      Vector3d sum = Vector3d::Zero();
-      for (std::size_t i = 0; i < participant->carriers(); ++i)
-        sum += participant->mass(i) * participant->velocity(i);
-      return sum;
-    }
-
-    fem::Solid<dim>                                  solid;
-    std::unique_ptr<fem::ExplicitSolver<dim>>        motion;
-    std::unique_ptr<coupling::SolidParticipant<dim>> participant;
-  };
-
-  dem::LinearContactParameters rough()
-  {
-    dem::LinearContactParameters law;
-    law.effective_modulus    = 1e8;
-    law.stiffness_ratio      = 2.5;
-    law.friction_coefficient = 0.4;
-    return law;
-  }
-
-  /** Its lower face is held. */
-  void stands(fem::Loads<3> &loads)
-  {
-    for (unsigned int c = 0; c < 3; ++c)
-      loads.displacements.push_back({"4", c, [](const dealii::Point<3> &, double) { return 0.0; }});
-  }
-
-  /** One ball. */
-  dem::Specimen ball(const double    radius,
-                     const Vector3d &centre,
-                     const Vector3d &velocity,
-                     const Vector3d &spin,
-                     const double    step_factor = 0.2)
-  {
-    dem::Packing packing;
-    packing.centre = {centre};
-    packing.radius = {radius};
-    auto p         = cluster::bonded(1.0);
-    p.density      = 7800;
-    p.step_factor  = step_factor;
-    p.damping      = 0;
-    dem::Specimen specimen(packing, p, rough());
-    specimen.set_velocity(0, velocity, spin);
-    return specimen;
-  }
-
-  Vector3d momentum(const dem::Specimen &specimen)
-  {
-    Vector3d sum = Vector3d::Zero();
-    for (std::size_t i = 0; i < specimen.counts().particles; ++i)
-      sum += specimen.particle(i).mass * specimen.particle(i).velocity;
-    return sum;
-  }
-
   struct Collision
   {
     Block<3>                      block;
@@ -128,7 +27,13 @@ namespace
     /** Half the longest step of both. */
     double   step() const { return 0.5 * std::min(both.solid_step(), both.particle_step()); }
     Vector3d total_momentum() const { return momentum(specimen) + block.momentum(); }
-    double   energy() const
+    Vector3d total_angular_momentum() const
+    {
+      const dem::ParticleState p = specimen.particle(0);
+      return coupling::momentum_of(*block.participant).angular + p.position.cross(p.mass * p.velocity) +
+             p.inertia * p.spin;
+    }
+    double energy() const
     {
       const dem::EnergyAccount e = specimen.energy();
       const auto               s = block.motion->energy();
@@ -185,24 +90,27 @@ TEST_CASE("surface coupling: energy of a glancing collision is kept to a thousan
   CHECK(c.block.motion->energy().balance() < 1e-10);
 }
 
-TEST_CASE("surface coupling: with particles sub-cycled momentum is kept, and energy to the order of the solid's step",
-          "[coupling]")
+TEST_CASE(
+  "surface coupling: with particles sub-cycled both momenta are kept, and energy to the order of the solid's step",
+  "[coupling]")
 {
   double made[2];
   for (const int halved : {0, 1})
     {
       Collision c(0.02);
       c.both.set_largest_ratio(4);
-      const Vector3d        start = c.total_momentum();
+      const Vector3d        start = c.total_momentum(), turning = c.total_angular_momentum();
       coupling::WindowSteps steps;
       for (double time = 0; time < 6e-3; time += steps.window)
         steps = c.both.advance(halved == 1 ? 0.5 * c.both.next_window(1).window : 1);
       CHECK(steps.particles > 1);
       CHECK(c.specimen.surface(c.surface().surface()).touching == 0);
       CHECK((c.total_momentum() - start).norm() < 1e-12 * start.norm());
+      CHECK((c.total_angular_momentum() - turning).norm() < 1e-10 * turning.norm());
       const coupling::SurfaceBalance b = c.surface().balance();
       CHECK(b.to_solid.norm() > 0.1 * start.norm());
       CHECK((b.to_particles + b.to_solid).norm() < 1e-12 * b.to_solid.norm());
+      CHECK((b.turn_to_particles + b.turn_to_solid).norm() < 1e-10 * b.turn_to_solid.norm());
       CHECK(c.block.motion->energy().external == Approx(b.work_on_solid).epsilon(1e-10));
       made[halved] = std::fabs(b.made() / b.work_on_particles);
     }
@@ -377,7 +285,7 @@ TEST_CASE("surface coupling: glue keeps momentum, angular momentum and energy of
   CHECK(mast.specimen.energy().balance_error() < 1e-3);
 }
 
-TEST_CASE("surface coupling: glue keeps momentum with particles sub-cycled", "[coupling]")
+TEST_CASE("surface coupling: glue keeps momentum and angular momentum with particles sub-cycled", "[coupling]")
 {
   Mast mast(0.02);
   mast.both.set_largest_ratio(4);
@@ -393,8 +301,46 @@ TEST_CASE("surface coupling: glue keeps momentum with particles sub-cycled", "[c
   CHECK(steps.particles > 1);
   const auto now = mast.momenta();
   CHECK((now.first - start.first).norm() < 1e-12 * start.first.norm());
-  CHECK((now.second - start.second).norm() < 1e-4 * start.second.norm()); // vertices move while impulses are summed up
+  CHECK((now.second - start.second).norm() < 1e-10 * start.second.norm());
   CHECK(mast.energy() < 1.001 * energy);
+}
+
+TEST_CASE(
+  "surface coupling: a ball rolls down a block of elements by 5/7 of the slope, and slides where friction is short",
+  "[coupling]")
+{
+  // I. e. tan(slope) beside 3.5 mu; the block stays and the weight leans.
+  for (const double mu : {0.4, 0.05})
+    {
+      INFO("friction " << mu);
+      Block<3>     block(3, stands);
+      const double slope = 0.3, weight = 9.81, radius = 0.02;
+      auto         law         = rough();
+      law.friction_coefficient = mu;
+      const double mass = 7800 * 4.0 / 3 * M_PI * std::pow(radius, 3), stiffness = M_PI * radius * 1e8;
+      const double sunk = mass * weight * std::cos(slope) / stiffness;
+      dem::Packing packing;
+      packing.centre = {{0.02, 0.047, side + radius - sunk}};
+      packing.radius = {radius};
+      auto p         = cluster::bonded(1.0);
+      p.density      = 7800;
+      p.step_factor  = 0.2;
+      p.damping      = 0;
+      p.gravity      = weight * Vector3d(std::sin(slope), 0, -std::cos(slope));
+      dem::Specimen                       specimen(packing, p, law);
+      coupling::ConcurrentMotion<3>       both(specimen, block.solid, *block.motion, *block.participant);
+      coupling::SurfaceCouplingParameters top{"top", {"5"}, law};
+      both.add_surface(top);
+      const double end = 0.1;
+      while (specimen.time() < end * (1 - 1e-9))
+        both.advance(end - specimen.time());
+      const bool   rolls = std::tan(slope) < 3.5 * mu;
+      const double faster =
+        rolls ? 5.0 / 7 * weight * std::sin(slope) : weight * (std::sin(slope) - mu * std::cos(slope));
+      const double spin = rolls ? faster / radius : 2.5 * mu * weight * std::cos(slope) / radius;
+      CHECK(specimen.particle(0).velocity.x() == Approx(faster * end).epsilon(0.01));
+      CHECK(specimen.particle(0).spin.y() == Approx(spin * end).epsilon(0.01));
+    }
 }
 
 TEST_CASE("surface coupling: in the plane a disc bounces off a block of segments", "[coupling]")
@@ -427,4 +373,34 @@ TEST_CASE("surface coupling: a part of the boundary that is not there is refused
   using Surface          = coupling::SurfaceCoupling<3>;
   CHECK_THROWS_WITH(Surface(specimen, block.solid, *block.participant, {"block", {"lid"}, rough()}),
                     Catch::Contains("lid"));
+}
+
+TEST_CASE("surface coupling: a particle whose centre lies in the solid is refused by number, however deep",
+          "[coupling]")
+{
+  using Surface = coupling::SurfaceCoupling<3>;
+  for (const Vector3d &centre : {Vector3d(0.05, 0.05, 0.05), {0.03, 0.07, side - 1e-6}, {0.1 / 3, 0.1 / 3, 0.1 / 3}})
+    {
+      Block<3>      block(3);
+      dem::Specimen specimen = ball(0.004, centre, {0, 0, 0}, {0, 0, 0});
+      CHECK_THROWS_WITH(Surface(specimen, block.solid, *block.participant, {"block", {"5"}, rough()}),
+                        Catch::Contains("Couplings/block") && Catch::Contains("particle 1") &&
+                          Catch::Contains("lies in the solid"));
+    }
+  for (const Vector3d &centre : {Vector3d(0.05, 0.05, side + 1e-6), {-0.01, 0.05, 0.05}, {0.05, 0.05, -0.3}})
+    {
+      Block<3>      block(3);
+      dem::Specimen specimen = ball(0.004, centre, {0, 0, 0}, {0, 0, 0});
+      CHECK_NOTHROW(Surface(specimen, block.solid, *block.participant, {"block", {"5"}, rough()}));
+    }
+  Block<2>     flat(3);
+  dem::Packing packing;
+  packing.centre      = {{0.05, 0.07, 0}};
+  packing.radius      = {0.004};
+  auto p              = cluster::bonded(1.0);
+  p.physics.dimension = 2;
+  p.thickness         = 1;
+  dem::Specimen disc(packing, p, rough());
+  CHECK_THROWS_WITH(coupling::SurfaceCoupling<2>(disc, flat.solid, *flat.participant, {"block", {}, rough()}),
+                    Catch::Contains("lies in the solid"));
 }

@@ -59,7 +59,8 @@ namespace apps
                               coupling.pressure,
                               coupling.skin,
                               coupling.particles(body.all_groups()),
-                              {coupling.bond.within, coupling.bond.links(what.particles.physics)}});
+                              {coupling.bond.within, coupling.bond.links(what.particles.physics)},
+                              coupling.spreading});
             return 0;
           });
         refuse_shared_couplings();

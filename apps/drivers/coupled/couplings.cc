@@ -20,6 +20,16 @@ namespace apps
              "faces of "
              "the elements; pressure: it presses on all of the surface that it covers, for particles that are large "
              "beside them");
+    s.choice("Spreading", spreading,
+             {{"none", coupling::Spreading::none},
+              {"automatic", coupling::Spreading::automatic},
+              {"footprint", coupling::Spreading::footprint}},
+             Need::optional)
+      .means(
+        "footprint: a particle that pushes at a point acts on a square of the surface as wide as itself, so that a "
+        "layer of particles presses evenly whatever the size of the faces; automatic: where a particle is larger "
+        "than the smallest face; none: on the face at the point alone")
+      .only_if([this] { return !pressure; }, "Contact = point");
     declare_contact(s, contact);
     s.find_entry("Effective modulus")
       ->means(

@@ -3,6 +3,7 @@
 #include "apps/drivers/continuum/model.h"
 #include "apps/drivers/coupled/bond.h"
 #include "apps/drivers/particles/groups.h"
+#include "coupling/surface/surface_coupling.h"
 #include "dem/laws/linear_contact.h"
 
 #include <list>
@@ -18,9 +19,10 @@ namespace apps
     std::string                  boundary; ///< names, separated by commas; "": all of it
     std::string                  group;    ///< names, separated by commas; "": all particles
     dem::LinearContactParameters contact;
-    bool                         pressure     = false; ///< on areas, not at points
-    double                       skin         = 0;     ///< [m]; 0: by the size of the facets
-    double                       energy_limit = 0.01;  ///< that it may make, over the largest energy
+    bool                         pressure     = false;                          ///< on areas, not at points
+    double                       skin         = 0;                              ///< [m]; 0: by the size of the facets
+    coupling::Spreading          spreading    = coupling::Spreading::automatic; ///< of points
+    double                       energy_limit = 0.01; ///< that it may make, over the largest energy
     BondSection                  bond;
 
     void                     declare(Section &section);

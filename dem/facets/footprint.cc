@@ -1,0 +1,338 @@
+#include "dem/facets/footprint.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dem
+{
+  using Eigen::Vector3d;
+
+  namespace
+  {
+    using Point = Eigen::Vector2d;
+
+    /** Facets that lean from the tangential plane by less than 20 degrees are under the sphere, by more than 40 they are not. */
+    const double upright = std::cos(20 * 3.14159265358979323846 / 180),
+                 leaning = std::cos(40 * 3.14159265358979323846 / 180);
+    /** Below this part of the square what is left of it fades into a point. */
+    constexpr double smallest_part = 0.25;
+    /** Areas that differ by less than this part of the square are equal. */
+    constexpr double rounding = 1e-10;
+
+    /** Convex, turning left. */
+    struct Polygon
+    {
+      std::array<Point, 16> corner;
+      int                   count = 0;
+
+      void         add(const Point &p) { corner[static_cast<std::size_t>(count++)] = p; }
+      const Point &at(const int k) const { return corner[static_cast<std::size_t>(k % count)]; }
+    };
+
+    double turn(const Point &a, const Point &b) { return a.x() * b.y() - a.y() * b.x(); }
+
+    /** Keep what lies to the left of the way from a to b. */
+    void cut(Polygon &polygon, const Point &a, const Point &b)
+    {
+      const auto left = [&](const Point &p) { return turn(b - a, p - a); };
+      Polygon    kept;
+      for (int k = 0; k < polygon.count; ++k)
+        {
+          const Point &p = polygon.at(k), &next = polygon.at(k + 1);
+          const double here = left(p), there = left(next);
+          if (here >= 0)
+            kept.add(p);
+          if ((here > 0 && there < 0) || (here < 0 && there > 0))
+            kept.add(p + here / (here - there) * (next - p));
+        }
+      polygon = kept;
+    }
+
+    /** Area and its first moment. */
+    struct Area
+    {
+      double size   = 0;
+      Point  moment = Point::Zero();
+    };
+
+    Area area_of(const Polygon &polygon)
+    {
+      Area sum;
+      for (int k = 1; k + 1 < polygon.count; ++k)
+        {
+          const Point &a = polygon.at(0), &b = polygon.at(k), &c = polygon.at(k + 1);
+          const double part = 0.5 * turn(b - a, c - a);
+          sum.size += part;
+          sum.moment += part / 3 * (a + b + c);
+        }
+      return sum;
+    }
+
+    /** The tangential plane: its sides as nearly along the axes as the surface lets them be; in the plane z is one of them. */
+    struct Tangents
+    {
+      Tangents(const Vector3d &origin_, const Vector3d &across, const bool in_the_plane)
+        : origin(origin_)
+      {
+        Eigen::Index least = 0;
+        across.cwiseAbs().minCoeff(&least);
+        const Vector3d axis = in_the_plane ? Vector3d::UnitZ() : Vector3d::Unit(least);
+        second              = in_the_plane ? axis : Vector3d((axis - across.dot(axis) * across).normalized());
+        first               = second.cross(across);
+      }
+      Point of(const Vector3d &x) const { return {first.dot(x - origin), second.dot(x - origin)}; }
+
+      Vector3d origin, first, second;
+    };
+
+    /** A facet seen in the tangential plane. In the plane segments become strips as wide as the square. */
+    struct Facet
+    {
+      Facet(const FacetMesh             &mesh,
+            const std::vector<Vector3d> &place,
+            const std::int32_t           number_,
+            const Tangents              &tangents,
+            const double                 half)
+        : number(number_)
+        , corners(mesh.corners)
+      {
+        for (int c = 0; c < corners; ++c)
+          {
+            x[c]      = place[static_cast<std::size_t>(mesh.facet[static_cast<std::size_t>(number)][c])];
+            corner[c] = tangents.of(x[c]);
+          }
+        if (corners == 3)
+          outline.count = 3, outline.corner[0] = corner[0], outline.corner[1] = corner[1],
+          outline.corner[2] = corner[2];
+        else
+          for (const auto &[end, side] : {std::pair(0, -half), {1, -half}, {1, half}, {0, half}})
+            outline.add({corner[end].x(), side});
+        size = area_of(outline).size;
+        if (size < 0)
+          std::reverse(outline.corner.begin(), outline.corner.begin() + outline.count);
+      }
+
+      /** Unit; of any sign. */
+      Vector3d normal() const
+      {
+        const Vector3d edge = x[1] - x[0];
+        return (corners == 3 ? edge.cross(Vector3d(x[2] - x[0])) : Vector3d(-edge.y(), edge.x(), 0)).normalized();
+      }
+
+      /** Shape functions there. */
+      std::array<double, 3> shape(const Point &p) const
+      {
+        if (corners == 2)
+          {
+            const double along = (p.x() - corner[0].x()) / (corner[1].x() - corner[0].x());
+            return {1 - along, along, 0};
+          }
+        const double b = turn(p - corner[0], corner[2] - corner[0]) / (2 * size),
+                     c = turn(corner[1] - corner[0], p - corner[0]) / (2 * size);
+        return {1 - b - c, b, c};
+      }
+
+      std::int32_t            number;
+      int                     corners;
+      std::array<Vector3d, 3> x;
+      std::array<Point, 3>    corner;
+      Polygon                 outline;
+      double                  size; ///< signed
+    };
+
+    /** What of a facet is in the square. */
+    struct Covered
+    {
+      Facet   facet;
+      Polygon part;
+      double  share; ///< 1: upright, 0: leans too much
+      Area    counted;
+    };
+
+    double share_of(const Facet &facet, const Vector3d &across)
+    {
+      return std::clamp((std::fabs(facet.normal().dot(across)) - leaning) / (upright - leaning), 0.0, 1.0);
+    }
+
+    Polygon square_of(const double half)
+    {
+      Polygon square;
+      for (const Point &p : {Point(-half, -half), Point(half, -half), Point(half, half), Point(-half, half)})
+        square.add(p);
+      return square;
+    }
+
+    void cut(Polygon &polygon, const Polygon &by)
+    {
+      for (int k = 0; k < by.count && polygon.count > 0; ++k)
+        cut(polygon, by.at(k), by.at(k + 1));
+    }
+
+    /** Whether all of the square lies in the facet. */
+    bool holds(const Facet &facet, const Polygon &square)
+    {
+      for (int s = 0; s < square.count; ++s)
+        for (int k = 0; k < facet.outline.count; ++k)
+          {
+            const Point &a = facet.outline.at(k), &b = facet.outline.at(k + 1);
+            if (turn(b - a, square.at(s) - a) < 0)
+              return false;
+          }
+      return true;
+    }
+
+    /** Count what has its like on the other side of the contact. */
+    void count_symmetric(std::vector<Covered> &under)
+    {
+      for (Covered &one : under)
+        for (const Covered &other : under)
+          {
+            Polygon mirrored = other.part; // turned by half a circle: still turning left
+            for (Point &p : mirrored.corner)
+              p = -p;
+            Polygon common = one.part;
+            cut(common, mirrored);
+            const Area   both   = area_of(common);
+            const double weight = one.share * other.share;
+            one.counted.size += weight * both.size;
+            one.counted.moment += weight * both.moment;
+          }
+    }
+
+    /** Axes that turn with a facet. */
+    Eigen::Matrix3d axes_of(const FacetMesh &mesh, const std::vector<Vector3d> &place, const std::int32_t facet)
+    {
+      const auto corner = [&](const std::size_t c) -> const Vector3d & {
+        return place[static_cast<std::size_t>(mesh.facet[static_cast<std::size_t>(facet)][c])];
+      };
+      Eigen::Matrix3d axes;
+      axes.col(0) = (corner(1) - corner(0)).normalized();
+      axes.col(2) = mesh.corners == 3 ? Vector3d(axes.col(0).cross(Vector3d(corner(2) - corner(0))).normalized()) :
+                                        Vector3d::UnitZ();
+      axes.col(1) = axes.col(2).cross(axes.col(0));
+      return axes;
+    }
+
+    void add(std::vector<VertexWeight> &weights, const std::int32_t vertex, const double weight)
+    {
+      for (VertexWeight &known : weights)
+        if (known.vertex == vertex)
+          {
+            known.weight += weight;
+            return;
+          }
+      weights.push_back({vertex, weight});
+    }
+  } // namespace
+
+  Footprint::Footprint(const FacetMesh &mesh)
+    : from(mesh.vertex.size() + 1, 0)
+  {
+    const auto corners = static_cast<std::size_t>(mesh.corners);
+    for (const auto &facet : mesh.facet)
+      for (std::size_t c = 0; c < corners; ++c)
+        ++from[static_cast<std::size_t>(facet[c]) + 1];
+    for (std::size_t v = 1; v < from.size(); ++v)
+      from[v] += from[v - 1];
+    std::vector<std::size_t> next(from.begin(), from.end() - 1);
+    around.resize(from.back());
+    for (std::size_t f = 0; f < mesh.size(); ++f)
+      for (std::size_t c = 0; c < corners; ++c)
+        around[next[static_cast<std::size_t>(mesh.facet[f][c])]++] = static_cast<std::int32_t>(f);
+  }
+
+  bool Footprint::spread(const FacetMesh             &mesh,
+                         const std::vector<Vector3d> &place,
+                         const ContactZone           &zone,
+                         const double                 radius,
+                         SpreadContact               &found) const
+  {
+    const Tangents tangents(zone.place, zone.direction, mesh.corners == 2);
+    const Polygon  square = square_of(radius);
+    const double   whole  = 4 * radius * radius;
+    const Facet    deepest(mesh, place, zone.facet, tangents, radius);
+    if (zone.parts.size() == 1 && share_of(deepest, zone.direction) == 1 && holds(deepest, square))
+      return false;
+
+    // From facet to facet over shared corners: what lies behind a plate is not under the sphere.
+    std::vector<Covered>      under;
+    std::vector<std::int32_t> seen{zone.facet}, open{zone.facet};
+    double                    area        = 0;
+    bool                      all_upright = true;
+    while (!open.empty())
+      {
+        const Facet facet(mesh, place, open.back(), tangents, radius);
+        open.pop_back();
+        const double share = share_of(facet, zone.direction);
+        Polygon      part  = facet.outline;
+        if (share > 0)
+          cut(part, square);
+        const Area inside = share > 0 ? area_of(part) : Area();
+        if (inside.size > 0)
+          {
+            all_upright = all_upright && share == 1;
+            area += inside.size;
+            under.push_back({facet, part, share, {}});
+            under.back().counted = inside;
+          }
+        else if (facet.number != zone.facet)
+          continue;
+        for (int c = 0; c < mesh.corners; ++c)
+          {
+            const auto vertex =
+              static_cast<std::size_t>(mesh.facet[static_cast<std::size_t>(facet.number)][static_cast<std::size_t>(c)]);
+            for (std::size_t k = from[vertex]; k < from[vertex + 1]; ++k)
+              if (const auto at = std::lower_bound(seen.begin(), seen.end(), around[k]);
+                  at == seen.end() || *at != around[k])
+                {
+                  seen.insert(at, around[k]);
+                  open.push_back(around[k]);
+                }
+          }
+      }
+    if (!all_upright || area < (1 - rounding) * whole)
+      {
+        for (Covered &each : under)
+          each.counted = {};
+        count_symmetric(under);
+        area = 0;
+        for (const Covered &each : under)
+          area += each.counted.size;
+      }
+
+    const double spread = std::min(area / (smallest_part * whole), 1.0);
+    found.weights.clear();
+    for (const Covered &each : under)
+      if (each.counted.size > 0)
+        {
+          const auto shape = each.facet.shape(each.counted.moment / each.counted.size);
+          for (std::size_t c = 0; c < static_cast<std::size_t>(mesh.corners); ++c)
+            add(found.weights, mesh.facet[static_cast<std::size_t>(each.facet.number)][c],
+                spread * each.counted.size / area * shape[c]);
+        }
+    // Heights of the mean surface above the point of the contact: what it was in the undeformed surface is its shape.
+    Vector3d point_then = Vector3d::Zero(), mean_then = Vector3d::Zero();
+    for (const ContactZone::Part &part : zone.parts)
+      for (std::size_t c = 0; c < static_cast<std::size_t>(mesh.corners); ++c)
+        if (part.weight[c] != 0)
+          {
+            const std::int32_t vertex = mesh.facet[static_cast<std::size_t>(part.facet)][c];
+            point_then += part.weight[c] * mesh.vertex[static_cast<std::size_t>(vertex)];
+            if (spread < 1)
+              add(found.weights, vertex, (1 - spread) * part.weight[c]);
+          }
+    found.place.setZero();
+    for (const VertexWeight &each : found.weights)
+      {
+        found.place += each.weight * place[static_cast<std::size_t>(each.vertex)];
+        mean_then += each.weight * mesh.vertex[static_cast<std::size_t>(each.vertex)];
+      }
+    const Vector3d across_then =
+      axes_of(mesh, mesh.vertex, zone.facet) * axes_of(mesh, place, zone.facet).transpose() * zone.direction;
+    found.overlap =
+      zone.overlap - zone.direction.dot(found.place - zone.place) + across_then.dot(mean_then - point_then);
+    return true;
+  }
+} // namespace dem

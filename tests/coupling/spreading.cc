@@ -1,0 +1,263 @@
+// Contacts that are spread over the surface under the particle: even pressure on faces of any size, and nothing lost.
+#include "block_fixture.h"
+#include "dem/facets/surface.h"
+
+#include <catch2/catch.hpp>
+
+#include <omp.h>
+
+using namespace block;
+
+namespace
+{
+  /** Forces on all nodes of a block that a layer of equal balls gives, which all press alike and together with one newton. */
+  struct Layer
+  {
+    std::vector<Vector3d> place, load;
+
+    /** @param elements along a side of the face @param balls likewise */
+    Layer(const unsigned int elements, const int balls)
+    {
+      Block<3>     block(elements, stands);
+      dem::Packing packing;
+      const double radius = 0.5 * side / balls, overlap = 1e-3 * radius;
+      for (int i = 0; i < balls; ++i)
+        for (int j = 0; j < balls; ++j)
+          packing.centre.emplace_back((2 * i + 1) * radius, (2 * j + 1) * radius, side + radius - overlap);
+      packing.radius.assign(packing.centre.size(), radius * (1 - 1e-9));
+      dem::Specimen                       specimen(packing, cluster::bonded(1.0), rough());
+      coupling::SurfaceCouplingParameters top{"top", {"5"}, rough()};
+      top.spreading = coupling::Spreading::footprint;
+      coupling::SurfaceCoupling<3> surface(specimen, block.solid, *block.participant, top);
+      specimen.find_surface_forces();
+      const dem::Surface &seen = specimen.surface(surface.surface());
+      CHECK(seen.touching == balls * balls);
+      surface.forces_to_fem(1, 1);
+      const fem::Vector &external = block.motion->external_force();
+      for (std::size_t c = 0; c < block.participant->carriers(); ++c)
+        {
+          Vector3d force;
+          for (int d = 0; d < 3; ++d)
+            force[d] = external[block.participant->displacements(c)[static_cast<std::size_t>(d)]];
+          place.push_back(block.participant->position(c));
+          load.push_back(force / seen.total_force.norm());
+        }
+    }
+  };
+
+  /** Least and largest stress across the elements at the loaded face, over its mean. */
+  std::pair<double, double> stress_under(const Layer &layer, const unsigned int elements)
+  {
+    fem::Loads<3> loads;
+    stands(loads); // all of its lower face stays plane, and may spread
+    loads.displacements = {{"4", 2, [](const dealii::Point<3> &, double) { return 0.0; }}};
+    const auto hold     = [&](const dealii::Point<3> &where, const unsigned int component) {
+      loads.nodes.push_back({where, component, [](const dealii::Point<3> &, double) { return 0.0; }});
+    };
+    hold({0, 0, 0}, 0);
+    hold({0, 0, 0}, 1);
+    hold({side, 0, 0}, 1);
+    for (std::size_t i = 0; i < layer.place.size(); ++i)
+      if (!layer.load[i].isZero(0))
+        {
+          const Vector3d x = layer.place[i], f = 1e3 * layer.load[i];
+          loads.point_forces.push_back({{x[0], x[1], x[2]}, [f](double) {
+                                          return dealii::Tensor<1, 3>({f[0], f[1], f[2]});
+                                        }});
+        }
+    Model<3> model(box<3>({side, side, side}, {elements, elements, elements}), fem::ElementFamily::hypercube, {},
+                   elastic(10e9, 0.2), loads);
+    model.solver->advance_to(1);
+    const double mean  = -1e3 / (side * side);
+    double       least = 10, most = 0;
+    model.solid.visit_points(model.solver->displacement(), [&](const fem::PointView<3> &point) {
+      if (point.place[2] < side * (1 - 1.0 / elements))
+        return;
+      least = std::min(least, point.stress[2] / mean);
+      most  = std::max(most, point.stress[2] / mean);
+    });
+    return {least, most};
+  }
+} // namespace
+
+TEST_CASE("spreading: a regular layer under pressure gives even stress on faces of a quarter to four ball sizes",
+          "[coupling]")
+{
+  struct Case
+  {
+    double       size; ///< of faces, in balls
+    unsigned int elements;
+    int          balls;
+  };
+  for (const Case &of : {Case{0.25, 8, 2}, Case{0.5, 6, 3}, Case{0.75, 4, 3}, Case{1, 4, 4}, Case{1.5, 4, 6},
+                         Case{2, 3, 6}, Case{3, 3, 9}, Case{4, 2, 8}})
+    {
+      INFO("faces of " << of.size << " ball sizes");
+      const Layer  layer(of.elements, of.balls);
+      const double face = 1.0 / (of.elements * of.elements);
+      for (std::size_t i = 0; i < layer.place.size(); ++i)
+        {
+          const Vector3d x     = layer.place[i];
+          double         share = x.z() > side - 1e-9 ? face : 0.0;
+          for (int d = 0; d < 2; ++d)
+            if (x[d] < 1e-9 || x[d] > side - 1e-9)
+              share /= 2;
+          CHECK(layer.load[i].norm() == Approx(share).margin(1e-6 * face));
+        }
+      const auto [least, most] = stress_under(layer, of.elements);
+      CHECK(least > 0.999);
+      CHECK(most < 1.001);
+    }
+}
+
+namespace
+{
+  /** A spinning ball on its way to an edge of a free block of small elements, which it leaves again. */
+  struct Hit
+  {
+    Block<3>                      block;
+    dem::Specimen                 specimen;
+    coupling::ConcurrentMotion<3> both;
+
+    explicit Hit(const double step_factor = 0.2)
+      : block(8)
+      , specimen(ball(0.02, {0.03, 0.062, 0.1205}, {2, -1, -5}, {40, 100, -60}, step_factor))
+      , both(specimen, block.solid, *block.motion, *block.participant)
+    {
+      coupling::SurfaceCouplingParameters all{"block", {}, rough()};
+      all.spreading = coupling::Spreading::automatic;
+      both.add_surface(all);
+    }
+    const coupling::SurfaceCoupling<3> &surface() const { return *both.surfaces().front(); }
+    const dem::Surface                 &facets() const { return specimen.surface(surface().surface()); }
+    Vector3d                            total_momentum() const { return momentum(specimen) + block.momentum(); }
+    Vector3d                            total_angular_momentum() const
+    {
+      const dem::ParticleState p = specimen.particle(0);
+      return coupling::momentum_of(*block.participant).angular + p.position.cross(p.mass * p.velocity) +
+             p.inertia * p.spin;
+    }
+    double energy() const
+    {
+      const dem::EnergyAccount e = specimen.energy();
+      const auto               s = block.motion->energy();
+      return e.kinetic + e.elastic + e.friction + e.released + s.kinetic + s.internal;
+    }
+  };
+} // namespace
+
+TEST_CASE("spreading: a collision over an edge keeps momenta and power, sub-cycled or not, and energy to a thousandth",
+          "[coupling]")
+{
+  for (const int ratio : {1, 4})
+    {
+      INFO("ratio " << ratio);
+      Hit hit(ratio == 1 ? 0.2 : 0.01);
+      hit.both.set_largest_ratio(ratio);
+      const Vector3d start = hit.total_momentum(), turning = hit.total_angular_momentum();
+      hit.both.advance(0.5 * hit.both.next_window(1).window);
+      const double energy = hit.energy();
+      double       spread = 0;
+      while (hit.specimen.time() < 5e-3)
+        {
+          hit.both.advance(0.5 * hit.both.next_window(1).window);
+          double vertices = 0;
+          for (const Vector3d &force : hit.facets().force)
+            vertices += force.isZero(0) ? 0 : 1;
+          spread = std::max(spread, vertices);
+        }
+      CHECK(spread > 12); // at a point there are three
+      CHECK(hit.facets().touching == 0);
+      CHECK((hit.total_momentum() - start).norm() < 1e-12 * start.norm());
+      CHECK((hit.total_angular_momentum() - turning).norm() < 1e-10 * turning.norm());
+      const coupling::SurfaceBalance b = hit.surface().balance();
+      CHECK(b.to_solid.norm() > 0.1 * start.norm());
+      CHECK((b.to_particles + b.to_solid).norm() < 1e-12 * b.to_solid.norm());
+      CHECK((b.turn_to_particles + b.turn_to_solid).norm() < 1e-10 * b.turn_to_solid.norm());
+      if (ratio > 1)
+        continue;
+      CHECK(std::fabs(b.made()) < 1e-12 * std::fabs(b.work_on_solid));
+      CHECK(hit.energy() == Approx(energy).epsilon(1e-3));
+    }
+}
+
+TEST_CASE("spreading: a ball rolls over small faces of a block with constant force", "[coupling]")
+{
+  // Led over the stiff block at one height: the force is that of the height, wherever it is.
+  Block<3>                            block(10, stands);
+  dem::Specimen                       specimen = ball(0.02, {0.03, 0.04, 0.1199}, {0, 0, 0}, {0, 0, 0});
+  coupling::SurfaceCouplingParameters top{"top", {"5"}, rough()};
+  top.spreading                    = coupling::Spreading::footprint;
+  top.contact.friction_coefficient = 0;
+  coupling::SurfaceCoupling<3> surface(specimen, block.solid, *block.participant, top);
+  dem::Grip                    grip;
+  grip.particles       = {0};
+  grip.prescribed      = {true, true, true, true, true, true};
+  const auto     held  = specimen.add_grip(grip);
+  const double   force = 3.14159265358979 * 0.02 * 1e8 * 1e-4;
+  const Vector3d step(1.3e-4, 0.7e-4, 0);
+  for (int n = 0; n < 300; ++n)
+    {
+      specimen.set_grip_velocity(held, step / specimen.time_step(), Vector3d::Zero());
+      specimen.advance(1);
+      specimen.find_surface_forces();
+      const Vector3d push = specimen.surface(surface.surface()).total_force;
+      CHECK(push.z() == Approx(-force).epsilon(1e-9));
+      CHECK(push.head<2>().norm() < 1e-9 * force);
+    }
+}
+
+TEST_CASE("spreading: in the plane discs side by side press evenly on segments of any size", "[coupling]")
+{
+  for (const auto &[elements, balls] : {std::pair(8u, 2), std::pair(4u, 3), std::pair(3u, 7)})
+    {
+      Block<2>     block(elements, [](fem::Loads<2> &loads) {
+        for (unsigned int c = 0; c < 2; ++c)
+          loads.displacements.push_back({"2", c, [](const dealii::Point<2> &, double) { return 0.0; }});
+      });
+      dem::Packing packing;
+      const double radius = 0.5 * side / balls;
+      for (int i = 0; i < balls; ++i)
+        packing.centre.emplace_back((2 * i + 1) * radius, side + radius * (1 - 1e-3), 0);
+      packing.radius.assign(packing.centre.size(), radius * (1 - 1e-9));
+      auto p              = cluster::bonded(1.0);
+      p.physics.dimension = 2;
+      p.thickness         = 1;
+      dem::Specimen                       specimen(packing, p, rough());
+      coupling::SurfaceCouplingParameters top{"top", {"3"}, rough()};
+      top.spreading = coupling::Spreading::footprint;
+      coupling::SurfaceCoupling<2> surface(specimen, block.solid, *block.participant, top);
+      specimen.find_surface_forces();
+      const dem::Surface &seen = specimen.surface(surface.surface());
+      for (std::size_t v = 0; v < seen.place.size(); ++v)
+        {
+          const double x = seen.place[v].x(), share = (x < 1e-9 || x > side - 1e-9 ? 0.5 : 1.0) / elements;
+          CHECK(seen.force[v].norm() / seen.total_force.norm() == Approx(share).epsilon(1e-6));
+        }
+    }
+}
+
+TEST_CASE("spreading: the same bits with 1 and 2 threads", "[coupling]")
+{
+  Vector3d end[2];
+  for (const int threads : {1, 2})
+    {
+      omp_set_num_threads(threads);
+      Block<3>     block(8);
+      dem::Packing packing;
+      for (int i = 0; i < 100; ++i)
+        packing.centre.emplace_back(0.0051 + 0.0099 * (i % 10), 0.0049 + 0.0099 * (i / 10), side + 0.0047);
+      packing.radius.assign(100, 0.0048);
+      auto                                p = cluster::bonded(1.0);
+      dem::Specimen                       specimen(packing, p, rough());
+      coupling::ConcurrentMotion<3>       both(specimen, block.solid, *block.motion, *block.participant);
+      coupling::SurfaceCouplingParameters all{"block", {}, rough()};
+      all.spreading = coupling::Spreading::footprint;
+      both.add_surface(all);
+      for (int n = 0; n < 50; ++n)
+        both.advance(1);
+      end[threads - 1] = specimen.particle(37).position;
+    }
+  omp_set_num_threads(1);
+  CHECK((end[0] - end[1]).cwiseAbs().sum() == 0);
+}
