@@ -3,9 +3,9 @@
 #include "apps/bench/results.h"
 #include "apps/bench/scene_variant.h"
 #include "apps/drivers/parts/specimen_packing.h"
-#include "apps/drivers/quasi_static/stage.h"
+#include "apps/drivers/quasi_static/lab_test.h"
+#include "apps/drivers/uniaxial/lab_test.h"
 #include "apps/drivers/uniaxial/scene.h"
-#include "apps/drivers/uniaxial/stage.h"
 
 #include <fmt/format.h>
 
@@ -48,23 +48,23 @@ namespace apps
     Row follow(const UniaxialModel &model, const dem::Packing &packing)
     {
       QuasiStaticModel still;
-      still.source           = model.source;
-      still.rotations        = model.specimen.physics.rotations;
-      still.material         = model.material;
-      still.tests            = model.loading.tests;
-      still.axis             = model.loading.axis;
-      still.grips            = model.loading.grips;
-      still.lateral_blocked  = model.loading.lateral_blocked;
-      still.spin_blocked     = model.loading.spin_blocked;
-      still.tension          = {strain_step, stop_fraction, stop_strain};
-      const double     start = processor_seconds();
-      QuasiStaticStage stage(still, packing, 0);
-      while (!stage.finished())
-        stage.advance();
+      still.source             = model.source;
+      still.rotations          = model.specimen.physics.rotations;
+      still.material           = model.material;
+      still.tests              = model.loading.tests;
+      still.axis               = model.loading.axis;
+      still.grips              = model.loading.grips;
+      still.lateral_blocked    = model.loading.lateral_blocked;
+      still.spin_blocked       = model.loading.spin_blocked;
+      still.tension            = {strain_step, stop_fraction, stop_strain};
+      const double       start = processor_seconds();
+      QuasiStaticLabTest test(still, packing, 0);
+      while (!test.finished())
+        test.advance();
       Row row;
-      row.figures       = stage.result.notes.figures;
-      row.balance_error = stage.result.worst_balance_error;
-      row.steps         = stage.result.solutions;
+      row.figures       = test.result.notes.figures;
+      row.balance_error = test.result.worst_balance_error;
+      row.steps         = test.result.solutions;
       row.cost          = processor_seconds() - start;
       return row;
     }
@@ -72,15 +72,15 @@ namespace apps
     Row pull(UniaxialModel model, const dem::Packing &packing, const double rate)
     {
       model.loading.tension.rate = rate;
-      const double  start        = processor_seconds();
-      UniaxialStage stage(model, packing, 0);
-      while (!stage.finished())
-        stage.advance();
+      const double    start      = processor_seconds();
+      UniaxialLabTest test(model, packing, 0);
+      while (!test.finished())
+        test.advance();
       Row row;
       row.rate          = rate;
-      row.figures       = stage.result.notes.figures;
-      row.balance_error = stage.result.worst_balance_error;
-      row.steps         = stage.result.steps;
+      row.figures       = test.result.notes.figures;
+      row.balance_error = test.result.worst_balance_error;
+      row.steps         = test.result.steps;
       row.cost          = processor_seconds() - start;
       return row;
     }

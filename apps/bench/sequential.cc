@@ -1,20 +1,19 @@
 #include "apps/bench/sequential.h"
 
-#include "apps/drivers/load.h"
+#include "apps/bench/results.h"
+#include "apps/bench/scene_variant.h"
 #include "apps/drivers/sequential/continuation.h"
 #include "apps/drivers/sequential/particles.h"
 #include "apps/drivers/sequential/study.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
+#include "apps/process/stopwatch.h"
 #include "apps/results/result_folder.h"
 #include "apps/scene/description.h"
-#include "postprocess/atomic_file.h"
-#include "postprocess/plot.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -23,26 +22,19 @@ namespace apps
 {
   namespace
   {
-    /** One way of transferring: what is changed in the scene. */
-    struct Variant
-    {
-      std::string              study, name;
-      std::vector<std::string> overrides;
-    };
-
     struct Row
     {
-      Variant     variant;
-      std::string instant;
-      double      strain = 0, error = 0, near = 0, reaches = 1, seconds = 0, seconds_saved = 0;
+      SceneVariant variant; ///< one way of transferring
+      std::string  instant;
+      double       strain = 0, error = 0, near = 0, reaches = 1, seconds = 0, seconds_saved = 0;
     };
 
     std::string number_text(const double value) { return fmt::format("{}", value); }
 
-    std::vector<Variant> variants_of(const double radius, const bool quick)
+    std::vector<SceneVariant> variants_of(const double radius, const bool quick)
     {
-      std::vector<Variant> all;
-      const auto           kernel = [](const std::string &name, const double width) {
+      std::vector<SceneVariant> all;
+      const auto                kernel = [](const std::string &name, const double width) {
         return std::vector<std::string>{"Transfer/Kernel=" + name, "Transfer/Width=" + number_text(width)};
       };
       all.push_back({"kernel", "specimen", kernel("specimen", 0)});
@@ -50,24 +42,23 @@ namespace apps
         for (const double widths : quick ? std::vector<double>{3} : std::vector<double>{3, 5, 8})
           all.push_back({"kernel", fmt::format("{} {} r", name, widths), kernel(name, widths * radius)});
       all.push_back({"kernel", "nearest", kernel("nearest", 0)});
-      for (Variant &v : all) // a mesh on which kernels can differ
-        for (const char *divisions : {"x=2", "y=2", "z=4"})
-          v.overrides.push_back(std::string("Continuum/Mesh/Box/Divisions ") + divisions);
+      for (SceneVariant &v : all) // a mesh on which kernels can differ
+        for (const std::string &change : box_divisions({2, 2, 4}))
+          v.changes.push_back(change);
       for (const int n : quick ? std::vector<int>{1, 2} : std::vector<int>{1, 2, 3, 4})
         {
           std::vector<std::string> mesh = kernel("gaussian", 3 * radius);
-          mesh.push_back(fmt::format("Continuum/Mesh/Box/Divisions x={}", n));
-          mesh.push_back(fmt::format("Continuum/Mesh/Box/Divisions y={}", n));
-          mesh.push_back(fmt::format("Continuum/Mesh/Box/Divisions z={}", 2 * n));
+          for (const std::string &change : box_divisions({n, n, 2 * n}))
+            mesh.push_back(change);
           all.push_back({"mesh", fmt::format("{0} x {0} x {1} elements", n, 2 * n), mesh});
         }
       return all;
     }
 
     /** Where softening is averaged over a length: with parts of it, down to none. */
-    std::vector<Variant> lengths_of(const SequentialModel &model, const bool quick)
+    std::vector<SceneVariant> lengths_of(const SequentialModel &model, const bool quick)
     {
-      std::vector<Variant> all;
+      std::vector<SceneVariant> all;
       for (const MaterialOfGroup *group : model.receivers())
         if (const double whole = group->chosen().constants->averaging_length(); whole > 0)
           for (const double share : quick ? std::vector<double>{0, 1} : std::vector<double>{0, 0.25, 0.5, 1})
@@ -83,49 +74,43 @@ namespace apps
 
     const SequentialModel &sequential(const LoadedScene &scene)
     {
-      const auto *kind = dynamic_cast<const SequentialScene *>(scene.scene.get());
-      if (!kind)
-        throw dem::InputError(scene.file + ": Kind = " + scene.kind +
-                              ": this bench varies a scene of kind sequential.");
-      const SequentialModel &model = kind->parameters();
+      const SequentialModel &model = scene_of_kind<SequentialScene>(scene, "sequential").parameters();
       if (model.particles.source != ParticleStageSection::Source::uniaxial || model.particles.end_strain == 0)
-        throw dem::InputError(scene.file +
-                              ": this bench compares with an all-particle run: it wants Particles/Source = "
-                              "uniaxial and Particles/Uniaxial/End strain.");
+        refuse_scene(scene, "this bench compares with an all-particle run: it wants Particles/Source = uniaxial and "
+                            "Particles/Uniaxial/End strain.");
       if (model.continuum.mesh.source != MeshSection::Source::box)
-        throw dem::InputError(scene.file + ": Continuum/Mesh/Source: this bench varies the divisions of a box.");
+        refuse_scene(scene, "Continuum/Mesh/Source: this bench varies the divisions of a box.");
       return model;
     }
 
     /** The continuation of one instant by one variant, as far as it comes. */
     Row measure(const SequentialBench                     &bench,
-                const Variant                             &variant,
+                const SceneVariant                        &variant,
                 const ParticleCases                       &particles,
                 const std::size_t                          instant,
                 const std::filesystem::path               &folder,
                 const std::optional<coupling::MappingLaw> &identified)
     {
       std::vector<std::string> overrides = bench.overrides;
-      overrides.insert(overrides.end(), variant.overrides.begin(), variant.overrides.end());
       overrides.emplace_back("Continuum/Output/Snapshots=0");
-      const LoadedScene      scene   = load_scene(bench.scene, overrides);
+      const LoadedScene      scene   = variant.of(bench.scene, overrides);
       const SequentialModel &model   = sequential(scene);
       const ParticleOutcome &outcome = particles.outcomes()[instant], &all = *particles.reference();
-      Row                    row{variant, outcome.name, outcome.severity, std::nan(""), std::nan(""), 0, 0};
+      Row                    row{variant, outcome.name, outcome.severity, std::nan(""), std::nan("")};
       const double           done = std::abs(outcome.severity / all.curve_strain.back());
       row.seconds_saved           = (1 - done) * all.seconds;
       RunRequest request          = request_of(scene);
       request.output_folder       = folder;
       request.quiet               = true;
-      const auto start            = std::chrono::steady_clock::now();
-      const auto compare          = [&](const std::filesystem::path &where) {
+      const Stopwatch watch;
+      const auto      compare = [&](const std::filesystem::path &where) {
         ContinuationCurve curve = read_continuation(model.study, where);
         curve.offset            = outcome.curve_strain.back();
         row.error               = error_against(curve, all);
         row.near                = error_against(near_the_transfer(curve), all);
         row.reaches             = near_reaches(curve);
         if (!std::isfinite(row.error))
-          fmt::print(stderr, "{}, {}: ends too soon to be compared.\n", variant.name, outcome.name);
+          fmt::print(stderr, "{}, {}: ends too soon to be compared.\n", variant.value, outcome.name);
       };
       try
         {
@@ -141,13 +126,13 @@ namespace apps
         }
       catch (const dem::NumericalError &failure)
         {
-          fmt::print(stderr, "{}, {}: {}\n", variant.name, outcome.name, failure.what());
+          fmt::print(stderr, "{}, {}: {}\n", variant.value, outcome.name, failure.what());
         }
       catch (const dem::InputError &refusal) // past the limits of the transfer
         {
-          fmt::print(stderr, "{}, {}: {}\n", variant.name, outcome.name, refusal.what());
+          fmt::print(stderr, "{}, {}: {}\n", variant.value, outcome.name, refusal.what());
         }
-      row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      row.seconds = watch.seconds();
       return row;
     }
 
@@ -156,7 +141,7 @@ namespace apps
       std::string text = "study,variant,instant,strain,error,error_near,near_reaches [strains of the "
                          "transfer],continuum_seconds [s],particle_seconds_saved [s]\n";
       for (const Row &r : rows)
-        text += fmt::format("{},{},{},{},{},{},{},{},{}\n", r.variant.study, r.variant.name, r.instant, r.strain,
+        text += fmt::format("{},{},{},{},{},{},{},{},{}\n", r.variant.study, r.variant.value, r.instant, r.strain,
                             r.error, r.near, r.reaches, r.seconds, r.seconds_saved);
       return text;
     }
@@ -171,7 +156,7 @@ namespace apps
         "|---|---|---|---|---|---|---|---|\n";
       for (const Row &r : rows)
         text += fmt::format("| {} | {} | {} | {:.3f} | {:.3f} | {:.2f} | {:.2f} | {:.2f} |\n", r.variant.study,
-                            r.variant.name, r.instant, r.error, r.near, r.reaches, r.seconds, r.seconds_saved);
+                            r.variant.value, r.instant, r.error, r.near, r.reaches, r.seconds, r.seconds_saved);
       return text;
     }
 
@@ -188,10 +173,10 @@ namespace apps
             panel.y_label                 = "Error against all particles";
             panel.log_y                   = true;
             panel.log_x                   = cost;
-            if (panel.series.empty() || panel.series.back().name != r.variant.name)
+            if (panel.series.empty() || panel.series.back().name != r.variant.value)
               {
                 panel.series.emplace_back();
-                panel.series.back().name = r.variant.name;
+                panel.series.back().name = r.variant.value;
                 panel.series.back().style =
                   cost ? postprocess::PlotSeries::Style::points : postprocess::PlotSeries::Style::line_and_points;
               }
@@ -225,13 +210,13 @@ namespace apps
           return exit_interrupted;
         identified = identification.result().found.law;
       }
-    std::vector<Row>     rows;
-    const auto           instants = model.particles.instants_asked();
-    std::size_t          number   = 0;
-    std::vector<Variant> variants = variants_of(model.particles.specimen.generator.radius, bench.quick);
-    for (Variant &variant : lengths_of(model, bench.quick))
+    std::vector<Row>          rows;
+    const auto                instants = model.particles.instants_asked();
+    std::size_t               number   = 0;
+    std::vector<SceneVariant> variants = variants_of(model.particles.specimen.generator.radius, bench.quick);
+    for (SceneVariant &variant : lengths_of(model, bench.quick))
       variants.push_back(std::move(variant));
-    for (const Variant &variant : variants)
+    for (const SceneVariant &variant : variants)
       for (std::size_t k = 0; k < instants.size(); ++k)
         {
           if (instants[k].back) // the all-particle run does not unload
@@ -242,11 +227,9 @@ namespace apps
             return exit_interrupted;
           std::filesystem::remove_all(folder.running() / fmt::format("run_{:03}", number - 1));
         }
-    postprocess::write_text(folder.running() / "sequential.csv", csv_of(rows));
-    postprocess::write_text(folder.running() / "sequential.md", table_of(rows));
-    if (const std::string problem = postprocess::plot(folder.running() / "sequential.png", panels_of(rows));
-        !problem.empty())
-      fmt::print(stderr, "breccia: warning: no sequential.png: {}\n", problem);
+    const BenchResults results(folder.running(), "sequential");
+    results.write(csv_of(rows), table_of(rows));
+    results.draw(panels_of(rows));
     folder.publish();
     fmt::print("{}", table_of(rows));
     return exit_success;

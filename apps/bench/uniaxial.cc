@@ -5,8 +5,8 @@
 #include "apps/bench/uniaxial_cases.h"
 #include "apps/bench/uniaxial_table.h"
 #include "apps/drivers/parts/specimen_packing.h"
+#include "apps/drivers/uniaxial/lab_test.h"
 #include "apps/drivers/uniaxial/scene.h"
-#include "apps/drivers/uniaxial/stage.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
 #include "apps/process/progress.h"
@@ -55,16 +55,16 @@ namespace apps
     {
       for (std::size_t i = 0; i < model.loading.tests.size(); ++i)
         {
-          UniaxialStage stage(model, packing, i);
-          while (!stage.finished())
+          UniaxialLabTest test(model, packing, i);
+          while (!test.finished())
             {
-              stage.advance();
-              progress.update(stage.done(), stage.details());
+              test.advance();
+              progress.update(test.done(), test.details());
               if (interrupted())
                 return false;
             }
-          stage.finish();
-          measured.add(stage.result);
+          test.complete();
+          measured.add(test.result);
         }
       return true;
     }

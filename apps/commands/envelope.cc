@@ -1,9 +1,11 @@
 #include "apps/commands/command.h"
 #include "apps/commands/scene_options.h"
+#include "apps/drivers/parts/summary_head.h"
 #include "apps/drivers/paths/strength_envelope.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/version.h"
 #include "apps/results/result_folder.h"
+#include "apps/results/warning.h"
 #include "apps/scene/constant_entries.h"
 #include "apps/scene/overrides.h"
 #include "apps/scene/reader.h"
@@ -81,9 +83,6 @@ namespace apps
       nlohmann::json json;
       json["asked"]   = {{"kind", "envelope"}, {"constants", options.constants}, {"directions", options.directions}};
       json["version"] = version();
-      const auto quantity = [](const double value, const char *unit) -> nlohmann::json {
-        return {{"value", value}, {"unit", unit}};
-      };
       json["figures"] = {{"compressive_strength", quantity(f.compressive, "Pa")},
                          {"tensile_strength", quantity(f.tensile, "Pa")},
                          {"biaxial_compressive_strength", quantity(f.biaxial, "Pa")},
@@ -91,10 +90,8 @@ namespace apps
                          {"biaxial_ratio", quantity(f.biaxial / f.compressive, "-")},
                          {"shear_ratio", quantity(f.shear / f.compressive, "-")}};
       postprocess::write_json(folder.running() / "summary.json", json);
-      const std::string problem =
-        postprocess::plot(folder.running() / "envelope.png", {panel_of(points, f.compressive)});
-      if (!problem.empty())
-        fmt::print(stderr, "breccia: warning: no picture: {}\n", problem);
+      warn_of_missing("envelope.png",
+                      postprocess::plot(folder.running() / "envelope.png", {panel_of(points, f.compressive)}));
       folder.publish();
     }
 

@@ -20,11 +20,6 @@ namespace apps
     constexpr const char *scene_name  = "scene.prm";
     constexpr const char *series_name = "series.csv";
 
-    double seconds_since(const std::chrono::steady_clock::time_point &start)
-    {
-      return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    }
-
     /** Visits a state with the checkpoint of the first rank, or of the only one. */
     template <typename Checkpoint>
     void visit_with(Checkpoint *checkpoint, const bool reads, const std::function<void(RunState &)> &visit)
@@ -50,11 +45,10 @@ namespace apps
 
   CheckpointClock::CheckpointClock(const double longest_interval)
     : longest(longest_interval)
-    , last(Clock::now())
   {
   }
 
-  double CheckpointClock::seconds_since_saved() const { return seconds_since(last); }
+  double CheckpointClock::seconds_since_saved() const { return since_saved.seconds(); }
 
   bool CheckpointClock::is_due() const
   {
@@ -64,10 +58,10 @@ namespace apps
 
   void CheckpointClock::save(const std::function<void()> &write)
   {
-    const auto start = Clock::now();
+    const Stopwatch watch;
     write();
-    cost = seconds_since(start);
-    last = Clock::now();
+    cost        = watch.seconds();
+    since_saved = Stopwatch();
   }
 
   // --- The run ---
@@ -77,11 +71,10 @@ namespace apps
     , work(what)
     , location(asked.output_folder / "running")
     , clock(checkpoint_interval)
-    , start(Clock::now())
   {
   }
 
-  double LifeCycle::wall_seconds() const { return seconds_before + seconds_since(start); }
+  double LifeCycle::wall_seconds() const { return seconds_before + watch.seconds(); }
 
   int LifeCycle::execute()
   {

@@ -1,13 +1,13 @@
 #pragma once
 
 #include "apps/process/progress.h"
+#include "apps/process/stopwatch.h"
 #include "apps/results/input_files.h"
 #include "apps/results/result_folder.h"
 #include "apps/results/run_work.h"
 #include "apps/scene/scene.h"
 #include "postprocess/checkpoint.h"
 
-#include <chrono>
 #include <memory>
 #include <optional>
 
@@ -31,10 +31,8 @@ namespace apps
     double seconds_since_saved() const;
 
   private:
-    using Clock = std::chrono::steady_clock;
-
-    double            longest, cost = 0;
-    Clock::time_point last;
+    double    longest, cost = 0;
+    Stopwatch since_saved;
   };
 
   /**
@@ -54,8 +52,6 @@ namespace apps
     int execute();
 
   private:
-    using Clock = std::chrono::steady_clock;
-
     void   begin();
     void   resume();
     void   announce() const;
@@ -75,6 +71,6 @@ namespace apps
     std::unique_ptr<postprocess::SeriesWriter> series;
     CheckpointClock                            clock;
     double                                     seconds_before = 0; ///< of the same run, before it was resumed
-    Clock::time_point                          start;
+    Stopwatch                                  watch;
   };
 } // namespace apps

@@ -6,6 +6,7 @@
 
 using apps::OutputSection;
 using apps::Sampling;
+using apps::StepSampling;
 
 namespace
 {
@@ -89,4 +90,18 @@ TEST_CASE("a stop ends sampling with a snapshot, also after it was resumed", "[a
   resumed.visit_state(memory);
   CHECK(resumed.finished());
   CHECK(resumed.next_time() == sampling.next_time());
+}
+
+TEST_CASE("a test counted in steps has as many snapshots as were asked for, even over its samples", "[apps]")
+{
+  const StepSampling sampling(1000, output(10, 4));
+  CHECK(sampling.steps() == 100);
+  std::vector<int> with_snapshot;
+  for (int sample = 1; sample <= 10; ++sample)
+    if (sampling.snapshot_due(sample))
+      with_snapshot.push_back(sample);
+  CHECK(with_snapshot == std::vector<int>{3, 5, 8, 10});
+
+  CHECK(StepSampling(7, output(10, 0)).steps() == 1); // fewer steps than samples: one each
+  CHECK_FALSE(StepSampling(7, output(10, 0)).snapshot_due(10));
 }

@@ -1,7 +1,9 @@
 #include "apps/drivers/cell/report.h"
 
+#include "apps/drivers/parts/energy_terms.h"
+#include "apps/drivers/parts/summary_head.h"
 #include "apps/process/progress.h"
-#include "apps/process/version.h"
+#include "fem/materials/voigt.h"
 #include "postprocess/plot.h"
 
 #include <fmt/format.h>
@@ -16,8 +18,6 @@ namespace apps
 {
   namespace
   {
-    const char *const component_names[6] = {"xx", "yy", "zz", "yz", "zx", "xy"};
-
     nlohmann::json vector_of(const dem::Vector6d &v) { return std::vector<double>(v.data(), v.data() + 6); }
 
     nlohmann::json sample_of(const dem::CellSample &s)
@@ -56,19 +56,13 @@ namespace apps
                        {{"normal", {found->band.normal[0], found->band.normal[1], found->band.normal[2]}},
                         {"thickness", {{"value", found->band.thickness}, {"unit", "m"}}},
                         {"concentration", found->band.concentration}}}};
-    nlohmann::json energy = {{"balance_error", worst_balance_error}, {"unit", "J"}};
-    specimen.energy().each([&](const std::string &term, const double value) { energy[term] = value; });
-
-    nlohmann::json summary;
-    summary["scene"]        = request.scene_file;
-    summary["asked"]        = {{"kind", "cell"}, {"overrides", request.overrides}};
-    summary["version"]      = version();
-    summary["figures"]      = {{"order", {"xx", "yy", "zz", "yz", "zx", "xy"}},
+    nlohmann::json summary  = summary_head(request, "cell");
+    summary["figures"]      = {{"order", fem::voigt_names},
                                {"largest_stress", {{"value", vector_of(largest)}, {"unit", "Pa"}}},
                                {"least_stress", {{"value", vector_of(least)}, {"unit", "Pa"}}},
                                {"end", sample_of(test.curve().back())}};
     summary["localisation"] = localisation;
-    summary["energy"]       = energy;
+    summary["energy"]       = json_of(specimen.energy(), worst_balance_error);
     summary["cost"]         = {{"particles", specimen.counts().particles},
                                {"links", specimen.counts().links},
                                {"steps", specimen.steps()},
@@ -83,14 +77,14 @@ namespace apps
     const int              lead = leading_component(test.curve());
     postprocess::PlotPanel panel;
     panel.title   = "periodic cell";
-    panel.x_label = fmt::format("Strain {} [1e-3]", component_names[lead]);
+    panel.x_label = fmt::format("Strain {} [1e-3]", fem::voigt_names[lead]);
     panel.y_label = "Stress [MPa]";
     for (int c = 0; c < 6; ++c)
       {
         if (model.specimen.physics.dimension == 2 && c >= 2 && c < 5)
           continue;
         postprocess::PlotSeries series;
-        series.name  = component_names[c];
+        series.name  = fem::voigt_names[c];
         series.style = postprocess::PlotSeries::Style::line;
         for (const dem::CellSample &s : test.curve())
           {
@@ -107,7 +101,7 @@ namespace apps
     const dem::CellSample &end = test.curve().back();
     std::string            text;
     for (int c = 0; c < 6; ++c)
-      text += fmt::format("{}           strain {:>12.4e}  stress {:>12.5g} MPa\n", component_names[c], end.strain[c],
+      text += fmt::format("{}           strain {:>12.4e}  stress {:>12.5g} MPa\n", fem::voigt_names[c], end.strain[c],
                           1e-6 * end.stress[c]);
     if (const auto &found = test.localisation())
       text += fmt::format(

@@ -1,10 +1,11 @@
 #include "apps/drivers/cell/run.h"
 
 #include "apps/drivers/cell/report.h"
+#include "apps/drivers/parts/energy_terms.h"
 #include "apps/drivers/parts/specimen_packing.h"
 #include "apps/results/life_cycle.h"
 #include "apps/results/warning.h"
-#include "postprocess/packing_io.h"
+#include "fem/materials/voigt.h"
 #include "postprocess/specimen_picture.h"
 #include "postprocess/summary.h"
 
@@ -16,11 +17,6 @@
 
 namespace apps
 {
-  namespace
-  {
-    constexpr const char *packing_name = "packing.h5";
-  }
-
   CellRun::CellRun(const RunRequest &asked, const CellModel &what)
     : request(asked)
     , model(what)
@@ -33,8 +29,7 @@ namespace apps
   {
     const Progress progress("links");
     specimen.emplace(packing, model.specimen, model.material.materials());
-    if (packing.material_names.size() > 1)
-      materials = MaterialCounts(packing.material_names, specimen->particles().material, specimen->links().law);
+    materials = MaterialCounts(packing.material_names, *specimen);
     test.emplace(*specimen, model.loading);
     constexpr double limit = 1e12; // a year at thirty thousand steps a second
     double           all   = 0;
@@ -45,10 +40,8 @@ namespace apps
         fmt::format("Loading: the legs would take {:.1e} steps of {:.1e} s. Check durations, density, "
                     "moduli and sizes: all in SI units.",
                     all, specimen->time_step()));
-    steps                     = static_cast<std::int64_t>(all);
-    steps_per_sample          = std::max<std::int64_t>(1, steps / model.output.samples);
-    const std::int64_t wanted = model.output.snapshots;
-    samples_per_snapshot      = wanted > 0 ? std::max<std::int64_t>(1, model.output.samples / wanted) : 0;
+    steps    = static_cast<std::int64_t>(all);
+    sampling = StepSampling(steps, model.output);
   }
 
   void CellRun::prepare()
@@ -59,21 +52,21 @@ namespace apps
 
   void CellRun::begin(const std::filesystem::path &folder, const Record &)
   {
-    postprocess::write_packing(packing, folder / packing_name);
+    keep_packing(packing, folder);
     open(folder);
     snapshots.take(*specimen);
   }
 
   void CellRun::reopen(const std::filesystem::path &folder)
   {
-    packing = postprocess::read_packing(folder / packing_name);
+    packing = kept_packing(folder);
     make_test();
     open(folder);
   }
 
   void CellRun::open(const std::filesystem::path &folder)
   {
-    if (samples_per_snapshot > 0)
+    if (model.output.snapshots > 0)
       snapshots.open(folder, "cell");
   }
 
@@ -111,9 +104,9 @@ namespace apps
   std::vector<postprocess::SeriesColumn> CellRun::series_columns() const
   {
     std::vector<postprocess::SeriesColumn> columns = {{"time", "s"}};
-    for (const char *component : {"xx", "yy", "zz", "yz", "zx", "xy"})
+    for (const char *component : fem::voigt_names)
       columns.push_back({std::string("strain_") + component, "-"});
-    for (const char *component : {"xx", "yy", "zz", "yz", "zx", "xy"})
+    for (const char *component : fem::voigt_names)
       columns.push_back({std::string("stress_") + component, "Pa"});
     for (const auto &[name, unit] : std::initializer_list<std::pair<const char *, const char *>>{{"skew_stress", "Pa"},
                                                                                                  {"servo_error", "Pa"},
@@ -122,7 +115,7 @@ namespace apps
                                                                                                  {"mean_damage", "-"},
                                                                                                  {"broken_links", ""}})
       columns.push_back({name, unit});
-    dem::EnergyAccount().each([&](const std::string &term, double) { columns.push_back({"energy_" + term, "J"}); });
+    append_energy_columns(columns);
     return columns;
   }
 
@@ -135,16 +128,16 @@ namespace apps
     row.insert(row.end(), {s.skew_stress, s.servo_error, s.unbalanced, s.localised ? 1.0 : 0.0, specimen->mean_damage(),
                            static_cast<double>(specimen->counts().broken)});
     const dem::EnergyAccount energy = specimen->energy();
-    energy.each([&](const std::string &, const double value) { row.push_back(value); });
+    append_energies(row, energy);
     worst_balance_error = std::max(worst_balance_error, energy.balance_error());
     return {{}, row, {}};
   }
 
   void CellRun::advance(const Record &record)
   {
-    test->advance(steps_per_sample);
+    test->advance(sampling.steps());
     record(row());
-    if (snapshots.wanted() && static_cast<std::int64_t>(test->curve().size()) % samples_per_snapshot == 0)
+    if (finished() || sampling.snapshot_due(static_cast<std::int64_t>(test->curve().size())))
       snapshots.take(*specimen);
   }
 

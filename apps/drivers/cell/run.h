@@ -2,6 +2,7 @@
 
 #include "apps/drivers/cell/scene.h"
 #include "apps/drivers/parts/material_counts.h"
+#include "apps/drivers/parts/sampling.h"
 #include "apps/drivers/parts/specimen_snapshots.h"
 #include "apps/results/run_work.h"
 
@@ -49,8 +50,9 @@ namespace apps
     std::optional<dem::Specimen> specimen;
     MaterialCounts               materials; ///< before anything moves
     std::optional<dem::CellTest> test;
-    std::int64_t      steps = 0, steps_per_sample = 1, samples_per_snapshot = 0; ///< steps: of the whole path
-    SpecimenSnapshots snapshots;
-    double            worst_balance_error = 0;
+    std::int64_t                 steps = 0; ///< of the whole path
+    StepSampling                 sampling;
+    SpecimenSnapshots            snapshots;
+    double                       worst_balance_error = 0;
   };
 } // namespace apps

@@ -6,6 +6,7 @@
 #include "apps/drivers/parts/specimen_packing.h"
 #include "apps/scene/physics_section.h"
 #include "apps/scene/value_text.h"
+#include "fem/materials/voigt.h"
 
 #include <fmt/format.h>
 
@@ -17,8 +18,6 @@ namespace apps
 {
   namespace
   {
-    const std::array<const char *, 6> component_names = {"xx", "yy", "zz", "yz", "zx", "xy"};
-
     struct Aim
     {
       bool   stress;
@@ -73,7 +72,7 @@ namespace apps
         for (int c = 0; c < 6; ++c)
           {
             path[i].target[c] = "stress 0";
-            leg.text(component_names[c], path[i].target[c], Need::optional)
+            leg.text(fem::voigt_names[c], path[i].target[c], Need::optional)
               .means(c < 3 ? "\"strain VALUE\" [-] or \"stress VALUE\" [Pa], tension positive" :
                              "\"strain VALUE\" (engineering shear) [-] or \"stress VALUE\" [Pa]");
           }
@@ -89,7 +88,7 @@ namespace apps
         if (!aim_in(path[i].target[c]))
           root.find_section("Loading")
             ->find_section(fmt::format("Leg {}", i + 1))
-            ->refuse(component_names[c],
+            ->refuse(fem::voigt_names[c],
                      "expected \"strain VALUE\" or \"stress VALUE\", e.g. strain 1e-4 or stress -2e6.");
   }
 
@@ -138,7 +137,7 @@ namespace apps
     std::string text;
     text += fmt::format("  particles    {}\n", body.counts().particles);
     text += fmt::format("  links        {}\n", body.counts().links);
-    text += MaterialCounts(packing.material_names, body.particles().material, body.links().law).text();
+    text += MaterialCounts(packing.material_names, body).text();
     text += fmt::format("  time step    {:.4g} s\n", body.time_step());
     const double steps = duration / body.time_step();
     text += fmt::format("  steps        {:.0f}\n", steps);

@@ -1,10 +1,10 @@
 #include "apps/drivers/continuum/analysis.h"
 #include "apps/drivers/continuum/solid.h"
+#include "apps/process/stopwatch.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace apps
@@ -79,14 +79,14 @@ namespace apps
       bool advance() override
       {
         fem::StepControl steps;
-        steps.first      = control.first();
-        steps.smallest   = control.smallest();
-        steps.largest    = control.largest();
-        steps.growth     = control.growth;
-        steps.easy       = static_cast<unsigned int>(control.easy_iterations);
-        steps.relax      = control.relax;
-        const auto start = std::chrono::steady_clock::now();
-        const auto one   = [&](const fem::StepReport &report, const double done) {
+        steps.first    = control.first();
+        steps.smallest = control.smallest();
+        steps.largest  = control.largest();
+        steps.growth   = control.growth;
+        steps.easy     = static_cast<unsigned int>(control.easy_iterations);
+        steps.relax    = control.relax;
+        const Stopwatch watch;
+        const auto      one = [&](const fem::StepReport &report, const double done) {
           ++accepted;
           iterations += report.iterations;
           rounded += report.rounded ? 1 : 0;
@@ -99,7 +99,7 @@ namespace apps
           fem::run_to(solver, control.end, steps, length, one);
         else
           fem::run_along(solver, path, steps, length, one);
-        seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        seconds += watch.seconds();
         return true;
       }
 

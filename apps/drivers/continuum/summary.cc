@@ -2,9 +2,10 @@
 
 #include "apps/drivers/parts/drawn_curve.h"
 #include "apps/drivers/parts/series_figures.h"
+#include "apps/drivers/parts/summary_head.h"
 #include "apps/process/mpi_session.h"
 #include "apps/process/progress.h"
-#include "apps/process/version.h"
+#include "apps/results/warning.h"
 #include "postprocess/plot.h"
 #include "postprocess/summary.h"
 
@@ -13,18 +14,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace apps
 {
   namespace
   {
     constexpr double worrying_balance = 0.05;
-
-    nlohmann::json quantity(const double value, const std::string &unit)
-    {
-      return {{"value", value}, {"unit", unit.empty() ? "-" : unit}};
-    }
   } // namespace
 
   double ContinuumReport::last(const std::string &column) const { return series.column(column).back(); }
@@ -79,18 +74,15 @@ namespace apps
 
   nlohmann::json ContinuumReport::summary() const
   {
-    nlohmann::json summary;
-    summary["scene"]    = request.scene_file;
-    summary["asked"]    = {{"kind", "continuum"}, {"overrides", request.overrides}};
-    summary["version"]  = version();
-    summary["ended_by"] = ended_by;
-    summary["figures"]  = figures();
-    summary["warnings"] = warnings();
-    summary["cost"]     = {{"elements", size.elements},
-                           {"unknowns", size.unknowns},
-                           {"integration_points", size.points},
-                           {"ranks", rank_count()},
-                           {"wall_seconds", wall_seconds}};
+    nlohmann::json summary = summary_head(request, "continuum");
+    summary["ended_by"]    = ended_by;
+    summary["figures"]     = figures();
+    summary["warnings"]    = warnings();
+    summary["cost"]        = {{"elements", size.elements},
+                              {"unknowns", size.unknowns},
+                              {"integration_points", size.points},
+                              {"ranks", rank_count()},
+                              {"wall_seconds", wall_seconds}};
     for (const auto &[name, value] : cost)
       summary["cost"][name] = value;
     if (!linear_solver.empty())
@@ -115,9 +107,7 @@ namespace apps
         curve.x.insert(curve.x.begin(), 0.0);
         curve.y.insert(curve.y.begin(), 0.0);
       }
-    const std::string problem = postprocess::plot(folder / "curve.png", {panel});
-    if (!problem.empty())
-      fmt::print(stderr, "breccia: warning: no curve.png: {}\n", problem);
+    warn_of_missing("curve.png", postprocess::plot(folder / "curve.png", {panel}));
   }
 
   std::string ContinuumReport::text() const

@@ -1,23 +1,22 @@
 #include "apps/drivers/coupled/report.h"
 
 #include "apps/drivers/continuum/gauges.h"
-#include "apps/drivers/parts/drawn_curve.h"
-#include "apps/drivers/parts/left_out_of_balance.h"
 #include "apps/drivers/parts/series_figures.h"
 #include "apps/process/progress.h"
-#include "apps/process/version.h"
-#include "apps/results/warning.h"
-#include "postprocess/summary.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <omp.h>
 
-#include <cmath>
-
 namespace apps
 {
+  MotionReport CoupledReport::common() const
+  {
+    return {request, "coupled",     model.particles.stops.what_ended(series), body.time(), materials, start,
+            series,  not_in_balance};
+  }
+
   nlohmann::json CoupledReport::figures() const
   {
     nlohmann::json found = nlohmann::json::object();
@@ -50,15 +49,13 @@ namespace apps
 
   nlohmann::json CoupledReport::energy() const
   {
-    nlohmann::json    terms = {{"balance_error", worst_residual(series)}, {"unit", "J"}};
-    const std::string all   = "energy_";
+    nlohmann::json    terms;
+    const std::string all = "energy_";
     for (const std::string &name : series.names)
       if (name.rfind(all, 0) == 0)
         terms[name.substr(all.size())] = series.column(name).back();
     for (const CouplingSection &coupling : model.couplings.couplings)
       terms["made_by_couplings"][coupling.name] = series.column(column_name(coupling.name) + "_made").back();
-    if (!not_in_balance.empty())
-      terms["not_in_balance"] = not_in_balance;
     return terms;
   }
 
@@ -76,29 +73,12 @@ namespace apps
             {"particle_steps", specimen.steps()},
             {"stable_step_of_solid", steps.solid},
             {"stable_step_of_particles", steps.particles},
-            {"threads", omp_get_max_threads()},
             {"wall_seconds", wall_seconds}};
   }
 
   void CoupledReport::write(const std::filesystem::path &folder) const
   {
-    nlohmann::json summary;
-    summary["scene"]    = request.scene_file;
-    summary["asked"]    = {{"kind", "coupled"}, {"overrides", request.overrides}};
-    summary["version"]  = version();
-    summary["ended_by"] = model.particles.stops.what_ended(series);
-    summary["end_time"] = {{"value", body.time()}, {"unit", "s"}};
-    summary["figures"]  = figures();
-    summary["energy"]   = energy();
-    summary["cost"]     = cost();
-    materials.put_into(summary);
-    if (start)
-      summary["initial_equilibrium"] = json_of(*start);
-    postprocess::write_json(folder / "summary.json", summary);
-    const std::string title           = std::filesystem::path(request.scene_file).stem().string();
-    const auto [horizontal, vertical] = model.curve(body.columns(), body.told());
-    warn_of_missing("curve.png",
-                    postprocess::plot(folder / "curve.png", {drawn_curve(series, horizontal, vertical, title)}));
+    common().write(folder, figures(), energy(), cost(), model.curve(body.columns(), body.told()));
   }
 
   std::string CoupledReport::text() const
@@ -109,11 +89,7 @@ namespace apps
     text += body.interface().touched() ? body.interface().text() : "warning      nothing has ever touched the solid\n";
     if (model.laboratory.given())
       text += text_of(notes());
-    text += fmt::format("ended by     {}, at {:.6g} s\n", model.particles.stops.what_ended(series), body.time());
-    if (start)
-      text += fmt::format("start        {}\n", text_of(*start));
-    text += fmt::format("energy       balance error {:.1e} of the largest energy\n", worst_residual(series));
-    text += balance_note(not_in_balance);
+    text += common().text();
     text += fmt::format("cost         {}, {} windows with {} threads\n", duration_text(wall_seconds), body.windows(),
                         omp_get_max_threads());
     return text;

@@ -2,9 +2,7 @@
 
 #include "apps/drivers/coupled/body.h"
 #include "apps/drivers/parts/lab_report.h"
-#include "apps/drivers/parts/material_counts.h"
-#include "apps/scene/scene.h"
-#include "postprocess/csv_table.h"
+#include "apps/drivers/parts/motion_report.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -31,6 +29,7 @@ namespace apps
     std::string text() const;
 
   private:
+    MotionReport   common() const;
     LabNotes       notes() const; ///< @pre there is a laboratory test
     nlohmann::json figures() const;
     nlohmann::json energy() const;

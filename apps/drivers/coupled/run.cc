@@ -3,13 +3,13 @@
 #include "apps/drivers/coupled/report.h"
 #include "apps/drivers/parts/duration.h"
 #include "apps/drivers/parts/left_out_of_balance.h"
+#include "apps/drivers/parts/specimen_packing.h"
 #include "apps/process/progress.h"
 #include "apps/results/life_cycle.h"
 #include "apps/results/snapshots.h"
 #include "apps/results/warning.h"
 #include "dem/observation/discrete_state.h"
 #include "postprocess/discrete_state_hdf5.h"
-#include "postprocess/packing_io.h"
 
 #include <fmt/format.h>
 
@@ -17,14 +17,10 @@
 
 namespace apps
 {
-  namespace
-  {
-    constexpr const char *packing_name = "packing.h5";
-  }
-
   CoupledRun::CoupledRun(const RunRequest &asked, const CoupledModel &what)
     : request(asked)
     , model(what)
+    , sampling(model.particles.end_time, model.particles.output, 1e-12)
   {
   }
 
@@ -33,10 +29,8 @@ namespace apps
   void CoupledRun::make_body()
   {
     const Progress progress("links");
-    body                          = make_coupled_body(model, packing);
-    const dem::Specimen &specimen = body->particles().specimen();
-    if (packing.material_names.size() > 1)
-      materials = MaterialCounts(packing.material_names, specimen.particles().material, specimen.links().law);
+    body      = make_coupled_body(model, packing);
+    materials = MaterialCounts(packing.material_names, body->particles().specimen());
   }
 
   void CoupledRun::prepare()
@@ -58,7 +52,7 @@ namespace apps
 
   void CoupledRun::begin(const std::filesystem::path &folder, const Record &record)
   {
-    postprocess::write_packing(packing, folder / packing_name);
+    keep_packing(packing, folder);
     open(folder);
     snapshot();
     record({{}, body->row(), {}});
@@ -67,7 +61,7 @@ namespace apps
 
   void CoupledRun::reopen(const std::filesystem::path &folder)
   {
-    packing = postprocess::read_packing(folder / packing_name);
+    packing = kept_packing(folder);
     make_body();
     open(folder);
   }
@@ -76,8 +70,7 @@ namespace apps
   {
     state.group("coupled");
     apps::visit_state(state, start);
-    state.scalar("samples", samples);
-    state.scalar("stopped", stopped);
+    sampling.visit_state(state);
     body->visit_state(state);
     snapshots.visit_state(state);
     visit_snapshots(state, "solid_snapshots", solids);
@@ -101,23 +94,15 @@ namespace apps
                        static_cast<double>(body->windows() - windows_before) / std::max(stepping_seconds, 1e-9));
   }
 
-  double CoupledRun::sample_time() const
-  {
-    return model.particles.end_time *
-           (static_cast<double>(samples + 1) / static_cast<double>(model.particles.output.samples));
-  }
-
   void CoupledRun::advance(const Record &record)
   {
     const Stopwatch watch;
-    body->advance_to(sample_time());
+    body->advance_to(sampling.next_time());
     stepping_seconds += watch.seconds();
-    if (body->time() < sample_time() * (1 - 1e-12)) // interrupted on the way
+    if (!sampling.take(body->time())) // interrupted on the way
       return;
-    const std::int64_t wanted = model.particles.output.snapshots, before = samples++;
     record_row(record);
-    const auto due = [&](const std::int64_t at) { return at * wanted / model.particles.output.samples; };
-    if (finished() || due(samples) > due(before))
+    if (sampling.snapshot_due())
       snapshot();
   }
 
@@ -127,7 +112,8 @@ namespace apps
     std::vector<std::string>  names;
     for (const auto &column : body->columns())
       names.push_back(column.name);
-    stopped = model.particles.stops.fulfilled(names, row).empty() ? 0 : 1;
+    if (!model.particles.stops.fulfilled(names, row).empty())
+      sampling.stop();
     record({{}, row, {}});
     body->watch();
   }

@@ -2,6 +2,7 @@
 
 #include "apps/drivers/coupled/body.h"
 #include "apps/drivers/parts/material_counts.h"
+#include "apps/drivers/parts/sampling.h"
 #include "apps/drivers/parts/specimen_snapshots.h"
 #include "apps/results/run_work.h"
 #include "apps/scene/scene.h"
@@ -35,17 +36,16 @@ namespace apps
     std::string                            stage() const override { return "motion"; }
     double                                 done() const override;
     std::string                            details() const override;
-    bool        finished() const override { return stopped != 0 || samples == model.particles.output.samples; }
-    void        advance(const Record &record) override;
-    void        leave_last_state() override { snapshot(); }
-    std::string finish(const std::filesystem::path &folder, double wall_seconds) override;
+    bool                                   finished() const override { return sampling.finished(); }
+    void                                   advance(const Record &record) override;
+    void                                   leave_last_state() override { snapshot(); }
+    std::string                            finish(const std::filesystem::path &folder, double wall_seconds) override;
 
-    void   make_body();
-    void   open(const std::filesystem::path &folder);
-    double sample_time() const; ///< of the next sample [s]
-    void   record_row(const Record &record);
-    void   snapshot();
-    void   list_together() const;
+    void make_body();
+    void open(const std::filesystem::path &folder);
+    void record_row(const Record &record);
+    void snapshot();
+    void list_together() const;
 
     RunRequest                                request;
     const CoupledModel                       &model;
@@ -54,10 +54,9 @@ namespace apps
     MaterialCounts                            materials; ///< before anything moves
     StaticStart                               start;
     std::filesystem::path                     location;
+    Sampling                                  sampling;
     SpecimenSnapshots                         snapshots;
     std::optional<postprocess::PvdCollection> solids;
-    std::int64_t                              samples          = 0; ///< so far, without that of the start
-    std::int64_t                              stopped          = 0; ///< 1: a stop condition holds
     double                                    stepping_seconds = 0; ///< wall clock, since the run began or was resumed
     std::int64_t                              windows_before   = 0; ///< when it did
   };

@@ -23,7 +23,7 @@ namespace apps
     std::string        text;
     text += fmt::format("  elements     {}\n  unknowns     {}\n", body->elements(), body->unknowns());
     text += fmt::format("  particles    {}\n  links        {}\n", specimen.counts().particles, specimen.counts().links);
-    text += MaterialCounts(packing.material_names, specimen.particles().material, specimen.links().law).text();
+    text += MaterialCounts(packing.material_names, specimen).text();
     text += fmt::format("  groups       {}\n", text_of(model.particles.groups_in(packing)));
     if (!model.particles.walls.walls.empty())
       text += fmt::format("  walls        {}\n", body->particles().all_walls().text());

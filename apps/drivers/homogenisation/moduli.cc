@@ -1,13 +1,13 @@
 #include "apps/drivers/homogenisation/moduli.h"
 
 #include "apps/drivers/parts/specimen_packing.h"
+#include "apps/process/stopwatch.h"
 #include "dem/core/errors.h"
 #include "dem/homogenisation/resisted_strains.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 
 namespace apps
 {
@@ -75,9 +75,8 @@ namespace apps
   HomogenisationAnswer
   homogenise(const dem::Packing &packing, const HomogenisationQuestion &question, const std::string &origin)
   {
-    using Clock       = std::chrono::steady_clock;
-    const auto  start = Clock::now();
-    const auto &links = question.links;
+    const Stopwatch watch;
+    const auto     &links = question.links;
     refuse_unsuitable(packing, links.dimension, origin);
     const dem::ElasticNetwork network = dem::make_network(packing, links);
 
@@ -102,7 +101,7 @@ namespace apps
     answer.relaxed = found(relaxed.stiffness, relaxed.resisted, links.dimension);
     if (answer.relaxed.constants)
       answer.isotropy = dem::isotropy_measures(relaxed.stiffness, links.dimension);
-    answer.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    answer.seconds = watch.seconds();
     return answer;
   }
 

@@ -8,6 +8,7 @@
 #include "apps/process/version.h"
 #include "apps/results/result_folder.h"
 #include "apps/results/result_listing.h"
+#include "apps/results/warning.h"
 #include "apps/scene/value_text.h"
 #include "postprocess/atomic_file.h"
 #include "postprocess/packing_io.h"
@@ -269,10 +270,8 @@ namespace apps
     postprocess::write_text(folder.running() / "scene.prm", request.scene_text);
     postprocess::write_json(folder.running() / "summary.json", json);
     postprocess::write_text(folder.running() / "homogenised.csv", csv_of(points));
-    const std::string problem =
-      postprocess::plot(folder.running() / "homogenised.png", panels_of(points, normal_modulus));
-    if (!problem.empty())
-      fmt::print(stderr, "no picture: {}\n", problem);
+    warn_of_missing("homogenised.png",
+                    postprocess::plot(folder.running() / "homogenised.png", panels_of(points, normal_modulus)));
     folder.publish();
     fmt::print("{}", result_listing(request.output_folder));
     return exit_success;

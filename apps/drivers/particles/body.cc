@@ -1,5 +1,6 @@
 #include "apps/drivers/particles/body.h"
 
+#include "apps/drivers/parts/energy_terms.h"
 #include "apps/process/interrupt.h"
 #include "dem/core/errors.h"
 
@@ -83,7 +84,7 @@ namespace apps
     const dem::Counts counts = body.counts();
     row.insert(row.end(), {static_cast<double>(counts.links), static_cast<double>(counts.broken),
                            static_cast<double>(counts.contacts + counts.wall_contacts)});
-    body.energy().each([&](const std::string_view, const double value) { row.push_back(value); });
+    append_energies(row, body.energy());
     return row;
   }
 } // namespace apps

@@ -1,6 +1,7 @@
 #include "apps/drivers/particles/model.h"
 
 #include "apps/drivers/parts/drawn_curve.h"
+#include "apps/drivers/parts/energy_terms.h"
 #include "apps/scene/physics_section.h"
 
 #include <algorithm>
@@ -128,7 +129,7 @@ namespace apps
       all.push_back({gauge.name, gauge.unit()});
     for (const char *count : {"links", "broken_links", "contacts"})
       all.push_back({count, ""});
-    dem::EnergyAccount().each([&](const std::string &term, double) { all.push_back({"energy_" + term, "J"}); });
+    append_energy_columns(all);
     return all;
   }
 

@@ -1,5 +1,6 @@
 #include "apps/drivers/particles/report.h"
 
+#include "apps/drivers/parts/energy_terms.h"
 #include "apps/drivers/parts/series_figures.h"
 #include "apps/process/progress.h"
 
@@ -25,17 +26,10 @@ namespace apps
     return found;
   }
 
-  nlohmann::json ParticlesReport::energy() const
-  {
-    nlohmann::json terms;
-    specimen.energy().each([&](const std::string &term, const double value) { terms[term] = value; });
-    return terms;
-  }
-
   void ParticlesReport::write(const std::filesystem::path &folder) const
   {
     const dem::Counts counts = specimen.counts();
-    common().write(folder, figures(), energy(),
+    common().write(folder, figures(), json_of(specimen.energy()),
                    {{"particles", counts.particles},
                     {"links", counts.links},
                     {"contacts", counts.contacts},

@@ -30,6 +30,5 @@ namespace apps
   private:
     MotionReport   common() const;
     nlohmann::json figures() const;
-    nlohmann::json energy() const;
   };
 } // namespace apps

@@ -3,7 +3,7 @@
 #include "apps/drivers/particles/report.h"
 #include "apps/drivers/parts/duration.h"
 #include "apps/drivers/parts/left_out_of_balance.h"
-#include "apps/process/interrupt.h"
+#include "apps/drivers/parts/specimen_packing.h"
 #include "apps/process/progress.h"
 #include "apps/results/life_cycle.h"
 #include "apps/results/warning.h"
@@ -20,8 +20,6 @@ namespace apps
 {
   namespace
   {
-    constexpr const char *packing_name = "packing.h5";
-
     /** What another scene can begin with: places as they are, outside any mould. */
     dem::Packing at_end(const dem::Packing &packing, const dem::Specimen &specimen)
     {
@@ -43,10 +41,8 @@ namespace apps
   void ParticlesRun::make_body()
   {
     const Progress progress("links");
-    body = std::make_unique<ParticlesBody>(model, packing);
-    if (packing.material_names.size() > 1)
-      materials =
-        MaterialCounts(packing.material_names, body->specimen().particles().material, body->specimen().links().law);
+    body      = std::make_unique<ParticlesBody>(model, packing);
+    materials = MaterialCounts(packing.material_names, body->specimen());
   }
 
   void ParticlesRun::prepare()
@@ -65,7 +61,7 @@ namespace apps
 
   void ParticlesRun::begin(const std::filesystem::path &folder, const Record &record)
   {
-    postprocess::write_packing(packing, folder / packing_name);
+    keep_packing(packing, folder);
     open(folder);
     snapshots.take(body->specimen());
     record({{}, body->row(), {}});
@@ -73,7 +69,7 @@ namespace apps
 
   void ParticlesRun::reopen(const std::filesystem::path &folder)
   {
-    packing = postprocess::read_packing(folder / packing_name);
+    packing = kept_packing(folder);
     make_body();
     open(folder);
   }

@@ -20,7 +20,7 @@ namespace apps
     std::string        text;
     text += fmt::format("  particles    {}\n", specimen.counts().particles);
     text += fmt::format("  links        {}\n", specimen.counts().links);
-    text += MaterialCounts(packing.material_names, specimen.particles().material, specimen.links().law).text();
+    text += MaterialCounts(packing.material_names, specimen).text();
     text += fmt::format("  groups       {}\n", text_of(model.groups_in(packing)));
     if (!model.walls.walls.empty())
       text += fmt::format("  walls        {}\n", body.all_walls().text());

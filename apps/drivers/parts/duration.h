@@ -1,24 +1,14 @@
 #pragma once
 
+#include "apps/process/stopwatch.h"
 #include "dem/specimen/specimen.h"
 
-#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <string>
 
 namespace apps
 {
-  /** Wall-clock time since it was made [s]. */
-  class Stopwatch
-  {
-  public:
-    double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); }
-
-  private:
-    std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
-  };
-
   /**
    * Seconds of one unit of work, from as many as fit into about half a second.
    * @param work does so many of them, or fewer where there are no more @return how many it did

@@ -1,5 +1,7 @@
 #include "apps/drivers/parts/lab_report.h"
 
+#include "apps/drivers/parts/summary_head.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -9,8 +11,6 @@ namespace apps
 {
   namespace
   {
-    nlohmann::json quantity(const double value, const char *unit) { return {{"value", value}, {"unit", unit}}; }
-
     nlohmann::json undetermined(const char *unit, const std::string &reason)
     {
       return {{"value", nullptr}, {"unit", unit}, {"not_determined", reason}};
@@ -142,6 +142,26 @@ namespace apps
                        "m^2{}\n",
                        test.name, strength, modulus, "", test.crack.cracked, test.crack.links, dem::Crack::damage,
                        test.crack.broken, test.crack.area, area);
+  }
+
+  std::string warning_lines(const std::vector<LabNotes> &tests)
+  {
+    std::string text;
+    for (const std::string &warning : warnings_of(tests))
+      text += fmt::format("warning      {}\n", warning);
+    return text;
+  }
+
+  postprocess::PlotPanel panel_of(const UniaxialLoad load, const dem::Column &strain, const dem::Column &stress)
+  {
+    const double                   sign = load == UniaxialLoad::tension ? 1 : -1;
+    postprocess::StressStrainCurve curve{name_of(load), {}, {}};
+    for (std::size_t i = 0; i < strain.size(); ++i)
+      {
+        curve.strain.push_back(sign * strain[i]);
+        curve.stress.push_back(sign * stress[i]);
+      }
+    return postprocess::stress_strain_panel(name_of(load), {curve});
   }
 
   std::string basis_of(const LabNotes &test)

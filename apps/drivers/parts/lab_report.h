@@ -1,11 +1,15 @@
 #pragma once
 
+#include "apps/scene/loading_section.h"
+#include "dem/core/column.h"
 #include "dem/grips/grip_layers.h"
 #include "dem/loading/curve_figures.h"
 #include "dem/observation/crack.h"
+#include "postprocess/plot.h"
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -22,6 +26,24 @@ namespace apps
     void visit_state(dem::StateVisitor &visitor);
   };
 
+  template <typename Result>
+  std::vector<LabNotes> notes_of(const std::vector<Result> &results)
+  {
+    std::vector<LabNotes> notes;
+    for (const Result &result : results)
+      notes.push_back(result.notes);
+    return notes;
+  }
+
+  /** The test whose energies balance worst. @pre there is one */
+  template <typename Result>
+  const Result &worst_balanced(const std::vector<Result> &results)
+  {
+    return *std::max_element(results.begin(), results.end(), [](const Result &a, const Result &b) {
+      return a.worst_balance_error < b.worst_balance_error;
+    });
+  }
+
   /** Figures of the tests as a summary holds them: value and unit; where one is not determined, null and the reason. */
   nlohmann::json figures_of(const std::vector<LabNotes> &tests);
   /** Figures and crack of one test. */
@@ -30,6 +52,10 @@ namespace apps
   std::vector<std::string> warnings_of(const std::vector<LabNotes> &tests);
   /** One line for the terminal: strength, modulus, crack. */
   std::string text_of(const LabNotes &test);
+  /** The curve of one test, upwards in compression as well. @param strain, stress tension positive [-], [Pa] */
+  postprocess::PlotPanel panel_of(UniaxialLoad load, const dem::Column &strain, const dem::Column &stress);
+  /** Lines for the terminal of what casts doubt. */
+  std::string warning_lines(const std::vector<LabNotes> &tests);
   /** Section and gauge length, as long as there are grips. */
   std::string basis_of(const LabNotes &test);
 } // namespace apps

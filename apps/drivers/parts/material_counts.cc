@@ -25,6 +25,13 @@ namespace apps
       ++links.at(static_cast<std::size_t>(number));
   }
 
+  MaterialCounts::MaterialCounts(std::vector<std::string> scene_names, const dem::Specimen &specimen)
+    : MaterialCounts(scene_names.size() > 1 ?
+                       MaterialCounts(std::move(scene_names), specimen.particles().material, specimen.links().law) :
+                       MaterialCounts())
+  {
+  }
+
   template <typename Use>
   void MaterialCounts::each_pair(const Use &use) const
   {

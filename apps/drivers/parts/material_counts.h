@@ -1,5 +1,7 @@
 #pragma once
 
+#include "dem/specimen/specimen.h"
+
 #include <nlohmann/json_fwd.hpp>
 
 #include <cstdint>
@@ -19,6 +21,8 @@ namespace apps
     MaterialCounts(std::vector<std::string>         scene_names,
                    const std::vector<std::int32_t> &material,
                    const std::vector<std::int32_t> &law);
+    /** Of a specimen as it now is, with the names of its packing's materials. */
+    MaterialCounts(std::vector<std::string> scene_names, const dem::Specimen &specimen);
 
     std::string text() const; ///< two lines, or none
     /** Put `materials` and `material_pairs` into a summary; nothing where there is one material. */

@@ -3,7 +3,7 @@
 #include "apps/drivers/parts/drawn_curve.h"
 #include "apps/drivers/parts/left_out_of_balance.h"
 #include "apps/drivers/parts/series_figures.h"
-#include "apps/process/version.h"
+#include "apps/drivers/parts/summary_head.h"
 #include "apps/results/warning.h"
 #include "postprocess/summary.h"
 
@@ -24,16 +24,13 @@ namespace apps
     energy["unit"]          = "J";
     if (!not_in_balance.empty())
       energy["not_in_balance"] = not_in_balance;
-    cost["threads"] = omp_get_max_threads();
-    nlohmann::json summary;
-    summary["scene"]    = request.scene_file;
-    summary["asked"]    = {{"kind", kind}, {"overrides", request.overrides}};
-    summary["version"]  = version();
-    summary["ended_by"] = ended_by;
-    summary["end_time"] = {{"value", end_time}, {"unit", "s"}};
-    summary["figures"]  = figures;
-    summary["energy"]   = std::move(energy);
-    summary["cost"]     = std::move(cost);
+    cost["threads"]        = omp_get_max_threads();
+    nlohmann::json summary = summary_head(request, kind);
+    summary["ended_by"]    = ended_by;
+    summary["end_time"]    = quantity(end_time, "s");
+    summary["figures"]     = figures;
+    summary["energy"]      = std::move(energy);
+    summary["cost"]        = std::move(cost);
     materials.put_into(summary);
     if (start)
       summary["initial_equilibrium"] = json_of(*start);

@@ -1,7 +1,21 @@
 #include "apps/drivers/parts/sampling.h"
 
+#include <algorithm>
+
 namespace apps
 {
+  namespace
+  {
+    /** Whether a snapshot is due after the sample `before` and up to the sample `now`: they are even over the samples. */
+    bool due_between(const std::int64_t before,
+                     const std::int64_t now,
+                     const std::int64_t snapshots,
+                     const std::int64_t samples)
+    {
+      return now * snapshots / samples > before * snapshots / samples;
+    }
+  } // namespace
+
   Sampling::Sampling(const double end_time, const OutputSection &output, const double relative_rounding)
     : end(end_time)
     , rounding(relative_rounding)
@@ -20,15 +34,23 @@ namespace apps
     return taken > before;
   }
 
-  bool Sampling::snapshot_due() const
-  {
-    const auto due = [this](const std::int64_t sample) { return sample * snapshots / samples; };
-    return finished() || due(taken) > due(before);
-  }
+  bool Sampling::snapshot_due() const { return finished() || due_between(before, taken, snapshots, samples); }
 
   void Sampling::visit_state(RunState &state)
   {
     state.scalar("samples", taken);
     state.scalar("stopped", stopped);
+  }
+
+  StepSampling::StepSampling(const std::int64_t steps, const OutputSection &output)
+    : samples(output.samples)
+    , snapshots(output.snapshots)
+    , steps_per_sample(std::max<std::int64_t>(1, steps / output.samples))
+  {
+  }
+
+  bool StepSampling::snapshot_due(const std::int64_t sample) const
+  {
+    return due_between(sample - 1, sample, snapshots, samples);
   }
 } // namespace apps

@@ -31,4 +31,20 @@ namespace apps
     std::int64_t taken = 0, before = 0; ///< now, and before the last call of take()
     std::int64_t stopped = 0;
   };
+
+  /** The same of a test that is counted in steps and may end at any of them: with its samples counted from 1, nothing is to be remembered. */
+  class StepSampling
+  {
+  public:
+    StepSampling() = default;
+    /** @param steps that the test takes at most */
+    StepSampling(std::int64_t steps, const OutputSection &output);
+
+    std::int64_t steps() const { return steps_per_sample; } ///< of a sample, at least one
+    /** With this sample; the last one of a test besides. */
+    bool snapshot_due(std::int64_t sample) const;
+
+  private:
+    std::int64_t samples = 1, snapshots = 0, steps_per_sample = 1;
+  };
 } // namespace apps

@@ -141,4 +141,19 @@ namespace apps
     material.assign(packing, dimension, origin_of(specimen));
     return packing;
   }
+
+  namespace
+  {
+    constexpr const char *packing_name = "packing.h5";
+  }
+
+  void keep_packing(const dem::Packing &packing, const std::filesystem::path &folder)
+  {
+    postprocess::write_packing(packing, folder / packing_name);
+  }
+
+  dem::Packing kept_packing(const std::filesystem::path &folder)
+  {
+    return postprocess::read_packing(folder / packing_name);
+  }
 } // namespace apps

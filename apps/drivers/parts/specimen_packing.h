@@ -5,6 +5,7 @@
 #include "dem/model/packing.h"
 #include "dem/packing/compaction.h"
 
+#include <filesystem>
 #include <string>
 
 namespace apps
@@ -27,4 +28,9 @@ namespace apps
 
   /** dem::tile_and_crop(), its note shown. */
   dem::Packing cropped(const dem::Packing &packing, const Eigen::Vector3d &box);
+
+  /** A run's own copy in its folder, packing.h5, with which a resumed one goes on. @throws postprocess::OutputError */
+  void keep_packing(const dem::Packing &packing, const std::filesystem::path &folder);
+  /** @throws dem::InputError when it is not there */
+  dem::Packing kept_packing(const std::filesystem::path &folder);
 } // namespace apps

@@ -1,8 +1,7 @@
 #include "apps/drivers/quasi_static/report.h"
 
+#include "apps/drivers/parts/summary_head.h"
 #include "apps/process/progress.h"
-#include "apps/process/version.h"
-#include "postprocess/plot.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -36,38 +35,23 @@ namespace apps
       details["energy"]           = energy_of(r);
       return details;
     }
-
-    std::vector<LabNotes> notes_of(const std::vector<QuasiStaticResult> &results)
-    {
-      std::vector<LabNotes> notes;
-      for (const QuasiStaticResult &r : results)
-        notes.push_back(r.notes);
-      return notes;
-    }
   } // namespace
 
   nlohmann::json QuasiStaticReport::summary() const
   {
-    double       worst     = 0;
     std::int64_t solutions = 0;
     for (const QuasiStaticResult &r : results)
-      {
-        worst = std::max(worst, r.worst_balance_error);
-        solutions += r.solutions;
-      }
-    nlohmann::json summary;
-    summary["scene"]    = request.scene_file;
-    summary["asked"]    = {{"kind", "quasi_static"}, {"overrides", request.overrides}};
-    summary["version"]  = version();
-    summary["figures"]  = figures_of(notes_of(results));
-    summary["warnings"] = warnings_of(notes_of(results));
-    summary["cost"]     = {{"particles", particles},
-                           {"links", links},
-                           {"solutions", solutions},
-                           {"threads", omp_get_max_threads()},
-                           {"wall_seconds", wall_seconds}};
-    summary["energy"]   = {{"balance_error", worst}};
-    materials.put_into(summary);
+      solutions += r.solutions;
+    nlohmann::json summary = summary_head(request, "quasi_static");
+    summary["figures"]     = figures_of(notes_of(results));
+    summary["warnings"]    = warnings_of(notes_of(results));
+    summary["cost"]        = {{"particles", test.particles_in()},
+                              {"links", test.links_in()},
+                              {"solutions", solutions},
+                              {"threads", omp_get_max_threads()},
+                              {"wall_seconds", wall_seconds}};
+    summary["energy"]      = {{"balance_error", worst_balanced(results).worst_balance_error}};
+    test.materials.put_into(summary);
     for (const QuasiStaticResult &r : results)
       summary["tests"].push_back(details_of(r));
     return summary;
@@ -78,14 +62,10 @@ namespace apps
     std::vector<postprocess::PlotPanel> panels;
     for (const QuasiStaticResult &r : results)
       {
-        const double                   sign = r.load == UniaxialLoad::tension ? 1 : -1;
-        postprocess::StressStrainCurve curve{name_of(r.load), {0}, {0}};
-        for (std::size_t i = 0; i < r.strain.size(); ++i)
-          {
-            curve.strain.push_back(sign * r.strain[i]);
-            curve.stress.push_back(sign * r.stress[i]);
-          }
-        panels.push_back(postprocess::stress_strain_panel(name_of(r.load), {curve}));
+        dem::Column strain = {0}, stress = {0}; // the unloaded state
+        strain.insert(strain.end(), r.strain.begin(), r.strain.end());
+        stress.insert(stress.end(), r.stress.begin(), r.stress.end());
+        panels.push_back(panel_of(r.load, strain, stress));
       }
     return postprocess::plot(file, panels);
   }
@@ -93,18 +73,15 @@ namespace apps
   std::string QuasiStaticReport::text() const
   {
     std::string text;
-    double      worst = 0;
     for (const QuasiStaticResult &r : results)
       {
         text += text_of(r.notes);
         text += fmt::format("{:<12} {} points led by strain, {} by opening, {} relaxed (cascades)\n", "",
                             r.strain_points, r.opening_points, r.relaxed_points);
-        worst = std::max(worst, r.worst_balance_error);
       }
     text += basis_of(results.front().notes);
-    for (const std::string &warning : warnings_of(notes_of(results)))
-      text += fmt::format("warning      {}\n", warning);
-    text += fmt::format("energy       balance error {:.1e} at worst\n", worst);
+    text += warning_lines(notes_of(results));
+    text += fmt::format("energy       balance error {:.1e} at worst\n", worst_balanced(results).worst_balance_error);
     text += fmt::format("cost         {} with {} threads\n", duration_text(wall_seconds), omp_get_max_threads());
     return text;
   }

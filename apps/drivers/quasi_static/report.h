@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/drivers/quasi_static/stage.h"
+#include "apps/drivers/quasi_static/lab_test.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -16,8 +16,7 @@ namespace apps
     const RunRequest                     &request;
     const QuasiStaticModel               &model;
     const std::vector<QuasiStaticResult> &results; ///< in the order of the tests, at least one
-    std::size_t                           particles, links;
-    const MaterialCounts                 &materials;
+    const QuasiStaticLabTest             &test;    ///< the last one
     double                                wall_seconds;
 
     /** summary.json: figures, cost, energy, and the same for each test. */

@@ -1,9 +1,10 @@
 #include "apps/drivers/quasi_static/scene.h"
 
 #include "apps/drivers/parts/duration.h"
+#include "apps/drivers/parts/lab_run.h"
 #include "apps/drivers/parts/link_failure.h"
 #include "apps/drivers/parts/specimen_packing.h"
-#include "apps/drivers/quasi_static/run.h"
+#include "apps/drivers/quasi_static/report.h"
 
 #include <fmt/format.h>
 
@@ -12,6 +13,8 @@
 
 namespace apps
 {
+  dem::Packing QuasiStaticModel::packing() const { return make_packing(source, material, dimension); }
+
   dem::QuasiStaticParameters QuasiStaticModel::steps(const UniaxialLoad load) const
   {
     const Test                &test = load == UniaxialLoad::tension ? tension : compression;
@@ -175,7 +178,7 @@ namespace apps
   {
     const Stopwatch         set_up;
     const QuasiStaticModel &model          = asked;
-    const dem::Packing      packing        = make_packing(model.source, model.material, model.dimension);
+    const dem::Packing      packing        = model.packing();
     const auto              loaded         = model.load(packing);
     const double            set_up_seconds = set_up.seconds();
     std::string             text;
@@ -194,5 +197,8 @@ namespace apps
     return text + duration_line(seconds);
   }
 
-  int QuasiStaticScene::run(const RunRequest &request) const { return QuasiStaticRun(request, asked).execute(); }
+  int QuasiStaticScene::run(const RunRequest &request) const
+  {
+    return LabRun<QuasiStaticLabTest>(request, asked).execute();
+  }
 } // namespace apps

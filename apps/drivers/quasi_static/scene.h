@@ -29,8 +29,11 @@ namespace apps
     std::int64_t              snapshot_interval   = 20; ///< points; enough to see a crack grow
     double                    checkpoint_interval = 600;
 
-    bool                       is_cell() const { return source.body == SpecimenSection::Body::cell; }
-    dem::QuasiStaticParameters steps(UniaxialLoad load) const;
+    const std::vector<UniaxialLoad> &loads() const { return tests; } ///< of the tests, in their order
+    double                           longest_without_checkpoint() const { return checkpoint_interval; } ///< [s]
+    dem::Packing                     packing() const; ///< of all tests. @throws as make_packing()
+    bool                             is_cell() const { return source.body == SpecimenSection::Body::cell; }
+    dem::QuasiStaticParameters       steps(UniaxialLoad load) const;
     /** @throws dem::InputError when the packing cannot be gripped so */
     dem::GripLayers grip_layers(const dem::Packing &packing) const;
     /** @throws dem::InputError when the packing cannot be gripped so, or has no links */

@@ -1,6 +1,7 @@
 #include "apps/drivers/sequential/law_identification.h"
 
 #include "apps/drivers/parts/link_failure.h"
+#include "apps/drivers/parts/summary_head.h"
 #include "apps/drivers/sequential/particles.h"
 #include "apps/drivers/sequential/scene.h"
 #include "apps/results/warning.h"
@@ -27,8 +28,6 @@ namespace apps
     {
       return *model.receivers().front()->chosen().constants;
     }
-
-    nlohmann::json quantity(const double value, const char *unit) { return {{"value", value}, {"unit", unit}}; }
 
     IdentifiedLaw law_in(const std::filesystem::path &file)
     {

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -18,11 +17,6 @@ namespace apps
   namespace
   {
     constexpr std::int64_t samples_per_run = 200;
-
-    double seconds_since(const std::chrono::steady_clock::time_point &start)
-    {
-      return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    }
 
     /** "a" or "a > b"; nothing if it is neither. */
     std::optional<ParticleStageSection::Instant> instant_in(const std::string &text)
@@ -76,12 +70,12 @@ namespace apps
       template <typename Work>
       void watch(dem::Specimen &specimen, const Work &work)
       {
-        const auto start = std::chrono::steady_clock::now();
+        const Stopwatch clock;
         if (specimen.steps() == 0 && !equilibrium)
           settle(specimen);
         work();
         worst_balance = std::max(worst_balance, specimen.energy().balance_error());
-        seconds += seconds_since(start);
+        seconds += clock.seconds();
       }
 
       void put_into(ParticleOutcome &result) const

@@ -2,11 +2,12 @@
 
 #include "apps/drivers/continuum/summary.h"
 #include "apps/drivers/parts/left_out_of_balance.h"
+#include "apps/drivers/parts/summary_head.h"
 #include "apps/drivers/sequential/continuation.h"
 #include "apps/drivers/sequential/study.h"
 #include "apps/drivers/sequential/transfer_output.h"
 #include "apps/process/exit_status.h"
-#include "apps/process/version.h"
+#include "apps/process/stopwatch.h"
 #include "apps/results/result_listing.h"
 #include "apps/results/warning.h"
 #include "postprocess/atomic_file.h"
@@ -14,18 +15,12 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <fstream>
 
 namespace apps
 {
   namespace
   {
-    double seconds_since(const std::chrono::steady_clock::time_point &start)
-    {
-      return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    }
-
     std::string continuation_name(const std::size_t number) { return fmt::format("continuation_{:03}", number); }
 
     /** The mesh at the start of a finished continuation; "" if it left no snapshots. */
@@ -129,9 +124,7 @@ namespace apps
 
   nlohmann::json SequentialRun::summary() const
   {
-    nlohmann::json json = {{"scene", request.scene_file},
-                           {"asked", {{"kind", "sequential"}, {"overrides", request.overrides}}},
-                           {"version", version()}};
+    nlohmann::json json = summary_head(request, "sequential");
     if (!ground.doubts.empty())
       json["warnings"] = ground.doubts;
     if (const std::string left_out = not_in_balance(); !left_out.empty())
@@ -168,10 +161,10 @@ namespace apps
     part.deciding_text += fmt::format("\n# continuation {}", number);
     if (std::filesystem::exists(part.output_folder / "summary.json"))
       return true;
-    part.resume      = std::filesystem::exists(part.output_folder / "running" / checkpoint_name);
-    const auto field = coupling::particle_field(outcome.state, model.transfer.field);
-    const auto tell  = [&](const TransferredState &state) { record.write(number, outcome, field, options, state); };
-    const auto start = std::chrono::steady_clock::now();
+    part.resume           = std::filesystem::exists(part.output_folder / "running" / checkpoint_name);
+    const auto      field = coupling::particle_field(outcome.state, model.transfer.field);
+    const auto      tell = [&](const TransferredState &state) { record.write(number, outcome, field, options, state); };
+    const Stopwatch watch;
     try
       {
         return in_case(outcome, [&] {
@@ -181,16 +174,15 @@ namespace apps
     catch (
       const dem::NumericalError &failure) // there is nothing to carry on: the study says so, and the other cases go on
       {
-        postprocess::write_json(
-          part.output_folder / "summary.json",
-          {{"ended_by", no_equilibrium + failure.what()}, {"cost", {{"wall_seconds", seconds_since(start)}}}});
+        postprocess::write_json(part.output_folder / "summary.json", {{"ended_by", no_equilibrium + failure.what()},
+                                                                      {"cost", {{"wall_seconds", watch.seconds()}}}});
         return true;
       }
   }
 
   int SequentialRun::carry_on()
   {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     if (!find_law() || !particles.complete(ground.packing))
       return folder.interrupted();
     TransferRecord                 record(running);
@@ -214,7 +206,7 @@ namespace apps
     nlohmann::json json = summary();
     json["figures"]     = {{"cases", report.json()}};
     json["transfers"]   = record.json;
-    json["cost"]        = {{"wall_seconds", seconds_since(start)}};
+    json["cost"]        = {{"wall_seconds", watch.seconds()}};
     postprocess::write_text(running / "study.csv", report.csv());
     warn_of_missing("study.png", report.draw(running / "study.png"));
     finish(json);

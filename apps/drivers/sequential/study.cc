@@ -1,6 +1,7 @@
 #include "apps/drivers/sequential/study.h"
 
 #include "apps/drivers/continuum/summary.h"
+#include "apps/drivers/parts/summary_head.h"
 #include "postprocess/csv_table.h"
 #include "postprocess/summary.h"
 
@@ -32,7 +33,6 @@ namespace apps
       return values;
     }
 
-    nlohmann::json quantity(const double value, const std::string &unit) { return {{"value", value}, {"unit", unit}}; }
   } // namespace
 
   double ContinuationCurve::peak() const

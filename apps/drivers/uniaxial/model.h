@@ -18,5 +18,9 @@ namespace apps
     GravitySection          gravity;
     UniaxialLoadingSection  loading;
     OutputSection           output;
+
+    const std::vector<UniaxialLoad> &loads() const { return loading.tests; } ///< of the tests, in their order
+    double                           longest_without_checkpoint() const { return output.checkpoint_interval; } ///< [s]
+    dem::Packing                     packing() const; ///< of all tests. @throws as make_packing()
   };
 } // namespace apps

@@ -1,12 +1,12 @@
 #include "apps/drivers/uniaxial/scene.h"
 
 #include "apps/drivers/parts/duration.h"
+#include "apps/drivers/parts/lab_run.h"
 #include "apps/drivers/parts/link_failure.h"
 #include "apps/drivers/parts/material_counts.h"
 #include "apps/drivers/parts/specimen_packing.h"
 #include "apps/drivers/parts/static_start.h"
-#include "apps/drivers/uniaxial/run.h"
-#include "apps/drivers/uniaxial/stage.h"
+#include "apps/drivers/uniaxial/report.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/progress.h"
 #include "apps/scene/physics_section.h"
@@ -36,6 +36,8 @@ namespace apps
     gravity.validate(root, physics.dimension);
     loading.validate(root, physics.dimension);
   }
+
+  dem::Packing UniaxialModel::packing() const { return make_packing(source, material, specimen.physics.dimension); }
 
   UniaxialModel UniaxialScene::model() const
   {
@@ -77,14 +79,14 @@ namespace apps
   {
     const Stopwatch     set_up;
     const UniaxialModel asked     = model();
-    const dem::Packing  packing   = make_packing(asked.source, asked.material, physics.dimension);
+    const dem::Packing  packing   = asked.packing();
     const auto          materials = asked.material.materials();
     dem::Specimen       body(packing, asked.specimen, materials);
     const double        set_up_seconds = set_up.seconds();
     std::string         text;
     text += fmt::format("  particles    {}\n", body.counts().particles);
     text += fmt::format("  links        {}\n", body.counts().links);
-    text += MaterialCounts(packing.material_names, body.particles().material, body.links().law).text();
+    text += MaterialCounts(packing.material_names, body).text();
     text += fmt::format("  time step    {:.4g} s = {} of the bound of its particles\n", body.time_step(),
                         asked.specimen.step_factor);
     text += fmt::format("               {:.4g} s would be critical: sharp, by the largest eigenvalue\n",
@@ -111,5 +113,8 @@ namespace apps
     return text + duration_line(set_up_seconds + expected * cost, set_up_seconds + steps * cost);
   }
 
-  int UniaxialScene::run(const RunRequest &request) const { return UniaxialRun(request, model()).execute(); }
+  int UniaxialScene::run(const RunRequest &request) const
+  {
+    return LabRun<UniaxialLabTest>(request, model()).execute();
+  }
 } // namespace apps

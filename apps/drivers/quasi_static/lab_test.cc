@@ -1,6 +1,7 @@
-#include "apps/drivers/quasi_static/stage.h"
+#include "apps/drivers/quasi_static/lab_test.h"
 
 #include "apps/results/snapshots.h"
+#include "apps/results/warning.h"
 #include "dem/observation/path_output.h"
 #include "postprocess/specimen_picture.h"
 #include "postprocess/vtk_links.h"
@@ -78,9 +79,9 @@ namespace apps
     visitor.column("stress", stress);
   }
 
-  QuasiStaticStage::QuasiStaticStage(const QuasiStaticModel &model,
-                                     const dem::Packing     &packing,
-                                     const std::size_t       which)
+  QuasiStaticLabTest::QuasiStaticLabTest(const QuasiStaticModel &model,
+                                         const dem::Packing     &packing,
+                                         const std::size_t       which)
     : name(name_of(model.tests[which]))
     , axis(model.axis)
     , shape{model.dimension, 0, model.source.thickness}
@@ -103,7 +104,7 @@ namespace apps
     materials = materials_in(loaded.network, packing.material_names);
   }
 
-  void QuasiStaticStage::open(const std::filesystem::path &folder)
+  void QuasiStaticLabTest::open(const std::filesystem::path &folder)
   {
     if (snapshot_interval == 0)
       return;
@@ -111,7 +112,7 @@ namespace apps
     links.emplace(folder, name + "_links");
   }
 
-  void QuasiStaticStage::advance()
+  void QuasiStaticLabTest::advance()
   {
     if (path.points().size() == 1 && particles)
       snapshot();
@@ -121,7 +122,7 @@ namespace apps
       snapshot();
   }
 
-  double QuasiStaticStage::gauged_strain() const
+  double QuasiStaticLabTest::gauged_strain() const
   {
     if (!layers || !layers->planes)
       return path.points().back().strain[loaded.led];
@@ -130,11 +131,11 @@ namespace apps
     return (layers->planes->second.motion(place) - layers->planes->first.motion(place)) / layers->gauge_length;
   }
 
-  std::vector<postprocess::SeriesColumn> QuasiStaticStage::series_columns(const bool of_cell)
+  std::vector<postprocess::SeriesColumn> QuasiStaticLabTest::series_columns(const QuasiStaticModel &model)
   {
     std::vector<postprocess::SeriesColumn> all = {
       {"test", ""}, {"point", ""}, {"strain", "-"}, {"stress", "Pa"}, {"mean_damage", "-"}};
-    if (of_cell)
+    if (model.is_cell())
       for (const char *strain : {"strain_xx", "strain_yy", "strain_zz"})
         all.push_back({strain, "-"});
     for (const char *energy :
@@ -146,7 +147,7 @@ namespace apps
     return all;
   }
 
-  SeriesRow QuasiStaticStage::row() const
+  SeriesRow QuasiStaticLabTest::row() const
   {
     const dem::QuasiStaticPoint &p      = path.points().back();
     std::vector<double>          values = {static_cast<double>(path.points().size() - 1), result.strain.back(),
@@ -159,7 +160,7 @@ namespace apps
     return {{name}, values, {dem::name_of(p.control)}};
   }
 
-  void QuasiStaticStage::visit_state(RunState &state)
+  void QuasiStaticLabTest::visit_state(RunState &state)
   {
     state.group("path");
     path.visit_state(state);
@@ -167,8 +168,8 @@ namespace apps
     visit_snapshots(state, "link_snapshots", links);
   }
 
-  std::vector<dem::LinkImage> QuasiStaticStage::images_of(const dem::LinkOutput     &joined,
-                                                          const dem::ParticleOutput &state) const
+  std::vector<dem::LinkImage> QuasiStaticLabTest::images_of(const dem::LinkOutput     &joined,
+                                                            const dem::ParticleOutput &state) const
   {
     if (!loaded.network.periodic())
       return {};
@@ -179,7 +180,7 @@ namespace apps
     return dem::link_images(joined, state, base + strain * base, base);
   }
 
-  void QuasiStaticStage::snapshot()
+  void QuasiStaticLabTest::snapshot()
   {
     // ParaView's time is the number of the point: strain may fall.
     const auto                at    = static_cast<double>(path.points().size() - 1);
@@ -191,15 +192,21 @@ namespace apps
     links->add(at);
   }
 
-  void QuasiStaticStage::finish()
+  void QuasiStaticLabTest::finish(const std::filesystem::path &folder)
   {
     if (particles && static_cast<std::int64_t>(path.points().size() - 1) % snapshot_interval != 0)
       snapshot();
     result.notes.crack =
       dem::measure_crack(dem::particles_of(loaded, path, radius, shape), dem::links_of(loaded, path), shape);
+    warn_of_missing("crack picture", draw_crack(folder));
   }
 
-  std::string QuasiStaticStage::draw_crack(const std::filesystem::path &folder) const
+  std::string QuasiStaticLabTest::size() const
+  {
+    return fmt::format("{} particles, {} links", particles_in(), links_in());
+  }
+
+  std::string QuasiStaticLabTest::draw_crack(const std::filesystem::path &folder) const
   {
     const dem::ParticleOutput state  = dem::particles_of(loaded, path, radius, shape);
     const dem::LinkOutput     joined = dem::links_of(loaded, path);
@@ -210,12 +217,12 @@ namespace apps
     return postprocess::picture_of_specimen(folder / (name + "_crack.png"), state, joined, "After " + name, slab);
   }
 
-  double QuasiStaticStage::done() const
+  double QuasiStaticLabTest::done() const
   {
     return std::min(1.0, std::fabs(path.points().back().strain[loaded.led]) / end_strain);
   }
 
-  std::string QuasiStaticStage::details() const
+  std::string QuasiStaticLabTest::details() const
   {
     const dem::QuasiStaticPoint &p = path.points().back();
     return fmt::format("point {}, strain {:.2e}, stress {:.3g} MPa, {}", path.points().size() - 1, p.strain[loaded.led],

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/drivers/parts/material_counts.h"
+#include "apps/drivers/parts/sampling.h"
 #include "apps/drivers/parts/specimen_snapshots.h"
 #include "apps/drivers/uniaxial/model.h"
 #include "apps/drivers/uniaxial/result.h"
@@ -12,6 +13,8 @@
 
 namespace apps
 {
+  struct UniaxialReport;
+
   /**
    * Steps to the stop strain of a test, the most it can take.
    * @throws dem::InputError beyond what any computer can do: some value is then not in SI units.
@@ -19,37 +22,41 @@ namespace apps
   std::int64_t most_steps(const UniaxialLoadingSection &loading, UniaxialLoad load, double time_step);
 
   /** One uniaxial test of a run: a fresh specimen, its curve, its rows of the series and its snapshots. */
-  class UniaxialStage
+  class UniaxialLabTest
   {
   public:
+    using Model  = UniaxialModel;
+    using Result = UniaxialResult;
+    using Report = UniaxialReport;
+
     /**
      * Link the specimen and grip it; writes nothing.
      * @param number of the test in the scene's list, from 0.
      * @throws dem::InputError.
      */
-    UniaxialStage(const UniaxialModel &model, const dem::Packing &packing, std::size_t number);
-    UniaxialStage(const UniaxialStage &)            = delete;
-    UniaxialStage &operator=(const UniaxialStage &) = delete;
+    UniaxialLabTest(const UniaxialModel &model, const dem::Packing &packing, std::size_t number);
+    UniaxialLabTest(const UniaxialLabTest &)            = delete;
+    UniaxialLabTest &operator=(const UniaxialLabTest &) = delete;
 
-    /** Find the initial equilibrium, if the scene asks for one; not of a stage that goes on from a checkpoint. @throws dem::InputError */
+    /** Find the initial equilibrium, if the scene asks for one; not of a test that goes on from a checkpoint. @throws dem::InputError */
     void settle();
     /** From now on snapshots go to this folder; without this call there are none. @throws postprocess::OutputError. */
     void open(const std::filesystem::path &folder);
 
-    /** One sample further: some steps, and a snapshot when one is due. @return whether there is a new row */
-    bool advance();
+    /** One sample further: some steps, and a snapshot when one is due. */
+    void advance();
     /** Of the last sample. */
     SeriesRow row() const;
     bool      finished() const { return test.finished(); }
-    /** Call it when finished: completes the result, and takes the last snapshot. */
-    void finish();
-    /** TEST_state.h5: the discrete state, from which `breccia transfer` can go on. */
-    void save_discrete_state(const std::filesystem::path &folder) const;
-    /** TEST_crack.png of the present state. @return what went wrong, "" if nothing. */
-    std::string draw_crack(const std::filesystem::path &folder) const;
+    /** When finished: completes the result, and takes the last snapshot. */
+    void complete();
+    /** The same, and leaves in a folder TEST_state.h5, from which `breccia transfer` can go on, and TEST_crack.png. */
+    void finish(const std::filesystem::path &folder);
 
-    double      done() const;    ///< part of the most that the test can take, in [0, 1]
-    std::string details() const; ///< where it is and how fast, for the progress line
+    const dem::Specimen &body() const { return specimen; }
+    std::string          size() const;    ///< "175 particles, 1203 links"
+    double               done() const;    ///< part of the most that the test can take, in [0, 1]
+    std::string          details() const; ///< where it is and how fast, for the progress line
 
     /** Everything to go on to the same bits. */
     void visit_state(RunState &state);
@@ -58,16 +65,20 @@ namespace apps
     MaterialCounts materials; ///< before anything moves
 
     /** Columns of the series. */
-    static std::vector<postprocess::SeriesColumn> series_columns();
+    static std::vector<postprocess::SeriesColumn> series_columns(const UniaxialModel &model);
 
   private:
+    bool        snapshot_due() const; ///< with the last sample
+    std::string draw_crack(const std::filesystem::path &folder) const;
+
     std::string       name; ///< "tension"
     int               axis;
     dem::Specimen     specimen;
     dem::UniaxialTest test;
     GravitySection    gravity;
-    std::int64_t      steps_at_most, steps_per_sample;
-    std::int64_t      samples_per_snapshot; ///< 0: no snapshots
+    std::int64_t      steps_at_most;
+    StepSampling      sampling;
+    bool              shown; ///< snapshots are asked for
     SpecimenSnapshots snapshots;
   };
 } // namespace apps

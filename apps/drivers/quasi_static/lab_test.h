@@ -14,6 +14,8 @@
 
 namespace apps
 {
+  struct QuasiStaticReport;
+
   /** @param names of the packing's materials */
   MaterialCounts materials_in(const dem::ElasticNetwork &network, const std::vector<std::string> &names);
 
@@ -36,24 +38,29 @@ namespace apps
   };
 
   /** One quasi-static test of a run: its path, its rows of the series and its snapshots. */
-  class QuasiStaticStage
+  class QuasiStaticLabTest
   {
   public:
-    /** Writes nothing. @param number of the test in the scene's list, from 0. @throws dem::InputError. */
-    QuasiStaticStage(const QuasiStaticModel &model, const dem::Packing &packing, std::size_t number);
-    QuasiStaticStage(const QuasiStaticStage &)            = delete;
-    QuasiStaticStage &operator=(const QuasiStaticStage &) = delete;
+    using Model  = QuasiStaticModel;
+    using Result = QuasiStaticResult;
+    using Report = QuasiStaticReport;
 
+    /** Writes nothing. @param number of the test in the scene's list, from 0. @throws dem::InputError. */
+    QuasiStaticLabTest(const QuasiStaticModel &model, const dem::Packing &packing, std::size_t number);
+    QuasiStaticLabTest(const QuasiStaticLabTest &)            = delete;
+    QuasiStaticLabTest &operator=(const QuasiStaticLabTest &) = delete;
+
+    void settle() {} ///< the unloaded network is its own equilibrium
     /** From now on snapshots go to this folder. @throws postprocess::OutputError. */
     void open(const std::filesystem::path &folder);
     /** One point further, and a snapshot when one is due. */
     void      advance();
     SeriesRow row() const; ///< of the last point
     bool      finished() const { return path.finished(); }
-    void      finish(); ///< measures the crack, and takes the last snapshot
-    /** TEST_crack.png of the present state. @return what went wrong, "" if nothing. */
-    std::string draw_crack(const std::filesystem::path &folder) const;
+    /** When finished: measures the crack, takes the last snapshot, and leaves TEST_crack.png in a folder. */
+    void finish(const std::filesystem::path &folder);
 
+    std::string size() const; ///< "175 particles, 1203 links"
     double      done() const;
     std::string details() const;
     std::size_t particles_in() const { return loaded.network.particles(); }
@@ -64,12 +71,13 @@ namespace apps
     QuasiStaticResult result;
     MaterialCounts    materials;
 
-    /** @param of_cell all strains are known; between grips only that along the axis */
-    static std::vector<postprocess::SeriesColumn> series_columns(bool of_cell);
+    /** Of a cell all strains are known; between grips only that along the axis. */
+    static std::vector<postprocess::SeriesColumn> series_columns(const QuasiStaticModel &model);
 
   private:
-    void   snapshot();
-    double gauged_strain() const; ///< of the last point, over the gauge length
+    void        snapshot();
+    std::string draw_crack(const std::filesystem::path &folder) const;
+    double      gauged_strain() const; ///< of the last point, over the gauge length
     /** Of a periodic cell; empty for a specimen between grips. */
     std::vector<dem::LinkImage> images_of(const dem::LinkOutput &joined, const dem::ParticleOutput &state) const;
 

@@ -1,6 +1,9 @@
-#include "apps/drivers/uniaxial/stage.h"
+#include "apps/drivers/uniaxial/lab_test.h"
 
+#include "apps/drivers/parts/energy_terms.h"
 #include "apps/process/progress.h"
+#include "apps/process/stopwatch.h"
+#include "apps/results/warning.h"
 #include "dem/core/errors.h"
 #include "dem/observation/discrete_state.h"
 #include "postprocess/discrete_state_hdf5.h"
@@ -9,20 +12,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace apps
 {
-  namespace
-  {
-    /** 0 for none, otherwise at least 1. */
-    std::int64_t rounded_up(const std::int64_t parts, const std::int64_t into)
-    {
-      return into > 0 ? (parts + into - 1) / into : 0;
-    }
-  } // namespace
-
   std::int64_t most_steps(const UniaxialLoadingSection &loading, const UniaxialLoad load, const double time_step)
   {
     constexpr double              limit = 1e12; // a year at thirty thousand steps a second
@@ -42,15 +35,15 @@ namespace apps
     return static_cast<std::int64_t>(steps);
   }
 
-  UniaxialStage::UniaxialStage(const UniaxialModel &model, const dem::Packing &packing, const std::size_t which)
+  UniaxialLabTest::UniaxialLabTest(const UniaxialModel &model, const dem::Packing &packing, const std::size_t which)
     : name(name_of(model.loading.tests[which]))
     , axis(model.loading.axis)
     , specimen(packing, model.specimen, model.material.materials())
     , test(specimen, model.loading.parameters(model.loading.tests[which]))
     , gravity(model.gravity)
     , steps_at_most(most_steps(model.loading, model.loading.tests[which], specimen.time_step()))
-    , steps_per_sample(std::max<std::int64_t>(1, steps_at_most / model.output.samples))
-    , samples_per_snapshot(rounded_up(model.output.samples, model.output.snapshots))
+    , sampling(steps_at_most, model.output)
+    , shown(model.output.snapshots > 0)
   {
     result.load               = model.loading.tests[which];
     result.notes.name         = name;
@@ -58,30 +51,29 @@ namespace apps
     result.notes.gauge_length = test.gauge_length();
     result.time_step          = specimen.time_step();
     result.at_start           = specimen.counts();
-    if (packing.material_names.size() > 1)
-      materials = MaterialCounts(packing.material_names, specimen.particles().material, specimen.links().law);
+    materials                 = MaterialCounts(packing.material_names, specimen);
   }
 
-  void UniaxialStage::settle()
+  void UniaxialLabTest::settle()
   {
     const Progress progress("initial equilibrium");
     result.start = start_statically(specimen, gravity);
   }
 
-  void UniaxialStage::open(const std::filesystem::path &folder)
+  void UniaxialLabTest::open(const std::filesystem::path &folder)
   {
-    if (samples_per_snapshot > 0)
+    if (shown)
       snapshots.open(folder, name);
   }
 
-  bool UniaxialStage::advance()
+  void UniaxialLabTest::advance()
   {
     if (specimen.steps() == 0)
       snapshots.take(specimen);
-    const auto         start  = std::chrono::steady_clock::now();
+    const Stopwatch    watch;
     const std::int64_t before = specimen.steps();
-    test.advance(steps_per_sample);
-    result.stepping_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    test.advance(sampling.steps());
+    result.stepping_seconds += watch.seconds();
 
     result.at_end        = specimen.counts();
     result.steps         = specimen.steps();
@@ -90,21 +82,25 @@ namespace apps
     result.link_updates +=
       static_cast<double>(result.steps - before) * static_cast<double>(result.at_end.links + result.at_end.contacts);
     result.worst_balance_error = std::max(result.worst_balance_error, result.energy.balance_error());
-    if (snapshots.wanted() && static_cast<std::int64_t>(test.curve().size()) % samples_per_snapshot == 0)
+    if (snapshot_due())
       snapshots.take(specimen);
-    return true;
   }
 
-  std::vector<postprocess::SeriesColumn> UniaxialStage::series_columns()
+  bool UniaxialLabTest::snapshot_due() const
+  {
+    return sampling.snapshot_due(static_cast<std::int64_t>(test.curve().size()));
+  }
+
+  std::vector<postprocess::SeriesColumn> UniaxialLabTest::series_columns(const UniaxialModel &)
   {
     std::vector<postprocess::SeriesColumn> columns = {{"test", ""},         {"time", "s"},        {"strain", "-"},
                                                       {"stress", "Pa"},     {"mean_damage", "-"}, {"links", ""},
                                                       {"broken_links", ""}, {"contacts", ""}};
-    dem::EnergyAccount().each([&](const std::string &term, double) { columns.push_back({"energy_" + term, "J"}); });
+    append_energy_columns(columns);
     return columns;
   }
 
-  SeriesRow UniaxialStage::row() const
+  SeriesRow UniaxialLabTest::row() const
   {
     const dem::UniaxialSample &sample = test.curve().back();
     std::vector<double>        row    = {sample.time,
@@ -114,11 +110,11 @@ namespace apps
                                          static_cast<double>(result.at_end.links),
                                          static_cast<double>(result.at_end.broken),
                                          static_cast<double>(result.at_end.contacts)};
-    result.energy.each([&](const std::string &, const double value) { row.push_back(value); });
+    append_energies(row, result.energy);
     return {{name}, row, {}};
   }
 
-  void UniaxialStage::visit_state(RunState &state)
+  void UniaxialLabTest::visit_state(RunState &state)
   {
     state.group("specimen");
     specimen.visit_state(state);
@@ -127,9 +123,9 @@ namespace apps
     snapshots.visit_state(state);
   }
 
-  void UniaxialStage::finish()
+  void UniaxialLabTest::complete()
   {
-    if (snapshots.wanted() && static_cast<std::int64_t>(test.curve().size()) % samples_per_snapshot != 0)
+    if (!snapshot_due())
       snapshots.take(specimen);
     for (const dem::UniaxialSample &sample : test.curve())
       {
@@ -141,12 +137,14 @@ namespace apps
                                                              {made.physics.dimension, made.density, made.thickness});
   }
 
-  void UniaxialStage::save_discrete_state(const std::filesystem::path &folder) const
+  void UniaxialLabTest::finish(const std::filesystem::path &folder)
   {
+    complete();
     postprocess::write_discrete_state(dem::discrete_state(specimen), folder / (name + "_state.h5"));
+    warn_of_missing("crack picture", draw_crack(folder));
   }
 
-  std::string UniaxialStage::draw_crack(const std::filesystem::path &folder) const
+  std::string UniaxialLabTest::draw_crack(const std::filesystem::path &folder) const
   {
     postprocess::PictureSlab slab;
     slab.axis      = axis == 2 ? 1 : 2; // seen across the load
@@ -155,12 +153,17 @@ namespace apps
                                             "After " + name, slab);
   }
 
-  double UniaxialStage::done() const
+  std::string UniaxialLabTest::size() const
+  {
+    return fmt::format("{} particles, {} links", result.at_start.particles, result.at_start.links);
+  }
+
+  double UniaxialLabTest::done() const
   {
     return std::min(1.0, static_cast<double>(specimen.steps()) / static_cast<double>(steps_at_most));
   }
 
-  std::string UniaxialStage::details() const
+  std::string UniaxialLabTest::details() const
   {
     const double seconds = std::max(result.stepping_seconds, 1e-9);
     const double strain  = test.curve().empty() ? 0 : test.curve().back().strain,

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "apps/drivers/parts/material_counts.h"
-#include "apps/drivers/uniaxial/result.h"
+#include "apps/drivers/uniaxial/lab_test.h"
 #include "apps/scene/scene.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -16,10 +15,10 @@ namespace apps
   struct UniaxialReport
   {
     const RunRequest                  &request;
+    const UniaxialModel               &model;
     const std::vector<UniaxialResult> &results; ///< in the order of the tests, at least one
-    const MaterialCounts              &materials;
+    const UniaxialLabTest             &test;    ///< the last one
     double                             wall_seconds;
-    std::string                        not_in_balance; ///< what the energy balance leaves out; empty: nothing
 
     /** summary.json: figures, cost, energy, and the same for each test. */
     nlohmann::json summary() const;
@@ -27,5 +26,8 @@ namespace apps
     std::string draw_curve(const std::filesystem::path &file) const;
     /** Figures, energy balance, cost and where the results lie. */
     std::string text() const;
+
+  private:
+    std::string not_in_balance() const; ///< see left_out_of_balance()
   };
 } // namespace apps

@@ -1,0 +1,142 @@
+#pragma once
+
+#include "apps/drivers/parts/specimen_packing.h"
+#include "apps/process/interrupt.h"
+#include "apps/process/progress.h"
+#include "apps/results/life_cycle.h"
+#include "apps/results/run_work.h"
+#include "apps/results/warning.h"
+#include "apps/scene/loading_section.h"
+#include "postprocess/summary.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+namespace apps
+{
+  /**
+   * The work of a scene of laboratory tests: one after the other, each on a fresh specimen.
+   *
+   * In the result folder, besides what every run has (life_cycle.h): packing.h5, what each test writes, and at the end summary.json and
+   * curve.png.
+   *
+   * @tparam Test one of the tests (uniaxial/lab_test.h, quasi_static/lab_test.h), with its Model, Result and Report. A Report is made of
+   * request, model, results, the last test and the wall clock.
+   */
+  template <typename Test>
+  class LabRun : public RunWork
+  {
+  public:
+    using Model  = typename Test::Model;
+    using Result = typename Test::Result;
+
+    LabRun(const RunRequest &asked, const Model &what)
+      : request(asked)
+      , model(what)
+    {
+    }
+
+    /** @return exit status: 0, or 130 after an interrupt. Throws as Scene::run(). */
+    int execute() { return LifeCycle(request, model.longest_without_checkpoint(), *this).execute(); }
+
+  private:
+    void prepare() override
+    {
+      packing = model.packing();
+      make_test();
+      test->settle();
+    }
+
+    void begin(const std::filesystem::path &folder, const Record &) override
+    {
+      location = folder;
+      keep_packing(packing, folder);
+      test->open(folder);
+    }
+
+    void reopen(const std::filesystem::path &folder) override
+    {
+      location = folder;
+      packing  = kept_packing(folder);
+    }
+
+    void                                   visit_state(RunState &state) override;
+    std::vector<postprocess::SeriesColumn> series_columns() const override { return Test::series_columns(model); }
+    std::string                            size() const override { return test->size(); }
+    std::string                            stage() const override { return name_of(test->result.load); }
+    double                                 done() const override { return test->done(); }
+    std::string                            details() const override { return test->details(); }
+    bool                                   finished() const override { return complete.size() == model.loads().size(); }
+
+    void advance(const Record &record) override
+    {
+      if (!test->finished())
+        {
+          test->advance();
+          record(test->row());
+        }
+      if (test->finished() && !interrupted()) // else the resumed run completes it
+        complete_test();
+    }
+
+    std::string finish(const std::filesystem::path &folder, const double wall_seconds) override
+    {
+      const typename Test::Report report{request, model, complete, *test, wall_seconds};
+      postprocess::write_json(folder / "summary.json", report.summary());
+      warn_of_missing("curve.png", report.draw_curve(folder / "curve.png"));
+      return report.text();
+    }
+
+    void make_test()
+    {
+      const Progress progress("links and grips");
+      // A run whose tests are complete, and whose results are not, still has its last one.
+      test = std::make_unique<Test>(model, packing, std::min(complete.size(), model.loads().size() - 1));
+    }
+
+    void complete_test()
+    {
+      const Progress progress(stage() + ", results");
+      test->finish(location);
+      complete.push_back(test->result);
+      if (finished())
+        return;
+      make_test();
+      test->settle();
+      test->open(location);
+    }
+
+    RunRequest            request;
+    Model                 model;
+    dem::Packing          packing;
+    std::filesystem::path location;
+    std::unique_ptr<Test> test;     ///< under way
+    std::vector<Result>   complete; ///< of the tests before it
+  };
+
+  template <typename Test>
+  void LabRun<Test>::visit_state(RunState &state)
+  {
+    auto tests = static_cast<std::int64_t>(complete.size());
+    state.group("tests");
+    state.scalar("finished_tests", tests);
+    complete.resize(static_cast<std::size_t>(tests));
+    for (std::size_t i = 0; i < complete.size(); ++i)
+      {
+        complete[i].load = model.loads().at(i);
+        state.group(std::string("result_") + name_of(complete[i].load));
+        complete[i].visit_state(state);
+      }
+    if (state.reads())
+      {
+        make_test();
+        test->open(location);
+      }
+    test->visit_state(state);
+    state.group("result_under_way");
+    test->result.visit_state(state);
+  }
+} // namespace apps
