@@ -1,4 +1,5 @@
 #include "postprocess/csv_table.h"
+#include "tests/apps/interrupted_runs.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scenes.h"
 #include "tests/apps/scratch_folder.h"
@@ -6,11 +7,9 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <sstream>
-#include <thread>
 
 using namespace apps_tests;
 using Catch::Contains;
@@ -74,16 +73,10 @@ TEST_CASE("an interrupted run of a cell goes on to the same bits", "[apps][slow]
     "x.prm", cell_scene("  set Legs = 2\n  subsection Leg 1\n    set Duration = 4e-3\n    set xx = strain 2e-4\n  end\n"
                         "  subsection Leg 2\n    set Duration = 4e-3\n    set xx = strain -1e-4\n  end\n") +
                "subsection Output\n  set Checkpoint interval = 0.01\nend\n");
-  REQUIRE(run(folder.path(), {"run", "x.prm", "-o", "whole"}).status == 0);
-  {
-    Program program(folder.path(), {"run", "x.prm", "-o", "results"});
-    while (program.running() && !std::filesystem::exists(folder / "results/running/checkpoint.h5"))
-      std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    program.send(SIGINT);
-    REQUIRE(program.wait().status == 130);
-  }
-  REQUIRE(run(folder.path(), {"run", "results/running/scene.prm", "--resume"}).status == 0);
-  CHECK(content_of(folder / "results/series.csv") == content_of(folder / "whole/series.csv"));
+  const auto reproducible_part = [](const std::filesystem::path &results) {
+    return content_of(results / "series.csv") + listing_of(results / "cell_links");
+  };
+  goes_on_to_the_same_bits(folder, {{"run", "x.prm"}, {"checkpoint.h5"}, reproducible_part}, {SIGINT});
 }
 
 TEST_CASE("a cell scene refuses a path that means nothing", "[apps][S14]")

@@ -1,22 +1,35 @@
 // Scenes in which bodies of a solid touch each other, as the program runs, resumes and refuses them.
-#include "postprocess/csv_table.h"
-#include "tests/apps/program.h"
+#include "tests/apps/interrupted_runs.h"
+#include "tests/apps/scene_runs.h"
 #include "tests/apps/scenes.h"
-#include "tests/apps/scratch_folder.h"
 
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 
-#include <chrono>
 #include <cmath>
 #include <csignal>
-#include <thread>
 
 using namespace apps_tests;
 using Catch::Contains;
 
 namespace
 {
+  /** The same soft elastic stuff under these names. */
+  std::string materials(const std::vector<std::string> &names)
+  {
+    std::string text = "subsection Materials\n";
+    for (const std::string &name : names)
+      text += "  subsection " + name + R"(
+    set Law     = isotropic elastic
+    set Density = 2400
+    subsection isotropic elastic
+      set Young modulus = 1e8
+      set Poisson ratio = 0.2
+    end
+  end
+)";
+    return text + "end\n";
+  }
+
   const std::string solid = R"(subsection Model
   set Dimension          = 3
   set Analysis           = explicit
@@ -41,25 +54,8 @@ subsection Mesh
     end
   end
 end
-subsection Materials
-  subsection lower
-    set Law     = isotropic elastic
-    set Density = 2400
-    subsection isotropic elastic
-      set Young modulus = 1e8
-      set Poisson ratio = 0.2
-    end
-  end
-  subsection upper
-    set Law     = isotropic elastic
-    set Density = 2400
-    subsection isotropic elastic
-      set Young modulus = 1e8
-      set Poisson ratio = 0.2
-    end
-  end
-end
-subsection Motion
+)" + materials({"lower", "upper"}) +
+                            R"(subsection Motion
   set Initial velocity x = z > 0.05005 ? 0.3 : 0
   set Initial velocity z = z > 0.05005 ? -1 : 0
 end
@@ -143,14 +139,12 @@ end
 )";
   }
 
-  Outcome outcome_of(const ScratchFolder &folder, const std::string &command, std::vector<std::string> changes = {})
+  double largest_of(const std::vector<double> &values)
   {
-    std::vector<std::string> words = {command, "x.prm"};
-    if (command == "run")
-      words.insert(words.end(), {"-o", "results"});
-    for (const std::string &change : changes)
-      words.insert(words.end(), {"-s", change});
-    return run(folder.path(), words);
+    double largest = 0;
+    for (const double value : values)
+      largest = std::max(largest, std::fabs(value));
+    return largest;
   }
 
   std::string reproducible_part(const std::filesystem::path &results)
@@ -163,11 +157,7 @@ TEST_CASE("A brick that lands on a base tells forces, energies and momentum of t
 {
   const ScratchFolder folder;
   folder.file("x.prm", bodies);
-  const Outcome outcome = outcome_of(folder, "run");
-  INFO(outcome.err);
-  REQUIRE(outcome.status == 0);
-  const auto series  = postprocess::read_csv_table(folder / "results/series.csv", true);
-  const auto summary = nlohmann::json::parse(content_of(folder / "results/summary.json"));
+  const auto [summary, series] = results_of(folder, "x.prm");
   CHECK(std::filesystem::exists(folder / "results/bodies.png"));
   const double peak = summary["figures"]["peak_force"]["value"].get<double>();
   CHECK(peak > 100);
@@ -192,16 +182,8 @@ TEST_CASE("Bodies, particles and walls touch in one scene, and one account holds
 {
   const ScratchFolder folder;
   folder.file("x.prm", with_particles());
-  const Outcome outcome = outcome_of(folder, "run");
-  INFO(outcome.err);
-  REQUIRE(outcome.status == 0);
-  const auto series = postprocess::read_csv_table(folder / "results/series.csv", true);
-  const auto most   = [&](const char *column) {
-    double largest = 0;
-    for (const double value : series.column(column))
-      largest = std::max(largest, std::fabs(value));
-    return largest;
-  };
+  const postprocess::CsvTable series = results_of(folder, "x.prm").series;
+  const auto                  most   = [&](const char *column) { return largest_of(series.column(column)); };
   CHECK(most("joint_pairs") == 1);
   CHECK(most("top_force_z") > 10);
   CHECK(most("contacts") >= 1); // with the wall
@@ -215,21 +197,13 @@ TEST_CASE("A rigid body rests between a deformable one, particles and walls like
 {
   const ScratchFolder folder;
   folder.file("x.prm", with_particles());
-  const Outcome outcome =
-    outcome_of(folder, "run", {"Continuum/Motion/Rigid bodies=upper", "Continuum/Motion/Safety=0.5"});
-  INFO(outcome.err);
-  REQUIRE(outcome.status == 0);
-  const auto series = postprocess::read_csv_table(folder / "results/series.csv", true);
-  const auto most   = [&](const char *column) {
-    double largest = 0;
-    for (const double value : series.column(column))
-      largest = std::max(largest, std::fabs(value));
-    return largest;
-  };
+  const postprocess::CsvTable series =
+    results_of(folder, "x.prm", {"Continuum/Motion/Rigid bodies=upper", "Continuum/Motion/Safety=0.5"}).series;
+  const auto most = [&](const char *column) { return largest_of(series.column(column)); };
   CHECK(most("joint_upper_force_z") > 100);
   CHECK(most("top_force_z") > 10);
   CHECK(most("energy_residual") < 0.01 * most("energy_solid_kinetic"));
-  const Outcome stiff = outcome_of(folder, "check", {"Continuum/Motion/Rigid bodies=steel"});
+  const Outcome stiff = outcome_of(folder, "check", "x.prm", {"Continuum/Motion/Rigid bodies=steel"});
   CHECK(stiff.status == 2);
   CHECK_THAT(stiff.err, Contains("the mesh has no material steel"));
 }
@@ -257,44 +231,18 @@ TEST_CASE("An interrupted or killed run with contact goes on to the same bits", 
   const ScratchFolder folder;
   folder.file("x.prm",
               replaced(bodies, "subsection Output\n", "subsection Output\n  set Checkpoint interval = 0.01\n"));
-  const std::string steps = "Motion/Safety=0.02";
-  REQUIRE(run(folder.path(), {"run", "x.prm", "-o", "whole", "-s", steps}).status == 0);
-  for (const int signal : {SIGINT, SIGKILL})
-    {
-      Program program(folder.path(), {"run", "x.prm", "-o", "results", "-s", steps});
-      bool    sent = false;
-      while (program.running())
-        {
-          std::this_thread::sleep_for(std::chrono::milliseconds(5));
-          if (!sent && std::filesystem::exists(folder / "results/running/solid/solid_000002.vtu") &&
-              std::filesystem::exists(folder / "results/running/checkpoint.h5"))
-            {
-              program.send(signal);
-              sent = true;
-            }
-        }
-      REQUIRE(program.wait().status == 128 + signal);
-      const Outcome resumed = run(folder.path(), {"run", "x.prm", "-o", "results", "--resume", "-s", steps});
-      INFO(resumed.err);
-      REQUIRE(resumed.status == 0);
-      CHECK(reproducible_part(folder / "results") == reproducible_part(folder / "whole"));
-      std::filesystem::remove_all(folder / "results");
-    }
+  goes_on_to_the_same_bits(
+    folder,
+    {{"run", "x.prm", "-s", "Motion/Safety=0.02"}, {"solid/solid_000002.vtu", "checkpoint.h5"}, reproducible_part},
+    {SIGINT, SIGKILL});
 }
 
 TEST_CASE("Contacts that cannot be are refused by name", "[apps][contact]")
 {
   const ScratchFolder folder;
   folder.file("x.prm", bodies);
-  const auto refused = [&](const std::vector<std::string> &changes, const char *words) {
-    for (const char *command : {"check", "run"})
-      {
-        const Outcome outcome = outcome_of(folder, command, changes);
-        INFO(outcome.err);
-        CHECK(outcome.status == 2);
-        CHECK_THAT(outcome.err, Contains(words));
-        CHECK_FALSE(std::filesystem::exists(folder / "results"));
-      }
+  const auto refused = [&folder](const std::vector<std::string> &changes, const char *words) {
+    is_refused(folder, "x.prm", changes, words);
   };
   refused({"Contacts/joint/Bodies=steel"},
           "Contacts/joint: contact of bodies: no body is of a material steel. There are: "
@@ -312,7 +260,7 @@ TEST_CASE("A contact that makes more energy than it may stops the run and says w
   const ScratchFolder folder;
   folder.file("x.prm", bodies);
   const Outcome outcome =
-    outcome_of(folder, "run", {"Contacts/joint/Form=penalty", "Contacts/joint/Energy limit=1e-9"});
+    outcome_of(folder, "run", "x.prm", {"Contacts/joint/Form=penalty", "Contacts/joint/Energy limit=1e-9"});
   CHECK(outcome.status != 0);
   CHECK_THAT(outcome.err, Contains("Contacts/joint: at ") && Contains("the contact has made"));
 }

@@ -1,17 +1,13 @@
 // Scenes of kind "coupled", through the program: one account of both sides, weight, resuming, refusals.
-#include "postprocess/csv_table.h"
-#include "tests/apps/program.h"
+#include "tests/apps/interrupted_runs.h"
+#include "tests/apps/scene_runs.h"
 #include "tests/apps/scenes.h"
-#include "tests/apps/scratch_folder.h"
 #include "tests/places.h"
 
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 
-#include <chrono>
 #include <cmath>
 #include <csignal>
-#include <thread>
 
 using namespace apps_tests;
 using Catch::Contains;
@@ -89,36 +85,6 @@ subsection Output
 end
 )";
 
-  struct Results
-  {
-    nlohmann::json        summary;
-    postprocess::CsvTable series;
-  };
-
-  Results results_in(const std::filesystem::path &folder)
-  {
-    return {nlohmann::json::parse(content_of(folder / "summary.json")),
-            postprocess::read_csv_table(folder / "series.csv", true)};
-  }
-
-  Outcome outcome_of(const ScratchFolder &folder, const std::string &command, std::vector<std::string> changes = {})
-  {
-    std::vector<std::string> words = {command, "x.prm"};
-    if (command == "run")
-      words.insert(words.end(), {"-o", "results"});
-    for (const std::string &change : changes)
-      words.insert(words.end(), {"-s", change});
-    return run(folder.path(), words);
-  }
-
-  Results results_of(const ScratchFolder &folder, const std::vector<std::string> &changes = {})
-  {
-    const Outcome outcome = outcome_of(folder, "run", changes);
-    INFO(outcome.err);
-    REQUIRE(outcome.status == 0);
-    return results_in(folder / "results");
-  }
-
   std::string reproducible_part(const std::filesystem::path &results)
   {
     return listing_of(results / "solid") + listing_of(results / "particles_particles") +
@@ -131,7 +97,7 @@ TEST_CASE("A ball and a free block keep momentum, angular momentum and energy, a
 {
   const ScratchFolder folder;
   folder.file("x.prm", collision);
-  const Results found = results_of(folder);
+  const Results found = results_of(folder, "x.prm");
   REQUIRE(found.summary["figures"]["peak_force"]["value"].get<double>() > 1000);
   CHECK(found.series.column("block_contacts").back() == 0); // it has left again
   for (const std::string quantity : {"momentum", "angular_momentum"})
@@ -155,30 +121,43 @@ TEST_CASE("A ball and a free block keep momentum, angular momentum and energy, a
                          Contains("particles_walls/particles_walls_000004.vtp"));
 }
 
+namespace
+{
+  /** Instead of the collision: two balls at rest at this height [m], and the block, damped [1/s] and held at its back. */
+  std::string two_balls_on_a_held_block(const std::string &height, const int damping)
+  {
+    std::string scene = replaced(collision, "    set Large displacement = true\n", "");
+    scene             = replaced(
+                  scene,
+                  "  subsection Initial velocity\n    subsection ball\n      set Velocity x = 2\n      set Velocity y = -1\n"
+                              "      set Velocity z = -5\n      set Spin y     = 100\n    end\n  end\n",
+                  "");
+    scene = replaced(scene, "set Centre = 0.03, 0.062, 0.1205", "set Centre = 0.03, 0.062, " + height);
+    scene = replaced(scene, "    subsection ball\n",
+                     "    subsection other\n      set Centre = 0.07, 0.02, " + height +
+                       "\n      set Radius = 0.02\n    end\n    subsection ball\n");
+    return replaced(scene, "  subsection Materials\n",
+                    "  subsection Boundary conditions\n    subsection back\n      set Displacement x = 0\n"
+                    "      set Displacement y = 0\n      set Displacement z = 0\n    end\n  end\n  subsection Motion\n"
+                    "    set Damping = " +
+                      std::to_string(damping) + "\n  end\n  subsection Materials\n");
+  }
+
+  std::string gravity(const std::string &upwards)
+  {
+    return "subsection Gravity\n  set Acceleration = 0, 0, " + upwards + "\nend\n";
+  }
+} // namespace
+
 TEST_CASE("Balls at rest weigh on a slab what they weigh, and the slab's supports carry both", "[apps][coupled]")
 {
   const ScratchFolder folder;
-  std::string         scene = replaced(collision, "    set Large displacement = true\n", "");
-  scene                     = replaced(scene, "set Young modulus = 10e9", "set Young modulus = 200e6");
-  scene =
-    replaced(scene,
-             "  subsection Initial velocity\n    subsection ball\n      set Velocity x = 2\n      set Velocity y = -1\n"
-             "      set Velocity z = -5\n      set Spin y     = 100\n    end\n  end\n",
-             "");
-  scene = replaced(scene, "set Centre = 0.03, 0.062, 0.1205", "set Centre = 0.03, 0.062, 0.1199");
-  scene = replaced(scene, "    subsection ball\n",
-                   "    subsection other\n      set Centre = 0.07, 0.02, 0.1199\n      set Radius = 0.02\n    end\n"
-                   "    subsection ball\n");
-  scene = replaced(
-    scene, "  subsection Materials\n",
-    "  subsection Boundary conditions\n    subsection back\n      set Displacement x = 0\n      set Displacement "
-    "y = 0\n      set Displacement z = 0\n    end\n  end\n  subsection Motion\n    set Damping = 200\n  end\n"
-    "  subsection Materials\n");
-  scene += "subsection Gravity\n  set Acceleration = 0, 0, -9.81\nend\n";
-  folder.file("x.prm", scene);
-  const Results found = results_of(
-    folder, {"Time/End time=1.5", "Time/Damping=0.7", "Time/Step factor=0.3", "Couplings/block/Effective modulus=1e6"});
-  const double balls = 2 * 7800 * 4.0 / 3 * M_PI * 8e-6 * 9.81, block = 2400 * 1e-3 * 9.81;
+  folder.file("x.prm", two_balls_on_a_held_block("0.1199", 200) + gravity("-9.81"));
+  const Results found = results_of(folder, "x.prm",
+                                   {"Time/End time=1.5", "Time/Damping=0.7", "Time/Step factor=0.3",
+                                    "Couplings/block/Effective modulus=1e6",
+                                    "Continuum/Materials/solid/isotropic elastic/Young modulus=200e6"});
+  const double  balls = 2 * 7800 * 4.0 / 3 * M_PI * 8e-6 * 9.81, block = 2400 * 1e-3 * 9.81;
   CHECK(found.series.column("block_force_z").back() == Approx(-balls).epsilon(1e-6));
   CHECK(found.series.column("reaction_back_z").back() == Approx(balls + block).epsilon(1e-6));
   CHECK(found.summary["energy"]["balance_error"].get<double>() < 1e-3);
@@ -208,19 +187,20 @@ TEST_CASE("Couplings act between named boundaries and named groups, each with it
                    "  subsection Boundary conditions\n    subsection back\n      set Displacement x = 0\n      set "
                    "Displacement y = 0\n      set Displacement z = 0\n    end\n  end\n  subsection Materials\n");
   folder.file("x.prm", scene);
-  const Results found = results_of(folder, {"Time/End time=0.04"});
+  const Results found = results_of(folder, "x.prm", {"Time/End time=0.04"});
   CHECK(found.series.column("slides").back() == Approx(0.5).epsilon(1e-3));
   CHECK(found.series.column("rolls").back() == Approx(0.5 * 5 / 7).epsilon(1e-2));
   CHECK(found.series.column("smooth_contacts").back() == 1);
   CHECK(found.series.column("block_contacts").back() == 1);
   const auto refused = [&](const std::string &change, const char *words) {
-    const Outcome outcome = outcome_of(folder, "check", {change});
+    const Outcome outcome = outcome_of(folder, "check", "x.prm", {change});
     CHECK(outcome.status == 2);
     CHECK_THAT(outcome.err, Contains(words));
   };
   refused("Couplings/smooth/Groups=ball, sand", "Groups: all, ball, other");
   refused("Couplings/smooth/Groups=", "Couplings/smooth and Couplings/block: both are of particle 2");
-  CHECK(outcome_of(folder, "check", {"Couplings/smooth/Groups=", "Couplings/smooth/Boundary=left"}).status == 0);
+  CHECK(outcome_of(folder, "check", "x.prm", {"Couplings/smooth/Groups=", "Couplings/smooth/Boundary=left"}).status ==
+        0);
 }
 
 namespace
@@ -228,27 +208,11 @@ namespace
   /** Two balls that hang, glued, from the front face of a held block: weight pulls away from it. */
   std::string hanging()
   {
-    std::string scene = replaced(collision, "    set Large displacement = true\n", "");
-    scene             = replaced(
-                  scene,
-                  "  subsection Initial velocity\n    subsection ball\n      set Velocity x = 2\n      set Velocity y = -1\n"
-                              "      set Velocity z = -5\n      set Spin y     = 100\n    end\n  end\n",
-                  "");
-    scene = replaced(scene, "set Centre = 0.03, 0.062, 0.1205", "set Centre = 0.03, 0.062, 0.12");
-    scene = replaced(scene, "    subsection ball\n",
-                     "    subsection other\n      set Centre = 0.07, 0.02, 0.12\n      set Radius = 0.02\n    end\n"
-                     "    subsection ball\n");
-    scene = replaced(
-      scene, "  subsection Materials\n",
-      "  subsection Boundary conditions\n    subsection back\n      set Displacement x = 0\n      set Displacement "
-      "y = 0\n      set Displacement z = 0\n    end\n  end\n  subsection Motion\n    set Damping = 2000\n  end\n"
-      "  subsection Materials\n");
-    scene =
-      replaced(scene, "    set Friction coefficient = 0.4\n",
-               "    set Friction coefficient = 0.4\n    subsection Bond\n      set Within = 1e-6\n      set Law = "
-               "parallel-bond\n      subsection parallel-bond\n        set Effective modulus = 1e7\n        set "
-               "Tensile strength = 1e6\n        set Cohesion = 1e6\n      end\n    end\n");
-    return scene + "subsection Gravity\n  set Acceleration = 0, 0, 9.81\nend\n";
+    return replaced(two_balls_on_a_held_block("0.12", 2000), "    set Friction coefficient = 0.4\n",
+                    "    set Friction coefficient = 0.4\n    subsection Bond\n      set Within = 1e-6\n      set Law = "
+                    "parallel-bond\n      subsection parallel-bond\n        set Effective modulus = 1e7\n        set "
+                    "Tensile strength = 1e6\n        set Cohesion = 1e6\n      end\n    end\n") +
+           gravity("9.81");
   }
 } // namespace
 
@@ -258,7 +222,7 @@ TEST_CASE("What is glued to a face hangs from it until the strength of the glue,
   const ScratchFolder folder;
   folder.file("x.prm", hanging());
   const std::vector<std::string> slow  = {"Time/End time=0.1", "Time/Damping=0.7", "Time/Step factor=0.3"};
-  const Results                  found = results_of(folder, slow);
+  const Results                  found = results_of(folder, "x.prm", slow);
   const double                   balls = 2 * 7800 * 4.0 / 3 * M_PI * 8e-6 * 9.81, block = 2400 * 1e-3 * 9.81;
   CHECK(found.series.column("block_glued").back() == 2);
   CHECK(found.series.column("block_torn").back() == 0);
@@ -270,13 +234,13 @@ TEST_CASE("What is glued to a face hangs from it until the strength of the glue,
   // Glue of less than the weight over the section: pi r^2 = 1.26e-3 m^2.
   std::vector<std::string> weak = slow;
   weak.push_back("Couplings/block/Bond/parallel-bond/Tensile strength=" + std::to_string(0.4 * balls / 1.2566e-3));
-  const Results torn = results_of(folder, weak);
+  const Results torn = results_of(folder, "x.prm", weak);
   CHECK(torn.series.column("block_glued").back() == 0);
   CHECK(torn.series.column("block_torn").back() == 2);
   CHECK(torn.summary["figures"]["torn_off"]["block"] == 2);
   CHECK(torn.series.column("block_force_z").back() == 0);
   const auto refused = [&](const std::string &change, const char *words) {
-    const Outcome outcome = outcome_of(folder, "check", {change});
+    const Outcome outcome = outcome_of(folder, "check", "x.prm", {change});
     INFO(outcome.err);
     CHECK(outcome.status == 2);
     CHECK_THAT(outcome.err, Contains(words));
@@ -285,7 +249,7 @@ TEST_CASE("What is glued to a face hangs from it until the strength of the glue,
   refused("Couplings/block/Bond/Law=own", "carry no tension");
   refused("Couplings/block/Bond/Within=-1", "Within");
   const Outcome nobody = outcome_of(
-    folder, "check",
+    folder, "check", "x.prm",
     {"Particles/More particles/ball/Centre=0.03, 0.062, 0.2", "Particles/More particles/other/Centre=0.07, 0.02, 0.2"});
   CHECK(nobody.status == 2);
   CHECK_THAT(nobody.err, Contains("block: no particle is within 1e-06 m"));
@@ -310,44 +274,18 @@ TEST_CASE("An interrupted or killed coupled run goes on to the same bits", "[app
   const ScratchFolder folder;
   folder.file("x.prm",
               replaced(collision, "subsection Output\n", "subsection Output\n  set Checkpoint interval = 0.01\n"));
-  const std::string steps = "Time/Step factor=0.01";
-  REQUIRE(run(folder.path(), {"run", "x.prm", "-o", "whole", "-s", steps}).status == 0);
-  for (const int signal : {SIGINT, SIGKILL})
-    {
-      Program program(folder.path(), {"run", "x.prm", "-o", "results", "-s", steps});
-      bool    sent = false;
-      while (program.running())
-        {
-          std::this_thread::sleep_for(std::chrono::milliseconds(5));
-          if (!sent && std::filesystem::exists(folder / "results/running/solid/solid_000002.vtu") &&
-              std::filesystem::exists(folder / "results/running/checkpoint.h5"))
-            {
-              program.send(signal);
-              sent = true;
-            }
-        }
-      REQUIRE(program.wait().status == 128 + signal);
-      const Outcome resumed = run(folder.path(), {"run", "x.prm", "-o", "results", "--resume", "-s", steps});
-      INFO(resumed.err);
-      REQUIRE(resumed.status == 0);
-      CHECK(reproducible_part(folder / "results") == reproducible_part(folder / "whole"));
-      std::filesystem::remove_all(folder / "results");
-    }
+  goes_on_to_the_same_bits(
+    folder,
+    {{"run", "x.prm", "-s", "Time/Step factor=0.01"}, {"solid/solid_000002.vtu", "checkpoint.h5"}, reproducible_part},
+    {SIGINT, SIGKILL});
 }
 
 TEST_CASE("What cannot be coupled is refused by name", "[apps][coupled]")
 {
   const ScratchFolder folder;
   folder.file("x.prm", collision);
-  const auto refused = [&](const std::vector<std::string> &changes, const char *words) {
-    for (const char *command : {"check", "run"})
-      {
-        const Outcome outcome = outcome_of(folder, command, changes);
-        INFO(outcome.err);
-        CHECK(outcome.status == 2);
-        CHECK_THAT(outcome.err, Contains(words));
-        CHECK_FALSE(std::filesystem::exists(folder / "results"));
-      }
+  const auto refused = [&folder](const std::vector<std::string> &changes, const char *words) {
+    is_refused(folder, "x.prm", changes, words);
   };
   refused({"Couplings/block/Boundary=lid"}, "lid");
   refused({"Continuum/Model/Analysis=static"}, "Analysis");
@@ -364,8 +302,8 @@ TEST_CASE("A coupling that makes more energy than it may stops the run and says 
 {
   const ScratchFolder folder;
   folder.file("x.prm", collision);
-  const Outcome outcome =
-    outcome_of(folder, "run", {"Time/Largest ratio=20", "Time/Step factor=0.01", "Couplings/block/Energy limit=1e-6"});
+  const Outcome outcome = outcome_of(
+    folder, "run", "x.prm", {"Time/Largest ratio=20", "Time/Step factor=0.01", "Couplings/block/Energy limit=1e-6"});
   CHECK(outcome.status != 0);
   CHECK_THAT(outcome.err, Contains("Couplings/block") && Contains("Energy limit"));
 }
@@ -374,7 +312,7 @@ TEST_CASE("An interface that nobody ever touches is said", "[apps][coupled]")
 {
   const ScratchFolder folder;
   folder.file("x.prm", collision);
-  const Outcome outcome = outcome_of(folder, "run", {"Particles/More particles/ball/Centre=0.03, 0.062, 0.3"});
+  const Outcome outcome = outcome_of(folder, "run", "x.prm", {"Particles/More particles/ball/Centre=0.03, 0.062, 0.3"});
   CHECK(outcome.status == 0);
   CHECK_THAT(outcome.out, Contains("nothing has ever touched the solid"));
 }

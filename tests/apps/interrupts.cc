@@ -1,35 +1,17 @@
+#include "tests/apps/interrupted_runs.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scenes.h"
 #include "tests/apps/scratch_folder.h"
 
 #include <catch2/catch.hpp>
 
-#include <chrono>
 #include <csignal>
-#include <thread>
 
 using namespace apps_tests;
 using Catch::Contains;
 
 namespace
 {
-  /** Start the scene and, as soon as there is a checkpoint and the second snapshot of its links, signal it. */
-  Outcome interrupted_run(const ScratchFolder &folder, const std::vector<std::string> &arguments, const int signal)
-  {
-    Program program(folder.path(), arguments);
-    while (program.running())
-      {
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-        const auto there = [&](const char *name) { return std::filesystem::exists(folder / "results/running" / name); };
-        if (there("tension_links/tension_links_000001.vtp") && there("checkpoint.h5"))
-          {
-            program.send(signal);
-            return program.wait();
-          }
-      }
-    return program.wait();
-  }
-
   /** Slow enough to be interrupted in the middle, with a checkpoint after nearly every sample. */
   std::string slow_scene()
   {
@@ -48,6 +30,10 @@ namespace
     return all + content_of(results / "series.csv") + content_of(results / "tension_particles.pvd") +
            content_of(results / "compression_links.pvd");
   }
+
+  /** The scene x.prm, stopped at the second snapshot of its links. */
+  const InterruptedRun in_tension = {
+    {"run", "x.prm"}, {"tension_links/tension_links_000001.vtp", "checkpoint.h5"}, reproducible_part};
 } // namespace
 
 TEST_CASE("An interrupted run checkpoints, leaves with 130, and goes on to the same bits", "[apps][slow][S13]")
@@ -55,18 +41,7 @@ TEST_CASE("An interrupted run checkpoints, leaves with 130, and goes on to the s
   const ScratchFolder folder;
   folder.file("packing.txt", stack_packing());
   folder.file("x.prm", slow_scene());
-  REQUIRE(run(folder.path(), {"run", "x.prm", "-o", "whole"}).status == 0);
-  for (const int signal : {SIGINT, SIGTERM})
-    {
-      const Outcome stopped = interrupted_run(folder, {"run", "x.prm", "-o", "results"}, signal);
-      INFO(stopped.err);
-      REQUIRE(stopped.status == 130);
-      CHECK_THAT(stopped.err, Contains("Go on with: breccia run results/running/scene.prm --resume"));
-      CHECK_FALSE(std::filesystem::exists(folder / "results/summary.json"));
-      REQUIRE(run(folder.path(), {"run", "results/running/scene.prm", "--resume"}).status == 0);
-      CHECK(reproducible_part(folder / "results") == reproducible_part(folder / "whole"));
-      std::filesystem::remove_all(folder / "results");
-    }
+  goes_on_to_the_same_bits(folder, in_tension, {SIGINT, SIGTERM});
 }
 
 TEST_CASE("A killed run goes on from its last checkpoint to the same bits, weight and static start included",
@@ -75,12 +50,7 @@ TEST_CASE("A killed run goes on from its last checkpoint to the same bits, weigh
   const ScratchFolder folder;
   folder.file("packing.txt", stack_packing());
   folder.file("x.prm", slow_scene() + "subsection Gravity\n  set Acceleration = 0, 0, -1000\nend\n");
-  REQUIRE(run(folder.path(), {"run", "x.prm", "-o", "whole"}).status == 0);
-  REQUIRE(interrupted_run(folder, {"run", "x.prm", "-o", "results"}, SIGKILL).status == 128 + SIGKILL);
-  const Outcome resumed = run(folder.path(), {"run", "x.prm", "-o", "results", "--resume"});
-  INFO(resumed.err);
-  REQUIRE(resumed.status == 0);
-  CHECK(reproducible_part(folder / "results") == reproducible_part(folder / "whole"));
+  goes_on_to_the_same_bits(folder, in_tension, {SIGKILL});
 }
 
 TEST_CASE("A run cannot be resumed with another scene, or where there is nothing to resume", "[apps][slow][S14]")
@@ -93,7 +63,7 @@ TEST_CASE("A run cannot be resumed with another scene, or where there is nothing
   CHECK_THAT(nothing.err, Contains("results: nothing to resume"));
   CHECK_FALSE(std::filesystem::exists(folder / "results"));
 
-  REQUIRE(interrupted_run(folder, {"run", "x.prm", "-o", "results"}, SIGINT).status == 130);
+  REQUIRE(interrupted_run(folder, in_tension, SIGINT).status == 130);
   const std::string before = listing_of(folder / "results");
   const Outcome     other =
     run(folder.path(), {"run", "x.prm", "-o", "results", "--resume", "-s", "Material/CPM/Cohesion=4e6"});
@@ -113,7 +83,7 @@ namespace
   {
     folder.file("packing.txt", stack_packing());
     folder.file("x.prm", slow_scene());
-    REQUIRE(interrupted_run(folder, {"run", "x.prm", "-o", "results"}, SIGINT).status == 130);
+    REQUIRE(interrupted_run(folder, in_tension, SIGINT).status == 130);
   }
 
   /** Resuming is refused, the message names the file, and nothing is changed by that. */

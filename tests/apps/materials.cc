@@ -1,4 +1,5 @@
 // Scenes of several materials.
+#include "tests/apps/interrupted_runs.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scenes.h"
 #include "tests/apps/scratch_folder.h"
@@ -6,10 +7,8 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include <chrono>
 #include <csignal>
 #include <sstream>
-#include <thread>
 
 using namespace apps_tests;
 using Catch::Contains;
@@ -148,14 +147,7 @@ TEST_CASE("A run of two materials is interrupted and goes on to the same bits", 
   folder.file("packing.txt", stack_packing());
   folder.file("x.prm", replaced(replaced(two_materials(), "set Strain rate = 4", "set Strain rate = 1"),
                                 "  set Samples   = 50", "  set Checkpoint interval = 0.01\n  set Samples = 50"));
-  REQUIRE(run(folder.path(), {"run", "x.prm", "-o", "whole"}).status == 0);
-  Program program(folder.path(), {"run", "x.prm", "-o", "results"});
-  while (program.running() && !std::filesystem::exists(folder / "results/running/checkpoint.h5"))
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  program.send(SIGINT);
-  REQUIRE(program.wait().status == 130);
-  REQUIRE(run(folder.path(), {"run", "results/running/scene.prm", "--resume"}).status == 0);
-  CHECK(figures_of(folder / "results") == figures_of(folder / "whole"));
+  goes_on_to_the_same_bits(folder, {{"run", "x.prm"}, {"checkpoint.h5"}, figures_of}, {SIGINT});
   CHECK(nlohmann::json::parse(content_of(folder / "results/summary.json"))["material_pairs"] ==
         nlohmann::json::parse(content_of(folder / "whole/summary.json"))["material_pairs"]);
 }

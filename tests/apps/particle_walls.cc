@@ -1,5 +1,5 @@
 // Walls in scenes of kind "particles", through the program: shapes, motion, forces, refusals.
-#include "tests/apps/particle_runs.h"
+#include "tests/apps/scene_runs.h"
 #include "tests/apps/scratch_folder.h"
 
 #include <catch2/catch.hpp>
@@ -152,12 +152,8 @@ TEST_CASE("Walls that cannot be are refused with the place and the reason", "[ap
   folder.file("x.prm", above_wall);
   folder.file("bad.stl", "solid x\nvertex 1 2\n");
   folder.file("none.stl", "no such thing");
-  const auto refused = [&](const std::vector<std::string> &changes, const std::string &words) {
-    const Outcome outcome = outcome_of(folder, "run", "x.prm", changes);
-    INFO(outcome.err);
-    CHECK(outcome.status == 2);
-    CHECK_THAT(outcome.err, Contains(words));
-    CHECK_FALSE(std::filesystem::exists(folder / "results"));
+  const auto refused = [&folder](const std::vector<std::string> &changes, const std::string &words) {
+    is_refused(folder, "x.prm", changes, words, {"run"});
   };
   const std::string wall = "Walls/floor/";
   refused({wall + "Second edge=1, 0, 0"}, "wall floor: facet 1 has zero area");

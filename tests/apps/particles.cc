@@ -1,6 +1,7 @@
 // Scenes of kind "particles", through the program: closed forms, groups, stops, resuming, refusals.
 #include "postprocess/packing_io.h"
-#include "tests/apps/particle_runs.h"
+#include "tests/apps/interrupted_runs.h"
+#include "tests/apps/scene_runs.h"
 #include "tests/apps/scenes.h"
 #include "tests/apps/scratch_folder.h"
 #include "tests/places.h"
@@ -8,11 +9,9 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <filesystem>
-#include <thread>
 
 using namespace apps_tests;
 using Catch::Contains;
@@ -229,15 +228,8 @@ TEST_CASE("What a scene of particles cannot mean is refused with the place and t
 {
   const ScratchFolder folder;
   folder.file("x.prm", collision);
-  const auto refused = [&](const std::vector<std::string> &changes, const std::string &words) {
-    for (const char *command : {"check", "run"})
-      {
-        const Outcome outcome = outcome_of(folder, command, "x.prm", changes);
-        INFO(outcome.err);
-        CHECK(outcome.status == 2);
-        CHECK_THAT(outcome.err, Contains(words));
-        CHECK_FALSE(std::filesystem::exists(folder / "results"));
-      }
+  const auto refused = [&folder](const std::vector<std::string> &changes, const std::string &words) {
+    is_refused(folder, "x.prm", changes, words);
   };
   refused({"Motion/frist/Velocity x=1"}, "must be named after a group, and there is none of that name. Did you mean "
                                          "\"first\"?");
@@ -273,37 +265,13 @@ namespace
 
 TEST_CASE("A run of particles that is interrupted or killed goes on to the same bits", "[apps][particles][slow][S13]")
 {
-  const ScratchFolder            folder;
-  const std::string              scene = shipped("bonded_beam.prm");
-  const std::vector<std::string> slow  = {"-s", "Time/Step factor=0.1", "-s", "Output/Checkpoint interval=0.01",
-                                          "-s", "Output/Samples=200"};
-  const auto                     with  = [&](std::vector<std::string> words) {
-    words.insert(words.end(), slow.begin(), slow.end());
-    return words;
-  };
-  REQUIRE(run(folder.path(), with({"run", scene, "-o", "whole"})).status == 0);
-  for (const int signal : {SIGINT, SIGKILL})
-    {
-      Program program(folder.path(), with({"run", scene, "-o", "results"}));
-      bool    sent = false;
-      while (program.running())
-        {
-          std::this_thread::sleep_for(std::chrono::milliseconds(5));
-          const auto running = folder / "results/running";
-          if (!sent && std::filesystem::exists(running / "particles_links/particles_links_000002.vtp") &&
-              std::filesystem::exists(running / "checkpoint.h5"))
-            {
-              program.send(signal);
-              sent = true;
-            }
-        }
-      REQUIRE(program.wait().status == 128 + signal);
-      const Outcome resumed = run(folder.path(), with({"run", scene, "-o", "results", "--resume"}));
-      INFO(resumed.err);
-      REQUIRE(resumed.status == 0);
-      CHECK(reproducible_part(folder / "results") == reproducible_part(folder / "whole"));
-      std::filesystem::remove_all(folder / "results");
-    }
+  const ScratchFolder folder;
+  goes_on_to_the_same_bits(folder,
+                           {{"run", shipped("bonded_beam.prm"), "-s", "Time/Step factor=0.1", "-s",
+                             "Output/Checkpoint interval=0.01", "-s", "Output/Samples=200"},
+                            {"particles_links/particles_links_000002.vtp", "checkpoint.h5"},
+                            reproducible_part},
+                           {SIGINT, SIGKILL});
 }
 
 TEST_CASE("Contacts take the law that is chosen for them, apart from that of the bonds", "[apps][particles]")

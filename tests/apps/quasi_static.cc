@@ -1,4 +1,5 @@
 #include "apps/scene/value_text.h"
+#include "tests/apps/interrupted_runs.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scenes.h"
 #include "tests/apps/scratch_folder.h"
@@ -6,11 +7,9 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <sstream>
-#include <thread>
 
 using namespace apps_tests;
 using Catch::Contains;
@@ -122,22 +121,12 @@ TEST_CASE("an interrupted quasi-static run goes on to the same bits", "[apps][sl
   folder.file("packing.txt", small_heap());
   folder.file("x.prm", replaced(quasi_static_scene() + "subsection Output\n  set Checkpoint interval = 0.01\nend\n",
                                 "subsection Loading\n", "subsection Loading\n  set Tests = tension\n"));
-  REQUIRE(run(folder.path(), {"run", "x.prm", "-o", "whole"}).status == 0);
-  {
-    Program program(folder.path(), {"run", "x.prm", "-o", "results"});
-    while (program.running() && !std::filesystem::exists(folder / "results/running/checkpoint.h5"))
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    program.send(SIGINT);
-    const Outcome stopped = program.wait();
-    INFO(stopped.err);
-    REQUIRE(stopped.status == 130);
-  }
-  const Outcome resumed = run(folder.path(), {"run", "results/running/scene.prm", "--resume"});
-  INFO(resumed.err);
-  REQUIRE(resumed.status == 0);
-  CHECK(content_of(folder / "results/series.csv") == content_of(folder / "whole/series.csv"));
-  CHECK(listing_of(folder / "results/tension_links") == listing_of(folder / "whole/tension_links"));
+  const auto reproducible_part = [](const std::filesystem::path &results) {
+    return content_of(results / "series.csv") + listing_of(results / "tension_links");
+  };
+  goes_on_to_the_same_bits(
+    folder, {{"run", "x.prm"}, {"tension_links/tension_links_000001.vtp", "checkpoint.h5"}, reproducible_part},
+    {SIGINT});
 }
 
 TEST_CASE("a quasi-static scene refuses what it cannot load", "[apps][S14]")

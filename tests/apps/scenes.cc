@@ -65,4 +65,21 @@ end
       throw std::logic_error("nothing to replace: " + from);
     return text.replace(place, from.size(), to);
   }
+
+  std::string loose_balls(const std::string &effective_modulus)
+  {
+    return R"(set Kind = particles
+subsection Specimen
+  set Source  = none
+  set Density = 2500
+end
+subsection Material
+  set Law = linear
+  subsection linear
+    set Effective modulus = )" +
+           effective_modulus + R"(
+  end
+end
+)";
+  }
 } // namespace apps_tests

@@ -18,4 +18,7 @@ namespace apps_tests
 
   /** The text with its first occurrence of `from` replaced. @throws std::logic_error if there is none */
   std::string replaced(std::string text, const std::string &from, const std::string &to);
+
+  /** Head of a scene of balls of 2500 kg/m^3 that are not bonded, whose contacts have this modulus [Pa]. */
+  std::string loose_balls(const std::string &effective_modulus);
 } // namespace apps_tests

@@ -2,6 +2,7 @@
 #include "apps/scene/value_text.h"
 #include "postprocess/csv_table.h"
 #include "postprocess/discrete_state_hdf5.h"
+#include "tests/apps/interrupted_runs.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scratch_folder.h"
 #include "tests/places.h"
@@ -10,11 +11,9 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <sstream>
-#include <thread>
 
 using namespace apps_tests;
 using Catch::Contains;
@@ -49,10 +48,10 @@ namespace
     return nlohmann::json::parse(content_of(folder / "summary.json"));
   }
 
-  /** study.csv without the timings. */
-  std::string reproducible_part(const std::filesystem::path &folder)
+  /** What a study.csv tells, but for timings. */
+  std::string figures_in(const std::filesystem::path &study)
   {
-    const auto  table = postprocess::read_csv_table(folder / "results.csv", true);
+    const auto  table = postprocess::read_csv_table(study, true);
     std::string text;
     for (const char *column : {"severity", "particle_stress", "peak", "horizontal_at_peak", "dissipated"})
       for (const double value : table.column(column))
@@ -284,26 +283,14 @@ TEST_CASE("A law that was not identified for these particles is doubted aloud, i
 TEST_CASE("An interrupted sequential run leaves its states and goes on to the same results", "[apps][slow][S13]")
 {
   const ScratchFolder folder;
-  const auto          arguments = [&](const char *where) {
-    return small({"run", scene, "-o", where}, "-8e-4, -1.6e-3, -2.2e-3");
+  const auto          all_of_it = [](const std::filesystem::path &results) {
+    std::string text = figures_in(results / "study.csv");
+    for (const char *k : {"000", "001", "002"})
+      text += content_of(results / (std::string("continuation_") + k) / "series.csv");
+    return text;
   };
-  REQUIRE(run(folder.path(), arguments("whole")).status == 0);
-  Program program(folder.path(), arguments("results"));
-  while (program.running() && !std::filesystem::exists(folder / "results/running/states/state_001_figures.h5"))
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  program.send(SIGINT);
-  const Outcome stopped = program.wait();
-  INFO(stopped.err);
-  REQUIRE(stopped.status == 130);
-  const Outcome resumed = run(folder.path(), {"run", "results/running/scene.prm", "--resume"});
-  INFO(resumed.err);
-  REQUIRE(resumed.status == 0);
-  for (const char *name : {"whole", "results"})
-    std::filesystem::copy_file(folder / name / "study.csv", folder / name / "results.csv");
-  CHECK(reproducible_part(folder / "results") == reproducible_part(folder / "whole"));
-  for (const char *k : {"000", "001", "002"})
-    CHECK(content_of(folder / "results" / (std::string("continuation_") + k) / "series.csv") ==
-          content_of(folder / "whole" / (std::string("continuation_") + k) / "series.csv"));
+  goes_on_to_the_same_bits(
+    folder, {small({"run", scene}, "-8e-4, -1.6e-3, -2.2e-3"), {"states/state_001_figures.h5"}, all_of_it}, {SIGINT});
 }
 
 TEST_CASE("Mesh, length, area and columns that do not belong to the particles are refused before anything runs",

@@ -11,7 +11,7 @@
 
 namespace apps_tests
 {
-  /** What a run of a scene of kind "particles" left behind. */
+  /** What a run of particles, alone or beside a solid, left behind. */
   struct Results
   {
     nlohmann::json        summary;
@@ -27,10 +27,14 @@ namespace apps_tests
                      const std::string              &scene,
                      const std::vector<std::string> &changes);
 
+  /** Each of these commands refuses the scene with these entries changed, in these words, and leaves no results. */
+  void is_refused(const ScratchFolder            &folder,
+                  const std::string              &scene,
+                  const std::vector<std::string> &changes,
+                  const std::string              &words,
+                  const std::vector<std::string> &commands = {"check", "run"});
+
   /** Of a run, which must end well. */
   Results
   results_of(const ScratchFolder &folder, const std::string &scene, const std::vector<std::string> &changes = {});
-
-  /** Head of a scene of balls of 2500 kg/m^3 that are not bonded, whose contacts have this modulus [Pa]. */
-  std::string loose_balls(const std::string &effective_modulus);
 } // namespace apps_tests

@@ -1,4 +1,4 @@
-#include "tests/apps/particle_runs.h"
+#include "tests/apps/scene_runs.h"
 
 #include <catch2/catch.hpp>
 
@@ -24,6 +24,22 @@ namespace apps_tests
     return run(folder.path(), words);
   }
 
+  void is_refused(const ScratchFolder            &folder,
+                  const std::string              &scene,
+                  const std::vector<std::string> &changes,
+                  const std::string              &words,
+                  const std::vector<std::string> &commands)
+  {
+    for (const std::string &command : commands)
+      {
+        const Outcome outcome = outcome_of(folder, command, scene, changes);
+        INFO(outcome.err);
+        CHECK(outcome.status == 2);
+        CHECK_THAT(outcome.err, Catch::Contains(words));
+        CHECK_FALSE(std::filesystem::exists(folder / "results"));
+      }
+  }
+
   Results results_of(const ScratchFolder &folder, const std::string &scene, const std::vector<std::string> &changes)
   {
     const Outcome outcome = outcome_of(folder, "run", scene, changes);
@@ -31,22 +47,5 @@ namespace apps_tests
     REQUIRE(outcome.status == 0);
     return {nlohmann::json::parse(content_of(folder / "results/summary.json")),
             postprocess::read_csv_table(folder / "results/series.csv", true)};
-  }
-
-  std::string loose_balls(const std::string &effective_modulus)
-  {
-    return R"(set Kind = particles
-subsection Specimen
-  set Source  = none
-  set Density = 2500
-end
-subsection Material
-  set Law = linear
-  subsection linear
-    set Effective modulus = )" +
-           effective_modulus + R"(
-  end
-end
-)";
   }
 } // namespace apps_tests
