@@ -269,14 +269,21 @@ TEST_CASE("A coupled run is the same to the last bit with any number of threads"
     }
 }
 
-TEST_CASE("An interrupted or killed coupled run goes on to the same bits", "[apps][coupled][slow][S13]")
+TEST_CASE("An interrupted or killed coupled run goes on to the same bits, in flight and in contact",
+          "[apps][coupled][slow][S13]")
 {
   const ScratchFolder folder;
-  folder.file("x.prm",
-              replaced(collision, "subsection Output\n", "subsection Output\n  set Checkpoint interval = 0.01\n"));
+  const auto          often = [](const std::string &scene) {
+    return replaced(scene, "subsection Output\n", "subsection Output\n  set Checkpoint interval = 0.01\n");
+  };
+  const std::vector<std::string> awaited = {"solid/solid_000002.vtu", "checkpoint.h5"};
+  folder.file("x.prm", often(collision));
+  goes_on_to_the_same_bits(folder, {{"run", "x.prm", "-s", "Time/Step factor=0.01"}, awaited, reproducible_part},
+                           {SIGINT, SIGKILL});
+  folder.file("x.prm", often(hanging())); // what pushes when it is stopped pushes on
+  std::filesystem::remove_all(folder / "whole");
   goes_on_to_the_same_bits(
-    folder,
-    {{"run", "x.prm", "-s", "Time/Step factor=0.01"}, {"solid/solid_000002.vtu", "checkpoint.h5"}, reproducible_part},
+    folder, {{"run", "x.prm", "-s", "Time/End time=0.02", "-s", "Time/Step factor=0.1"}, awaited, reproducible_part},
     {SIGINT, SIGKILL});
 }
 

@@ -27,6 +27,35 @@ namespace apps
         return at;
       };
     }
+
+    /** What pushes, leads and adds to the account from outside: of couplings, bodies in contact and rigid bodies. */
+    template <int dim>
+    void visit_outside(dem::StateVisitor &visitor, fem::ExplicitOutside &outside, const fem::Solid<dim> &solid)
+    {
+      std::int64_t pushed = outside.force.size() > 0 ? 1 : 0;
+      visitor.scalar("pushed_from_outside", pushed);
+      if (pushed == 1)
+        {
+          if (outside.force.size() == 0)
+            outside.force = solid.make_vector();
+          visit_vector(visitor, "outside_force", outside.force);
+        }
+      std::vector<std::int32_t> driven;
+      dem::Column               velocity;
+      for (const auto &[displacement, at] : outside.driven)
+        {
+          driven.push_back(static_cast<std::int32_t>(displacement));
+          velocity.push_back(at);
+        }
+      visitor.column("driven", driven);
+      visitor.column("driven_velocity", velocity);
+      outside.driven.clear();
+      for (std::size_t k = 0; k < driven.size(); ++k)
+        outside.driven[static_cast<unsigned int>(driven[k])] = velocity[k];
+      visitor.scalar("outside_work", outside.work);
+      visitor.scalar("outside_damped", outside.damped);
+      visitor.scalar("outside_start", outside.start);
+    }
   } // namespace
 
   template <int dim>
@@ -68,6 +97,7 @@ namespace apps
     visit_vector(visitor, "mean_velocity", saved.mean_velocity);
     visit_vector(visitor, "last_motion", saved.last_motion);
     visitor.scalar("last_length", saved.last_length);
+    visit_outside(visitor, saved.outside, solid);
     motion.restore(saved);
     visit_histories(visitor, solid);
   }
