@@ -22,12 +22,36 @@ namespace apps
     return asked;
   }
 
+  namespace
+  {
+    Section &declare_generator(Section &specimen, SpecimenSection::Generator &generator)
+    {
+      Section &inner = specimen.section("Generator", "Random packing of equal spheres, compacted in a periodic cell");
+      inner.number("Particle radius", generator.radius, "m", Range::positive(), Need::required)
+        .means("Of every sphere");
+      inner.integer("Cell particles", generator.cell_count, "", Range::between(0, 1e7), Need::optional)
+        .means(
+          "Spheres in the periodic cell, which is repeated to fill the box: its pattern repeats too, and cracks follow "
+          "it; 1000 make its edge about ten diameters. 0: a box of up to " +
+          std::to_string(dem::most_in_one_cell) +
+          " spheres is filled in one piece, in half a minute at most; a larger one is filled with cells of so many; a "
+          "periodic "
+          "cell has 1000");
+      inner.integer("Seed", generator.seed, "", Range::between(0, 9007199254740992.0), Need::optional)
+        .means("Another seed gives another random packing; the same seed the same packing");
+      inner.number("Friction coefficient", generator.friction, "-", Range::between(0, 10), Need::optional)
+        .means("Between the spheres while they are compacted: 0 gives a packing fraction of 0.65, 0.1 0.61, 1 0.55");
+      inner.number("Damping", generator.damping, "-", Range::from_up_to(0, 1), Need::optional)
+        .means("Local damping while they are compacted; hardly matters for the result");
+      return inner;
+    }
+  } // namespace
+
   void SpecimenSection::declare(Section &root, const int &dimension, const Use &use)
   {
-    const auto generated = [this] { return source == Source::generator; };
-    const auto boxed     = [this] { return source == Source::generator && body == Body::box; };
-    body                 = use.box ? Body::box : Body::cell;
-    const auto read      = [this] { return source == Source::file; };
+    const auto boxed = [this] { return source == Source::generator && body == Body::box; };
+    body             = use.box ? Body::box : Body::cell;
+    const auto read  = [this] { return source == Source::file; };
 
     Section &section = root.section("Specimen", "The particles: where they come from, and what is made of them");
     if (use.other_particles)
@@ -76,24 +100,8 @@ namespace apps
     section.number("Thickness", thickness, "m", Range::positive(), Need::required)
       .means("Of the discs")
       .only_if([&dimension] { return dimension == 2; }, "Physics/Dimension = 2");
-
-    Section &inner = section.section("Generator", "Random packing of equal spheres, compacted in a periodic cell");
-    inner.only_if(generated, "Specimen/Source = generator");
-    inner.number("Particle radius", generator.radius, "m", Range::positive(), Need::required).means("Of every sphere");
-    inner.integer("Cell particles", generator.cell_count, "", Range::between(0, 1e7), Need::optional)
-      .means(
-        "Spheres in the periodic cell, which is repeated to fill the box: its pattern repeats too, and cracks follow "
-        "it; 1000 make its edge about ten diameters. 0: a box of up to " +
-        std::to_string(dem::most_in_one_cell) +
-        " spheres is filled in one piece, in half a minute at most; a larger one is filled with cells of so many; a "
-        "periodic "
-        "cell has 1000");
-    inner.integer("Seed", generator.seed, "", Range::between(0, 9007199254740992.0), Need::optional)
-      .means("Another seed gives another random packing; the same seed the same packing");
-    inner.number("Friction coefficient", generator.friction, "-", Range::between(0, 10), Need::optional)
-      .means("Between the spheres while they are compacted: 0 gives a packing fraction of 0.65, 0.1 0.61, 1 0.55");
-    inner.number("Damping", generator.damping, "-", Range::from_up_to(0, 1), Need::optional)
-      .means("Local damping while they are compacted; hardly matters for the result");
+    declare_generator(section, generator)
+      .only_if([this] { return source == Source::generator; }, "Specimen/Source = generator");
   }
 
   void SpecimenSection::validate(const Section &root, const int dimension) const

@@ -33,10 +33,9 @@ TEST_CASE("a sound packing passes the check", "[dem][packing]")
   REQUIRE_NOTHROW(dem::check_packing(packing, "a.txt"));
 }
 
-TEST_CASE("what no specimen can be made of is refused by file and particle", "[dem][packing]")
+TEST_CASE("a packing without particles, or with columns that do not fit, is refused by file", "[dem][packing]")
 {
   using Catch::Contains;
-  const double nan     = std::numeric_limits<double>::quiet_NaN();
   dem::Packing packing = two_spheres();
   const auto   refusal = [&packing] { dem::check_packing(packing, "a.txt"); };
 
@@ -50,6 +49,21 @@ TEST_CASE("what no specimen can be made of is refused by file and particle", "[d
     packing.radius.pop_back();
     REQUIRE_THROWS_WITH(refusal(), Contains("2 centres but 1 radii"));
   }
+  SECTION("as an input error, which the program answers with exit status 2")
+  {
+    packing = {};
+    REQUIRE_THROWS_AS(refusal(), dem::InputError);
+  }
+}
+
+TEST_CASE("centres that are no places, or too far out to be told apart, are refused by file and particle",
+          "[dem][packing]")
+{
+  using Catch::Contains;
+  const double nan     = std::numeric_limits<double>::quiet_NaN();
+  dem::Packing packing = two_spheres();
+  const auto   refusal = [&packing] { dem::check_packing(packing, "a.txt"); };
+
   SECTION("a centre that is not a number")
   {
     packing.centre[1][2] = nan;
@@ -82,6 +96,15 @@ TEST_CASE("what no specimen can be made of is refused by file and particle", "[d
     REQUIRE_THROWS_WITH(dem::check_in_cell(packing, "a.txt"),
                         Contains("a.txt: particle 2: ") && Contains("more than 60 periodic cells"));
   }
+}
+
+TEST_CASE("radii that make no sphere are refused by file and particle", "[dem][packing]")
+{
+  using Catch::Contains;
+  const double nan     = std::numeric_limits<double>::quiet_NaN();
+  dem::Packing packing = two_spheres();
+  const auto   refusal = [&packing] { dem::check_packing(packing, "a.txt"); };
+
   SECTION("radii whose volume is not a number or vanishes")
   {
     for (const double radius : {1e-320, 1e200})
@@ -98,6 +121,15 @@ TEST_CASE("what no specimen can be made of is refused by file and particle", "[d
         REQUIRE_THROWS_WITH(refusal(), Contains("particle 1: radius = ") && Contains("above zero"));
       }
   }
+}
+
+TEST_CASE("centres that coincide, and cells without extent, are refused by file and particle", "[dem][packing]")
+{
+  using Catch::Contains;
+  const double nan     = std::numeric_limits<double>::quiet_NaN();
+  dem::Packing packing = two_spheres();
+  const auto   refusal = [&packing] { dem::check_packing(packing, "a.txt"); };
+
   SECTION("coincident centres")
   {
     packing.centre[1] = packing.centre[0];
@@ -115,11 +147,6 @@ TEST_CASE("what no specimen can be made of is refused by file and particle", "[d
         packing.periodic_cell = Eigen::Vector3d(0.01, edge, 0.01);
         REQUIRE_THROWS_WITH(refusal(), Contains("periodic cell") && Contains("above zero"));
       }
-  }
-  SECTION("as an input error, which the program answers with exit status 2")
-  {
-    packing = {};
-    REQUIRE_THROWS_AS(refusal(), dem::InputError);
   }
 }
 

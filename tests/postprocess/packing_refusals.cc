@@ -88,15 +88,24 @@ TEST_CASE("two particles at one place are refused, from text and from HDF5", "[p
   REQUIRE_THROWS_AS(read_packing(folder / "twins.h5"), dem::InputError);
 }
 
-TEST_CASE("a faulty HDF5 packing is refused naming the dataset", "[postprocess]")
+namespace
+{
+  void is_refused(const std::filesystem::path &path, const std::string &expected)
+  {
+    REQUIRE_THROWS_AS(read_packing(path), dem::InputError);
+    REQUIRE_THROWS_WITH(read_packing(path), EndsWith(expected));
+  }
+} // namespace
+
+TEST_CASE("an HDF5 packing whose columns are missing or of another shape is refused naming the dataset",
+          "[postprocess]")
 {
   const ScratchFolder folder;
-  const auto          path     = folder / "p.h5";
   const double        zeros[9] = {};
   const double        radii[3] = {1, 1, 1};
   std::string         expected;
   {
-    hdf5::OutputFile file(path);
+    hdf5::OutputFile file(folder / "p.h5");
     SECTION("no radius")
     {
       file.write("centre", zeros, {3, 3});
@@ -128,6 +137,20 @@ TEST_CASE("a faulty HDF5 packing is refused naming the dataset", "[postprocess]"
       file.write("periodic_cell", radii, {2});
       expected = "\"periodic_cell\" has the shape 2, expected 3 edge lengths.";
     }
+    file.commit();
+  }
+  is_refused(folder / "p.h5", expected);
+}
+
+TEST_CASE("an HDF5 packing whose materials do not fit its particles is refused naming particle or dataset",
+          "[postprocess]")
+{
+  const ScratchFolder folder;
+  const double        zeros[9] = {};
+  const double        radii[3] = {1, 1, 1};
+  std::string         expected;
+  {
+    hdf5::OutputFile file(folder / "p.h5");
     SECTION("fewer materials than particles")
     {
       const std::int32_t numbers[2] = {0, 1};
@@ -160,6 +183,19 @@ TEST_CASE("a faulty HDF5 packing is refused naming the dataset", "[postprocess]"
           expected = "\"material\" is of another type: whole numbers expected.";
         }
     }
+    file.commit();
+  }
+  is_refused(folder / "p.h5", expected);
+}
+
+TEST_CASE("an HDF5 packing of nothing, or in a format of the future, is refused", "[postprocess]")
+{
+  const ScratchFolder folder;
+  const double        zeros[9] = {};
+  const double        radii[3] = {1, 1, 1};
+  std::string         expected;
+  {
+    hdf5::OutputFile file(folder / "p.h5");
     SECTION("no particle")
     {
       file.write("centre", zeros, {0, 3});
@@ -174,8 +210,7 @@ TEST_CASE("a faulty HDF5 packing is refused naming the dataset", "[postprocess]"
     }
     file.commit();
   }
-  REQUIRE_THROWS_AS(read_packing(path), dem::InputError);
-  REQUIRE_THROWS_WITH(read_packing(path), EndsWith(expected));
+  is_refused(folder / "p.h5", expected);
 }
 
 TEST_CASE("an HDF5 packing that was cut short is refused", "[postprocess]")
