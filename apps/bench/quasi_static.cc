@@ -28,12 +28,12 @@ namespace apps
     };
 
     /** The scene, pulled only, with the specimen of the bench. */
-    UniaxialModel model_of(const LoadedScene &loaded, const QuasiStaticBench &bench)
+    UniaxialModel model_of(const CheckedScene &scene, const QuasiStaticBench &bench)
     {
-      UniaxialModel model = scene_of_kind<UniaxialScene>(loaded, "uniaxial").model();
+      UniaxialModel model = scene_of_kind<UniaxialScene>(scene, "uniaxial").model();
       if (model.source.source != SpecimenSection::Source::generator || model.specimen.physics.dimension != 3)
-        refuse_scene(loaded, "Specimen/Source and Physics/Dimension: this bench makes its own specimen of spheres and "
-                             "needs the generator.");
+        refuse_scene(scene, "Specimen/Source and Physics/Dimension: this bench makes its own specimen of spheres and "
+                            "needs the generator.");
       const double edge                   = bench.edge * model.source.generator.radius;
       model.source.box                    = {edge, edge, 1.5 * edge};
       model.source.generator.cell_count   = bench.cell_particles;
@@ -156,7 +156,7 @@ namespace apps
         bench.edge           = 8;
         bench.rates          = {30, 3, 0.3};
       }
-    const UniaxialModel model = model_of(load_scene(bench.scene, bench.overrides), bench);
+    const UniaxialModel model = model_of(read_scene(bench.scene, bench.overrides), bench);
     const BenchResults  results(bench.folder, "quasi_static");
     const dem::Packing  packing = make_packing(model.source, model.material, model.specimen.physics.dimension);
     fmt::print("{} particles\n", packing.size());

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/drivers/load.h"
+#include "apps/drivers/read_scene.h"
 #include "dem/core/errors.h"
 
 #include <array>
@@ -16,10 +16,10 @@ namespace apps
     std::vector<std::string> changes; ///< "Section/Key=value"
 
     /** The scene with the user's changes, and then these. @throws dem::InputError */
-    LoadedScene of(const std::string &scene, std::vector<std::string> overrides) const
+    CheckedScene of(const std::string &scene, std::vector<std::string> overrides) const
     {
       overrides.insert(overrides.end(), changes.begin(), changes.end());
-      return load_scene(scene, overrides);
+      return read_scene(scene, overrides);
     }
   };
 
@@ -27,18 +27,18 @@ namespace apps
   std::vector<std::string> box_divisions(const std::array<int, 3> &elements);
 
   /** A bench refuses a scene that it cannot vary. @param why "Section/Entry: what it needs" */
-  [[noreturn]] inline void refuse_scene(const LoadedScene &loaded, const std::string &why)
+  [[noreturn]] inline void refuse_scene(const CheckedScene &scene, const std::string &why)
   {
-    throw dem::InputError(loaded.file + ": " + why);
+    throw dem::InputError(scene.file + ": " + why);
   }
 
   /** The scene of a bench. @throws dem::InputError where it is of another kind than `kind` */
   template <typename Kind>
-  const Kind &scene_of_kind(const LoadedScene &loaded, const std::string &kind)
+  const Kind &scene_of_kind(const CheckedScene &scene, const std::string &kind)
   {
-    const auto *scene = dynamic_cast<const Kind *>(loaded.scene.get());
-    if (!scene)
-      refuse_scene(loaded, "Kind = " + loaded.kind + ": this bench needs a scene of kind " + kind + ".");
-    return *scene;
+    const auto *found = dynamic_cast<const Kind *>(scene.scene.get());
+    if (!found)
+      refuse_scene(scene, "Kind = " + scene.kind + ": this bench needs a scene of kind " + kind + ".");
+    return *found;
   }
 } // namespace apps

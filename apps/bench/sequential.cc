@@ -72,10 +72,10 @@ namespace apps
       return all;
     }
 
-    const SequentialModel &sequential(const LoadedScene &scene)
+    const SequentialModel &sequential(const CheckedScene &scene)
     {
       const SequentialModel &model = scene_of_kind<SequentialScene>(scene, "sequential").parameters();
-      if (model.particles.source != ParticleStageSection::Source::uniaxial || model.particles.end_strain == 0)
+      if (model.particles.source != ParticleEventSection::Source::uniaxial || model.particles.end_strain == 0)
         refuse_scene(scene, "this bench compares with an all-particle run: it wants Particles/Source = uniaxial and "
                             "Particles/Uniaxial/End strain.");
       if (model.continuum.mesh.source != MeshSection::Source::box)
@@ -93,7 +93,7 @@ namespace apps
     {
       std::vector<std::string> overrides = bench.overrides;
       overrides.emplace_back("Continuum/Output/Snapshots=0");
-      const LoadedScene      scene   = variant.of(bench.scene, overrides);
+      const CheckedScene     scene   = variant.of(bench.scene, overrides);
       const SequentialModel &model   = sequential(scene);
       const ParticleOutcome &outcome = particles.outcomes()[instant], &all = *particles.reference();
       Row                    row{variant, outcome.name, outcome.severity, std::nan(""), std::nan("")};
@@ -193,7 +193,7 @@ namespace apps
 
   int run_sequential_bench(const SequentialBench &bench)
   {
-    const LoadedScene          base  = load_scene(bench.scene, bench.overrides);
+    const CheckedScene         base  = read_scene(bench.scene, bench.overrides);
     const SequentialModel     &model = sequential(base);
     ResultFolder               folder(bench.folder, ResultFolder::Start::afresh);
     ParticleCases              particles(model.particles, folder.running(),

@@ -56,13 +56,13 @@ namespace apps
       return all;
     }
 
-    const CoupledModel &model_of(const LoadedScene &loaded)
+    const CoupledModel &model_of(const CheckedScene &scene)
     {
-      const CoupledModel &model = scene_of_kind<CoupledScene>(loaded, "coupled").parameters();
+      const CoupledModel &model = scene_of_kind<CoupledScene>(scene, "coupled").parameters();
       if (model.continuum.mesh.source != MeshSection::Source::box || model.couplings.couplings.size() != 1)
-        refuse_scene(loaded, "this bench varies the divisions of a box (Continuum/Mesh/Source) and one coupling.");
+        refuse_scene(scene, "this bench varies the divisions of a box (Continuum/Mesh/Source) and one coupling.");
       if (!(model.references.peak_force > 0 && model.references.contact_time > 0))
-        refuse_scene(loaded, "References: this bench needs Peak force and Contact time.");
+        refuse_scene(scene, "References: this bench needs Peak force and Contact time.");
       return model;
     }
 
@@ -80,16 +80,16 @@ namespace apps
           progress.update(body->time() / end, fmt::format("time {:.3g} s", body->time()));
         }
       Measurement found;
-      found.which                    = which;
-      found.cost                     = processor_seconds() - start;
-      const auto             columns = body->columns();
-      const auto             row     = body->row();
+      found.which                  = which;
+      found.cost                   = processor_seconds() - start;
+      const auto           columns = body->columns();
+      const auto           row     = body->row();
       const ContactFigures seen    = body->interface();
-      const double           initial = body->particles().specimen().energy().initial;
-      found.elements                 = body->elements();
-      found.windows                  = body->windows();
-      found.force_error              = seen.peak_force / model.references.peak_force - 1;
-      found.time_error               = seen.contact_time() / model.references.contact_time - 1;
+      const double         initial = body->particles().specimen().energy().initial;
+      found.elements               = body->elements();
+      found.windows                = body->windows();
+      found.force_error            = seen.peak_force / model.references.peak_force - 1;
+      found.time_error             = seen.contact_time() / model.references.contact_time - 1;
       for (std::size_t c = 0; c < columns.size(); ++c)
         {
           const std::string &name = columns[c].name;
@@ -146,16 +146,16 @@ namespace apps
   int run_surface_bench(const SurfaceBench &bench)
   {
     start_mpi();
-    const std::string  coupling = model_of(load_scene(bench.scene, bench.overrides)).couplings.couplings.front().name;
+    const std::string  coupling = model_of(read_scene(bench.scene, bench.overrides)).couplings.couplings.front().name;
     const BenchResults results(bench.folder, "surface");
     catch_interrupts();
     const std::vector<SceneVariant> cases = cases_of(bench.quick, coupling);
     std::vector<Measurement>        rows;
     for (const SceneVariant &which : cases)
       {
-        const LoadedScene loaded = which.of(bench.scene, bench.overrides);
+        const CheckedScene scene = which.of(bench.scene, bench.overrides);
         Progress progress(fmt::format("case {} of {}, {} {}", rows.size() + 1, cases.size(), which.study, which.value));
-        const Measurement found = measure(model_of(loaded), which, progress);
+        const Measurement found = measure(model_of(scene), which, progress);
         if (interrupted())
           return exit_interrupted; // the table has every complete case
         rows.push_back(found);

@@ -40,12 +40,12 @@ namespace apps
 
     UniaxialModel model_of(const UniaxialBench &bench)
     {
-      const LoadedScene   loaded = load_scene(bench.scene, bench.overrides);
-      const UniaxialModel model  = scene_of_kind<UniaxialScene>(loaded, "uniaxial").model();
+      const CheckedScene  scene = read_scene(bench.scene, bench.overrides);
+      const UniaxialModel model = scene_of_kind<UniaxialScene>(scene, "uniaxial").model();
       if (model.source.source != SpecimenSection::Source::generator)
-        refuse_scene(loaded, "Specimen/Source = file: this bench varies the particle size and needs the generator.");
+        refuse_scene(scene, "Specimen/Source = file: this bench varies the particle size and needs the generator.");
       if (!model.loading.asks_for(UniaxialLoad::tension) || !model.loading.asks_for(UniaxialLoad::compression))
-        refuse_scene(loaded, "Loading/Tests: this bench needs tension and compression.");
+        refuse_scene(scene, "Loading/Tests: this bench needs tension and compression.");
       return model;
     }
 

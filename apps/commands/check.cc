@@ -1,6 +1,6 @@
 #include "apps/commands/command.h"
 #include "apps/commands/scene_options.h"
-#include "apps/drivers/load.h"
+#include "apps/drivers/read_scene.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
 
@@ -15,7 +15,7 @@ namespace apps
     int check(const SceneOptions &options)
     {
       use_threads(options.threads);
-      const LoadedScene scene = load_scene(options.scene, options.overrides);
+      const CheckedScene scene = read_scene(options.scene, options.overrides);
       catch_interrupts();
       fmt::print("{}: valid\n{}", options.scene, scene.scene->forecast());
       return exit_success;

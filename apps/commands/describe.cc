@@ -1,6 +1,6 @@
 #include "apps/commands/command.h"
 #include "apps/drivers/all.h"
-#include "apps/drivers/load.h"
+#include "apps/drivers/read_scene.h"
 #include "apps/process/exit_status.h"
 #include "apps/scene/description.h"
 #include "apps/scene/nearest_name.h"
@@ -148,7 +148,7 @@ namespace apps
         {
           if (!options.kind.empty() && kind.name != options.kind)
             continue;
-          const LoadedScene  scene = declare_scene(kind.name);
+          const CheckedScene scene = declare_scene(kind.name);
           std::vector<Match> found;
           collect(*scene.root, options.wanted, found);
           collect_names(*scene.root, names);

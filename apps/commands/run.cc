@@ -1,6 +1,6 @@
 #include "apps/commands/command.h"
 #include "apps/commands/scene_options.h"
-#include "apps/drivers/load.h"
+#include "apps/drivers/read_scene.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
 
@@ -22,7 +22,7 @@ namespace apps
       std::vector<std::string> overrides = options.overrides;
       if (!options.output_folder.empty())
         overrides.push_back("Output folder=" + options.output_folder);
-      const LoadedScene scene = load_scene(options.scene, overrides);
+      const CheckedScene scene = read_scene(options.scene, overrides);
       refuse_idle_ranks(scene);
       catch_interrupts();
 

@@ -11,8 +11,7 @@ namespace apps
   void add_scene_options(CLI::App &command, SceneOptions &options)
   {
     command.add_option("scene", options.scene, "Scene file (.prm or .json)")->required()->type_name("SCENE");
-    add_overrides(command, options.overrides,
-                  "Set an entry of the scene, e.g. -s \"Time/Damping=0.2\"; repeatable");
+    add_overrides(command, options.overrides, "Set an entry of the scene, e.g. -s \"Time/Damping=0.2\"; repeatable");
     add_threads(command, options.threads);
   }
 
@@ -36,7 +35,7 @@ namespace apps
       ->check(CLI::Range(1, 4096));
   }
 
-  void refuse_idle_ranks(const LoadedScene &scene)
+  void refuse_idle_ranks(const CheckedScene &scene)
   {
     if (launched_ranks() > 1 && !scene.scene->shares_ranks())
       throw dem::InputError(fmt::format("{}: Kind = {}: runs in one process, and mpirun has started {}. Use --threads; "

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/drivers/load.h"
+#include "apps/drivers/read_scene.h"
 #include "apps/process/threads.h"
 
 #include <CLI/App.hpp>
@@ -33,5 +33,5 @@ namespace apps
   void add_threads(CLI::App &command, int &threads);
 
   /** @throws dem::InputError when mpirun has started several processes and the kind of the scene runs in one. */
-  void refuse_idle_ranks(const LoadedScene &scene);
+  void refuse_idle_ranks(const CheckedScene &scene);
 } // namespace apps

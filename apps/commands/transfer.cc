@@ -1,6 +1,6 @@
 #include "apps/commands/command.h"
 #include "apps/commands/scene_options.h"
-#include "apps/drivers/load.h"
+#include "apps/drivers/read_scene.h"
 #include "apps/drivers/sequential/scene.h"
 #include "apps/process/interrupt.h"
 
@@ -24,8 +24,8 @@ namespace apps
         overrides.push_back("Output folder=" + options.output_folder);
       if (options.identify)
         overrides.push_back("Transfer/Mapping law/Law=identify");
-      const LoadedScene scene      = load_scene(options.scene, overrides);
-      const auto       *sequential = dynamic_cast<const SequentialScene *>(scene.scene.get());
+      const CheckedScene scene      = read_scene(options.scene, overrides);
+      const auto        *sequential = dynamic_cast<const SequentialScene *>(scene.scene.get());
       if (!sequential)
         throw dem::InputError(scene.file + ": Kind = " + scene.kind + ": a transfer wants a scene of kind sequential.");
       refuse_idle_ranks(scene);
@@ -55,7 +55,7 @@ namespace apps
     command.add_flag("--resume", options->resume, "Go on from what an interrupted transfer left in the folder");
     command.add_flag("--identify", options->identify,
                      "Only find the constants of the mapping law: strain the scene's particles to past their peak, and "
-                     "compare with one element of its concrete");
+                     "compare with one element of its continuum");
     command
       .add_flag("--restart", options->restart,
                 "Start afresh where an interrupted run left a checkpoint, which is thrown away")

@@ -138,16 +138,16 @@ namespace dem
   {
     if (specimen->time() >= parameters.longest)
       {
-        stage = Stage::done;
+        episode = Episode::done;
         return;
       }
     const std::size_t contacts = specimen->counts().contacts;
-    if (stage == Stage::flight && contacts > 0)
-      stage = Stage::contact;
-    if (stage == Stage::flight)
+    if (episode == Episode::flight && contacts > 0)
+      episode = Episode::contact;
+    if (episode == Episode::flight)
       return;
     const ParticleOutput particles = specimen->particles();
-    if (stage == Stage::contact && particles.velocity[striker][up] > 0)
+    if (episode == Episode::contact && particles.velocity[striker][up] > 0)
       {
         const Eigen::Vector3d &x    = particles.position[striker];
         bool                   near = false;
@@ -155,23 +155,23 @@ namespace dem
           near = (particles.position[i] - x).norm() < particles.radius[i] + parameters.striker_radius;
         if (!near)
           {
-            stage = Stage::rest;
+            episode = Episode::rest;
             specimen->set_damping(parameters.rest_damping);
           }
       }
-    if (stage == Stage::rest)
+    if (episode == Episode::rest)
       {
         const double kinetic =
           specimen->energy().kinetic - 0.5 * striker_mass * particles.velocity[striker].squaredNorm();
         if (kinetic < parameters.rest_ratio * striker_energy())
-          stage = Stage::done;
+          episode = Episode::done;
       }
   }
 
   void ImpactTest::visit_state(StateVisitor &visitor)
   {
-    auto number = static_cast<std::int64_t>(stage);
+    auto number = static_cast<std::int64_t>(episode);
     visitor.scalar("impact/stage", number);
-    stage = static_cast<Stage>(number);
+    episode = static_cast<Episode>(number);
   }
 } // namespace dem

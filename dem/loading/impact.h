@@ -44,7 +44,7 @@ namespace dem
   class ImpactTest
   {
   public:
-    enum class Stage : std::int64_t
+    enum class Episode : std::int64_t
     {
       flight, ///< the striker has not touched the beam
       contact,
@@ -57,15 +57,14 @@ namespace dem
 
     /** Take up to the given number of steps; fewer where the test ends. */
     ImpactSample advance(std::int64_t steps);
-    bool         finished() const { return stage == Stage::done; }
-    Stage        present_stage() const { return stage; }
+    bool         finished() const { return episode == Episode::done; }
 
     double striker_energy() const; ///< at the start [J]
     double absorbed() const;       ///< taken from the striker so far [J]
     void   visit_state(StateVisitor &visitor);
 
   private:
-    /** What decides on the stage. */
+    /** What decides on the episode. */
     void look();
 
     Specimen        *specimen;
@@ -73,6 +72,6 @@ namespace dem
     std::size_t      striker;
     int              up; ///< axis of the blow
     double           striker_mass;
-    Stage            stage = Stage::flight;
+    Episode          episode = Episode::flight;
   };
 } // namespace dem

@@ -2,7 +2,7 @@
 #include "apps/drivers/continuum/gauges.h"
 #include "apps/drivers/continuum/scene.h"
 #include "apps/drivers/continuum/solid.h"
-#include "apps/drivers/load.h"
+#include "apps/drivers/read_scene.h"
 #include "apps/process/mpi_session.h"
 #include "tests/apps/scratch_folder.h"
 
@@ -33,7 +33,7 @@ namespace
   struct Gauged
   {
     explicit Gauged(const std::string &scene_text)
-      : scene((apps::start_mpi(), apps::load_scene(folder.file("bar.prm", scene_text), {})))
+      : scene((apps::start_mpi(), apps::read_scene(folder.file("bar.prm", scene_text), {})))
       , model(dynamic_cast<const apps::ContinuumScene &>(*scene.scene).parameters())
       , solid(apps::make_solid<2>(model))
       , gauges(*solid, model)
@@ -70,7 +70,7 @@ namespace
     }
 
     const ScratchFolder            folder;
-    const apps::LoadedScene        scene;
+    const apps::CheckedScene       scene;
     const apps::ContinuumModel    &model;
     std::unique_ptr<fem::Solid<2>> solid;
     apps::ContinuumGauges<2>       gauges;

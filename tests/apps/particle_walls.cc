@@ -1,5 +1,6 @@
 // Walls in scenes of kind "particles", through the program: shapes, motion, forces, refusals.
 #include "tests/apps/scene_runs.h"
+#include "tests/apps/scenes.h"
 #include "tests/apps/scratch_folder.h"
 
 #include <catch2/catch.hpp>

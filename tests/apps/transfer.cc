@@ -220,8 +220,9 @@ TEST_CASE("The mapping law is identified from the particle run and one element, 
   const auto found = summary_of(folder / "law")["identification"];
   CHECK(found["states_after_peak"].get<int>() > 50);
   CHECK(found["damage_error"].get<double>() < 0.05);
-  CHECK_THAT(outcome.out,
-             Contains("set Law             = own") && Contains("set Identified for  = compression, particles "));
+  CHECK_THAT(outcome.out, Contains("set Law             = own") &&
+                            Contains("set Identified for  = compression, particles ") &&
+                            Contains(", damage-plastic concrete "));
   CHECK(std::filesystem::file_size(folder / "law/identified.png") > 0);
   CHECK_FALSE(std::filesystem::exists(folder / "law/states/state_000.h5")); // only the law was asked for
 
@@ -259,7 +260,7 @@ TEST_CASE("The mapping law is identified from the particle run and one element, 
   CHECK_THAT(with_law({"Particles/Specimen/Generator/Friction coefficient=0.1"}),
              Contains("identified for other particles"));
   CHECK_THAT(with_law({"Continuum/Materials/solid/damage-plastic concrete/Compressive strength=50e6"}),
-             Contains("identified for another concrete"));
+             Contains("identified for another damage-plastic concrete"));
   CHECK_THAT(with_law({"Particles/Uniaxial/Instants=1e-4"}),
              Contains("identified in compression") && Contains("tension"));
 }

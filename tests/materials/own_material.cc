@@ -3,8 +3,8 @@
 #include "apps/drivers/continuum/analysis.h"
 #include "apps/drivers/continuum/scene.h"
 #include "apps/drivers/continuum/solid.h"
-#include "apps/drivers/load.h"
 #include "apps/drivers/paths/material_path.h"
+#include "apps/drivers/read_scene.h"
 #include "apps/process/mpi_session.h"
 #include "coupling/sequential/transfer.h"
 #include "fem/materials/refuse.h"
@@ -237,12 +237,12 @@ TEST_CASE("a scene of a material of one's own is read and run, with gauges, Para
 {
   register_once();
   apps::start_mpi();
-  const std::string       plane = GENERATE("strain", "stress"); // the same with nu = 0
-  const ScratchFolder     folder;
-  const apps::LoadedScene scene   = apps::load_scene(folder.file("bar.prm", bar_scene(plane)), {});
-  apps::RunRequest        request = apps::request_of(scene);
-  request.output_folder           = folder / "out";
-  request.quiet                   = true;
+  const std::string        plane = GENERATE("strain", "stress"); // the same with nu = 0
+  const ScratchFolder      folder;
+  const apps::CheckedScene scene   = apps::read_scene(folder.file("bar.prm", bar_scene(plane)), {});
+  apps::RunRequest         request = apps::request_of(scene);
+  request.output_folder            = folder / "out";
+  request.quiet                    = true;
   REQUIRE(scene.scene->run(request) == 0);
 
   const auto   series = postprocess::read_csv_table(folder / "out/series.csv", true);
@@ -285,8 +285,8 @@ TEST_CASE("a scene whose steps are too long for their work says so, and not one 
   double              dissipated[2], error[2];
   for (const bool is_long : {false, true})
     {
-      const apps::LoadedScene scene =
-        apps::load_scene(folder.file("bar.prm", bar_scene("stress")),
+      const apps::CheckedScene scene =
+        apps::read_scene(folder.file("bar.prm", bar_scene("stress")),
                          {is_long ? "Control/First step=1" : "Control/First step=0.02", "Output/Snapshots=0"});
       apps::RunRequest request = apps::request_of(scene);
       request.output_folder    = folder / (is_long ? "long" : "short");
@@ -316,13 +316,13 @@ TEST_CASE("a scene that gives a material of one's own wrong constants is refused
   const ScratchFolder folder;
   std::string         text = bar_scene("strain");
   text.replace(text.find("set Threshold = 1e-4"), 20, "set Threshold = 2   ");
-  CHECK_THROWS_WITH(apps::load_scene(folder.file("a.prm", text), {}),
+  CHECK_THROWS_WITH(apps::read_scene(folder.file("a.prm", text), {}),
                     Catch::Contains("Materials/solid/chalk/Threshold = 2: expected a number in [1e-12, 1]"));
   text = bar_scene("strain");
   text.replace(text.find("set Threshold = 1e-4"), 20, "set Threshold = 0.5 ");
-  CHECK_THROWS_WITH(apps::load_scene(folder.file("b.prm", text), {}),
+  CHECK_THROWS_WITH(apps::read_scene(folder.file("b.prm", text), {}),
                     Catch::Contains("Materials/solid: Ductility = 0.001: must not be below Threshold."));
-  CHECK_THROWS_WITH(apps::load_scene(folder.file("c.prm", bar_scene("strain")), {"Model/Large displacement=true"}),
+  CHECK_THROWS_WITH(apps::read_scene(folder.file("c.prm", bar_scene("strain")), {"Model/Large displacement=true"}),
                     Catch::Contains("is a small-strain law."));
 }
 
@@ -331,7 +331,7 @@ TEST_CASE("an analysis of a material of one's own goes on from a checkpoint to t
   register_once();
   apps::start_mpi();
   const ScratchFolder         folder;
-  const apps::LoadedScene     scene          = apps::load_scene(folder.file("bar.prm", bar_scene("stress")), {});
+  const apps::CheckedScene    scene          = apps::read_scene(folder.file("bar.prm", bar_scene("stress")), {});
   const apps::ContinuumModel &model          = dynamic_cast<const apps::ContinuumScene &>(*scene.scene).parameters();
   const auto                  straight_solid = apps::make_solid<2>(model), resumed_solid = apps::make_solid<2>(model);
   const auto                  straight = apps::make_static_analysis(*straight_solid, model),

@@ -106,7 +106,7 @@ namespace apps
       .means("It ends when the stress has fallen to this part of its peak");
   }
 
-  bool IdentificationSection::compresses(const ParticleStageSection &particles) const
+  bool IdentificationSection::compresses(const ParticleEventSection &particles) const
   {
     return direction == Direction::own ? particles.compresses() : direction == Direction::compression;
   }
@@ -229,9 +229,9 @@ namespace apps
     std::vector<Sample> samples;
 
   private:
-    static dem::SpecimenParameters specimen_parameters(const ParticleStageSection &stage)
+    static dem::SpecimenParameters specimen_parameters(const ParticleEventSection &event)
     {
-      dem::SpecimenParameters p = stage.specimen_parameters();
+      dem::SpecimenParameters p = event.specimen_parameters();
       p.loose                   = 0; // no striker
       return p;
     }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/drivers/sequential/law_origin.h"
-#include "apps/drivers/sequential/particle_stage.h"
+#include "apps/drivers/sequential/particle_event.h"
 #include "apps/drivers/sequential/transfer_section.h"
 #include "coupling/sequential/identify.h"
 
@@ -27,7 +27,7 @@ namespace apps
     double    furthest_strain = 0.01, stop_fraction = 0.25;
 
     void declare(Section &transfer, const TransferSection &law);
-    bool compresses(const ParticleStageSection &particles) const;
+    bool compresses(const ParticleEventSection &particles) const;
   };
 
   /** A law that was found, how well it fits, and for whom. */
@@ -44,13 +44,13 @@ namespace apps
   };
 
   /**
-   * The mapping law of a scene's own particles and concrete (coupling::identify): its specimen is strained between grips to past its
-   * peak, and every sample of damage and stress is compared with one element of the concrete under the same load.
+   * The mapping law of a scene's own particles and continuum (coupling::identify): its specimen is strained between grips to past its
+   * peak, and every sample of damage and stress is compared with one element of the continuum under the same load.
    */
   class LawIdentification
   {
   public:
-    /** @param origin particles and concrete, without the test @param element_size mean of the mesh [m] */
+    /** @param origin particles and continuum, without the test @param element_size mean of the mesh [m] */
     LawIdentification(const SequentialModel &model, const LawOrigin &origin, double element_size);
 
     /**

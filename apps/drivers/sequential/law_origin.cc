@@ -63,15 +63,15 @@ namespace apps
     std::string digits(const postprocess::Digest &digest) { return fmt::format("{:016x}", digest.value()); }
   } // namespace
 
-  std::string LawOrigin::text() const { return test + ", particles " + particles + ", concrete " + continuum; }
+  std::string LawOrigin::text() const { return test + ", particles " + particles + ", " + material + " " + continuum; }
 
   std::optional<LawOrigin> LawOrigin::read(const std::string &text)
   {
-    static const std::regex form("(tension|compression), particles ([0-9a-f]{16}), concrete ([0-9a-f]{16})");
+    static const std::regex form("(tension|compression), particles ([0-9a-f]{16}), (.+) ([0-9a-f]{16})");
     std::smatch             parts;
     if (!std::regex_match(text, parts, form))
       return {};
-    return LawOrigin{parts[1], parts[2], parts[3]};
+    return LawOrigin{parts[1], parts[2], parts[3], parts[4]};
   }
 
   std::string doubt_about_law(const TransferSection &transfer, const LawOrigin &here)
@@ -86,7 +86,7 @@ namespace apps
              way_out;
     const auto found_for = LawOrigin::read(transfer.identified_for);
     if (!found_for)
-      return "nothing says for which particles and concrete the constants of the mapping law were found "
+      return "nothing says for which particles and continuum the constants of the mapping law were found "
              "(Transfer/Mapping "
              "law/Identified for)." +
              way_out;
@@ -96,7 +96,8 @@ namespace apps
       return "the mapping law was identified for other particles (their size, packing, links or physics differ)." +
              way_out;
     if (found_for->continuum != here.continuum)
-      return "the mapping law was identified for another concrete (constants of the continuum differ)." + way_out;
+      return "the mapping law was identified for another " + here.material + " (constants of the continuum differ)." +
+             way_out;
     if (!here.test.empty() && found_for->test != here.test)
       return "the mapping law was identified in " + found_for->test + ", and these particles are under " + here.test +
              "." + way_out;

@@ -16,9 +16,10 @@ namespace apps
   {
     std::string test;      ///< "compression" or "tension"
     std::string particles; ///< 16 hexadecimal digits
-    std::string continuum; ///< the same
+    std::string material;  ///< of the continuum, by its name in a scene
+    std::string continuum; ///< of its constants: 16 hexadecimal digits
 
-    /** "compression, particles 0123456789abcdef, concrete fedcba9876543210" */
+    /** "compression, particles 0123456789abcdef, damage-plastic concrete fedcba9876543210" */
     std::string text() const;
     /** Nothing if the text is no such. */
     static std::optional<LawOrigin> read(const std::string &text);

@@ -183,7 +183,7 @@ namespace apps
   std::vector<ParticleOutline> outlines_of(const SequentialModel &model, const dem::Packing &packing)
   {
     std::vector<ParticleOutline> outlines;
-    if (model.particles.source == ParticleStageSection::Source::file)
+    if (model.particles.source == ParticleEventSection::Source::file)
       {
         const bool reference = model.transfer.field.place == coupling::FieldOptions::Place::reference;
         for (const std::string &file : model.particles.files_asked())
@@ -209,7 +209,7 @@ namespace apps
       refuse_other_extents(model, solid, outline);
 
     // Forces and displacements as they are need no length and no area; what is compared with stress and strain of particles does.
-    const bool compared = model.particles.source == ParticleStageSection::Source::uniaxial;
+    const bool compared = model.particles.source == ParticleEventSection::Source::uniaxial;
     if (compared)
       refuse_specimen_area(model, particles.front());
     const auto along = axis_of(s.horizontal, "displacement_"), across = axis_of(s.vertical, "reaction_");

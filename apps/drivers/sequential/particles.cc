@@ -83,8 +83,8 @@ namespace apps
     return true;
   }
 
-  ParticleCases::ParticleCases(const ParticleStageSection &what, std::filesystem::path where, std::string text)
-    : stage(what)
+  ParticleCases::ParticleCases(const ParticleEventSection &what, std::filesystem::path where, std::string text)
+    : event(what)
     , folder(std::move(where) / "states")
     , deciding_text(std::move(text))
   {
@@ -97,11 +97,11 @@ namespace apps
   bool ParticleCases::complete(const dem::Packing &packing)
   {
     bool goes_on = true;
-    for (std::size_t number = 0; number < stage.cases() && goes_on; ++number)
+    for (std::size_t number = 0; number < event.cases() && goes_on; ++number)
       load_or_run(number, packing, goes_on);
     if (!goes_on)
       return false;
-    if (const auto reference = make_reference_case(stage, packing))
+    if (const auto reference = make_reference_case(event, packing))
       {
         if (!run_particles(*reference, "all particles", folder, deciding_text))
           return false;
@@ -115,7 +115,7 @@ namespace apps
   {
     const std::string name  = fmt::format("state_{:03}", number);
     const auto        state = folder / (name + ".h5"), figures = folder / (name + "_figures.h5");
-    const auto        particles = make_particle_case(stage, packing, number);
+    const auto        particles = make_particle_case(event, packing, number);
     if (std::filesystem::exists(figures)) // written last: the state is there too
       {
         ParticleOutcome               outcome = particles->outcome(); // its name
@@ -128,7 +128,7 @@ namespace apps
         return;
       }
     goes_on =
-      run_particles(*particles, fmt::format("particles {} of {}", number + 1, stage.cases()), folder, deciding_text);
+      run_particles(*particles, fmt::format("particles {} of {}", number + 1, event.cases()), folder, deciding_text);
     if (!goes_on)
       return;
     ParticleOutcome outcome = particles->outcome();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/drivers/sequential/particle_stage.h"
+#include "apps/drivers/sequential/particle_case.h"
 
 #include <filesystem>
 
@@ -24,9 +24,9 @@ namespace apps
   {
   public:
     /** @param deciding_text see RunRequest; a checkpoint belongs to it. */
-    ParticleCases(const ParticleStageSection &stage, std::filesystem::path folder, std::string deciding_text);
+    ParticleCases(const ParticleEventSection &event, std::filesystem::path folder, std::string deciding_text);
 
-    /** @param packing see stage_packing() @return false when interrupted, with a checkpoint left. */
+    /** @param packing see event_packing() @return false when interrupted, with a checkpoint left. */
     bool complete(const dem::Packing &packing);
 
     const std::vector<ParticleOutcome> &outcomes() const { return finished; }
@@ -35,7 +35,7 @@ namespace apps
   private:
     void load_or_run(std::size_t number, const dem::Packing &packing, bool &goes_on);
 
-    const ParticleStageSection    &stage;
+    const ParticleEventSection    &event;
     std::filesystem::path          folder;
     std::string                    deciding_text;
     std::vector<ParticleOutcome>   finished;

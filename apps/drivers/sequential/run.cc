@@ -136,13 +136,13 @@ namespace apps
 
   std::string SequentialRun::not_in_balance() const
   {
-    const ParticleStageSection &stage = model.particles;
-    if (stage.source == ParticleStageSection::Source::file)
+    const ParticleEventSection &event = model.particles;
+    if (event.source == ParticleEventSection::Source::file)
       return "";
     std::vector<double> radius = ground.packing.radius;
-    if (stage.source == ParticleStageSection::Source::impact)
-      radius.push_back(stage.impact.striker_radius);
-    return left_out_of_balance(*stage.material.materials().bonds(stage.physics), radius);
+    if (event.source == ParticleEventSection::Source::impact)
+      radius.push_back(event.impact.striker_radius);
+    return left_out_of_balance(*event.material.materials().bonds(event.physics), radius);
   }
 
   void SequentialRun::finish(const nlohmann::json &json)

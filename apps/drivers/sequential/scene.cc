@@ -4,6 +4,7 @@
 #include "apps/drivers/parts/duration.h"
 #include "apps/drivers/sequential/law_identification.h"
 #include "apps/drivers/sequential/outline.h"
+#include "apps/drivers/sequential/particle_case.h"
 #include "apps/drivers/sequential/run.h"
 
 #include <fmt/format.h>
@@ -78,7 +79,7 @@ namespace apps
   {
     model.particles.validate(scene);
     model.transfer.validate(scene);
-    if (model.transfer.identifies() && model.particles.source == ParticleStageSection::Source::file)
+    if (model.transfer.identifies() && model.particles.source == ParticleEventSection::Source::file)
       scene.find_section("Transfer")
         ->find_section("Mapping law")
         ->refuse(
@@ -89,7 +90,7 @@ namespace apps
     model.continuum.validate(continuum);
     if (!model.continuum.is_static())
       continuum.find_section("Model")->refuse("Analysis", "a transferred state is carried on in equilibrium: static.");
-    if (model.particles.source != ParticleStageSection::Source::file &&
+    if (model.particles.source != ParticleEventSection::Source::file &&
         model.particles.physics.dimension != model.continuum.solid.dimension)
       continuum.find_section("Model")->refuse("Dimension",
                                               "must be that of the particles (Particles/Physics/Dimension).");
@@ -105,7 +106,7 @@ namespace apps
   {
     SequentialGroundwork found;
     const SolidOutline   solid = outline_of(model.continuum); // before the packing, which may take long
-    found.packing              = stage_packing(model.particles);
+    found.packing              = event_packing(model.particles);
     const Section   &study     = *root->find_section("Study");
     const StudyUnits units     = check_study(model, study, solid, outlines_of(model, found.packing));
     found.element_size         = solid.mean_element_size(model.continuum.solid.dimension);
@@ -114,7 +115,7 @@ namespace apps
     found.horizontal_unit      = units.horizontal;
     found.vertical_unit        = units.vertical;
 
-    using Source = ParticleStageSection::Source;
+    using Source = ParticleEventSection::Source;
     if (model.particles.source == Source::uniaxial)
       found.origin.test = model.particles.compresses() ? "compression" : "tension";
     if (model.particles.source != Source::file)
@@ -125,7 +126,10 @@ namespace apps
         const std::string digest =
           digest_of_material(*materials.find_section(group->group)->find_section(group->law->name()), *group->law);
         if (found.origin.continuum.empty())
-          found.origin.continuum = digest;
+          {
+            found.origin.material  = group->law->name();
+            found.origin.continuum = digest;
+          }
         else if (found.origin.continuum != digest)
           found.doubts.push_back("the groups of elements are of several materials, and the mapping law is one: \"" +
                                  group->group + "\" differs from the first.");
@@ -137,12 +141,12 @@ namespace apps
 
   namespace
   {
-    double seconds_of_particles(const ParticleStageSection &stage, const dem::Packing &packing)
+    double seconds_of_particles(const ParticleEventSection &event, const dem::Packing &packing)
     {
       double seconds = 0;
-      for (std::size_t k = 0; k < stage.cases(); ++k)
-        seconds += expected_seconds(*make_particle_case(stage, packing, k));
-      if (const auto reference = make_reference_case(stage, packing))
+      for (std::size_t k = 0; k < event.cases(); ++k)
+        seconds += expected_seconds(*make_particle_case(event, packing, k));
+      if (const auto reference = make_reference_case(event, packing))
         seconds += expected_seconds(*reference);
       return seconds;
     }

@@ -2,7 +2,7 @@
 
 #include "apps/drivers/continuum/model.h"
 #include "apps/drivers/sequential/law_identification.h"
-#include "apps/drivers/sequential/particle_stage.h"
+#include "apps/drivers/sequential/particle_event.h"
 #include "apps/drivers/sequential/transfer_section.h"
 #include "apps/scene/scene.h"
 
@@ -20,7 +20,7 @@ namespace apps
       double      least_force = 0.05;   ///< see ContinuumRun::end_where_little_is_left()
     };
 
-    ParticleStageSection  particles;
+    ParticleEventSection  particles;
     TransferSection       transfer;
     IdentificationSection identification;
     ContinuumModel        continuum;
@@ -56,7 +56,7 @@ namespace apps
     std::string forecast() const override;
     int         run(const RunRequest &request) const override;
 
-    /** The particle stage and the transfer alone: what `breccia transfer` does. @return exit status as run(). */
+    /** The particles and the transfer alone: what `breccia transfer` does. @return exit status as run(). */
     int transfer_only(const RunRequest &request) const;
     /** Find the mapping law alone, see LawIdentification. @return exit status. */
     int identify(const RunRequest &request) const;

@@ -154,9 +154,9 @@ namespace apps
                               {"dissipated", quantity(curves[k].energy(), "J")},
                               {"particle_seconds", particles[k].seconds},
                               {"continuum_seconds", curves[k].seconds}};
-        if (model.particles.source == ParticleStageSection::Source::impact)
+        if (model.particles.source == ParticleEventSection::Source::impact)
           one["absorbed"] = quantity(particles[k].absorbed, "J");
-        if (model.particles.source == ParticleStageSection::Source::uniaxial)
+        if (model.particles.source == ParticleEventSection::Source::uniaxial)
           one["stress"] = quantity(particles[k].stress, "Pa");
         if (particles[k].start)
           one["initial_equilibrium"] = json_of(*particles[k].start);
@@ -173,7 +173,7 @@ namespace apps
 
   std::string StudyReport::severity_unit() const
   {
-    using Source = ParticleStageSection::Source;
+    using Source = ParticleEventSection::Source;
     return model.particles.source == Source::impact ? "J" : model.particles.source == Source::uniaxial ? "-" : "";
   }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/drivers/sequential/particle_case.h"
 #include "apps/drivers/sequential/scene.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -16,7 +17,7 @@ namespace apps
     double              absorbed = 0; ///< [J]
     double              offset   = 0; ///< strain at which the continuum's zero lies on the particles' axis
     std::vector<double> horizontal, vertical, dissipated;
-    double              seconds = 0; ///< wall clock of the continuum stage
+    double              seconds = 0; ///< wall clock
     std::string         ended_by;    ///< see ContinuumReport
 
     // Of a continuation without any state nothing is known: NaN.

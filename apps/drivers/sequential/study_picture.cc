@@ -115,7 +115,7 @@ namespace apps
 
   std::string StudyReport::draw(const std::filesystem::path &file) const
   {
-    const bool             stresses = model.particles.source == ParticleStageSection::Source::uniaxial;
+    const bool             stresses = model.particles.source == ParticleEventSection::Source::uniaxial;
     const Axes             axes     = stresses ? axes_of_strain_and_stress(*this) : axes_of_columns(*this);
     std::vector<PlotPanel> panels;
     for (std::size_t k = 0; stresses && k < curves.size(); ++k)

@@ -64,7 +64,7 @@ namespace apps
   {
     l.text("Law", law, Need::optional)
       .means(
-        "identify: found for this scene's particles and concrete before anything is handed over; own: the constants "
+        "identify: found for this scene's particles and continuum before anything is handed over; own: the constants "
         "below, e.g. those of breccia transfer --identify; default, legacy12 (the published computation), refit: of "
         "the published particles");
     const auto  own  = [this] { return has_own(); };
@@ -92,7 +92,7 @@ namespace apps
       .only_if(own, when);
     l.text("Identified for", identified_for, Need::optional)
       .means(
-        "Particles and concrete that the constants belong to, as breccia transfer --identify writes it; a run with "
+        "Particles and continuum that the constants belong to, as breccia transfer --identify writes it; a run with "
         "others warns")
       .only_if(own, when);
   }
@@ -139,7 +139,7 @@ namespace apps
       l.refuse("Law", "there is no such law. " + did_you_mean(law, names));
     if (has_own() && !identified_for.empty() && !LawOrigin::read(identified_for))
       l.refuse("Identified for", "expected the line that breccia transfer --identify writes, \"compression, particles "
-                                 "0123456789abcdef, concrete 0123456789abcdef\".");
+                                 "0123456789abcdef, damage-plastic concrete 0123456789abcdef\".");
     chosen().law.validate();
   }
 

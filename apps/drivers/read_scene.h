@@ -9,7 +9,7 @@
 namespace apps
 {
   /** A scene as read: complete, and every value within its range. */
-  struct LoadedScene
+  struct CheckedScene
   {
     std::string              file;          ///< as typed
     std::string              kind;          ///< entry "Kind"
@@ -24,11 +24,11 @@ namespace apps
    * the model.
    * @throws dem::InputError.
    */
-  LoadedScene load_scene(const std::string &file, const std::vector<std::string> &overrides);
+  CheckedScene read_scene(const std::string &file, const std::vector<std::string> &overrides);
 
   /** What a run of the scene is asked, but for resuming and the changes as typed. */
-  RunRequest request_of(const LoadedScene &scene);
+  RunRequest request_of(const CheckedScene &scene);
 
   /** The parameters of a kind, unread: what `breccia describe` shows. @throws dem::InputError for an unknown kind. */
-  LoadedScene declare_scene(const std::string &kind);
+  CheckedScene declare_scene(const std::string &kind);
 } // namespace apps

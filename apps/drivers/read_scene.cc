@@ -1,4 +1,4 @@
-#include "apps/drivers/load.h"
+#include "apps/drivers/read_scene.h"
 
 #include "apps/drivers/all.h"
 #include "apps/scene/description.h"
@@ -50,23 +50,23 @@ namespace apps
       return found;
     }
 
-    LoadedScene declared(const SceneKind &kind)
+    CheckedScene declared(const SceneKind &kind)
     {
-      LoadedScene loaded;
-      loaded.kind  = kind.name;
-      loaded.root  = std::make_unique<Section>();
-      loaded.scene = kind.create();
-      return loaded;
+      CheckedScene read;
+      read.kind  = kind.name;
+      read.root  = std::make_unique<Section>();
+      read.scene = kind.create();
+      return read;
     }
 
     /** Entries that every kind has, and then its own. The strings must already be where they stay. */
-    void declare_all(LoadedScene &loaded)
+    void declare_all(CheckedScene &read)
     {
-      loaded.root->text("Kind", loaded.kind, Need::optional).means("What the scene computes: " + kinds_in_words());
-      loaded.root->text("Output folder", loaded.output_folder, Need::optional)
+      read.root->text("Kind", read.kind, Need::optional).means("What the scene computes: " + kinds_in_words());
+      read.root->text("Output folder", read.output_folder, Need::optional)
         .means("Where the results go (option -o), from the current folder")
         .housekeeping();
-      loaded.scene->declare(*loaded.root);
+      read.scene->declare(*read.root);
     }
 
     /** The files that an entry names, from the current folder. */
@@ -97,7 +97,7 @@ namespace apps
     }
   } // namespace
 
-  LoadedScene load_scene(const std::string &file, const std::vector<std::string> &overrides)
+  CheckedScene read_scene(const std::string &file, const std::vector<std::string> &overrides)
   {
     std::vector<Assignment> assignments = read_parameter_file(file);
     for (Assignment &assignment : read_overrides(overrides))
@@ -111,30 +111,30 @@ namespace apps
       throw dem::InputError(named->place.text() + ": Kind = " + named->value + " is not known. " +
                             did_you_mean(named->value, kind_names()) + " Known kinds: " + kinds_in_words() + ".");
 
-    named->value         = kind->name; // whatever its case
-    LoadedScene loaded   = declared(*kind);
-    loaded.file          = file;
-    loaded.overrides     = overrides;
-    loaded.output_folder = "output/" + std::filesystem::path(file).stem().string();
-    declare_all(loaded);
-    assign(*loaded.root, assignments, file);
-    loaded.scene->validate(*loaded.root);
-    return loaded;
+    named->value       = kind->name; // whatever its case
+    CheckedScene read  = declared(*kind);
+    read.file          = file;
+    read.overrides     = overrides;
+    read.output_folder = "output/" + std::filesystem::path(file).stem().string();
+    declare_all(read);
+    assign(*read.root, assignments, file);
+    read.scene->validate(*read.root);
+    return read;
   }
 
-  LoadedScene declare_scene(const std::string &name)
+  CheckedScene declare_scene(const std::string &name)
   {
     const SceneKind *kind = find_kind(name);
     if (!kind)
       throw dem::InputError("command line: kind \"" + name + "\" is not known. " + did_you_mean(name, kind_names()));
-    LoadedScene loaded   = declared(*kind);
-    loaded.output_folder = "output/NAME";
-    declare_all(loaded);
-    loaded.root->open_placeholders();
-    return loaded;
+    CheckedScene read  = declared(*kind);
+    read.output_folder = "output/NAME";
+    declare_all(read);
+    read.root->open_placeholders();
+    return read;
   }
 
-  RunRequest request_of(const LoadedScene &scene)
+  RunRequest request_of(const CheckedScene &scene)
   {
     RunRequest request;
     request.output_folder = scene.output_folder;

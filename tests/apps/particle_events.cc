@@ -1,0 +1,152 @@
+// Section "Particles" of a sequential scene: what its words ask for, and what makes no sense; and for whom a mapping law is.
+#include "apps/drivers/sequential/law_origin.h"
+#include "apps/drivers/sequential/particle_event.h"
+#include "apps/drivers/sequential/transfer_section.h"
+#include "apps/scene/overrides.h"
+#include "apps/scene/reader.h"
+
+#include <catch2/catch.hpp>
+
+using Catch::Contains;
+
+namespace
+{
+  apps::ParticleEventSection uniaxial(const std::string &instants)
+  {
+    apps::ParticleEventSection event;
+    event.strain_rate = 2;
+    event.instants    = instants;
+    return event;
+  }
+
+  /** What is refused of a beam or specimen whose other entries are right. */
+  std::string refusal(const std::vector<std::string> &entries)
+  {
+    apps::Section              root;
+    apps::ParticleEventSection event;
+    event.declare(root);
+    std::vector<std::string> all = {"Particles/Specimen/Source=generator",
+                                    "Particles/Specimen/Generator/Particle radius=1e-3",
+                                    "Particles/Specimen/Box size=0.02, 0.02, 0.02",
+                                    "Particles/Specimen/Density=2500",
+                                    "Particles/Specimen/Interaction ratio=1.5",
+                                    "Particles/Material/Law=linear",
+                                    "Particles/Material/linear/Effective modulus=1e7"};
+    all.insert(all.end(), entries.begin(), entries.end());
+    try
+      {
+        assign(root, apps::read_overrides(all), "test");
+        event.validate(root);
+      }
+    catch (const dem::InputError &refused)
+      {
+        return refused.what();
+      }
+    return "";
+  }
+
+  apps::TransferSection own_law(const std::string &identified_for)
+  {
+    apps::TransferSection transfer;
+    transfer.law            = "own";
+    transfer.identified_for = identified_for;
+    return transfer;
+  }
+
+  const std::string a(16, 'a'), b(16, 'b'), c(16, 'c');
+} // namespace
+
+TEST_CASE("Instants are strains, or strains and what is led back to", "[apps][transfer]")
+{
+  const auto asked = uniaxial("-1e-3, -2e-3 > -1.5e-3").instants_asked();
+  REQUIRE(asked.size() == 2);
+  CHECK(asked[0].forward == -1e-3);
+  CHECK_FALSE(asked[0].back);
+  CHECK(asked[1].forward == -2e-3);
+  CHECK(*asked[1].back == -1.5e-3);
+  CHECK(uniaxial("-1e-3").compresses());
+  CHECK_FALSE(uniaxial("1e-3").compresses());
+  CHECK(uniaxial("-1e-3, -2e-3").cases() == 2);
+  for (const char *nonsense :
+       {"", "0", "deep", "-1e-3 > -2e-3", "-1e-3 >", "-1e-3, , x"}) // led back further than it went
+    {
+      CAPTURE(nonsense);
+      CHECK(uniaxial(nonsense).instants_asked().empty());
+    }
+}
+
+TEST_CASE("The specimen of an event is strained towards its instants, and a striker is no part of the beam",
+          "[apps][transfer]")
+{
+  CHECK(apps::uniaxial_parameters(uniaxial("-1e-3"), -1e-3).strain_rate == -2);
+  CHECK(apps::uniaxial_parameters(uniaxial("1e-3"), 1e-3).strain_rate == 2);
+  apps::ParticleEventSection event = uniaxial("1e-3");
+  CHECK(event.specimen_parameters().loose == 0);
+  event.source     = apps::ParticleEventSection::Source::impact;
+  event.velocities = "1, 2.5, 4";
+  CHECK(event.specimen_parameters().loose == 1);
+  CHECK(event.velocities_asked() == std::vector<double>{1, 2.5, 4});
+  event.velocities = "1, -2";
+  CHECK(event.velocities_asked().empty());
+}
+
+TEST_CASE("Instants of two signs, an end beyond nothing and speeds of nothing are refused at their entry",
+          "[apps][transfer][S14]")
+{
+  const std::string              u = "Particles/Uniaxial/", i = "Particles/Impact/";
+  const std::vector<std::string> pulled = {"Particles/Source=uniaxial", u + "Strain rate=1",
+                                           u + "Grip thickness=2.2e-3"};
+  const auto                     with   = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), pulled.begin(), pulled.end());
+    return refusal(more);
+  };
+  CHECK(with({u + "Instants=1e-3, 2e-3"}) == "");
+  CHECK_THAT(with({u + "Instants=1e-3, -2e-3"}), Contains("Instants") && Contains("one sign"));
+  CHECK_THAT(with({u + "Instants=1e-3", u + "End strain=-1e-2"}), Contains("End strain") && Contains("the sign"));
+  CHECK_THAT(with({u + "Instants=soon"}), Contains("Instants") && Contains("expected strains"));
+  CHECK_THAT(refusal({"Particles/Source=impact", i + "Span=0.1", i + "Support width=0.01", i + "Striker radius=0.01",
+                      i + "Striker velocities=0", i + "Longest time=1"}),
+             Contains("Striker velocities") && Contains("above 0"));
+}
+
+TEST_CASE("For whom a mapping law was found is read as it was written, also with the name that a continuum had before",
+          "[apps][transfer]")
+{
+  const apps::LawOrigin origin{"compression", a, "damage-plastic concrete", b};
+  CHECK(origin.text() == "compression, particles " + a + ", damage-plastic concrete " + b);
+  const auto read = apps::LawOrigin::read(origin.text());
+  REQUIRE(read);
+  CHECK(read->text() == origin.text());
+  const auto earlier = apps::LawOrigin::read("tension, particles " + a + ", concrete " + b);
+  REQUIRE(earlier);
+  CHECK(earlier->material == "concrete");
+  CHECK(earlier->continuum == b);
+  for (const std::string &no_such : {std::string("my particles"), "torsion, particles " + a + ", concrete " + b,
+                                     "tension, particles " + a + ", " + b, "tension, particles aa, concrete " + b})
+    {
+      CAPTURE(no_such);
+      CHECK_FALSE(apps::LawOrigin::read(no_such));
+    }
+}
+
+TEST_CASE("A mapping law is doubted where particles, continuum or test are not those that it was found for",
+          "[apps][transfer]")
+{
+  const apps::LawOrigin here{"compression", a, "damage-plastic concrete", b};
+  const auto doubt = [&here](const std::string &found_for) { return doubt_about_law(own_law(found_for), here); };
+  CHECK(doubt(here.text()) == "");
+  CHECK(doubt("compression, particles " + a + ", concrete " + b) == ""); // the digest decides, not the name
+  CHECK_THAT(doubt("compression, particles " + c + ", damage-plastic concrete " + b), Contains("other particles"));
+  CHECK_THAT(doubt("compression, particles " + a + ", damage-plastic concrete " + c),
+             Contains("another damage-plastic concrete"));
+  CHECK_THAT(doubt("tension, particles " + a + ", damage-plastic concrete " + b),
+             Contains("identified in tension") && Contains("under compression"));
+  CHECK_THAT(doubt(""), Contains("Identified for"));
+  apps::TransferSection published;
+  CHECK_THAT(doubt_about_law(published, here), Contains("\"default\"") && Contains("Law = identify"));
+  published.law = "identify";
+  CHECK(doubt_about_law(published, here) == "");
+  apps::LawOrigin from_files = here;
+  from_files.particles       = "";
+  CHECK_THAT(doubt_about_law(own_law(here.text()), from_files), Contains("the particles come from files"));
+}

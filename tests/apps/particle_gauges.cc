@@ -1,0 +1,106 @@
+// What gauges of particles read, what their groups hold and what makes up a row, without the program.
+#include "apps/drivers/particles/body.h"
+#include "apps/scene/overrides.h"
+#include "apps/scene/reader.h"
+
+#include <catch2/catch.hpp>
+
+using Catch::Contains;
+
+namespace
+{
+  /** Two balls of 10 and 5 mm, hence of masses 8 to 1, that touch nobody: one thrown and spinning, one at rest. */
+  struct TwoBalls
+  {
+    explicit TwoBalls(const std::vector<std::string> &more)
+    {
+      model.declare(root);
+      std::vector<std::string> entries = {"Specimen/Source=none",
+                                          "Specimen/Density=2500",
+                                          "More particles/large/Centre=0, 0, 0",
+                                          "More particles/large/Radius=0.01",
+                                          "More particles/small/Centre=0.09, 0, 0",
+                                          "More particles/small/Radius=0.005",
+                                          "Material/Law=linear",
+                                          "Material/linear/Effective modulus=1e7",
+                                          "Initial velocity/large/Velocity x=0.5",
+                                          "Initial velocity/large/Spin z=20",
+                                          "Time/End time=1",
+                                          "Time/Damping=0"};
+      entries.insert(entries.end(), more.begin(), more.end());
+      assign(root, apps::read_overrides(entries), "test");
+      model.validate(root);
+      packing = model.packing();
+      body    = std::make_unique<apps::ParticlesBody>(model, packing);
+      body->start();
+    }
+
+    double gauge(const std::string &name) const
+    {
+      const std::vector<std::string> names = model.column_names();
+      return body->row().at(static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin()));
+    }
+
+    apps::Section                        root;
+    apps::ParticlesModel                 model;
+    dem::Packing                         packing;
+    std::unique_ptr<apps::ParticlesBody> body;
+  };
+} // namespace
+
+TEST_CASE("A gauge of a group reads its centre of mass; distance is from there to the other's", "[apps][particles]")
+{
+  const TwoBalls balls({"Gauges/both/Quantity=position", "Gauges/both/Component=x", "Gauges/speed/Quantity=velocity",
+                        "Gauges/speed/Component=size", "Gauges/gap/Quantity=distance", "Gauges/gap/Group=large",
+                        "Gauges/gap/Other group=small", "Gauges/gap/Component=x"});
+  CHECK(balls.gauge("both") == Approx(0.09 / 9).epsilon(1e-14));
+  CHECK(balls.gauge("speed") == Approx(0.5 * 8 / 9).epsilon(1e-14));
+  CHECK(balls.gauge("gap") == Approx(0.09).epsilon(1e-14));
+}
+
+TEST_CASE("The kinetic energy of a group is of its translation and its spin, and of its own particles only",
+          "[apps][particles]")
+{
+  const TwoBalls balls({"Gauges/thrown/Quantity=kinetic energy", "Gauges/thrown/Group=large",
+                        "Gauges/still/Quantity=kinetic energy", "Gauges/still/Group=small"});
+  const double   mass = 2500 * 4.0 / 3 * M_PI * 1e-6;
+  CHECK(balls.gauge("thrown") == Approx(0.5 * mass * (0.25 + 0.4 * 1e-4 * 400)).epsilon(1e-13));
+  CHECK(balls.gauge("still") == 0);
+  CHECK(balls.gauge("energy_kinetic") == Approx(balls.gauge("thrown")).epsilon(1e-13));
+}
+
+TEST_CASE("Where nothing touches, a force is zero and a ratio of forces is no number", "[apps][particles]")
+{
+  const TwoBalls balls({"Gauges/push/Quantity=force", "Gauges/push/Group=small",
+                        "Gauges/calm/Quantity=unbalanced ratio", "Gauges/torn/Quantity=broken links"});
+  CHECK(balls.gauge("push") == 0);
+  CHECK(std::isnan(balls.gauge("calm")));
+  CHECK(balls.gauge("torn") == 0);
+}
+
+TEST_CASE("A row has a number for each column, its time first and its energies last", "[apps][particles]")
+{
+  const TwoBalls balls({"Gauges/speed/Quantity=velocity"});
+  const auto     columns = balls.model.columns();
+  REQUIRE(balls.body->row().size() == columns.size());
+  CHECK(columns.front().name == "time");
+  CHECK(columns[1].name == "speed");
+  CHECK(columns[1].unit == "m/s");
+  CHECK(columns.back().name == "energy_residual");
+  CHECK(balls.model.curve_horizontal() == "time");
+  CHECK(balls.model.curve_vertical() == "speed"); // the first gauge, unless the scene says otherwise
+  CHECK(TwoBalls({}).model.curve_vertical() == "energy_kinetic");
+}
+
+TEST_CASE("Groups hold what lies in their region or layer, and all is one of them", "[apps][particles]")
+{
+  const TwoBalls balls({"Groups/right/Shape=sphere", "Groups/right/Centre=0.09, 0, 0", "Groups/right/Radius=0.01",
+                        "Groups/bottom/Members=layer", "Groups/bottom/Axis=x", "Groups/bottom/Thickness=1e-3"});
+  using Members                   = std::vector<std::size_t>;
+  const apps::ParticleGroups &all = balls.body->all_groups();
+  CHECK(all.at("all") == Members{0, 1});
+  CHECK(all.at("right") == Members{1});
+  CHECK(all.at("bottom") == Members{0});
+  CHECK_THROWS_WITH(TwoBalls({"Groups/none/Shape=sphere", "Groups/none/Centre=5, 5, 5", "Groups/none/Radius=0.01"}),
+                    Contains("Groups/none: no particle's centre lies in it"));
+}
