@@ -78,13 +78,14 @@ namespace apps
 
     /**
      * What to ask about a modulus that no solid has ("25" for 25 GPa): soft rubber has 1e6 Pa, diamond 1.2e12 Pa. Whoever means it
-     * names the unit. "" for nothing.
+     * names the unit. "" for nothing. 0, where it is allowed, is a word: none, or that of something else.
      */
     std::string question_about(const std::string &entry, const std::string &unit, const NumberWithUnit &number)
     {
       constexpr double softest = 1e6, stiffest = 1e13;
       const bool       is_modulus = unit == "Pa" && entry.find("modulus") != std::string::npos;
-      if (!is_modulus || number.unit_named || (*number.value >= softest && *number.value <= stiffest))
+      if (!is_modulus || number.unit_named || *number.value == 0 ||
+          (*number.value >= softest && *number.value <= stiffest))
         return "";
       return fmt::format("no solid is so {}. In GPa or MPa? Write it in Pa, e.g. 25e9. If it is meant, name the unit: "
                          "{} Pa",

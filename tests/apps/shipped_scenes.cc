@@ -1,3 +1,5 @@
+#include "apps/drivers/read_scene.h"
+#include "apps/scene/description.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scratch_folder.h"
 #include "tests/places.h"
@@ -24,4 +26,18 @@ TEST_CASE("Every scene that is shipped is valid and can be set up", "[apps][slow
       ++scenes;
     }
   CHECK(scenes >= 3);
+}
+
+TEST_CASE("Every scene that is shipped reads the same as it is completed in a result folder", "[apps]")
+{
+  const ScratchFolder folder;
+  for (const auto &entry : std::filesystem::directory_iterator(places::sources() + "/apps/scenes"))
+    {
+      INFO(entry.path());
+      const apps::CheckedScene asked = apps::read_scene(entry.path().string(), {});
+      const auto file = folder.file("scene.prm", completed_scene(*asked.root, apps::Completed::everything));
+      const apps::CheckedScene again = apps::read_scene(file, {});
+      CHECK(completed_scene(*again.root, apps::Completed::what_decides_results) ==
+            completed_scene(*asked.root, apps::Completed::what_decides_results));
+    }
 }
