@@ -380,7 +380,7 @@ namespace fem
   template <int dim>
   ExplicitState ExplicitSolver<dim>::state() const
   {
-    return {current_time, started, last_length, account, u, v, f_int, mean, moved, outside};
+    return {current_time, started, last_length, account, u, v, f_int, mean, moved, outside, f_ext};
   }
 
   template <int dim>
@@ -400,8 +400,8 @@ namespace fem
     outside = saved.outside;
     for (const auto &then : outside.driven)
       held[then.first] = true;
+    f_ext = saved.external_force;
     u.update_ghost_values();
-    find_external_force();
   }
 
   template class ExplicitSolver<2>;

@@ -11,7 +11,7 @@ namespace fem
     std::map<std::string, double> density;       ///< [kg/m^3], for every material name of the mesh
     double                        damping = 0.0; ///< alpha of the damping force alpha M v [1/s]
     double                        safety  = 0.9; ///< step over the critical step of the elements
-    std::array<double, 3>         gravity = {0, 0, 0}; ///< acceleration of what falls; its work is external work [m/s^2]
+    std::array<double, 3> gravity = {0, 0, 0};   ///< acceleration of what falls; its work is external work [m/s^2]
   };
 
   /// Energies [J]; `external + start = kinetic + internal + damped` up to balance().
@@ -45,6 +45,7 @@ namespace fem
     Vector          displacement, velocity, internal_force, mean_velocity;
     Vector          last_motion; ///< displacement in the last step [m]
     ExplicitOutside outside;
+    Vector          external_force; ///< as it was added up: what pushed and was taken back leaves its rounding
   };
 
   /**
@@ -121,7 +122,7 @@ namespace fem
     ExplicitOutside   outside;
     double            last_length = 0;
     Vector            u, v, f_int, f_ext, lumped;
-    Vector            weight; ///< of every displacement along its own axis [N]; empty: none
+    Vector            weight;                            ///< of every displacement along its own axis [N]; empty: none
     Vector            mean;                              ///< velocity at the last whole step, for the damping work
     Vector            moved, target, f_before, e_before; ///< of a step
     double            step_limit   = 0;

@@ -13,7 +13,7 @@ using namespace apps_tests;
 
 namespace
 {
-  /** A square of 1 m, free and damped, that is pushed at one displacement and led at another, anew in every step. */
+  /** A square of 1 m that falls, damped, is pushed at one displacement and led at another, anew in every step. */
   struct PushedSquare
   {
     PushedSquare()
@@ -50,7 +50,7 @@ end
                                 {})))
       , model(dynamic_cast<const apps::ContinuumScene &>(*scene.scene).parameters())
       , solid(apps::make_solid<2>(model))
-      , motion(apps::make_motion<2>(*solid, model))
+      , motion(apps::make_motion<2>(*solid, model, {0, -9.81, 0}))
     {
     }
 
@@ -58,10 +58,10 @@ end
     {
       for (int k = 0; k < steps; ++k)
         {
-          motion->clear_forces();
           motion->add_force(3, 1e4 * (1 + 1e3 * motion->time()));
           motion->prescribe(6, 0.1);
           motion->advance(motion->step());
+          motion->clear_forces();
         }
     }
 

@@ -98,6 +98,7 @@ namespace apps
     visit_vector(visitor, "last_motion", saved.last_motion);
     visitor.scalar("last_length", saved.last_length);
     visit_outside(visitor, saved.outside, solid);
+    visit_vector(visitor, "external_force", saved.external_force);
     motion.restore(saved);
     visit_histories(visitor, solid);
   }
