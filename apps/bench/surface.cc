@@ -52,7 +52,10 @@ namespace apps
       for (const char *skin : {"1e-4", "2e-5", "5e-6"})
         add("skin [m]", skin, other, "Couplings/" + coupling + "/Skin thickness=" + skin);
       for (const int n : meshes)
-        add("point", fmt::format("{0}x{0}x{0}", n), n, "Couplings/" + coupling + "/Contact=point");
+        {
+          add("point", fmt::format("{0}x{0}x{0}", n), n, "Couplings/" + coupling + "/Contact=point");
+          all.back().changes.push_back("Couplings/" + coupling + "/Spreading=none");
+        }
       return all;
     }
 
