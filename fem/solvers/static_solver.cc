@@ -1,10 +1,12 @@
 #include "fem/solvers/static_solver.h"
 
+#include <Eigen/Eigenvalues>
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace fem
 {
@@ -107,19 +109,79 @@ namespace fem
   }
 
   template <int dim>
-  StepReport StaticSolver<dim>::advance_to(const double time)
+  StepReport StaticSolver<dim>::advance_to(const double time, const unsigned int trusted)
   {
     Trial      trial{u, f_int, f_ext, time};
     StepReport report;
     // Where damage has localised, the last step knows the shape of the next one better than any tangent at its start.
     if (!solid.linear() && last_length > 0)
-      report = attempt(trial, (time - current_time) / last_length);
+      report = trusted_attempt(trial, (time - current_time) / last_length, trusted);
     if (!report.converged)
       {
         trial  = {u, f_int, f_ext, time};
-        report = attempt(trial, 0.0);
+        report = trusted_attempt(trial, 0.0, trusted);
       }
     return finish_or_fail(report, trial);
+  }
+
+  template <int dim>
+  StepReport StaticSolver<dim>::trusted_attempt(Trial &trial, const double extrapolation, const unsigned int trusted)
+  {
+    StepReport report = attempt(trial, extrapolation);
+    if (report.converged && report.iterations > trusted && !solid.linear() && !stable())
+      {
+        report.converged = false;
+        report.reason    = "the equilibrium found after " + std::to_string(report.iterations) +
+                        " iterations is not stable: the way there leads to another one.";
+      }
+    return report;
+  }
+
+  template <int dim>
+  bool StaticSolver<dim>::stable()
+  {
+    // Arnoldi's method for the inverse of the tangent, from a vector that favours no motion. What localises is weak: it is found
+    // among the first few motions, as an end of the spectrum. For y = K^-1 x the tangent does the work x . y.
+    constexpr int    motions  = 16;
+    constexpr double rounding = 1e-9; // of the largest eigenvalue of the inverse
+    Eigen::MatrixXd  work     = Eigen::MatrixXd::Zero(motions, motions);
+    try
+      {
+        set_tangent();
+        std::vector<Vector> basis;
+        Vector              x = solid.make_vector(), y = solid.make_vector();
+        for (const auto i : x.locally_owned_elements())
+          x[i] = std::sin(1.0 + static_cast<double>(i));
+        solid.constraints().set_zero(x);
+        int found = 0;
+        for (double length = x.l2_norm(); found < motions && length > 0; ++found)
+          {
+            x /= length;
+            basis.push_back(x);
+            linear->solve(y, x);
+            solid.constraints().set_zero(y);
+            const double size = y.l2_norm();
+            for (int k = 0; k <= found; ++k)
+              {
+                work(k, found) = basis[k] * y;
+                y.add(-work(k, found), basis[k]);
+              }
+            length = y.l2_norm();
+            if (length <= 1e-12 * size)
+              length = 0;
+            if (found + 1 < motions)
+              work(found + 1, found) = length;
+            x = y;
+          }
+        const Eigen::MatrixXd                                inverse = work.topLeftCorner(found, found);
+        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(0.5 * (inverse + inverse.transpose()),
+                                                                   Eigen::EigenvaluesOnly);
+        return found == 0 || modes.eigenvalues()[0] > -rounding * modes.eigenvalues().cwiseAbs().maxCoeff();
+      }
+    catch (const MaterialFailure &)
+      {
+        return true; // a tangent that cannot be solved with says nothing
+      }
   }
 
   template <int dim>

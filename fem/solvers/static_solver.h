@@ -2,6 +2,7 @@
 
 #include "fem/solvers/linear_solver.h"
 
+#include <limits>
 #include <optional>
 
 namespace fem
@@ -67,8 +68,16 @@ namespace fem
   public:
     StaticSolver(Solid<dim> &solid, const NewtonOptions &newton = {}, const LinearSolverOptions &linear = {});
 
-    /// Tries to go to a time.
-    StepReport advance_to(double time);
+    static constexpr unsigned int any_number = std::numeric_limits<unsigned int>::max();
+
+    /**
+     * Tries to go to a time.
+     *
+     * Past the strength of a material several equilibria may lie at that time: other elements soften in each of them. An iteration
+     * that wanders may end at any; the one to which the solid comes in short steps is stable.
+     * @param trusted iterations up to which an equilibrium is taken as it is; one that took more must be stable, or the step fails
+     */
+    StepReport advance_to(double time, unsigned int trusted = any_number);
 
     /**
      * Goes to a time, where no equilibrium may lie near, as an overdamped body would: it lets go until it is in equilibrium.
@@ -121,6 +130,10 @@ namespace fem
     StepReport finish_or_fail(const StepReport &report, const Trial &trial);
     StepReport newton(Trial &trial);
     StepReport attempt(Trial &trial, double extrapolation);
+    StepReport trusted_attempt(Trial &trial, double extrapolation, unsigned int trusted);
+
+    /// Whether no direction is found on which the tangent, that of the trial that newton() ended with, does negative work.
+    bool       stable();
     StepReport path_newton(Trial &trial, const PathControl &control, double increment);
     void       update_with_line_search(Trial &trial, const Vector &direction, double unbalanced);
     double     path_correction(const PathControl &control,

@@ -7,7 +7,15 @@ namespace fem
 {
   namespace
   {
-    constexpr double relaxed_part = 0.25; // of the first step: how far a step that is relaxed goes
+    constexpr double relaxed_part = 0.25;    // of the first step: how far a step that is relaxed goes
+    constexpr double blind_part   = 1. / 16; // of the first step: one so short that it ends where it ends
+
+    /// Iterations up to which the equilibrium at the end of a step is believed: of short steps all.
+    unsigned int trusted_iterations(const StepControl &steps, const double length)
+    {
+      const double shortest = steps.first * (steps.relax ? 2 * relaxed_part : blind_part);
+      return length < shortest || length < 2 * steps.smallest ? StaticSolver<2>::any_number : steps.easy;
+    }
 
     /// One accepted step of at most `length`, which becomes what the next one should try. Returns the length done.
     /// `let_go` attempts the same when the step has been cut too often; what it does may be as hard as it likes.
@@ -68,7 +76,8 @@ namespace fem
         const double left = end - from;
         const auto   to   = [&](const double now) { return now >= left ? end : from + now; };
         const double done = step(
-          steps, length, left, report, from, [&](const double now) { return solver.advance_to(to(now)); },
+          steps, length, left, report, from,
+          [&](const double now) { return solver.advance_to(to(now), trusted_iterations(steps, now)); },
           [&](const double now) { return solver.relax_to(to(now)); });
         if (!observe(report, done))
           return;
