@@ -393,6 +393,20 @@ TEST_CASE("body contact: what cannot be is refused by name", "[coupling]")
   CHECK_THROWS_WITH(b.both->contacts().add({"other", {}, soft}), Catch::Contains("stiffness must be positive"));
 }
 
+TEST_CASE("body contact: what shares one node only is one body", "[coupling]")
+{
+  const auto hinged = [](dealii::Triangulation<2> &mesh) { // two squares, corner to corner
+    std::vector<dealii::CellData<2>> cells(2);
+    cells[0].vertices = {0, 1, 2, 3};
+    cells[1].vertices = {3, 4, 5, 6};
+    mesh.create_triangulation({{0, 0}, {1, 0}, {0, 1}, {1, 1}, {2, 1}, {1, 2}, {2, 2}}, cells, dealii::SubCellData());
+  };
+  const auto still = [](const dealii::Point<2> &) { return dealii::Tensor<1, 2>(); };
+  CHECK_THROWS_WITH((Bodies<2>(fem::make_mesh_of_bodies<2>(hinged, fem::ElementFamily::hypercube, MPI_COMM_SELF), still,
+                               contact(dem::BodyContactForm::potential, 0))),
+                    Catch::Contains("there is only one body"));
+}
+
 TEST_CASE("body contact: a body that runs through another stops the run", "[coupling]")
 {
   auto law      = contact(dem::BodyContactForm::potential, 0);
