@@ -5,11 +5,25 @@
 
 namespace apps
 {
+  namespace
+  {
+    constexpr std::size_t a_word = 3; ///< letters; fewer stand in too many names
+
+    bool same(const char a, const char b)
+    {
+      return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+    }
+
+    /** Whether a word is a part of the name, case ignored. */
+    bool contains(const std::string &name, const std::string &word)
+    {
+      return word.size() >= a_word &&
+             std::search(name.begin(), name.end(), word.begin(), word.end(), same) != name.end();
+    }
+  } // namespace
+
   std::size_t edit_distance(const std::string &from, const std::string &to)
   {
-    const auto same = [](const char a, const char b) {
-      return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
-    };
     // Rows of the dynamic programme: the two before this one and this one.
     std::vector<std::size_t> before_last(to.size() + 1), last(to.size() + 1), row(to.size() + 1);
     for (std::size_t j = 0; j <= to.size(); ++j)
@@ -32,8 +46,9 @@ namespace apps
 
   std::string nearest_name(const std::string &typed, const std::vector<std::string> &candidates)
   {
+    const auto missed = [&](const std::string &name) { return !contains(name, typed); };
     const auto nearer = [&](const std::string &a, const std::string &b) {
-      return edit_distance(typed, a) < edit_distance(typed, b);
+      return missed(a) != missed(b) ? missed(b) : edit_distance(typed, a) < edit_distance(typed, b);
     };
     const auto nearest = std::min_element(candidates.begin(), candidates.end(), nearer);
     return nearest == candidates.end() ? std::string() : *nearest;

@@ -11,7 +11,10 @@ namespace apps
    */
   std::size_t edit_distance(const std::string &from, const std::string &to);
 
-  /** The candidate with the smallest edit distance, the first of equals; empty if there is no candidate. */
+  /**
+   * The candidate with the smallest edit distance, the first of equals, of those that contain what was typed if any does (three
+   * letters at least); empty if there is no candidate.
+   */
   std::string nearest_name(const std::string &typed, const std::vector<std::string> &candidates);
 
   /** "Did you mean "X"?", or "" if there is no candidate. */

@@ -17,3 +17,12 @@ TEST_CASE("The nearest name is the candidate with the smallest edit distance", "
   CHECK(apps::nearest_name("Cohesoin", {"Normal modulus", "Cohesion", "Shear ratio"}) == "Cohesion");
   CHECK(apps::nearest_name("anything", {}).empty());
 }
+
+TEST_CASE("A name that contains what was typed is nearer than one of fewer letters", "[apps]")
+{
+  const std::vector<std::string> materials = {"isotropic elastic", "anisotropic elastic", "damage-plastic concrete"};
+  CHECK(apps::nearest_name("Concrete", materials) == "damage-plastic concrete");
+  CHECK(apps::nearest_name("elastic", materials) == "isotropic elastic");
+  CHECK(apps::nearest_name("isotropc elastic", materials) == "isotropic elastic");
+  CHECK(apps::nearest_name("st", {"material", "step", "test"}) == "step"); // too short to be a word
+}
