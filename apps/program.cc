@@ -6,7 +6,7 @@
 #include "apps/process/progress.h"
 #include "apps/process/version.h"
 #include "apps/scene/nearest_name.h"
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "dem/packing/compaction.h"
 #include "postprocess/errors.h"
 
@@ -55,7 +55,7 @@ namespace apps
           const Progress working(command, Progress::Shown::in_logs); // speaks where no part of the work does
           return action();
         }
-      catch (const dem::InputError &error)
+      catch (const base::InputError &error)
         {
           return complain(error.what(), exit_bad_input);
         }
@@ -63,7 +63,7 @@ namespace apps
         {
           return complain(error.what(), exit_bad_input);
         }
-      catch (const dem::NumericalError &error)
+      catch (const base::NumericalError &error)
         {
           return complain(fmt::format("the computation broke down: {}", error.what()), exit_failure);
         }

@@ -1,6 +1,6 @@
 # What a build may choose, and the flags that every target shares.
 
-set(BRECCIA_KNOWN_ROOMS dem fem coupling postprocess apps) # in the order of the arrows
+set(BRECCIA_KNOWN_ROOMS base dem fem coupling postprocess apps) # in the order of the arrows
 set(BRECCIA_ROOMS "${BRECCIA_KNOWN_ROOMS}" CACHE STRING "Rooms to build; `dem` alone needs only Eigen and OpenMP")
 option(BRECCIA_TESTS "Build the tests (needs Catch2)" ON)
 option(BRECCIA_NATIVE "Compile dem for the processor of this machine (-march=native)" ON)
@@ -13,7 +13,8 @@ foreach(room IN LISTS BRECCIA_ROOMS)
     message(FATAL_ERROR "BRECCIA_ROOMS = ${room}: no such room. Rooms: ${known}.")
   endif()
 endforeach()
-# Keep the order of the arrows, whatever order was typed.
+# Keep the order of the arrows, whatever order was typed. Every room stands on base.
+list(APPEND BRECCIA_ROOMS base)
 set(ordered_rooms ${BRECCIA_KNOWN_ROOMS})
 foreach(room IN LISTS BRECCIA_KNOWN_ROOMS)
   if(NOT room IN_LIST BRECCIA_ROOMS)
@@ -46,6 +47,9 @@ add_compile_options(-Wall -Wextra -Wpedantic -Wshadow)
 # Eigen aligns its storage to the widest vector of the *translation unit*; dem is compiled for wider
 # vectors than the other rooms. One fixed value for all of them keeps allocation and layout the same everywhere.
 add_compile_definitions(EIGEN_MAX_ALIGN_BYTES=64 EIGEN_MAX_STATIC_ALIGN_BYTES=64)
+# Threads are ours alone: Eigen's own would split sums by their number. Nobody speaks to MPI by the C++ classes that its header
+# would otherwise bring into every source.
+add_compile_definitions(EIGEN_DONT_PARALLELIZE OMPI_SKIP_MPICXX=1 MPICH_SKIP_MPICXX=1)
 include_directories("${CMAKE_SOURCE_DIR}") # #include "dem/laws/cpm.h"
 
 if(BRECCIA_TRAP_FPE)

@@ -1,6 +1,6 @@
 #include "postprocess/checkpoint.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "postprocess/companions.h"
 #include "postprocess/digest.h"
 #include "postprocess/hdf5_file.h"
@@ -51,7 +51,7 @@ namespace postprocess
         {
           return std::filesystem::exists(path) ? hdf5::InputFile(path).read_text("companions") : "";
         }
-      catch (const dem::InputError &)
+      catch (const base::InputError &)
         {
           return "";
         }
@@ -93,7 +93,7 @@ namespace postprocess
 
   void CheckpointWriter::group(const std::string &name) { self->prefix = "state/" + name + "/"; }
 
-  void CheckpointWriter::column(const std::string &name, dem::Column &values)
+  void CheckpointWriter::column(const std::string &name, base::Column &values)
   {
     self->write(name, values.data(), values.size(), {values.size()});
   }
@@ -127,13 +127,13 @@ namespace postprocess
     {
     }
 
-    [[noreturn]] void refuse(const std::string &what) const { throw dem::InputError(path + ": " + what + remedy); }
+    [[noreturn]] void refuse(const std::string &what) const { throw base::InputError(path + ": " + what + remedy); }
 
     void check_format() const
     {
       std::int64_t version = 0;
       if (!file.has("format") || file.read_text("format") != format_name)
-        throw dem::InputError(path + ": is not a checkpoint.");
+        throw base::InputError(path + ": is not a checkpoint.");
       file.read("format_version", &version);
       if (version != format_version)
         refuse("checkpoint format " + std::to_string(version) + ", this program reads format " +
@@ -199,7 +199,7 @@ namespace postprocess
 
   void CheckpointReader::group(const std::string &name) { self->prefix = "state/" + name + "/"; }
 
-  void CheckpointReader::column(const std::string &name, dem::Column &values) { self->read_column(name, values); }
+  void CheckpointReader::column(const std::string &name, base::Column &values) { self->read_column(name, values); }
 
   void CheckpointReader::column(const std::string &name, std::vector<std::int32_t> &values)
   {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dem/core/state.h"
+#include "base/state.h"
 
 #include <filesystem>
 #include <memory>
@@ -18,7 +18,7 @@ namespace postprocess
    *
    * The state has a fingerprint; the file knows the series and snapshots beside it (companions.h). A name once per group.
    */
-  class CheckpointWriter : public dem::StateVisitor
+  class CheckpointWriter : public base::StateVisitor
   {
   public:
     /**
@@ -31,7 +31,7 @@ namespace postprocess
 
     void group(const std::string &name); ///< the items that follow belong to this group
 
-    void column(const std::string &name, dem::Column &values) override;
+    void column(const std::string &name, base::Column &values) override;
     void column(const std::string &name, std::vector<std::int32_t> &values) override;
     void scalar(const std::string &name, double &value) override;
     void scalar(const std::string &name, std::int64_t &value) override;
@@ -47,11 +47,11 @@ namespace postprocess
   };
 
   /** Fills a state from a checkpoint, to the same bits; the counterpart of CheckpointWriter. */
-  class CheckpointReader : public dem::StateVisitor
+  class CheckpointReader : public base::StateVisitor
   {
   public:
     /**
-     * @throws dem::InputError if the file is missing, damaged, not a checkpoint, of another format version, made by another
+     * @throws base::InputError if the file is missing, damaged, not a checkpoint, of another format version, made by another
      * scene (with the first line that differs), or a series, snapshot or state beside it has changed or gone since.
      */
     CheckpointReader(const std::filesystem::path &path, const std::string &scene);
@@ -59,15 +59,15 @@ namespace postprocess
 
     void group(const std::string &name);
 
-    /** @throws dem::InputError naming the item: missing, of another type or shape, or its checksum does not fit. */
-    void column(const std::string &name, dem::Column &values) override;
+    /** @throws base::InputError naming the item: missing, of another type or shape, or its checksum does not fit. */
+    void column(const std::string &name, base::Column &values) override;
     void column(const std::string &name, std::vector<std::int32_t> &values) override;
     void scalar(const std::string &name, double &value) override;
     void scalar(const std::string &name, std::int64_t &value) override;
 
     std::string text(const std::string &name) const;
 
-    /** Call it last. @throws dem::InputError if the file holds an item that nobody read. */
+    /** Call it last. @throws base::InputError if the file holds an item that nobody read. */
     void finish() const;
 
   private:

@@ -1,6 +1,6 @@
 #include "postprocess/companions.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "postprocess/digest.h"
 
 #include <algorithm>
@@ -95,7 +95,7 @@ namespace postprocess
   void check_companions(const fs::path &checkpoint, const std::string &list)
   {
     const auto refuse = [&](const std::string &name, const std::string &what) {
-      throw dem::InputError(
+      throw base::InputError(
         (checkpoint.parent_path() / name).string() + ": " + what +
         " since the checkpoint beside it was written, and the run cannot go on with it. Put the file "
         "back, or start the run afresh with --restart.");

@@ -16,7 +16,7 @@ namespace postprocess
   /**
    * Are they still there, and do they still begin with what they held? They may have grown: a run that was killed went on after its
    * checkpoint.
-   * @throws dem::InputError naming the first file that is missing, shorter or changed
+   * @throws base::InputError naming the first file that is missing, shorter or changed
    */
   void check_companions(const std::filesystem::path &checkpoint, const std::string &list);
 } // namespace postprocess

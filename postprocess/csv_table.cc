@@ -1,6 +1,6 @@
 #include "postprocess/csv_table.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "postprocess/numeric_text.h"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ namespace postprocess
     std::string known;
     for (const std::string &other : names)
       known += (known.empty() ? "" : ", ") + other;
-    throw dem::InputError(origin + ": there is no column " + name + ". Columns: " + known + ".");
+    throw base::InputError(origin + ": there is no column " + name + ". Columns: " + known + ".");
   }
 
   namespace
@@ -82,7 +82,7 @@ namespace postprocess
             table.columns[c].push_back(value_of(fields[c], table, lines.number(), accept_not_finite));
       }
     if (table.names.empty())
-      throw dem::InputError(table.origin + ": is empty. The first line must name the columns.");
+      throw base::InputError(table.origin + ": is empty. The first line must name the columns.");
     return table;
   }
 } // namespace postprocess

@@ -15,7 +15,7 @@ namespace postprocess
     std::string                      origin; ///< file name, for messages
 
     std::size_t rows() const;
-    /** @throws dem::InputError that lists the columns there are. */
+    /** @throws base::InputError that lists the columns there are. */
     const std::vector<double> &column(const std::string &name) const;
   };
 
@@ -24,7 +24,7 @@ namespace postprocess
    * starting with `#` are comments. The values nan and inf are accepted only when asked for. Columns of words, where the caller
    * says that there are any, stay empty.
    *
-   * @throws dem::InputError naming file and line: missing file, no header, a name twice, wrong number of values, not a
+   * @throws base::InputError naming file and line: missing file, no header, a name twice, wrong number of values, not a
    * number.
    */
   CsvTable read_csv_table(const std::filesystem::path    &path,

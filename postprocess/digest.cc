@@ -1,6 +1,6 @@
 #include "postprocess/digest.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "postprocess/file_descriptor.h"
 
 #include <array>
@@ -12,13 +12,13 @@ namespace postprocess
   {
     std::ifstream stream(file, std::ios::binary);
     if (!stream)
-      throw dem::InputError(file.string() + ": cannot be read: " + system_reason() + ".");
+      throw base::InputError(file.string() + ": cannot be read: " + system_reason() + ".");
     Digest                  digest;
     std::array<char, 65536> block;
     while (stream.read(block.data(), block.size()) || stream.gcount() > 0)
       digest.add({block.data(), static_cast<std::size_t>(stream.gcount())});
     if (stream.bad())
-      throw dem::InputError(file.string() + ": cannot be read to its end: " + system_reason() + ".");
+      throw base::InputError(file.string() + ": cannot be read to its end: " + system_reason() + ".");
     return digest.value();
   }
 } // namespace postprocess

@@ -26,6 +26,6 @@ namespace postprocess
     std::uint64_t value_now = 0xcbf29ce484222325ULL;
   };
 
-  /** Of all bytes of a file. @throws dem::InputError if it cannot be read. */
+  /** Of all bytes of a file. @throws base::InputError if it cannot be read. */
   std::uint64_t digest_of_file(const std::filesystem::path &file);
 } // namespace postprocess

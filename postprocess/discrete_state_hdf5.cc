@@ -1,6 +1,6 @@
 #include "postprocess/discrete_state_hdf5.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "postprocess/hdf5_file.h"
 
 namespace postprocess
@@ -18,8 +18,8 @@ namespace postprocess
       const hdf5::Shape shape = file.shape(name);
       const bool        fits  = columns == 1 ? shape.size() == 1 : shape.size() == 2 && shape[1] == columns;
       if (!fits)
-        throw dem::InputError(origin + ": \"" + name + "\" must have " + std::to_string(columns) +
-                              " number(s) a row; it has another shape.");
+        throw base::InputError(origin + ": \"" + name + "\" must have " + std::to_string(columns) +
+                               " number(s) a row; it has another shape.");
       return shape[0];
     }
 
@@ -106,7 +106,7 @@ namespace postprocess
       const std::vector<double>          lost      = read<double>(file, "links/strength_damage", 1, origin);
       damage.contact                               = read_vectors(file, "links/contact", origin);
       if (lost.size() != direction.size() || damage.contact.size() != direction.size())
-        throw dem::InputError(origin + ": the arrays of \"links\" differ in length.");
+        throw base::InputError(origin + ": the arrays of \"links\" differ in length.");
       for (std::size_t l = 0; l + 1 < ends.size(); l += 2)
         damage.ends.push_back({static_cast<std::size_t>(ends[l]), static_cast<std::size_t>(ends[l + 1])});
       for (std::size_t l = 0; l < direction.size(); ++l)
@@ -133,12 +133,12 @@ namespace postprocess
     const hdf5::InputFile file(path);
     const std::string     origin = path.string();
     if (!file.has("format") || file.read_text("format") != format_name)
-      throw dem::InputError(origin + ": is not a discrete state (its \"format\" must be \"" + format_name + "\").");
+      throw base::InputError(origin + ": is not a discrete state (its \"format\" must be \"" + format_name + "\").");
     std::int64_t version = 0, dimension = 0;
     file.read("format_version", &version);
     if (version != format_version)
-      throw dem::InputError(origin + ": discrete state of format " + std::to_string(version) +
-                            ", this program reads format " + std::to_string(format_version) + ".");
+      throw base::InputError(origin + ": discrete state of format " + std::to_string(version) +
+                             ", this program reads format " + std::to_string(format_version) + ".");
     dem::DiscreteState state;
     file.read("dimension", &dimension);
     state.dimension = static_cast<int>(dimension);

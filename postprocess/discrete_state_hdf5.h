@@ -13,6 +13,6 @@ namespace postprocess
    */
   void write_discrete_state(const dem::DiscreteState &state, const std::filesystem::path &path);
 
-  /** Read it back and check it. @throws dem::InputError naming file and item. */
+  /** Read it back and check it. @throws base::InputError naming file and item. */
   dem::DiscreteState read_discrete_state(const std::filesystem::path &path);
 } // namespace postprocess

@@ -1,6 +1,6 @@
 #include "postprocess/hdf5_file.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "postprocess/errors.h"
 
 #include <algorithm>
@@ -176,9 +176,9 @@ namespace postprocess::hdf5
     void check_exists(const std::filesystem::path &path)
     {
       if (!std::filesystem::exists(path))
-        throw dem::InputError(path.string() + ": no such file.");
+        throw base::InputError(path.string() + ": no such file.");
       if (!is_hdf5(path))
-        throw dem::InputError(path.string() + ": is not an HDF5 file.");
+        throw base::InputError(path.string() + ": is not an HDF5 file.");
     }
   } // namespace
 
@@ -195,7 +195,7 @@ namespace postprocess::hdf5
 
   void InputFile::fail(const std::string &what) const
   {
-    throw dem::InputError(path.string() + ": " + what + ": " + reason() + ".");
+    throw base::InputError(path.string() + ": " + what + ": " + reason() + ".");
   }
 
   void InputFile::damaged(const std::string &name) const { fail("\"" + name + "\" is damaged"); }
@@ -217,7 +217,7 @@ namespace postprocess::hdf5
   Handle InputFile::open(const std::string &name) const
   {
     if (!linked(name))
-      throw dem::InputError(path.string() + ": \"" + name + "\" is missing.");
+      throw base::InputError(path.string() + ": \"" + name + "\" is missing.");
     Handle array(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose);
     if (!array.valid())
       damaged(name);
@@ -241,7 +241,7 @@ namespace postprocess::hdf5
     const Handle array = open(name);
     const Handle stored(H5Dget_type(array), H5Tclose);
     if (H5Tget_class(stored) != H5Tget_class(type) || H5Tget_size(stored) > H5Tget_size(type))
-      throw dem::InputError(path.string() + ": \"" + name + "\" is of another type: " + expected + " expected.");
+      throw base::InputError(path.string() + ": \"" + name + "\" is of another type: " + expected + " expected.");
     if (H5Dread(array, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
       damaged(name);
   }
@@ -266,7 +266,7 @@ namespace postprocess::hdf5
     const Handle array = open(name);
     const Handle type(H5Dget_type(array), H5Tclose);
     if (H5Tget_class(type) != H5T_INTEGER && H5Tget_class(type) != H5T_FLOAT)
-      throw dem::InputError(path.string() + ": \"" + name + "\" is of another type: numbers expected.");
+      throw base::InputError(path.string() + ": \"" + name + "\" is of another type: numbers expected.");
     std::size_t size = H5Tget_size(type);
     for (const hsize_t n : shape(name))
       size *= n;
@@ -281,8 +281,8 @@ namespace postprocess::hdf5
     const Handle array = open(name);
     const Handle type(H5Dget_type(array), H5Tclose);
     if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0 || !shape(name).empty())
-      throw dem::InputError(path.string() + ": \"" + name +
-                            "\" is of another type: one text of fixed length expected.");
+      throw base::InputError(path.string() + ": \"" + name +
+                             "\" is of another type: one text of fixed length expected.");
     std::string text(H5Tget_size(type), '\0');
     if (H5Dread(array, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) < 0)
       damaged(name);

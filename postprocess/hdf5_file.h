@@ -96,7 +96,7 @@ namespace postprocess::hdf5
     Handle                file;
   };
 
-  /** An existing file. What is missing, of another type, or damaged, is a dem::InputError that names file and item. */
+  /** An existing file. What is missing, of another type, or damaged, is a base::InputError that names file and item. */
   class InputFile
   {
   public:

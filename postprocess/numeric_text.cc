@@ -1,6 +1,6 @@
 #include "postprocess/numeric_text.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "postprocess/file_descriptor.h"
 
 #include <algorithm>
@@ -33,12 +33,12 @@ namespace postprocess::numeric_text
   std::string read_whole(const std::filesystem::path &path)
   {
     if (std::filesystem::is_directory(path))
-      throw dem::InputError(path.string() + ": is a folder, not a file.");
+      throw base::InputError(path.string() + ": is a folder, not a file.");
     errno = 0;
     std::ifstream      file(path, std::ios::binary);
     std::ostringstream text;
     if (!file || (file.peek() != std::ifstream::traits_type::eof() && !(text << file.rdbuf())))
-      throw dem::InputError(path.string() + ": cannot be read: " + system_reason() + ".");
+      throw base::InputError(path.string() + ": cannot be read: " + system_reason() + ".");
     return text.str();
   }
 
@@ -53,7 +53,7 @@ namespace postprocess::numeric_text
 
   void refuse(const std::string &origin, const std::size_t line, const std::string &message)
   {
-    throw dem::InputError(origin + ", line " + std::to_string(line) + ": " + message);
+    throw base::InputError(origin + ", line " + std::to_string(line) + ": " + message);
   }
 
   Lines::Lines(const std::string_view text)

@@ -9,13 +9,13 @@
 /** Tables of numbers as text: how lines, fields, numbers and column names are read, and numbers written. */
 namespace postprocess::numeric_text
 {
-  /** The whole file. @throws dem::InputError with the system's reason. */
+  /** The whole file. @throws base::InputError with the system's reason. */
   std::string read_whole(const std::filesystem::path &path);
 
-  /** The whole file, which must be plain text. @throws dem::InputError also for what no text holds: zero bytes, as in UTF-16 */
+  /** The whole file, which must be plain text. @throws base::InputError also for what no text holds: zero bytes, as in UTF-16 */
   std::string read_text(const std::filesystem::path &path);
 
-  /** @throws dem::InputError "FILE, line N: MESSAGE". */
+  /** @throws base::InputError "FILE, line N: MESSAGE". */
   [[noreturn]] void refuse(const std::string &origin, std::size_t line, const std::string &message);
 
   /** Walks over the lines of a text; line ends of every system, and a leading byte-order mark, are taken off. */
@@ -40,7 +40,7 @@ namespace postprocess::numeric_text
   /** The number that the whole field stands for, nan and inf included; empty if it is none, or too large or small. */
   std::optional<double> number(std::string_view field);
 
-  /** The number, finite. @throws dem::InputError. */
+  /** The number, finite. @throws base::InputError. */
   double finite_number(std::string_view field, const std::string &origin, std::size_t line);
 
   /** Append the shortest text that reads back to the same bits. */

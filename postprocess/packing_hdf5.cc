@@ -1,6 +1,6 @@
 #include "postprocess/packing_hdf5.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "postprocess/hdf5_file.h"
 
 #include <sstream>
@@ -26,23 +26,23 @@ namespace postprocess
     {
       const hdf5::Shape centre = file.shape("centre"), radius = file.shape("radius");
       if (centre.size() != 2 || centre[1] != 3)
-        throw dem::InputError(origin + ": \"centre\" has the shape " + as_text(centre) + ", expected N x 3.");
+        throw base::InputError(origin + ": \"centre\" has the shape " + as_text(centre) + ", expected N x 3.");
       if (radius.size() != 1 || radius[0] != centre[0])
-        throw dem::InputError(origin + ": \"radius\" has the shape " + as_text(radius) + ", expected " +
-                              std::to_string(centre[0]) + ", as many as centres.");
+        throw base::InputError(origin + ": \"radius\" has the shape " + as_text(radius) + ", expected " +
+                               std::to_string(centre[0]) + ", as many as centres.");
       if (file.has("material") && file.shape("material") != hdf5::Shape{centre[0]})
-        throw dem::InputError(origin + ": \"material\" has the shape " + as_text(file.shape("material")) +
-                              ", expected " + std::to_string(centre[0]) + ", as many as centres.");
+        throw base::InputError(origin + ": \"material\" has the shape " + as_text(file.shape("material")) +
+                               ", expected " + std::to_string(centre[0]) + ", as many as centres.");
       if (file.has("periodic_cell") && file.shape("periodic_cell") != hdf5::Shape{3})
-        throw dem::InputError(origin + ": \"periodic_cell\" has the shape " + as_text(file.shape("periodic_cell")) +
-                              ", expected 3 edge lengths.");
+        throw base::InputError(origin + ": \"periodic_cell\" has the shape " + as_text(file.shape("periodic_cell")) +
+                               ", expected 3 edge lengths.");
     }
 
     std::int32_t narrowed(const std::int64_t number, const std::string &origin)
     {
       if (number != static_cast<std::int32_t>(number))
-        throw dem::InputError(origin + ": \"material\" holds " + std::to_string(number) +
-                              ", expected whole numbers from 0.");
+        throw base::InputError(origin + ": \"material\" holds " + std::to_string(number) +
+                               ", expected whole numbers from 0.");
       return static_cast<std::int32_t>(number);
     }
 
@@ -52,8 +52,8 @@ namespace postprocess
       if (file.has("format_version"))
         file.read("format_version", &version);
       if (version != format_version)
-        throw dem::InputError(origin + ": packing format " + std::to_string(version) + ", this program reads format " +
-                              std::to_string(format_version) + ".");
+        throw base::InputError(origin + ": packing format " + std::to_string(version) + ", this program reads format " +
+                               std::to_string(format_version) + ".");
     }
   } // namespace
 

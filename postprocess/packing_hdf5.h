@@ -6,7 +6,7 @@
 
 namespace postprocess
 {
-  /** The HDF5 format of read_packing(); all but the checks of dem::check_packing(). @throws dem::InputError. */
+  /** The HDF5 format of read_packing(); all but the checks of dem::check_packing(). @throws base::InputError. */
   std::pair<dem::Packing, Metadata> read_packing_hdf5(const std::filesystem::path &path);
 
   /** Metadata as for write_packing(). @throws OutputError. */

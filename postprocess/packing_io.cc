@@ -1,6 +1,6 @@
 #include "postprocess/packing_io.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "postprocess/atomic_file.h"
 #include "postprocess/hdf5_file.h"
 #include "postprocess/packing_hdf5.h"
@@ -22,7 +22,7 @@ namespace postprocess
     std::pair<dem::Packing, Metadata> read(const std::filesystem::path &path)
     {
       if (!std::filesystem::exists(path))
-        throw dem::InputError(path.string() + ": no such file. Give a packing: HDF5 (.h5) or text (x y z radius).");
+        throw base::InputError(path.string() + ": no such file. Give a packing: HDF5 (.h5) or text (x y z radius).");
       return hdf5::is_hdf5(path) || is_named_hdf5(path) ? read_packing_hdf5(path) : read_packing_text(path);
     }
 

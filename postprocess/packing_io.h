@@ -23,7 +23,7 @@ namespace postprocess
    * HDF5: datasets `centre` (N x 3) and `radius` (N) [m], and `periodic_cell` (3) when periodic. With several materials
    * `material` (N, whole numbers from 0) and, unless they have no names, the text `material_names`, between blanks.
    *
-   * @throws dem::InputError naming file and line (or dataset): missing file, wrong number of columns, not a number, NaN
+   * @throws base::InputError naming file and line (or dataset): missing file, wrong number of columns, not a number, NaN
    * or infinity, radius <= 0, no particle, coincident particles, a material that has no name or may not be called so, missing or
    * misshapen dataset, truncated file.
    */

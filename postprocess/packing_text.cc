@@ -1,6 +1,6 @@
 #include "postprocess/packing_text.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "postprocess/numeric_text.h"
 
 #include <algorithm>
@@ -72,7 +72,7 @@ namespace postprocess
               read_particle(line);
           }
         if (packing.size() == 0)
-          throw dem::InputError(origin + ": holds no particle. Give lines of x y z radius [m].");
+          throw base::InputError(origin + ": holds no particle. Give lines of x y z radius [m].");
         if (layout.material)
           packing.material_names.resize(numbers.size());
         for (const auto &[name, value] : numbers)

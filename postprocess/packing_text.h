@@ -6,7 +6,7 @@
 
 namespace postprocess
 {
-  /** The text format of read_packing(); all but the checks of dem::check_packing(). @throws dem::InputError. */
+  /** The text format of read_packing(); all but the checks of dem::check_packing(). @throws base::InputError. */
   std::pair<dem::Packing, Metadata> read_packing_text(const std::filesystem::path &path);
 
   /** The same format as text; fields are separated by `separator`. Metadata as for write_packing(). */

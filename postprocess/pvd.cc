@@ -39,7 +39,7 @@ namespace postprocess
     write_list();
   }
 
-  void PvdCollection::restore(const dem::Column &listed_before)
+  void PvdCollection::restore(const base::Column &listed_before)
   {
     times = listed_before;
     if (!times.empty())

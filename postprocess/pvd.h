@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dem/core/column.h"
+#include "base/column.h"
 
 #include <filesystem>
 #include <string>
@@ -33,17 +33,17 @@ namespace postprocess
     std::size_t size() const { return times.size(); }
 
     /** The times of all snapshots listed: all that must be remembered. */
-    const dem::Column &listed() const { return times; }
+    const base::Column &listed() const { return times; }
 
     /** Go on after these, and write the list anew. @throws OutputError. */
-    void restore(const dem::Column &listed_before);
+    void restore(const base::Column &listed_before);
 
   private:
     void write_list() const;
 
     std::filesystem::path folder;
     std::string           name, extension;
-    dem::Column           times;
+    base::Column          times;
   };
 
   /** One file of a collection that shows several things at once. */

@@ -1,6 +1,6 @@
 #include "postprocess/series.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "postprocess/errors.h"
 #include "postprocess/numeric_text.h"
 
@@ -29,16 +29,17 @@ namespace postprocess
     {
       const std::string text = numeric_text::read_whole(path);
       if (text.compare(0, header.size(), header) != 0)
-        throw dem::InputError(path.string() +
-                              ": its header is not that of this run, which cannot go on with it. Expected: " +
-                              header.substr(0, header.size() - 1));
+        throw base::InputError(path.string() +
+                               ": its header is not that of this run, which cannot go on with it. Expected: " +
+                               header.substr(0, header.size() - 1));
       std::size_t end = header.size();
       for (std::int64_t row = 0; row < rows; ++row)
         {
           const std::size_t line_end = text.find('\n', end);
           if (line_end == std::string::npos)
-            throw dem::InputError(path.string() + ": holds " + std::to_string(row) + " rows, the checkpoint knows of " +
-                                  std::to_string(rows) + ". It was changed or cut short; start the run afresh.");
+            throw base::InputError(path.string() + ": holds " + std::to_string(row) +
+                                   " rows, the checkpoint knows of " + std::to_string(rows) +
+                                   ". It was changed or cut short; start the run afresh.");
           end = line_end + 1;
         }
       return end;

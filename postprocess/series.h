@@ -29,7 +29,7 @@ namespace postprocess
 
     /**
      * Go on after an interruption: keep the first `rows` rows (those that the checkpoint knows of), drop later ones.
-     * @throws dem::InputError if the file has other columns or fewer rows; it is then unchanged. OutputError if it is
+     * @throws base::InputError if the file has other columns or fewer rows; it is then unchanged. OutputError if it is
      * missing.
      */
     SeriesWriter(const std::filesystem::path &path, const std::vector<SeriesColumn> &columns, std::int64_t rows);

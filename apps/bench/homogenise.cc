@@ -3,6 +3,7 @@
 #include "apps/bench/results.h"
 #include "apps/drivers/homogenisation/report.h"
 #include "apps/drivers/parts/specimen_packing.h"
+#include "base/voigt.h"
 #include "dem/laws/elastic_links.h"
 #include "dem/loading/periodic_cell.h"
 #include "dem/statics/dynamic_relaxation.h"
@@ -76,8 +77,8 @@ namespace apps
       const dem::StiffnessOperator K(network, {});
       dem::LaneStrains             strain;
       for (int lane = 0; lane < dem::load_lanes; ++lane)
-        strain[lane] = lane < dem::first_probe ? Eigen::Matrix<double, 6, 1>(Eigen::Matrix<double, 6, 1>::Unit(lane)) :
-                                                 Eigen::Matrix<double, 6, 1>(Eigen::Matrix<double, 6, 1>::Zero());
+        strain[lane] =
+          lane < dem::first_probe ? base::Vector6(base::Vector6::Unit(lane)) : base::Vector6(base::Vector6::Zero());
       dem::Fields x(network.particles() * dem::motions * dem::load_lanes, 0.0), b(x.size());
       K.apply(x, strain, b);
       for (double &value : b)
@@ -93,14 +94,6 @@ namespace apps
       row.iterations = report.iterations;
       row.residual   = report.largest_residual();
       return row;
-    }
-
-    /** Order 11 22 33 23 31 12 of the symmetric part [Pa]. */
-    Eigen::Matrix<double, 6, 1> components(const Eigen::Matrix3d &t)
-    {
-      Eigen::Matrix<double, 6, 1> c;
-      c << t(0, 0), t(1, 1), t(2, 2), 0.5 * (t(1, 2) + t(2, 1)), 0.5 * (t(2, 0) + t(0, 2)), 0.5 * (t(0, 1) + t(1, 0));
-      return c;
     }
 
     /**
@@ -138,7 +131,7 @@ namespace apps
           while (body.unbalanced_ratio() > tolerance && body.steps() < most);
           row.iterations += static_cast<int>(body.steps());
           row.residual     = std::max(row.residual, body.unbalanced_ratio());
-          stiffness.col(c) = components(body.cell().stress) / strain;
+          stiffness.col(c) = base::stress_voigt(body.cell().stress) / strain;
         }
       row.cost = processor_seconds() - start;
       return row;

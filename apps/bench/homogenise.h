@@ -24,7 +24,7 @@ namespace apps
    * Cost is processor time of the six load cases, from the list of links to the stiffness. Written to homogenise.csv,
    * homogenise.md and homogenise.png.
    *
-   * @return exit status. @throws dem::InputError, postprocess::OutputError.
+   * @return exit status. @throws base::InputError, postprocess::OutputError.
    */
   int run_homogenise_bench(const HomogeniseBench &bench);
 } // namespace apps

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/drivers/read_scene.h"
-#include "dem/core/errors.h"
+#include "base/errors.h"
 
 #include <array>
 #include <string>
@@ -15,7 +15,7 @@ namespace apps
     std::string              study, value;
     std::vector<std::string> changes; ///< "Section/Key=value"
 
-    /** The scene with the user's changes, and then these. @throws dem::InputError */
+    /** The scene with the user's changes, and then these. @throws base::InputError */
     CheckedScene of(const std::string &scene, std::vector<std::string> overrides) const
     {
       overrides.insert(overrides.end(), changes.begin(), changes.end());
@@ -29,10 +29,10 @@ namespace apps
   /** A bench refuses a scene that it cannot vary. @param why "Section/Entry: what it needs" */
   [[noreturn]] inline void refuse_scene(const CheckedScene &scene, const std::string &why)
   {
-    throw dem::InputError(scene.file + ": " + why);
+    throw base::InputError(scene.file + ": " + why);
   }
 
-  /** The scene of a bench. @throws dem::InputError where it is of another kind than `kind` */
+  /** The scene of a bench. @throws base::InputError where it is of another kind than `kind` */
   template <typename Kind>
   const Kind &scene_of_kind(const CheckedScene &scene, const std::string &kind)
   {

@@ -124,11 +124,11 @@ namespace apps
             return row;
           compare(folder); // what was found, if it broke off
         }
-      catch (const dem::NumericalError &failure)
+      catch (const base::NumericalError &failure)
         {
           fmt::print(stderr, "{}, {}: {}\n", variant.value, outcome.name, failure.what());
         }
-      catch (const dem::InputError &refusal) // past the limits of the transfer
+      catch (const base::InputError &refusal) // past the limits of the transfer
         {
           fmt::print(stderr, "{}, {}: {}\n", variant.value, outcome.name, refusal.what());
         }

@@ -20,7 +20,7 @@ namespace apps
    * width, and the mesh, beside what continuation and remaining particle run cost.
    *
    * Written to sequential.csv, sequential.md and sequential.png.
-   * @return exit status. @throws dem::InputError, postprocess::OutputError.
+   * @return exit status. @throws base::InputError, postprocess::OutputError.
    */
   int run_sequential_bench(const SequentialBench &bench);
 } // namespace apps

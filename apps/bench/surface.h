@@ -21,7 +21,7 @@ namespace apps
    *
    * Written after every case to surface.csv and surface.md, at the end to surface.png.
    *
-   * @return exit status. @throws dem::InputError, postprocess::OutputError.
+   * @return exit status. @throws base::InputError, postprocess::OutputError.
    */
   int run_surface_bench(const SurfaceBench &bench);
 } // namespace apps

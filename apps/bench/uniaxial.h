@@ -22,7 +22,7 @@ namespace apps
    * Each study varies one thing about the scene; its most expensive case is the reference of its errors. Written after
    * every case to uniaxial.csv and uniaxial.md, at the end to uniaxial.png.
    *
-   * @return exit status. @throws dem::InputError, postprocess::OutputError.
+   * @return exit status. @throws base::InputError, postprocess::OutputError.
    */
   int run_uniaxial_bench(const UniaxialBench &bench);
 } // namespace apps

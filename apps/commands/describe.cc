@@ -164,8 +164,8 @@ namespace apps
               }
         }
       if (passages.empty())
-        throw dem::InputError("command line: there is no section or entry \"" + options.wanted + "\". " +
-                              did_you_mean(options.wanted, names));
+        throw base::InputError("command line: there is no section or entry \"" + options.wanted + "\". " +
+                               did_you_mean(options.wanted, names));
       if (options.format == "json")
         fmt::print("{}\n",
                    (objects.size() == 1 && !options.kind.empty() ? objects.front() : nlohmann::json(objects)).dump(2));

@@ -118,9 +118,9 @@ namespace apps
             }
           return exit_success;
         }
-      catch (const std::invalid_argument &refusal)
+      catch (const base::InputError &refusal)
         {
-          throw dem::InputError(std::string("material: ") + refusal.what());
+          throw base::InputError(std::string("material: ") + refusal.what());
         }
     }
   } // namespace

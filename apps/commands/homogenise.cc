@@ -6,7 +6,7 @@
 #include "apps/process/version.h"
 #include "apps/results/result_folder.h"
 #include "apps/scene/value_text.h"
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "dem/packing/compaction.h"
 #include "postprocess/packing_io.h"
 #include "postprocess/summary.h"
@@ -43,7 +43,7 @@ namespace apps
       const dem::Packing                packing = postprocess::read_packing(options.packing);
       std::vector<HomogenisationAnswer> answers = {homogenise(packing, options.question, options.packing)};
       if (options.seeds > 1 && options.question.links.dimension == 2)
-        throw dem::InputError(
+        throw base::InputError(
           "command line: --seeds makes packings of spheres; homogenise packings of discs one by one.");
       for (int seed = 2; seed <= options.seeds; ++seed)
         answers.push_back(homogenise(

@@ -36,16 +36,16 @@ namespace apps
     {
       const postprocess::CsvTable table = postprocess::read_csv_table(file);
       if (table.rows() == 0)
-        throw dem::InputError(file + ": has no row below the names of its columns. Give one row a step.");
+        throw base::InputError(file + ": has no row below the names of its columns. Give one row a step.");
       const std::vector<std::string> known(path_columns.begin(), path_columns.end());
       for (const std::string &name : table.names)
         if (std::find(known.begin(), known.end(), name) == known.end())
-          throw dem::InputError(file + ": column \"" + name + "\" is not known. " + did_you_mean(name, known) +
-                                " Columns: normal_strain, and as wanted shear_strain_1, shear_strain_2.");
+          throw base::InputError(file + ": column \"" + name + "\" is not known. " + did_you_mean(name, known) +
+                                 " Columns: normal_strain, and as wanted shear_strain_1, shear_strain_2.");
       for (const auto &column : table.columns)
         for (const double strain : column)
           if (strain < -1e3 || strain > 1e3)
-            throw dem::InputError(file + fmt::format(": a strain of {}: must be from -1e3 to 1e3.", strain));
+            throw base::InputError(file + fmt::format(": a strain of {}: must be from -1e3 to 1e3.", strain));
       LinkPath path;
       path.normal = table.column(path_columns[0]);
       path.shear.resize(path.normal.size());
@@ -63,7 +63,7 @@ namespace apps
       std::vector<std::string> names;
       for (const auto &law : dem::link_laws())
         names.push_back(law->name());
-      throw dem::InputError("command line: law \"" + name + "\" is not known. " + did_you_mean(name, names));
+      throw base::InputError("command line: law \"" + name + "\" is not known. " + did_you_mean(name, names));
     }
 
     int link_test(const LinkTestOptions &options)

@@ -5,7 +5,7 @@
 #include "apps/process/interrupt.h"
 #include "apps/process/version.h"
 #include "apps/scene/value_text.h"
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "dem/packing/box_cell.h"
 #include "postprocess/packing_io.h"
 
@@ -39,8 +39,8 @@ namespace apps
           edges[static_cast<Eigen::Index>(i)] = edge.value_or(0);
         }
       if (!valid)
-        throw dem::InputError("command line: --box " + text +
-                              ": expected three edges \"lx,ly,lz\", each from 1e-12 to 1e9 m.");
+        throw base::InputError("command line: --box " + text +
+                               ": expected three edges \"lx,ly,lz\", each from 1e-12 to 1e9 m.");
       return edges;
     }
 
@@ -86,7 +86,7 @@ namespace apps
     {
       use_threads(options.threads);
       if (options.from.empty() && !(options.generator.radius > 0))
-        throw dem::InputError(
+        throw base::InputError(
           "command line: give --radius (> 0, in m) for a new packing, or --from FILE for an existing one.");
       Eigen::Vector3d box = Eigen::Vector3d::Zero();
       if (!options.box.empty())

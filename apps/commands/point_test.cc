@@ -7,7 +7,7 @@
 #include "apps/scene/overrides.h"
 #include "apps/scene/reader.h"
 #include "apps/scene/same_name.h"
-#include "fem/materials/voigt.h"
+#include "base/voigt.h"
 #include "postprocess/atomic_file.h"
 #include "postprocess/csv_table.h"
 
@@ -30,12 +30,12 @@ namespace apps
     {
       const postprocess::CsvTable table = postprocess::read_csv_table(file);
       if (table.rows() == 0)
-        throw dem::InputError(file + ": has no row below the names of its columns. Give one row a step.");
+        throw base::InputError(file + ": has no row below the names of its columns. Give one row a step.");
       MaterialPath path;
       path.origin = file;
       path.rows.assign(table.rows(), {});
       std::vector<std::string> known;
-      for (const char *component : fem::voigt_names)
+      for (const char *component : base::voigt_names)
         for (const char *quantity : {"strain_", "stress_"})
           known.push_back(std::string(quantity) + component);
       std::array<bool, 6> given{};
@@ -43,13 +43,13 @@ namespace apps
         {
           const auto found = std::find(known.begin(), known.end(), name);
           if (found == known.end())
-            throw dem::InputError(file + ": column \"" + name + "\" is not known. " + did_you_mean(name, known) +
-                                  " Columns: strain_xx ... strain_xy or stress_xx ... stress_xy.");
+            throw base::InputError(file + ": column \"" + name + "\" is not known. " + did_you_mean(name, known) +
+                                   " Columns: strain_xx ... strain_xy or stress_xx ... stress_xy.");
           const auto position  = static_cast<std::size_t>(found - known.begin());
           const auto component = position / 2;
           if (given[component])
-            throw dem::InputError(file + ": column \"" + name +
-                                  "\": strain and stress of the same component cannot both be given.");
+            throw base::InputError(file + ": column \"" + name +
+                                   "\": strain and stress of the same component cannot both be given.");
           given[component]             = true;
           path.stress_given[component] = position % 2 == 1;
           for (std::size_t row = 0; row < path.rows.size(); ++row)
@@ -67,7 +67,7 @@ namespace apps
             return *kind;
           names.push_back(kind->name());
         }
-      throw dem::InputError("command line: material \"" + name + "\" is not known. " + did_you_mean(name, names));
+      throw base::InputError("command line: material \"" + name + "\" is not known. " + did_you_mean(name, names));
     }
 
     int point_test(const PointTestOptions &options)

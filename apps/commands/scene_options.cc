@@ -1,7 +1,7 @@
 #include "apps/commands/scene_options.h"
 
 #include "apps/process/mpi_session.h"
-#include "dem/core/errors.h"
+#include "base/errors.h"
 
 #include <CLI/Validators.hpp>
 #include <fmt/format.h>
@@ -38,8 +38,9 @@ namespace apps
   void refuse_idle_ranks(const CheckedScene &scene)
   {
     if (launched_ranks() > 1 && !scene.scene->shares_ranks())
-      throw dem::InputError(fmt::format("{}: Kind = {}: runs in one process, and mpirun has started {}. Use --threads; "
-                                        "only scenes of kind continuum share their work among processes.",
-                                        scene.file, scene.kind, launched_ranks()));
+      throw base::InputError(
+        fmt::format("{}: Kind = {}: runs in one process, and mpirun has started {}. Use --threads; "
+                    "only scenes of kind continuum share their work among processes.",
+                    scene.file, scene.kind, launched_ranks()));
   }
 } // namespace apps

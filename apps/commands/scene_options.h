@@ -32,6 +32,6 @@ namespace apps
   /** Option --threads. */
   void add_threads(CLI::App &command, int &threads);
 
-  /** @throws dem::InputError when mpirun has started several processes and the kind of the scene runs in one. */
+  /** @throws base::InputError when mpirun has started several processes and the kind of the scene runs in one. */
   void refuse_idle_ranks(const CheckedScene &scene);
 } // namespace apps

@@ -27,7 +27,8 @@ namespace apps
       const CheckedScene scene      = read_scene(options.scene, overrides);
       const auto        *sequential = dynamic_cast<const SequentialScene *>(scene.scene.get());
       if (!sequential)
-        throw dem::InputError(scene.file + ": Kind = " + scene.kind + ": a transfer wants a scene of kind sequential.");
+        throw base::InputError(scene.file + ": Kind = " + scene.kind +
+                               ": a transfer wants a scene of kind sequential.");
       refuse_idle_ranks(scene);
       catch_interrupts();
 

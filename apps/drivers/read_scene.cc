@@ -105,11 +105,11 @@ namespace apps
 
     Assignment *named = kind_in(assignments);
     if (!named)
-      throw dem::InputError(file + ": \"Kind\" is not set and has no default. Known kinds: " + kinds_in_words() + ".");
+      throw base::InputError(file + ": \"Kind\" is not set and has no default. Known kinds: " + kinds_in_words() + ".");
     const SceneKind *kind = find_kind(named->value);
     if (!kind)
-      throw dem::InputError(named->place.text() + ": Kind = " + named->value + " is not known. " +
-                            did_you_mean(named->value, kind_names()) + " Known kinds: " + kinds_in_words() + ".");
+      throw base::InputError(named->place.text() + ": Kind = " + named->value + " is not known. " +
+                             did_you_mean(named->value, kind_names()) + " Known kinds: " + kinds_in_words() + ".");
 
     named->value       = kind->name; // whatever its case
     CheckedScene read  = declared(*kind);
@@ -126,7 +126,7 @@ namespace apps
   {
     const SceneKind *kind = find_kind(name);
     if (!kind)
-      throw dem::InputError("command line: kind \"" + name + "\" is not known. " + did_you_mean(name, kind_names()));
+      throw base::InputError("command line: kind \"" + name + "\" is not known. " + did_you_mean(name, kind_names()));
     CheckedScene read  = declared(*kind);
     read.output_folder = "output/NAME";
     declare_all(read);

@@ -22,13 +22,13 @@ namespace apps
   /**
    * Read a scene file, apply the overrides ("Section/Key=value") and check everything that can be without building
    * the model.
-   * @throws dem::InputError.
+   * @throws base::InputError.
    */
   CheckedScene read_scene(const std::string &file, const std::vector<std::string> &overrides);
 
   /** What a run of the scene is asked, but for resuming and the changes as typed. */
   RunRequest request_of(const CheckedScene &scene);
 
-  /** The parameters of a kind, unread: what `breccia describe` shows. @throws dem::InputError for an unknown kind. */
+  /** The parameters of a kind, unread: what `breccia describe` shows. @throws base::InputError for an unknown kind. */
   CheckedScene declare_scene(const std::string &kind);
 } // namespace apps

@@ -1,6 +1,6 @@
 #include "apps/process/mpi_session.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "postprocess/errors.h"
 
 #include <deal.II/base/mpi.h>
@@ -78,7 +78,7 @@ namespace apps
         {
           action();
         }
-      catch (const dem::InputError &error)
+      catch (const base::InputError &error)
         {
           outcome = {Failure::input, error.what()};
         }
@@ -94,7 +94,7 @@ namespace apps
       outcome = {dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, outcome.first),
                  dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, outcome.second)};
     if (outcome.first == Failure::input)
-      throw dem::InputError(outcome.second);
+      throw base::InputError(outcome.second);
     if (outcome.first == Failure::output)
       throw postprocess::OutputError(outcome.second);
     if (outcome.first == Failure::other)

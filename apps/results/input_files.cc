@@ -1,6 +1,6 @@
 #include "apps/results/input_files.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 
 #include <fmt/format.h>
 
@@ -47,8 +47,9 @@ namespace apps
     const std::vector<Line> before = lines_of(list);
     for (std::size_t i = 0; i < inputs.size() && i < before.size(); ++i)
       if (inputs[i].bytes != before[i].bytes || inputs[i].digest != before[i].digest)
-        throw dem::InputError(fmt::format("{} = {}: the file is not what it was when the interrupted run began ({} "
-                                          "bytes then, {} now). Put it back as it was, or start afresh with --restart.",
-                                          inputs[i].entry, inputs[i].file, before[i].bytes, inputs[i].bytes));
+        throw base::InputError(
+          fmt::format("{} = {}: the file is not what it was when the interrupted run began ({} "
+                      "bytes then, {} now). Put it back as it was, or start afresh with --restart.",
+                      inputs[i].entry, inputs[i].file, before[i].bytes, inputs[i].bytes));
   }
 } // namespace apps

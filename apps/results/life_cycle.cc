@@ -6,7 +6,7 @@
 #include "apps/process/threads.h"
 #include "apps/results/result_listing.h"
 #include "apps/results/shared_state.h"
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "postprocess/atomic_file.h"
 
 #include <fmt/format.h>
@@ -129,8 +129,8 @@ namespace apps
     state.group("run");
     state.scalar("ranks", ranks);
     if (ranks != rank_count())
-      throw dem::InputError(fmt::format("--resume: {} was written by {} ranks, and there are {} now. Start as many.",
-                                        (location / checkpoint_name).string(), ranks, rank_count()));
+      throw base::InputError(fmt::format("--resume: {} was written by {} ranks, and there are {} now. Start as many.",
+                                         (location / checkpoint_name).string(), ranks, rank_count()));
     state.scalar("wall_seconds", seconds);
     state.scalar("series_rows", rows);
     if (state.reads())
@@ -213,8 +213,8 @@ namespace apps
       {
         save();
         work.leave_last_state();
-        throw dem::NumericalError(std::string(stop.what()) + " What was computed until then stands in " +
-                                  location.string() + ".");
+        throw base::NumericalError(std::string(stop.what()) + " What was computed until then stands in " +
+                                   location.string() + ".");
       }
   }
 

@@ -1,6 +1,6 @@
 #include "apps/results/result_folder.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "postprocess/errors.h"
 
 #include <fcntl.h>
@@ -52,9 +52,9 @@ namespace apps
   {
     std::error_code none;
     if (fs::exists(folder / "running" / checkpoint_name, none))
-      throw dem::InputError(folder.string() + ": an earlier run was interrupted, or failed, and its state is kept in " +
-                            (folder / "running").string() +
-                            ". Go on with it: --resume. Throw it away and start afresh: --restart.");
+      throw base::InputError(
+        folder.string() + ": an earlier run was interrupted, or failed, and its state is kept in " +
+        (folder / "running").string() + ". Go on with it: --resume. Throw it away and start afresh: --restart.");
   }
 
   ResultFolder::ResultFolder(const fs::path &folder, const Start start)
@@ -62,9 +62,9 @@ namespace apps
     , running_path(folder / "running")
   {
     if (start == Start::resume && !fs::exists(running_path / checkpoint_name))
-      throw dem::InputError(folder.string() + ": nothing to resume: there is no " +
-                            (running_path / checkpoint_name).string() +
-                            (fs::exists(folder / "summary.json") ? "; the run in this folder is complete." : "."));
+      throw base::InputError(folder.string() + ": nothing to resume: there is no " +
+                             (running_path / checkpoint_name).string() +
+                             (fs::exists(folder / "summary.json") ? "; the run in this folder is complete." : "."));
     make_folder(folder_path);
     lock = lock_folder(folder_path);
     if (start == Start::resume)

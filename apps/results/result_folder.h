@@ -26,7 +26,7 @@ namespace apps
     /**
      * Make the folder and its `running`, and lock it.
      * @throws postprocess::OutputError when it cannot be made or written to, or another run writes to it;
-     * dem::InputError when there is nothing to resume.
+     * base::InputError when there is nothing to resume.
      */
     ResultFolder(const std::filesystem::path &folder, Start start);
     ~ResultFolder();
@@ -46,7 +46,7 @@ namespace apps
 
   /**
    * Keeps a new run from throwing away what an interrupted one computed.
-   * @throws dem::InputError, which offers --resume and --restart, when the folder holds a checkpoint.
+   * @throws base::InputError, which offers --resume and --restart, when the folder holds a checkpoint.
    */
   void refuse_to_overwrite(const std::filesystem::path &folder);
 

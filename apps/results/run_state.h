@@ -1,11 +1,11 @@
 #pragma once
 
-#include "dem/core/state.h"
+#include "base/state.h"
 
 namespace apps
 {
   /** What a run must remember to go on to the same bits, on its way to a checkpoint or back. */
-  class RunState : public dem::StateVisitor
+  class RunState : public base::StateVisitor
   {
   public:
     virtual bool reads() const = 0; ///< what is visited takes the values of the checkpoint
@@ -27,7 +27,7 @@ namespace apps
 
     bool reads() const override { return reader; }
     void group(const std::string &name) override { checkpoint.group(name); }
-    void column(const std::string &name, dem::Column &values) override { checkpoint.column(name, values); }
+    void column(const std::string &name, base::Column &values) override { checkpoint.column(name, values); }
     void column(const std::string &name, std::vector<std::int32_t> &values) override
     {
       checkpoint.column(name, values);

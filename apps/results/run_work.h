@@ -32,7 +32,7 @@ namespace apps
 
     virtual ~RunWork() = default;
 
-    /** Make the model of a run that starts. Nothing is written yet: what can be refused is refused here. @throws dem::InputError */
+    /** Make the model of a run that starts. Nothing is written yet: what can be refused is refused here. @throws base::InputError */
     virtual void prepare() = 0;
 
     /** Write what the run starts from to its folder; rows that describe the start, if any, are recorded. */
@@ -54,7 +54,7 @@ namespace apps
 
     /**
      * Some further: to a state that a checkpoint can store, preferably within a second; rows that are due are recorded.
-     * @throws StoppedShort; dem::NumericalError when even the last state cannot be trusted.
+     * @throws StoppedShort; base::NumericalError when even the last state cannot be trusted.
      */
     virtual void advance(const Record &record) = 0;
 

@@ -1,7 +1,7 @@
 #include "apps/results/shared_state.h"
 
 #include "apps/process/mpi_session.h"
-#include "dem/core/errors.h"
+#include "base/errors.h"
 
 #include <deal.II/base/mpi.h>
 
@@ -14,7 +14,7 @@ namespace apps
     using dealii::Utilities::MPI::gather;
 
     template <typename Values>
-    void visit_column(dem::StateVisitor *inner, const bool reads, const std::string &name, Values &values)
+    void visit_column(base::StateVisitor *inner, const bool reads, const std::string &name, Values &values)
     {
       using Plain = std::vector<typename Values::value_type>;
       Values whole;
@@ -34,15 +34,15 @@ namespace apps
           total += sizes[r];
         }
       if (total != all.size())
-        throw dem::InputError("checkpoint: \"" + name + "\" has " + std::to_string(all.size()) +
-                              " values, and the model " + std::to_string(total) +
-                              ". Another version wrote it: start again with --restart.");
+        throw base::InputError("checkpoint: \"" + name + "\" has " + std::to_string(all.size()) +
+                               " values, and the model " + std::to_string(total) +
+                               ". Another version wrote it: start again with --restart.");
       const auto first = all.begin() + static_cast<std::ptrdiff_t>(before);
       values.assign(first, first + static_cast<std::ptrdiff_t>(values.size()));
     }
 
     template <typename Value>
-    void visit_scalar(dem::StateVisitor *inner, const bool reads, const std::string &name, Value &value)
+    void visit_scalar(base::StateVisitor *inner, const bool reads, const std::string &name, Value &value)
     {
       on_first_rank([&] { inner->scalar(name, value); });
       if (reads)
@@ -60,7 +60,7 @@ namespace apps
   {
     on_first_rank([&] { inner->group(name); });
   }
-  void SharedState::column(const std::string &name, dem::Column &values) { visit_column(inner, reader, name, values); }
+  void SharedState::column(const std::string &name, base::Column &values) { visit_column(inner, reader, name, values); }
   void SharedState::column(const std::string &name, std::vector<std::int32_t> &values)
   {
     visit_column(inner, reader, name, values);

@@ -21,8 +21,8 @@ namespace apps
     bool reads() const override { return reader; }
     void group(const std::string &name) override;
 
-    /** @throws dem::InputError on every rank, on reading, if the lengths do not fit. */
-    void column(const std::string &name, dem::Column &values) override;
+    /** @throws base::InputError on every rank, on reading, if the lengths do not fit. */
+    void column(const std::string &name, base::Column &values) override;
     void column(const std::string &name, std::vector<std::int32_t> &values) override;
     void scalar(const std::string &name, double &value) override;
     void scalar(const std::string &name, std::int64_t &value) override;

@@ -13,7 +13,7 @@ namespace apps
    */
   inline void visit_snapshots(RunState &state, const char *group, std::optional<postprocess::PvdCollection> &snapshots)
   {
-    dem::Column times;
+    base::Column times;
     if (snapshots)
       times = snapshots->listed();
     state.group(group);

@@ -1,6 +1,6 @@
 #include "apps/scene/expression.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 
 #include <fmt/format.h>
 
@@ -88,7 +88,7 @@ namespace apps
     parser->t          = t;
     const double value = parser->formula.Eval();
     if (!std::isfinite(value))
-      throw dem::NumericalError(
+      throw base::NumericalError(
         fmt::format("{}: is {} at x = {}, y = {}, z = {}, t = {}.", parser->name, value, x, y, z, t));
     return value;
   }

@@ -30,7 +30,7 @@ namespace apps
     /** Whether a place, x, y or z, occurs in it. */
     bool varies_in_space() const;
 
-    /** @throws dem::NumericalError naming the formula and the place if the value is not a finite number. */
+    /** @throws base::NumericalError naming the formula and the place if the value is not a finite number. */
     double operator()(double x, double y, double z, double t) const;
 
   private:

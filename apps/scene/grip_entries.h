@@ -18,7 +18,7 @@ namespace apps
 
     /** @param gripped whether there are grips at all, @param words the same in words; both may be left out: always. */
     void declare(Section &loading, const std::function<bool()> &gripped = {}, const std::string &words = "");
-    /** @throws dem::InputError naming the entry */
+    /** @throws base::InputError naming the entry */
     void                validate(const Section &loading) const;
     dem::GripParameters parameters() const;
   };

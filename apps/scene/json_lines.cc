@@ -1,5 +1,5 @@
 #include "apps/scene/parameter_lines.h"
-#include "dem/core/errors.h"
+#include "base/errors.h"
 
 #include <nlohmann/json.hpp>
 
@@ -64,8 +64,8 @@ namespace apps
         if (depth++ > 0)
           {
             if (sections.size() == deepest_section)
-              throw dem::InputError(Place{file, line}.text() + ": \"" + current + "\" lies within " +
-                                    std::to_string(deepest_section) + " sections; no scene is as deep as that.");
+              throw base::InputError(Place{file, line}.text() + ": \"" + current + "\" lies within " +
+                                     std::to_string(deepest_section) + " sections; no scene is as deep as that.");
             sections.push_back(current);
             found.push_back({sections, "", "", {file, line}});
           }
@@ -88,13 +88,13 @@ namespace apps
       bool end_array() override { return true; }
       bool parse_error(std::size_t, const std::string &token, const nlohmann::detail::exception &) override
       {
-        throw dem::InputError(Place{file, line}.text() + ": not valid JSON near \"" + token + "\".");
+        throw base::InputError(Place{file, line}.text() + ": not valid JSON near \"" + token + "\".");
       }
 
     private:
       [[noreturn]] void refuse(const std::string &what) const
       {
-        throw dem::InputError(
+        throw base::InputError(
           Place{file, line}.text() + ": \"" + current + "\" is " + what +
           ": expected a text, a number, true or false; lists are texts such as \"0.05, 0.05, 0.05\".");
       }
@@ -106,8 +106,9 @@ namespace apps
         Assignment added{sections, current, "", {file, key_line}};
         const auto [first, fresh] = lines.emplace(added.path(), key_line);
         if (!fresh)
-          throw dem::InputError(added.place.text() + ": \"" + added.path() + "\" is set a second time; first in line " +
-                                std::to_string(first->second) + ". Keep one of them.");
+          throw base::InputError(added.place.text() + ": \"" + added.path() +
+                                 "\" is set a second time; first in line " + std::to_string(first->second) +
+                                 ". Keep one of them.");
         found.push_back(std::move(added));
         return true;
       }

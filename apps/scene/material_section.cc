@@ -89,14 +89,14 @@ namespace apps
     {
       const std::string where = section.place().text() + ": " + section.path();
       if (!dem::is_material_name(material.name))
-        throw dem::InputError(where + ": " + dem::material_name_rule() + ".");
+        throw base::InputError(where + ": " + dem::material_name_rule() + ".");
       try
         {
           material.law.check();
         }
-      catch (const dem::InputError &refusal)
+      catch (const base::InputError &refusal)
         {
-          throw dem::InputError(where + "/" + refusal.what());
+          throw base::InputError(where + "/" + refusal.what());
         }
     }
   } // namespace
@@ -108,13 +108,13 @@ namespace apps
       {
         only.check();
         if (!regions.empty())
-          throw dem::InputError(places.sections().front()->place().text() + ": " + places.path() +
-                                ": the scene has no section Materials to take their materials from.");
+          throw base::InputError(places.sections().front()->place().text() + ": " + places.path() +
+                                 ": the scene has no section Materials to take their materials from.");
         return;
       }
     const std::string where = materials_section.sections().front()->place().text() + ": " + materials_section.path();
     if (sets_anything(*root.find_section("Material")))
-      throw dem::InputError(where + ": the scene has a section Material as well. Keep one of the two.");
+      throw base::InputError(where + ": the scene has a section Material as well. Keep one of the two.");
     for (const NamedMaterial &material : named)
       {
         const Section &section = *materials_section.find_section(material.name);
@@ -130,9 +130,9 @@ namespace apps
         materials().bonds(dem::Physics());
         materials().contacts(dem::Physics());
       }
-    catch (const dem::InputError &refusal)
+    catch (const base::InputError &refusal)
       {
-        throw dem::InputError(where + ": " + refusal.what());
+        throw base::InputError(where + ": " + refusal.what());
       }
     const std::vector<std::string> known = names();
     for (const MaterialRegion &region : regions)
@@ -182,7 +182,7 @@ namespace apps
           if (packing.material_names.empty())
             {
               if (number >= known.size())
-                throw dem::InputError(
+                throw base::InputError(
                   fmt::format("{}: particle {}: material {}: the scene has {}, numbered from 0: {}.", origin, i + 1,
                               number, known.size(), fmt::join(known, ", ")));
               continue;
@@ -190,7 +190,7 @@ namespace apps
           const std::string &name  = packing.material_names.at(number);
           const auto         found = std::find(known.begin(), known.end(), name);
           if (found == known.end())
-            throw dem::InputError(
+            throw base::InputError(
               fmt::format("{}: particle {}: material \"{}\" is not in the scene's section Materials. {}", origin, i + 1,
                           name, did_you_mean(name, known)));
           numbers[i] = static_cast<std::int32_t>(found - known.begin());
@@ -209,10 +209,10 @@ namespace apps
         return packing.material_names.empty() ? std::to_string(number) :
                                                 packing.material_names.at(static_cast<std::size_t>(number));
       };
-      throw dem::InputError(fmt::format("{}: its particles are of several materials ({}, {}), and the scene has one. "
-                                        "Give each a sub-section of its name in a section Materials, in place of "
-                                        "Material.",
-                                        origin, called(m.front()), called(*other)));
+      throw base::InputError(fmt::format("{}: its particles are of several materials ({}, {}), and the scene has one. "
+                                         "Give each a sub-section of its name in a section Materials, in place of "
+                                         "Material.",
+                                         origin, called(m.front()), called(*other)));
     }
   } // namespace
 
@@ -251,7 +251,7 @@ namespace apps
     const auto                    &numbers = packing.material;
     for (std::size_t k = 0; k < known.size(); ++k)
       if (std::find(numbers.begin(), numbers.end(), static_cast<std::int32_t>(k)) == numbers.end())
-        throw dem::InputError(origin + ": no particle is of the material \"" + known[k] +
-                              "\". Take it out of section Materials, or check regions and units (metres).");
+        throw base::InputError(origin + ": no particle is of the material \"" + known[k] +
+                               "\". Take it out of section Materials, or check regions and units (metres).");
   }
 } // namespace apps

@@ -23,7 +23,7 @@ namespace apps
     void declare(Section &section);
     /** Constants of the chosen law. */
     const dem::LinkConstants &chosen() const { return *constants.at(law->name()); }
-    /** Rules between the constants of the chosen laws. @throws dem::InputError */
+    /** Rules between the constants of the chosen laws. @throws base::InputError */
     void check() const;
   };
 
@@ -47,7 +47,7 @@ namespace apps
 
     /** @param inertia whether densities matter */
     void declare(Section &root, bool inertia = true);
-    /** Rules between the constants of the selected laws, and between names. @throws dem::InputError. */
+    /** Rules between the constants of the selected laws, and between names. @throws base::InputError. */
     void validate(const Section &root, int dimension) const;
 
     dem::LinkMaterials       materials() const;
@@ -58,13 +58,13 @@ namespace apps
      * first), and then by the regions, of which later ones win. With one material the packing is left with none.
      *
      * @param origin where the packing came from, for messages
-     * @throws dem::InputError for a material that the scene does not name, or that no particle is of
+     * @throws base::InputError for a material that the scene does not name, or that no particle is of
      */
     void assign(dem::Packing &packing, int dimension, const std::string &origin) const;
 
     /** The same for a part of a packing, which need not have particles of every material. */
     void number(dem::Packing &part, int dimension, const std::string &origin) const;
-    /** @throws dem::InputError for a material that no particle of a whole packing, numbered as above, is of */
+    /** @throws base::InputError for a material that no particle of a whole packing, numbered as above, is of */
     void require_all(const dem::Packing &packing, const std::string &origin) const;
   };
 } // namespace apps

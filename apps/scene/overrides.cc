@@ -1,7 +1,7 @@
 #include "apps/scene/overrides.h"
 
 #include "apps/scene/value_text.h"
-#include "dem/core/errors.h"
+#include "base/errors.h"
 
 #include <sstream>
 
@@ -18,7 +18,7 @@ namespace apps
         for (std::istringstream path(text.substr(0, equals)); std::getline(path, part, '/');)
           added.sections.push_back(trimmed(part));
         if (equals == std::string::npos || added.sections.empty() || added.sections.back().empty())
-          throw dem::InputError("command line: -s \"" + text + "\": expected \"Section/Key=value\".");
+          throw base::InputError("command line: -s \"" + text + "\": expected \"Section/Key=value\".");
         added.entry = added.sections.back();
         added.sections.pop_back();
         added.value = trimmed(text.substr(equals + 1));

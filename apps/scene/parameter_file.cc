@@ -1,7 +1,7 @@
 #include "apps/scene/parameter_file.h"
 
 #include "apps/scene/parameter_lines.h"
-#include "dem/core/errors.h"
+#include "base/errors.h"
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -21,11 +21,11 @@ namespace apps
     {
       const std::string extension = std::filesystem::path(file).extension().string();
       if (extension != ".prm" && extension != ".json")
-        throw dem::InputError(file + ": a scene's name ends in .prm or .json.");
+        throw base::InputError(file + ": a scene's name ends in .prm or .json.");
       std::ifstream stream(file);
       if (!stream || std::filesystem::is_directory(file))
-        throw dem::InputError(file + ": cannot be opened: " +
-                              (stream ? std::string("it is a folder") : std::string(std::strerror(errno))) + ".");
+        throw base::InputError(file + ": cannot be opened: " +
+                               (stream ? std::string("it is a folder") : std::string(std::strerror(errno))) + ".");
       std::ostringstream text;
       text << stream.rdbuf();
       const std::string     content         = text.str();
@@ -67,7 +67,7 @@ namespace apps
       }
     catch (const dealii::ExceptionBase &exception)
       {
-        throw dem::InputError(file + ": cannot be read: " + plain_message(exception));
+        throw base::InputError(file + ": cannot be read: " + plain_message(exception));
       }
     for (Assignment &assignment : found)
       if (!assignment.opens_section())

@@ -10,7 +10,7 @@ namespace apps
   /**
    * Everything that a parameter file (`.prm`, or `.json`) sets, as deal.II's ParameterHandler reads it, in the file's
    * order.
-   * @throws dem::InputError with file and line when it cannot be read.
+   * @throws base::InputError with file and line when it cannot be read.
    */
   std::vector<Assignment> read_parameter_file(const std::string &file);
 } // namespace apps

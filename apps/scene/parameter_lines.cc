@@ -1,7 +1,7 @@
 #include "apps/scene/parameter_lines.h"
 
 #include "apps/scene/value_text.h"
-#include "dem/core/errors.h"
+#include "base/errors.h"
 
 #include <algorithm>
 #include <cctype>
@@ -71,7 +71,7 @@ namespace apps
 
       [[noreturn]] void refuse(const int number, const std::string &message) const
       {
-        throw dem::InputError(Place{file, number}.text() + ": " + message);
+        throw base::InputError(Place{file, number}.text() + ": " + message);
       }
 
       std::vector<std::string> path() const

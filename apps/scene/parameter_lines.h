@@ -17,7 +17,7 @@ namespace apps
    * deal.II's ParameterHandler knows what a file says but not where it says it. This scan finds the places, and refuses
    * what is not a line of a parameter file.
    *
-   * @throws dem::InputError naming the line, for a line of no known form, unbalanced or too deep sections, an entry set twice.
+   * @throws base::InputError naming the line, for a line of no known form, unbalanced or too deep sections, an entry set twice.
    */
   std::vector<Assignment> entries_of_prm(std::istream &text, const std::string &file);
 

@@ -31,9 +31,9 @@ namespace apps
         {
           Section *next = section->open_section(name, assignment.place);
           if (!next)
-            throw dem::InputError(assignment.place.text() + ": section \"" +
-                                  (section->path().empty() ? "" : section->path() + "/") + name + "\" is not known. " +
-                                  did_you_mean(name, section->section_names()));
+            throw base::InputError(assignment.place.text() + ": section \"" +
+                                   (section->path().empty() ? "" : section->path() + "/") + name + "\" is not known. " +
+                                   did_you_mean(name, section->section_names()));
           section = next;
         }
       return *section;
@@ -51,17 +51,17 @@ namespace apps
       else
         message +=
           "There is no entry" + inside(section) + ". " + did_you_mean(assignment.entry, section.section_names());
-      throw dem::InputError(message);
+      throw base::InputError(message);
     }
 
     void store(const Section &section, Entry &entry, const Assignment &assignment)
     {
       const std::string wrong = entry.store(assignment.value, assignment.place);
       if (!wrong.empty())
-        throw dem::InputError(assignment.place.text() + ": " + section.path_of(entry.name) + " = " +
-                              (assignment.value.empty() ? "(nothing)" : assignment.value) + ": " + wrong +
-                              (entry.unit.empty() || entry.unit == "-" ? "" : " [" + entry.unit + "]") +
-                              ". Meaning: " + entry.meaning + ".");
+        throw base::InputError(assignment.place.text() + ": " + section.path_of(entry.name) + " = " +
+                               (assignment.value.empty() ? "(nothing)" : assignment.value) + ": " + wrong +
+                               (entry.unit.empty() || entry.unit == "-" ? "" : " [" + entry.unit + "]") +
+                               ". Meaning: " + entry.meaning + ".");
       entry.value = assignment.value;
       entry.place = assignment.place;
       entry.set   = true;
@@ -88,7 +88,7 @@ namespace apps
       std::string missing;
       collect_missing(section, missing);
       if (!missing.empty())
-        throw dem::InputError(source + ": " + missing);
+        throw base::InputError(source + ": " + missing);
     }
   } // namespace
 
@@ -106,9 +106,9 @@ namespace apps
         targets.emplace_back(&section, entry);
         if (entry && !assignment.place.file.empty()) // two spellings of one name; the command line may say it again
           if (const auto [first, fresh] = first_of_file.emplace(entry, assignment.place); !fresh)
-            throw dem::InputError(assignment.place.text() + ": \"" + assignment.path() +
-                                  "\" is set a second time; first in line " + std::to_string(first->second.line) +
-                                  ". Keep one of them.");
+            throw base::InputError(assignment.place.text() + ": \"" + assignment.path() +
+                                   "\" is set a second time; first in line " + std::to_string(first->second.line) +
+                                   ". Keep one of them.");
       }
     for (std::size_t i = 0; i < assignments.size(); ++i)
       if (targets[i].second)

@@ -13,7 +13,7 @@ namespace apps
    * scene's choice are opened.
    *
    * @param source the scene file (or what else the values come from), for messages about what is missing in it.
-   * @throws dem::InputError naming the place and the nearest valid name for an unknown section or key; the place, what
+   * @throws base::InputError naming the place and the nearest valid name for an unknown section or key; the place, what
    * was found and what is allowed for a wrong value; and what to add for a needed constant that nobody set.
    */
   void assign(Section &root, const std::vector<Assignment> &assignments, const std::string &source);

@@ -45,12 +45,12 @@ namespace apps
     /** Bind every parameter of the kind. The object must stay where it is from now on. */
     virtual void declare(Section &root) = 0;
 
-    /** Rules between entries. @throws dem::InputError, see Section::refuse(). */
+    /** Rules between entries. @throws base::InputError, see Section::refuse(). */
     virtual void validate(const Section &root) const = 0;
 
     /**
      * What a run would take, as text for the terminal; sets the model up, but writes nothing.
-     * @throws dem::InputError.
+     * @throws base::InputError.
      */
     virtual std::string forecast() const = 0;
 
@@ -60,7 +60,7 @@ namespace apps
     /**
      * Do the work and write the results.
      * @return exit status: 0, or 130 when interrupted by a signal, with a checkpoint left.
-     * @throws dem::InputError before the output folder is touched; postprocess::OutputError; dem::NumericalError.
+     * @throws base::InputError before the output folder is touched; postprocess::OutputError; base::NumericalError.
      */
     virtual int run(const RunRequest &request) const = 0;
   };

@@ -384,6 +384,6 @@ namespace apps
     const Entry      *refused = find_entry(entry);
     const std::string where   = refused && refused->set ? refused->place.text() + ": " : "";
     const std::string value   = refused ? " = " + refused->value : "";
-    throw dem::InputError(where + path_of(entry) + value + ": " + rule);
+    throw base::InputError(where + path_of(entry) + value + ": " + rule);
   }
 } // namespace apps

@@ -2,7 +2,7 @@
 
 #include "apps/scene/entry.h"
 #include "apps/scene/expression.h"
-#include "dem/core/errors.h"
+#include "base/errors.h"
 
 #include <array>
 #include <cstdint>
@@ -107,12 +107,12 @@ namespace apps
      */
     void only_if(std::function<bool()> condition, std::string condition_in_words);
 
-    const std::string                           &name() const { return own_name; }
-    const std::string                           &meaning() const { return own_meaning; }
-    const std::string                           &condition() const { return words_of_condition; } ///< "" for always
-    std::string                                  path() const; ///< "Loading/Tension"; "" for the root
-    std::string                                  path_of(const std::string &entry) const; ///< "Loading/Tension/Strain rate"
-    bool                                         needed() const;
+    const std::string &name() const { return own_name; }
+    const std::string &meaning() const { return own_meaning; }
+    const std::string &condition() const { return words_of_condition; } ///< "" for always
+    std::string        path() const;                                    ///< "Loading/Tension"; "" for the root
+    std::string        path_of(const std::string &entry) const;         ///< "Loading/Tension/Strain rate"
+    bool               needed() const;
     const std::vector<std::unique_ptr<Entry>>   &entries() const { return own_entries; }
     const std::vector<std::unique_ptr<Section>> &sections() const { return subsections; }
 
@@ -125,7 +125,7 @@ namespace apps
 
     /**
      * Refuse a value that breaks a rule between entries: "place: entry = value: rule".
-     * @throws dem::InputError always.
+     * @throws base::InputError always.
      */
     [[noreturn]] void refuse(const std::string &entry, const std::string &rule) const;
 

@@ -116,7 +116,7 @@ namespace coupling
   }
 
   template <int dim>
-  void ConcurrentMotion<dim>::visit_state(dem::StateVisitor &visitor)
+  void ConcurrentMotion<dim>::visit_state(base::StateVisitor &visitor)
   {
     visitor.scalar("stiffest_contacts", stiffest);
     visitor.scalar("last_particle_step", last_particle_step);

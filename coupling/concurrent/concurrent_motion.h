@@ -66,7 +66,7 @@ namespace coupling
     WindowSteps advance(double rest);
 
     /** What is neither the specimen's nor the solid's. A reader must have the same surfaces. */
-    void visit_state(dem::StateVisitor &visitor);
+    void visit_state(base::StateVisitor &visitor);
 
   private:
     void move_solid(const WindowSteps &steps);

@@ -1,5 +1,6 @@
 #include "coupling/contact/body_layers.h"
 
+#include "base/errors.h"
 #include "coupling/contact/solid_parts.h"
 #include "coupling/surface/boundary_facets.h"
 
@@ -306,8 +307,8 @@ namespace coupling
             std::string known;
             for (const std::string &each : std::set<std::string>(materials.begin(), materials.end()))
               known += (known.empty() ? "" : ", ") + each;
-            throw std::invalid_argument("contact of bodies: no body is of a material " + name +
-                                        ". There are: " + known + ".");
+            throw base::InputError("contact of bodies: no body is of a material " + name + ". There are: " + known +
+                                   ".");
           }
     }
   } // namespace

@@ -21,7 +21,7 @@ namespace coupling
    * surface. The places added so have a depth of their own: a wedge at an edge resists as well as a face.
    *
    * Bodies are named by the material of their elements, and numbered where several have the same.
-   * @param names of the materials of the bodies wanted; empty: all. @throws std::invalid_argument for a name that no body has
+   * @param names of the materials of the bodies wanted; empty: all. @throws base::InputError for a name that no body has
    */
   template <int dim>
   BodyLayers body_layers(const fem::Solid<dim>          &solid,

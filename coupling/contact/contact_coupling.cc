@@ -1,7 +1,7 @@
 #include "coupling/contact/contact_coupling.h"
 
-#include "dem/core/errors.h"
-#include "dem/core/state_vectors.h"
+#include "base/errors.h"
+#include "base/state_vectors.h"
 
 #include <Eigen/Geometry>
 
@@ -63,9 +63,8 @@ namespace coupling
     if (bodies.overlap() > rounding * volume)
       {
         std::ostringstream text;
-        text << "Contacts/" << own_name << ": at the start bodies lie in each other with " << bodies.overlap()
-             << " m^3. Move them apart.";
-        throw dem::InputError(text.str());
+        text << "at the start bodies lie in each other with " << bodies.overlap() << " m^3. Move them apart.";
+        throw base::InputError(text.str());
       }
   }
 
@@ -132,7 +131,7 @@ namespace coupling
 
   namespace
   {
-    void visit(dem::StateVisitor &visitor, const std::string &name, Vector3d &value)
+    void visit(base::StateVisitor &visitor, const std::string &name, Vector3d &value)
     {
       for (int d = 0; d < 3; ++d)
         visitor.scalar(name + "_" + "xyz"[d], value[d]);
@@ -140,14 +139,14 @@ namespace coupling
   } // namespace
 
   template <int dim>
-  void ContactCoupling<dim>::visit_state(dem::StateVisitor &visitor)
+  void ContactCoupling<dim>::visit_state(base::StateVisitor &visitor)
   {
     const std::string group = "contact_" + own_name + "_";
     visit(visitor, group + "momentum", account.momentum);
     visit(visitor, group + "turn", account.turn);
     visitor.scalar(group + "work", account.work);
-    dem::visit_vectors(visitor, group + "node_place", place);
-    dem::visit_vectors(visitor, group + "node_force", force);
+    base::visit_vectors(visitor, group + "node_place", place);
+    base::visit_vectors(visitor, group + "node_force", force);
     bodies.visit_state(visitor, group);
     account.energy = bodies.energy();
   }

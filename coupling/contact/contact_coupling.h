@@ -34,7 +34,7 @@ namespace coupling
   {
   public:
     /**
-     * All must outlive the coupling. @throws std::invalid_argument as body_layers(), dem::InputError as dem::BodyContacts, and for bodies that lie in each
+     * All must outlive the coupling. @throws base::InputError as body_layers(), base::InputError as dem::BodyContacts, and for bodies that lie in each
      * other at the start */
     ContactCoupling(const fem::Solid<dim>           &solid,
                     SolidParticipant<dim>           &participant,
@@ -43,7 +43,7 @@ namespace coupling
     /** Bound of what the contacts add now to the squares of the solid's frequencies [1/s^2]. */
     double added_eigenvalue() const;
 
-    /** The bodies are where the nodes are: find the forces there, and what they have worked on the way. @throws dem::NumericalError */
+    /** The bodies are where the nodes are: find the forces there, and what they have worked on the way. @throws base::NumericalError */
     void kinematics_to_dem();
     /** Push the nodes in the solid's next step. @param kick time that forces push for in it [s] */
     void forces_to_fem(double kick);
@@ -53,7 +53,7 @@ namespace coupling
     const std::string       &name() const { return own_name; }
 
     /** A reader must have the same solid. */
-    void visit_state(dem::StateVisitor &visitor);
+    void visit_state(base::StateVisitor &visitor);
 
   private:
     ContactCoupling(BodyLayers                     &&layers,

@@ -36,7 +36,7 @@ namespace coupling
   }
 
   template <int dim>
-  void ContactMotion<dim>::visit_state(dem::StateVisitor &visitor)
+  void ContactMotion<dim>::visit_state(base::StateVisitor &visitor)
   {
     visitor.scalar("last_step", last_step);
     bodies.visit_state(visitor);

@@ -22,11 +22,11 @@ namespace coupling
 
     /** Longest step now [s]: 2 s / sqrt(omega^2 + what contacts add), omega the solid's own largest frequency, s its safety. */
     double step() const;
-    /** One step, of those that end together after the rest [s]. @throws fem::MaterialFailure, dem::NumericalError */
+    /** One step, of those that end together after the rest [s]. @throws fem::MaterialFailure, base::NumericalError */
     void advance(double rest);
 
     /** What is not the solid's. A reader must have the same contacts. */
-    void visit_state(dem::StateVisitor &visitor);
+    void visit_state(base::StateVisitor &visitor);
 
   private:
     fem::ExplicitSolver<dim> &motion;

@@ -1,6 +1,8 @@
 #include "coupling/contact/rigid_bodies.h"
 
+#include "base/errors.h"
 #include "coupling/contact/solid_parts.h"
+
 
 #include <algorithm>
 #include <set>
@@ -26,7 +28,7 @@ namespace coupling
       {
         const auto found = solid.mesh().materials.find(name);
         if (found == solid.mesh().materials.end())
-          throw std::invalid_argument("rigid bodies: the mesh has no material " + name + ".");
+          throw base::InputError("rigid bodies: the mesh has no material " + name + ".");
         wanted.insert(found->second);
       }
     for (const SolidPart &part : solid_parts(solid, participant))
@@ -36,8 +38,8 @@ namespace coupling
         if (rigid == 0)
           continue;
         if (static_cast<std::size_t>(rigid) < part.materials.size())
-          throw std::invalid_argument("rigid bodies: one shares a node with elements of another material. A rigid body "
-                                      "is a body of its own.");
+          throw base::InputError("rigid bodies: one shares a node with elements of another material. A rigid body "
+                                 "is a body of its own.");
         Body &body    = bodies.emplace_back();
         body.carriers = part.carriers;
         begin(body);
@@ -117,13 +119,13 @@ namespace coupling
   }
 
   template <int dim>
-  void RigidBodies<dim>::visit_state(dem::StateVisitor &visitor)
+  void RigidBodies<dim>::visit_state(base::StateVisitor &visitor)
   {
     for (std::size_t b = 0; b < bodies.size(); ++b)
       {
         Body             &body  = bodies[b];
         const std::string group = "rigid_body_" + std::to_string(b) + "_";
-        dem::Column       all;
+        base::Column      all;
         for (const Vector3d *v : {&body.centre, &body.velocity, &body.spin_momentum})
           all.insert(all.end(), v->data(), v->data() + 3);
         all.insert(all.end(), body.turn.coeffs().data(), body.turn.coeffs().data() + 4);

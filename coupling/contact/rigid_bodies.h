@@ -1,7 +1,7 @@
 #pragma once
 
+#include "base/state.h"
 #include "coupling/participants/solid_participant.h"
-#include "dem/core/state.h"
 
 #include <Eigen/Geometry>
 
@@ -20,7 +20,7 @@ namespace coupling
   public:
     /**
      * Before the first step. @param materials of the bodies; each part that hangs together is one. Both others must outlive it.
-     * @throws std::invalid_argument for a material that is not there, or that shares nodes with another
+     * @throws base::InputError for a material that is not there, or that shares nodes with another
      */
     RigidBodies(const fem::Solid<dim>          &solid,
                 fem::ExplicitSolver<dim>       &motion,
@@ -33,7 +33,7 @@ namespace coupling
     void lead(double kick, double step);
 
     /** A reader must have the same solid. */
-    void visit_state(dem::StateVisitor &visitor);
+    void visit_state(base::StateVisitor &visitor);
 
   private:
     struct Body

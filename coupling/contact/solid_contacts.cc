@@ -38,7 +38,7 @@ namespace coupling
   }
 
   template <int dim>
-  void SolidContacts<dim>::visit_state(dem::StateVisitor &visitor)
+  void SolidContacts<dim>::visit_state(base::StateVisitor &visitor)
   {
     if (contacts.empty())
       return;

@@ -20,7 +20,7 @@ namespace coupling
     const std::vector<std::unique_ptr<ContactCoupling<dim>>> &all() const { return contacts; }
     bool                                                      empty() const { return contacts.empty(); }
 
-    /** The bodies are where the nodes are: once per step, after it. @throws dem::NumericalError */
+    /** The bodies are where the nodes are: once per step, after it. @throws base::NumericalError */
     void find();
     /** Push the nodes in the next step. @param kick time that forces push for in it [s] */
     void push(double kick);
@@ -28,7 +28,7 @@ namespace coupling
     double stiffest() const { return largest_added; }
 
     /** A reader must have the same contacts. */
-    void visit_state(dem::StateVisitor &visitor);
+    void visit_state(base::StateVisitor &visitor);
 
   private:
     const fem::Solid<dim>                             &solid;

@@ -1,5 +1,6 @@
 #include "coupling/participants/solid_participant.h"
 
+#include "base/errors.h"
 #include "coupling/participants/window.h"
 
 #include <deal.II/base/mpi.h>
@@ -19,7 +20,7 @@ namespace coupling
     , motion(motion_)
   {
     if (dealii::Utilities::MPI::n_mpi_processes(solid.communicator()) > 1)
-      throw std::invalid_argument("participant: a solid spread over several ranks cannot be coupled yet. Start one.");
+      throw base::InputError("participant: a solid spread over several ranks cannot be coupled yet. Start one.");
     const auto                                     &fe = solid.dofs().get_fe();
     std::map<dealii::types::global_dof_index, Node> found; // by the number of the first displacement
     std::vector<dealii::types::global_dof_index>    indices(fe.n_dofs_per_cell());
@@ -149,8 +150,8 @@ namespace coupling
   {
     const Group &g = groups.at(group);
     if (velocity.size() != g.carriers.size())
-      throw std::invalid_argument("participant: a group of " + std::to_string(g.carriers.size()) + " nodes was given " +
-                                  std::to_string(velocity.size()) + " velocities.");
+      throw base::InputError("participant: a group of " + std::to_string(g.carriers.size()) + " nodes was given " +
+                             std::to_string(velocity.size()) + " velocities.");
     for (std::size_t k = 0; k < velocity.size(); ++k)
       for (int c = 0; c < dim; ++c)
         if (g.along[c])

@@ -15,7 +15,7 @@ namespace coupling
   class SolidParticipant : public Participant
   {
   public:
-    /** @param solid, motion must outlive the participant @throws std::invalid_argument for a solid spread over several ranks */
+    /** @param solid, motion must outlive the participant @throws base::InputError for a solid spread over several ranks */
     SolidParticipant(fem::Solid<dim> &solid, fem::ExplicitSolver<dim> &motion);
 
     std::size_t       carriers() const override;

@@ -1,5 +1,7 @@
 #include "coupling/sequential/averaging.h"
 
+#include "base/errors.h"
+
 #include <Eigen/Dense>
 #include <deal.II/numerics/rtree.h>
 
@@ -80,7 +82,7 @@ namespace coupling
     , search(std::make_unique<Search>(field_.place))
   {
     if (!(options.width >= 0))
-      throw std::invalid_argument("averaging: the width must not be negative.");
+      throw base::InputError("averaging: the width must not be negative.");
   }
 
   Averaging::~Averaging() = default;

@@ -45,7 +45,7 @@ namespace coupling
   class Averaging
   {
   public:
-    /** @throws std::invalid_argument for a negative width */
+    /** @throws base::InputError for a negative width */
     Averaging(const ParticleField &field, const AveragingOptions &options);
     ~Averaging();
 

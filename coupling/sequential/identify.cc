@@ -1,6 +1,6 @@
 #include "coupling/sequential/identify.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "fem/points/driven_point.h"
 #include "fem/points/registry.h"
 
@@ -162,7 +162,7 @@ namespace coupling
       else
         undamaged.push_back({o.damage_tensor, reference.hardening_at(o.relative_stress)});
     if (damaged.size() < 4)
-      throw dem::InputError(
+      throw base::InputError(
         "identify: " + std::to_string(damaged.size()) +
         " states after the peak; three constants need at least four. Strain the particles further.");
 

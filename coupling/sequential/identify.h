@@ -26,7 +26,7 @@ namespace coupling
     /**
      * Load a point with free sides until its stress has fallen to `lowest` of its peak.
      * @param material that takes initial states @param size of the element [m] @param compression or else tension @param strain_step of the path [-]
-     * @throws fem::MaterialFailure; std::invalid_argument for its constants
+     * @throws fem::MaterialFailure; base::InputError for its constants
      */
     ContinuumReference(
       const fem::MaterialConstants &material, double size, bool compression, double strain_step, double lowest);
@@ -58,7 +58,7 @@ namespace coupling
    * Constants of the mapping law that make the particles' tensors give what the continuum has at the same relative stress:
    * factor, exponent and the share b of the weights (b, 0, 1 - b) by Levenberg and Marquardt from the states after the peak; then the
    * hardening line by linear least squares from those before, kept below 1 at the switch.
-   * @throws dem::InputError with fewer than four states after the peak
+   * @throws base::InputError with fewer than four states after the peak
    */
   Identification identify(const std::vector<ParticleObservation> &observations,
                           const ContinuumReference               &reference,

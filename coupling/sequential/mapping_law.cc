@@ -1,6 +1,6 @@
 #include "coupling/sequential/mapping_law.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "dem/measures/damage_tensor.h"
 
 #include <Eigen/Eigenvalues>
@@ -19,7 +19,7 @@ namespace coupling
         return;
       std::ostringstream message;
       message << "mapping law: " << name << " = " << found << ": " << rule;
-      throw dem::InputError(message.str());
+      throw base::InputError(message.str());
     }
 
     MappingLaw legacy12()

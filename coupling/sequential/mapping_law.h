@@ -28,7 +28,7 @@ namespace coupling
     double hardening_slope  = 900;   ///< growth of kappa_P with raw damage; start + slope m must stay below 1
     bool   published_factor = false; ///< the tensor is taken with 12/(2N) instead of 15/(2N)
 
-    /** @throws dem::InputError naming the constant that breaks a rule */
+    /** @throws base::InputError naming the constant that breaks a rule */
     void validate() const;
   };
 

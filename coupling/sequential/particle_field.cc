@@ -1,6 +1,6 @@
 #include "coupling/sequential/particle_field.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 
 namespace coupling
 {
@@ -22,7 +22,7 @@ namespace coupling
         field.mean_radius += state.radius[i];
       }
     if (field.size() == 0)
-      throw dem::InputError(
+      throw base::InputError(
         "discrete state: every particle is held by a grip or was never linked; nothing to transfer.");
     field.mean_radius /= static_cast<double>(field.size());
     field.left_out = state.size() - field.size();

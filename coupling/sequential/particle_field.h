@@ -37,7 +37,7 @@ namespace coupling
   /**
    * Stress and damage tensor of every particle of a state (doc/theory/sequential-transfer.md, 1); particles that never had a cohesive link tell
    * nothing of damage and are left out.
-   * @throws dem::InputError if none remains
+   * @throws base::InputError if none remains
    */
   ParticleField particle_field(const dem::DiscreteState &state, const FieldOptions &options);
 } // namespace coupling

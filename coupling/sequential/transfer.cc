@@ -1,6 +1,6 @@
 #include "coupling/sequential/transfer.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 
 #include <deal.II/base/mpi.h>
 
@@ -61,7 +61,7 @@ namespace coupling
       fem::InitialPointState given;
       if (point.average.particles == 0)
         return given; // virgin
-      given.stress    = fem::stress_voigt(point.average.stress);
+      given.stress    = base::stress_voigt(point.average.stress);
       given.damage    = point.mapped.damage;
       given.hardening = point.mapped.hardening;
       return given;
@@ -108,7 +108,7 @@ namespace coupling
       std::ostringstream message;
       message << "transfer: " << found << " of " << of << " integration points " << what
               << "; the scene allows a share of " << limit << '.';
-      throw dem::InputError(message.str());
+      throw base::InputError(message.str());
     }
 
     void refuse_difference(const char *what, const double found, const double strength, const double limit)
@@ -119,14 +119,14 @@ namespace coupling
       message << "transfer: " << what << " of points and particles differ by " << found
               << " of the larger of the stress there is and the tensile strength (" << strength
               << " Pa); the scene allows " << limit << '.';
-      throw dem::InputError(message.str());
+      throw base::InputError(message.str());
     }
 
     void refuse_past_limits(const TransferReport &report, const TransferLimits &limits)
     {
       const TransferCount &count = report.count;
       if (count.points == 0)
-        throw dem::InputError(
+        throw base::InputError(
           "transfer: no part of the solid has a history (all of it is elastic); nothing to transfer to.");
       refuse_past("have no particle within reach", count.empty, count.points, limits.empty);
       refuse_past("average fewer particles than asked for", count.sparse, count.points, limits.sparse);
@@ -169,8 +169,8 @@ namespace coupling
   TransferReport transfer(const ParticleField &field, const TransferOptions &options, fem::Solid<dim> &solid)
   {
     if (field.dimension != dim)
-      throw std::invalid_argument("transfer: particles in " + std::to_string(field.dimension) +
-                                  " dimensions to a solid in " + std::to_string(dim) + ".");
+      throw base::InputError("transfer: particles in " + std::to_string(field.dimension) +
+                             " dimensions to a solid in " + std::to_string(dim) + ".");
     options.law.validate();
     const Averaging averaging(field, options.averaging);
     TransferReport  report;
@@ -206,7 +206,7 @@ namespace coupling
         return;
       MappedPoint          &point = report.points.at(next++);
       const Eigen::Matrix3d given = point.average.stress;
-      point.returned              = (fem::stress_tensor(view.stress) - given).norm();
+      point.returned              = (base::stress_tensor(view.stress) - given).norm();
       report.count.returned += point.returned > rounding * given.norm();
       report.count.outside += point.returned > loss * std::max(given.norm(), options.strength);
       report.largest_return = std::max(report.largest_return, point.returned);
@@ -226,7 +226,7 @@ namespace coupling
     solid.constraints().set_zero(free);
     double squares = 0;
     solid.visit_points(solver.displacement(), [&squares](const fem::PointView<dim> &view) {
-      const double force = fem::stress_tensor(view.stress).norm() * std::pow(view.volume, 2.0 / 3.0);
+      const double force = base::stress_tensor(view.stress).norm() * std::pow(view.volume, 2.0 / 3.0);
       squares += force * force;
     });
     squares = dealii::Utilities::MPI::sum(squares, solid.communicator());
@@ -248,11 +248,11 @@ namespace coupling
         message << "transfer: the mapped state is out of balance by " << done.before.relative()
                 << " of the forces at hand (largest " << done.before.largest << " N); the scene allows "
                 << limits.imbalance << '.';
-        throw dem::InputError(message.str());
+        throw base::InputError(message.str());
       }
     const fem::StepReport report = solver.relax_to(solver.time());
     if (!report.converged)
-      throw dem::NumericalError("transfer: no equilibrium near the mapped state: " + report.reason);
+      throw base::NumericalError("transfer: no equilibrium near the mapped state: " + report.reason);
     done.iterations        = report.iterations;
     done.relaxed           = report.relaxed;
     fem::StaticState state = solver.state();

@@ -10,7 +10,7 @@ namespace coupling
    * damage tensor by averaging, omega and kappa_P by the mapping law, kappa_D by inverting the damage law with the point's element
    * size, and the plastic strain that keeps the stress at zero strain.
    *
-   * Call it before a solver is made for the solid. @throws dem::InputError past a limit; std::invalid_argument for mismatched
+   * Call it before a solver is made for the solid. @throws base::InputError past a limit; base::InputError for mismatched
    * dimensions
    */
   template <int dim>
@@ -22,7 +22,7 @@ namespace coupling
 
   /**
    * Bring the transferred state into equilibrium under the supports and loads of time zero.
-   * @throws dem::InputError past the limit of imbalance; dem::NumericalError if there is no equilibrium near
+   * @throws base::InputError past the limit of imbalance; base::NumericalError if there is no equilibrium near
    */
   template <int dim>
   Equilibration equilibrate(fem::Solid<dim> &solid, fem::StaticSolver<dim> &solver, const TransferLimits &limits);

@@ -1,5 +1,7 @@
 #include "coupling/surface/boundary_facets.h"
 
+#include "base/errors.h"
+
 #include <deal.II/dofs/dof_accessor.h>
 
 #include <map>
@@ -74,7 +76,7 @@ namespace coupling
           found.mesh.facet.push_back({corner[0], corner[2], corner[3]});
         }
     if (found.mesh.facet.empty())
-      throw std::invalid_argument("surface: this part of the boundary has no faces.");
+      throw base::InputError("surface: this part of the boundary has no faces.");
     return found;
   }
 

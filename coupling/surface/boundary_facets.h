@@ -28,7 +28,7 @@ namespace coupling
    * Faces of named parts of the boundary, in the order of the elements: triangles; quadrilaterals split; in the plane segments.
    *
    * @param names of boundaries of the mesh; empty: the whole boundary
-   * @throws std::invalid_argument for a name that the mesh does not have, or a part without faces
+   * @throws base::InputError for a name that the mesh does not have, or a part without faces
    */
   template <int dim>
   BoundaryFacets boundary_facets(const fem::Solid<dim>          &solid,

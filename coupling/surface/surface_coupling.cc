@@ -1,8 +1,8 @@
 #include "coupling/surface/surface_coupling.h"
 
+#include "base/errors.h"
+#include "base/state_vectors.h"
 #include "coupling/surface/interior.h"
-#include "dem/core/errors.h"
-#include "dem/core/state_vectors.h"
 #include "dem/facets/facet_spin.h"
 #include "dem/facets/surface.h"
 
@@ -73,7 +73,7 @@ namespace coupling
                     << x.transpose()
                     << ") m lies in the solid that it shall touch. Move it out, or leave it out of the "
                        "groups of this coupling.";
-            throw dem::InputError(message.str());
+            throw base::InputError(message.str());
           }
     }
 
@@ -253,7 +253,7 @@ namespace coupling
   }
 
   template <int dim>
-  void SurfaceCoupling<dim>::visit_state(dem::StateVisitor &visitor)
+  void SurfaceCoupling<dim>::visit_state(base::StateVisitor &visitor)
   {
     const std::string group  = "coupling_" + own_name + "_";
     const char        axis[] = "xyz";
@@ -263,7 +263,7 @@ namespace coupling
         visitor.scalar(group + "turn_to_solid_" + axis[d], exchanged.turn_to_solid[d]);
       }
     visitor.scalar(group + "work_on_solid", exchanged.work_on_solid);
-    dem::visit_vectors(visitor, group + "last_motion", last_motion);
+    base::visit_vectors(visitor, group + "last_motion", last_motion);
   }
 
   template class SurfaceCoupling<2>;

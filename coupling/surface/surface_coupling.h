@@ -1,7 +1,7 @@
 #pragma once
 
+#include "base/state.h"
 #include "coupling/surface/boundary_facets.h"
-#include "dem/core/state.h"
 #include "dem/facets/surface.h"
 #include "dem/laws/linear_contact.h"
 #include "dem/specimen/specimen.h"
@@ -54,7 +54,7 @@ namespace coupling
   class SurfaceCoupling
   {
   public:
-    /** All must outlive the coupling. @throws std::invalid_argument as boundary_facets(), dem::InputError as Specimen::add_surface(), and for a particle whose centre lies in the solid */
+    /** All must outlive the coupling. @throws base::InputError as boundary_facets(), base::InputError as Specimen::add_surface(), and for a particle whose centre lies in the solid */
     SurfaceCoupling(dem::Specimen                   &specimen,
                     const fem::Solid<dim>           &solid,
                     SolidParticipant<dim>           &participant,
@@ -87,7 +87,7 @@ namespace coupling
     std::size_t        surface() const { return number; } ///< of the specimen
 
     /** What is neither the specimen's nor the solid's. */
-    void visit_state(dem::StateVisitor &visitor);
+    void visit_state(base::StateVisitor &visitor);
 
   private:
     SurfaceCoupling(dem::Specimen                   &specimen,

@@ -1,7 +1,7 @@
 #include "dem/bodies/body_contacts.h"
 
-#include "dem/core/errors.h"
-#include "dem/core/state_vectors.h"
+#include "base/errors.h"
+#include "base/state_vectors.h"
 
 #include <Eigen/Geometry>
 
@@ -18,7 +18,7 @@ namespace dem
     void demand(const bool holds, const char *what)
     {
       if (!holds)
-        throw InputError(what);
+        throw base::InputError(what);
     }
 
     std::size_t index(const std::int32_t i) { return static_cast<std::size_t>(i); }
@@ -124,7 +124,7 @@ namespace dem
               }
           }
         if (found.too_deep || found.inside_out)
-          throw NumericalError(
+          throw base::NumericalError(
             "contact of bodies: where " + bodies.bodies[index(body[0])] + " and " + bodies.bodies[index(body[1])] +
             " touch, " +
             (found.too_deep ? "they are deeper in each other than one element." : "an element is inside out.") +
@@ -258,9 +258,9 @@ namespace dem
       }
   }
 
-  void BodyContacts::visit_state(StateVisitor &visitor, const std::string &group)
+  void BodyContacts::visit_state(base::StateVisitor &visitor, const std::string &group)
   {
-    visit_vectors(visitor, group + "place", bodies.place);
+    base::visit_vectors(visitor, group + "place", bodies.place);
     std::vector<std::int32_t> element, body;
     std::vector<Vector3d>     stretch, normal;
     for (const auto &[of, spring] : springs)
@@ -272,8 +272,8 @@ namespace dem
       }
     visitor.column(group + "spring_element", element);
     visitor.column(group + "spring_body", body);
-    visit_vectors(visitor, group + "spring_stretch", stretch);
-    visit_vectors(visitor, group + "spring_normal", normal);
+    base::visit_vectors(visitor, group + "spring_stretch", stretch);
+    base::visit_vectors(visitor, group + "spring_normal", normal);
     springs.clear();
     for (std::size_t i = 0; i < element.size(); ++i)
       springs.emplace(Holder{element[i], body[i]}, Spring{stretch[i], normal[i]});

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "base/state.h"
 #include "dem/bodies/body_contact_parameters.h"
 #include "dem/bodies/near_simplices.h"
 #include "dem/bodies/overlap_force.h"
-#include "dem/core/state.h"
 
 #include <map>
 #include <optional>
@@ -26,14 +26,14 @@ namespace dem
   class BodyContacts
   {
   public:
-    /** @throws InputError for parameters out of range */
+    /** @throws base::InputError for parameters out of range */
     BodyContacts(BodyMesh mesh, const BodyContactParameters &parameters);
 
     const BodyMesh &mesh() const { return bodies; }
 
     /**
      * All vertices are here now; find the forces. Springs of friction follow the motion since the last call: once per step.
-     * @throws NumericalError where one body reaches deeper into another than the layer that was meshed
+     * @throws base::NumericalError where one body reaches deeper into another than the layer that was meshed
      */
     void move_to(const std::vector<Eigen::Vector3d> &place);
 
@@ -48,7 +48,7 @@ namespace dem
     std::size_t                         touching() const { return met; }   ///< pairs of bodies
 
     /** A reader must hold the same mesh. @param group before all names */
-    void visit_state(StateVisitor &visitor, const std::string &group);
+    void visit_state(base::StateVisitor &visitor, const std::string &group);
 
   private:
     /** An element on a body. */

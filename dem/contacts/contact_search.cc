@@ -143,7 +143,7 @@ namespace dem
     return born;
   }
 
-  void ContactSearch::visit_state(StateVisitor &visitor)
+  void ContactSearch::visit_state(base::StateVisitor &visitor)
   {
     visitor.column("contact_search/watched", watched);
     visitor.column("contact_search/reference", reference);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dem/core/state.h"
+#include "base/state.h"
 #include "dem/model/links.h"
 #include "dem/model/particles.h"
 
@@ -51,7 +51,7 @@ namespace dem
 
     std::int64_t searches() const { return neighbour_searches; } ///< how often neighbours were searched so far
 
-    void visit_state(StateVisitor &visitor);
+    void visit_state(base::StateVisitor &visitor);
 
   private:
     void   rebuild(Particles &particles, const LinkSet &bonds, const LinkSet &contacts);
@@ -62,11 +62,11 @@ namespace dem
 
     bool                      contacts_wait;
     std::vector<std::int32_t> watched;     ///< first, second, image of each pair, flattened
-    Column                    reference;   ///< positions at the last rebuild, three per particle [m]
+    base::Column              reference;   ///< positions at the last rebuild, three per particle [m]
     double                    margin;      ///< gap that unwatched pairs had at least at the last rebuild [m]
     double                    list_margin; ///< margin of the lists to come [m]
     double                    largest_diameter;
-    Column                    reference_base; ///< H at the last rebuild, by columns; empty without a cell [m]
+    base::Column              reference_base; ///< H at the last rebuild, by columns; empty without a cell [m]
     double                    path = 0, path_of_list = 0; ///< now; not below the largest displacement since the rebuild
     double                    next_look;
     std::int64_t              neighbour_searches = 0;

@@ -1,6 +1,6 @@
 #include "dem/facets/facet_mesh.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 
 #include <Eigen/Geometry>
 
@@ -27,7 +27,7 @@ namespace dem
 
     [[noreturn]] void refuse(const std::string &name, const std::string &why)
     {
-      throw InputError("wall " + name + ": " + why);
+      throw base::InputError("wall " + name + ": " + why);
     }
 
     void check_facet(const FacetMesh &mesh, const std::string &name, const std::size_t f)

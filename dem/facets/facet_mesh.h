@@ -32,7 +32,7 @@ namespace dem
   /**
    * Refuse what is no surface: no facet at all, a vertex that is not there or not finite, a facet of zero length or area, or one that
    * does not fit the dimension (in two dimensions segments in the plane z = 0).
-   * @param name of the surface, for the message @throws InputError naming the facet, counted from 1
+   * @param name of the surface, for the message @throws base::InputError naming the facet, counted from 1
    */
   void check_facets(const FacetMesh &mesh, const std::string &name, int dimension);
 

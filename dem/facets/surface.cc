@@ -175,9 +175,9 @@ namespace dem
 
   namespace
   {
-    void visit(StateVisitor &visitor, const std::string &name, std::vector<Eigen::Vector3d> &vectors)
+    void visit(base::StateVisitor &visitor, const std::string &name, std::vector<Eigen::Vector3d> &vectors)
     {
-      Column flat;
+      base::Column flat;
       for (const Eigen::Vector3d &v : vectors)
         flat.insert(flat.end(), v.data(), v.data() + 3);
       visitor.column(name, flat);
@@ -186,14 +186,14 @@ namespace dem
         vectors[v] = Eigen::Vector3d(&flat[3 * v]);
     }
 
-    void visit(StateVisitor &visitor, const std::string &name, Eigen::Vector3d &vector)
+    void visit(base::StateVisitor &visitor, const std::string &name, Eigen::Vector3d &vector)
     {
       for (int c = 0; c < 3; ++c)
         visitor.scalar(name + "_" + "xyz"[c], vector[c]);
     }
   } // namespace
 
-  void Surface::visit_state(StateVisitor &visitor, const std::string &group)
+  void Surface::visit_state(base::StateVisitor &visitor, const std::string &group)
   {
     const auto named = [&](const char *item) { return group + "/" + item; };
     visit(visitor, named("place"), place);
@@ -202,7 +202,7 @@ namespace dem
     visit(visitor, named("force"), force);
     visit(visitor, named("impulse"), impulse);
     visit(visitor, named("turn_impulse"), turn_impulse);
-    Column stiff(stiffness.begin(), stiffness.end());
+    base::Column stiff(stiffness.begin(), stiffness.end());
     visitor.column(named("stiffness"), stiff);
     stiffness.assign(stiff.begin(), stiff.end());
     for (const auto &[name_of_vector, vector] :

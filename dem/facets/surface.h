@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dem/core/state.h"
+#include "base/state.h"
 #include "dem/facets/facet_mesh.h"
 #include "dem/facets/footprint.h"
 #include "dem/laws/linear_contact.h"
@@ -122,7 +122,7 @@ namespace dem
     double advance(double step);
     bool   still() const { return led == Led::rigidly && velocity.isZero(0) && spin.isZero(0); }
 
-    void visit_state(StateVisitor &visitor, const std::string &group);
+    void visit_state(base::StateVisitor &visitor, const std::string &group);
 
   private:
     bool moved = false; ///< in the last step: otherwise motion is zero already

@@ -1,6 +1,6 @@
 #include "dem/facets/surface_bonds.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "dem/facets/facet_spin.h"
 #include "dem/facets/glue_output.h"
 #include "dem/integrators/stable_step.h"
@@ -66,7 +66,7 @@ namespace dem
             message << "wall " << surface.name << ": particle " << particles.number[static_cast<std::size_t>(i)] + 1
                     << " is to be glued to it, but lies in it by " << -least << " m; up to half its radius (" << radius
                     << " m) is taken. Move one of the two.";
-            throw InputError(message.str());
+            throw base::InputError(message.str());
           }
         particle.push_back(i);
         anchor.push_back(found);
@@ -76,14 +76,14 @@ namespace dem
     std::ostringstream message;
     message << "wall " << surface.name << ": no particle is within " << within
             << " m of it, none is glued. Raise the distance, or check places and units (metres).";
-    throw InputError(message.str());
+    throw base::InputError(message.str());
   }
 
   void SurfaceBonds::make_bodies(const Particles &particles)
   {
     const std::size_t n = count();
     bodies.count        = 2 * n;
-    for (Column *column : {&bodies.pose, &bodies.motion})
+    for (base::Column *column : {&bodies.pose, &bodies.motion})
       column->assign(record_size * (bodies.count + 2), 0.0);
     bodies.pose[record_size * (bodies.count + 1)] = 1; // a unit apart, for the links that only fill up a pack
     bodies.mass.assign(bodies.count, 0.0);
@@ -250,7 +250,7 @@ namespace dem
     return links.has_moment ? Vector3d(&links.moment[half_record_size * b]) : Vector3d::Zero();
   }
 
-  void SurfaceBonds::hand_out(Column &records, Surface &surface) const
+  void SurfaceBonds::hand_out(base::Column &records, Surface &surface) const
   {
     for (std::size_t b = 0; b < count(); ++b)
       {
@@ -343,7 +343,7 @@ namespace dem
   double SurfaceBonds::friction() const { return plastic_dissipation(links); }
   double SurfaceBonds::released() const { return let_go + released_in_place(links); }
 
-  void SurfaceBonds::visit_state(StateVisitor &visitor, const std::string &group, const Surface &surface)
+  void SurfaceBonds::visit_state(base::StateVisitor &visitor, const std::string &group, const Surface &surface)
   {
     visitor.column(group + "/pose", bodies.pose);
     visitor.column(group + "/motion", bodies.motion);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dem/core/state.h"
+#include "base/state.h"
 #include "dem/facets/near_facets.h"
 #include "dem/facets/pressure.h"
 #include "dem/facets/surface.h"
@@ -31,7 +31,7 @@ namespace dem
     /**
      * Glue whatever is near enough of those that the surface meets.
      * @param number of the surface among all @param rotations whether particles turn
-     * @throws InputError where nobody is near, or someone lies in the surface
+     * @throws base::InputError where nobody is near, or someone lies in the surface
      */
     SurfaceBonds(std::int32_t                   number,
                  const std::vector<Surface>    &surfaces,
@@ -51,7 +51,7 @@ namespace dem
     /** Forces where everything is now. @return the particles that were torn off, which carry nothing from now on */
     std::vector<std::int32_t> find_forces(const Particles &particles, const Surface &surface);
     /** Enter them: of particles in their records, of vertices in the surface. */
-    void hand_out(Column &records, Surface &surface) const;
+    void hand_out(base::Column &records, Surface &surface) const;
     /** What they have done to vertices. */
     const std::vector<VertexPart> &parts() const { return vertex_parts; }
 
@@ -69,7 +69,7 @@ namespace dem
     /** Add all bonds to those that an observer sees. */
     void show(GlueOutput &out, const Particles &particles, const Surface &surface) const;
 
-    void visit_state(StateVisitor &visitor, const std::string &group, const Surface &surface);
+    void visit_state(base::StateVisitor &visitor, const std::string &group, const Surface &surface);
 
   private:
     struct Anchor

@@ -1,6 +1,6 @@
 #include "dem/facets/surface_contacts.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "dem/kernels/kinematics.h"
 
 #include <Eigen/Geometry>
@@ -19,7 +19,7 @@ namespace dem
     Vec<double, 3>  plain(const Eigen::Vector3d &v) { return {{v[0], v[1], v[2]}}; }
     Eigen::Vector3d vector(const Vec<double, 3> &v) { return {v[0], v[1], v[2]}; }
 
-    Eigen::Vector3d record(const Column &column, const std::int32_t particle, const int from)
+    Eigen::Vector3d record(const base::Column &column, const std::int32_t particle, const int from)
     {
       return Eigen::Vector3d(
         &column[record_size * static_cast<std::size_t>(particle) + static_cast<std::size_t>(from)]);
@@ -30,7 +30,7 @@ namespace dem
       std::ostringstream message;
       message << "particle " << p.number[static_cast<std::size_t>(i)] + 1 << " has sunk into wall " << surface.name
               << " by its radius. Raise the wall's Effective modulus, or lower the load or Time/Step factor.";
-      throw NumericalError(message.str());
+      throw base::NumericalError(message.str());
     }
   } // namespace
 
@@ -112,7 +112,7 @@ namespace dem
   {
     const Surface &to = all.at(surface);
     if (to.mesh.is_plane())
-      throw InputError("wall " + to.name + ": nothing is glued to an unbounded plane. Take a plate of facets.");
+      throw base::InputError("wall " + to.name + ": nothing is glued to an unbounded plane. Take a plate of facets.");
     glues.emplace_back(static_cast<std::int32_t>(surface), all, particles, shape, within, std::move(law), rotations);
     std::vector<std::int32_t> glued;
     for (std::size_t b = 0; b < glues.back().count(); ++b)
@@ -171,7 +171,7 @@ namespace dem
           else
             message << " by " << inside;
           message << " m; up to half its radius (" << radius << " m) is taken. Move one of the two.";
-          throw InputError(message.str());
+          throw base::InputError(message.str());
         }
   }
 

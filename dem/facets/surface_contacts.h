@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dem/core/state.h"
+#include "base/state.h"
 #include "dem/facets/contact_zones.h"
 #include "dem/facets/near_facets.h"
 #include "dem/facets/pressure.h"
@@ -49,12 +49,12 @@ namespace dem
 
     /**
      * @param friction whether it limits shear @param meets which particles touch it, in the order of Particles; empty: all
-     * @throws InputError for a surface that is none
+     * @throws base::InputError for a surface that is none
      */
     std::size_t add(const SurfaceParameters &parameters, int dimension, bool friction, std::vector<bool> meets = {});
     /**
      * Glue particles that it meets to a surface, to which they have no other contact until they are torn off.
-     * @return which @throws InputError where nobody is near, someone lies in it, or it is an unbounded plane
+     * @return which @throws base::InputError where nobody is near, someone lies in it, or it is an unbounded plane
      */
     std::vector<std::int32_t>   glue(std::size_t                    surface,
                                      double                         within,
@@ -72,12 +72,12 @@ namespace dem
      * @return particles that have a contact that they did not have before, or a stiffer one
      */
     const std::vector<std::int32_t> &find_forces(const Particles &particles, const ParticleShape &shape);
-    /** @throws InputError for a particle behind a surface or in it by more than half its radius */
+    /** @throws base::InputError for a particle behind a surface or in it by more than half its radius */
     void check_start(const Particles &particles);
     bool touching() const { return !contacts.empty() || holding(); }
 
     /** Records of force (3) [N] | moment (3) [N m] | 0 0 on each particle; empty as long as none has been touched. */
-    const Column &on_particles() const { return records; }
+    const base::Column &on_particles() const { return records; }
 
     /** Let servos choose their speed, and move all surfaces over a step [s]. @return the largest displacement of a vertex [m] */
     double advance(double step);
@@ -109,7 +109,7 @@ namespace dem
     const std::vector<SurfaceBonds>   &bonds() const { return glues; }
     const NearFacets                  &near_facets() const { return near; }
 
-    void visit_state(StateVisitor &visitor);
+    void visit_state(base::StateVisitor &visitor);
 
   private:
     struct Block;
@@ -152,7 +152,7 @@ namespace dem
     std::vector<SurfaceContact> contacts;
     std::vector<VertexPart>     vertex_parts;
     std::vector<SurfaceBonds>   glues;
-    Column                      records;
+    base::Column                records;
     std::vector<std::int32_t>   born;
     bool                        found = false; ///< forces are those of where everything is
     double                      slid = 0, let_go = 0;

@@ -10,7 +10,7 @@ namespace dem
     constexpr std::size_t numbers_of_part    = 5;
     constexpr std::size_t indices_of_contact = 5;
 
-    void put(const SurfaceContact &c, Column &numbers, std::vector<std::int32_t> &indices)
+    void put(const SurfaceContact &c, base::Column &numbers, std::vector<std::int32_t> &indices)
     {
       for (const Eigen::Vector3d &v : {c.place, c.direction, c.shear, c.force, c.push})
         numbers.insert(numbers.end(), v.data(), v.data() + 3);
@@ -40,13 +40,13 @@ namespace dem
     }
   } // namespace
 
-  void SurfaceContacts::visit_state(StateVisitor &visitor)
+  void SurfaceContacts::visit_state(base::StateVisitor &visitor)
   {
     if (all.empty())
       return;
     for (std::size_t s = 0; s < all.size(); ++s)
       all[s].visit_state(visitor, "surfaces/" + std::to_string(s));
-    Column                    numbers, weights;
+    base::Column              numbers, weights;
     std::vector<std::int32_t> indices, vertices;
     for (const SurfaceContact &contact : contacts)
       put(contact, numbers, indices);

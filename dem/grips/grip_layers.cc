@@ -1,6 +1,6 @@
 #include "dem/grips/grip_layers.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +35,7 @@ namespace dem
       std::ostringstream message;
       message << "Loading/Grip thickness = " << thickness << " m: the two grips would meet. Particle centres span "
               << ends.high - ends.low << " m along the axis. Use less than half of that.";
-      throw InputError(message.str());
+      throw base::InputError(message.str());
     }
 
     [[noreturn]] void refuse_plane(const double plane, const Ends &ends)
@@ -44,7 +44,7 @@ namespace dem
       message << "Loading/Gauge planes: at " << plane
               << " m along the axis there are no particles whose motion could be measured; "
               << "centres lie from " << ends.low << " to " << ends.high << " m.";
-      throw InputError(message.str());
+      throw base::InputError(message.str());
     }
 
     PlaneGauge gauge_at(const double plane, const SpecimenShape &specimen, const int axis, const Ends &ends)

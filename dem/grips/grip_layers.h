@@ -65,7 +65,7 @@ namespace dem
 
   /**
    * Particles whose centre is within the grips' thickness of the specimen's outermost centres along an axis.
-   * @throws InputError if the two layers would meet (it names Grip thickness), or a plane has no particles near it
+   * @throws base::InputError if the two layers would meet (it names Grip thickness), or a plane has no particles near it
    */
   GripLayers find_grip_layers(const SpecimenShape &specimen, int axis, const GripParameters &parameters);
 } // namespace dem

@@ -1,8 +1,7 @@
 #include "dem/homogenisation/isotropy.h"
 
-#include "dem/core/errors.h"
-
-#include <Eigen/Eigenvalues>
+#include "base/errors.h"
+#include "dem/core/symmetric_modes.h"
 
 #include <cmath>
 #include <vector>
@@ -42,12 +41,12 @@ namespace dem
     /** Compliance; a stiffness with a direction of hardly any resistance has none. */
     Eigen::MatrixXd compliance(const Eigen::MatrixXd &D)
     {
-      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(0.5 * (D + D.transpose()));
-      const double                                         largest = eigen.eigenvalues().maxCoeff();
-      if (!(eigen.eigenvalues().minCoeff() > 1e-12 * largest))
-        throw NumericalError("homogenisation: the cell does not resist every strain, its moduli do not exist. "
-                             "Raise the interaction ratio, or take a denser packing.");
-      return eigen.eigenvectors() * eigen.eigenvalues().cwiseInverse().asDiagonal() * eigen.eigenvectors().transpose();
+      const SymmetricModes eigen   = symmetric_modes(0.5 * (D + D.transpose()));
+      const double         largest = eigen.values.maxCoeff();
+      if (!(eigen.values.minCoeff() > 1e-12 * largest))
+        throw base::NumericalError("homogenisation: the cell does not resist every strain, its moduli do not exist. "
+                                   "Raise the interaction ratio, or take a denser packing.");
+      return eigen.vectors * eigen.values.cwiseInverse().asDiagonal() * eigen.vectors.transpose();
     }
   } // namespace
 

@@ -19,7 +19,7 @@ namespace dem
 
   /**
    * @param dimension 2: the 3 x 3 part 11 22 12, read as plane stress
-   * @throws NumericalError if the stiffness is singular: the cell does not resist some strain.
+   * @throws base::NumericalError if the stiffness is singular: the cell does not resist some strain.
    */
   IsotropyMeasures isotropy_measures(const MacroscopicStiffness &D, int dimension);
 } // namespace dem

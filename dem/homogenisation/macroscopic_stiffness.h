@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/matrix6.h"
 #include "dem/statics/elastic_network.h"
 
 #include <Eigen/Core>
@@ -7,7 +8,7 @@
 namespace dem
 {
   /** Stiffness for strains with engineering shears, order 11 22 33 23 31 12, tension positive [Pa]; in the plane only 11 22 12 are used. */
-  using MacroscopicStiffness = Eigen::Matrix<double, 6, 6>;
+  using MacroscopicStiffness = base::Matrix6;
 
   /** Young's modulus and Poisson's ratio read from a stiffness. */
   struct ElasticConstants

@@ -26,9 +26,9 @@ namespace dem
       return strain;
     }
 
-    std::vector<Eigen::Matrix<double, 6, 6>> motions_of(const StiffnessOperator &stiffness, const Fields &x)
+    std::vector<base::Matrix6> motions_of(const StiffnessOperator &stiffness, const Fields &x)
     {
-      std::vector<Eigen::Matrix<double, 6, 6>> motion(stiffness.particles());
+      std::vector<base::Matrix6> motion(stiffness.particles());
       for (std::size_t i = 0; i < stiffness.particles(); ++i)
         for (int c = 0; c < motions; ++c)
           for (int lane = 0; lane < first_probe; ++lane)

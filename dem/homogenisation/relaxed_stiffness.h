@@ -18,7 +18,7 @@ namespace dem
      * Motion of each particle per unit of macroscopic strain, beyond the affine field (total motion if so formulated): rows
      * displacement [m] and rotation [-], a column per strain component. Mechanisms are at rest.
      */
-    std::vector<Eigen::Matrix<double, 6, 6>> motion;
+    std::vector<base::Matrix6> motion;
   };
 
   /**

@@ -1,8 +1,7 @@
 #include "dem/homogenisation/resisted_strains.h"
 
+#include "dem/core/symmetric_modes.h"
 #include "dem/statics/mechanisms.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <vector>
 
@@ -29,17 +28,16 @@ namespace dem
 
   int remove_unresisted(MacroscopicStiffness &D, const MacroscopicStiffness &bound, const int dimension)
   {
-    using Solver                                     = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>;
-    const std::vector<int>                      kept = components(dimension);
-    const Eigen::MatrixXd                       part = existing_part(D, kept);
-    const Solver                                own(0.5 * (part + part.transpose()));
-    const Solver                                scale(existing_part(bound, kept), Eigen::EigenvaluesOnly);
-    const double                                least    = negligible_stiffness * scale.eigenvalues().maxCoeff();
-    const Eigen::Array<bool, Eigen::Dynamic, 1> resisted = own.eigenvalues().array() > least;
+    const std::vector<int>                      kept     = components(dimension);
+    const Eigen::MatrixXd                       part     = existing_part(D, kept);
+    const SymmetricModes                        own      = symmetric_modes(0.5 * (part + part.transpose()));
+    const Eigen::VectorXd                       scale    = symmetric_modes(existing_part(bound, kept)).values;
+    const double                                least    = negligible_stiffness * scale.maxCoeff();
+    const Eigen::Array<bool, Eigen::Dynamic, 1> resisted = own.values.array() > least;
     if (!resisted.all())
       {
-        const Eigen::VectorXd eigenvalues = resisted.select(own.eigenvalues(), 0.0);
-        const Eigen::MatrixXd cleaned = own.eigenvectors() * eigenvalues.asDiagonal() * own.eigenvectors().transpose();
+        const Eigen::VectorXd eigenvalues = resisted.select(own.values, 0.0);
+        const Eigen::MatrixXd cleaned     = own.vectors * eigenvalues.asDiagonal() * own.vectors.transpose();
         for (std::size_t i = 0; i < kept.size(); ++i)
           for (std::size_t j = 0; j < kept.size(); ++j)
             D(kept[i], kept[j]) = cleaned(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "dem/core/simd.h"
 #include "dem/kernels/link_update_types.h"
 #include "dem/model/link_law.h"
@@ -16,12 +16,12 @@ namespace dem
   /** Name of what a link sheared by the first-order update remembers besides its law's history. */
   constexpr const char *surface_gap = "surface_gap";
 
-  /** The law itself, for solvers that follow slip exactly. @throws InputError if it shears its links by the first-order update */
+  /** The law itself, for solvers that follow slip exactly. @throws base::InputError if it shears its links by the first-order update */
   inline std::shared_ptr<const LinkLaw> with_exact_shear(std::shared_ptr<const LinkLaw> law)
   {
     for (const LinkQuantity &quantity : law->columns())
       if (quantity.name == surface_gap)
-        throw InputError(
+        throw base::InputError(
           std::string(law->name()) +
           "/Shear kinematics = first-order: only for specimens in motion. A static solution has no steps "
           "to be of first order in. Use exact.");
@@ -101,11 +101,11 @@ namespace dem
       return normal + (Law::stored(k, link, own) - normal) / arm_ratio(state);
     }
 
-    static Matrix6 tangent(const Constants        &k,
-                           const LinkStep         &step,
-                           const State<double, 3> &before,
-                           const State<double, 3> &after,
-                           const LinkTangent       kind)
+    static base::Matrix6 tangent(const Constants        &k,
+                                 const LinkStep         &step,
+                                 const State<double, 3> &before,
+                                 const State<double, 3> &after,
+                                 const LinkTangent       kind)
     {
       return Law::tangent(k, step, own_of(before), own_of(after), kind);
     }

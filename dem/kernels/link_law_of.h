@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dem/core/column.h"
+#include "base/column.h"
 #include "dem/kernels/link_update_types.h"
 #include "dem/model/link_law.h"
 
@@ -179,11 +179,11 @@ namespace dem
       return result;
     }
 
-    Matrix6 tangent(const std::size_t law,
-                    const LinkStep   &step,
-                    const double     *before,
-                    const double     *history,
-                    const LinkTangent kind) const override
+    base::Matrix6 tangent(const std::size_t law,
+                          const LinkStep   &step,
+                          const double     *before,
+                          const double     *history,
+                          const LinkTangent kind) const override
     {
       require_space();
       return Law::tangent(all[law], step, state_of<3>(before), state_of<3>(history), kind);
@@ -261,6 +261,6 @@ namespace dem
     std::vector<Constants> all;
     int                    dimension;
     bool                   rotations;
-    Column                 table;
+    base::Column           table;
   };
 } // namespace dem

@@ -180,7 +180,7 @@ namespace dem
     void particle_pass(Particles                         &particles,
                        const LinkSet                     &bonds,
                        const LinkSet                     *contacts,
-                       const Column                      &surfaces,
+                       const base::Column                &surfaces,
                        const StepHalves                  &step,
                        const double                       damping,
                        const Eigen::Vector3d             &gravity,

@@ -46,7 +46,7 @@ namespace dem
   using ParticlePass = void (*)(Particles                         &particles,
                                 const LinkSet                     &bonds,
                                 const LinkSet                     *contacts,
-                                const Column                      &surfaces,
+                                const base::Column                &surfaces,
                                 const StepHalves                  &step,
                                 double                             damping,
                                 const Eigen::Vector3d             &gravity,

@@ -1,6 +1,6 @@
 #include "dem/laws/cpm.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "dem/kernels/first_order_shear.h"
 #include "dem/laws/cpm_links.h"
 
@@ -18,7 +18,7 @@ namespace dem
         return;
       std::ostringstream message;
       message << "CPM/" << entry << " = " << value << ": " << rule;
-      throw InputError(message.str());
+      throw base::InputError(message.str());
     }
 
     void check(const CpmParameters &p)
@@ -119,8 +119,8 @@ namespace dem
     void check_first_order(const std::vector<CpmParameters> &pairs, const Physics &physics)
     {
       const auto refuse = [](const std::string &why) {
-        throw InputError("CPM/Shear kinematics = first-order: " + why +
-                         " It is there only to compare with programs that shear links so. Use exact.");
+        throw base::InputError("CPM/Shear kinematics = first-order: " + why +
+                               " It is there only to compare with programs that shear links so. Use exact.");
       };
       if (physics.dimension != 3)
         refuse("not in the plane.");
@@ -146,13 +146,13 @@ namespace dem
   {
     const CpmParameters &a = one.parameters, &b = other.parameters;
     if (a.damage_law != b.damage_law)
-      throw InputError("Damage law: material " + one.name + " has the " + name_of(a.damage_law) + " one, " +
-                       other.name + " the " + name_of(b.damage_law) +
-                       " one; links between them would have neither. Give both the same.");
+      throw base::InputError("Damage law: material " + one.name + " has the " + name_of(a.damage_law) + " one, " +
+                             other.name + " the " + name_of(b.damage_law) +
+                             " one; links between them would have neither. Give both the same.");
     if (a.shear_kinematics != b.shear_kinematics)
-      throw InputError("Shear kinematics: " + std::string(name_of(a.shear_kinematics)) + " of material " + one.name +
-                       ", " + name_of(b.shear_kinematics) + " of " + other.name +
-                       "; links between them would have neither. Give both the same.");
+      throw base::InputError("Shear kinematics: " + std::string(name_of(a.shear_kinematics)) + " of material " +
+                             one.name + ", " + name_of(b.shear_kinematics) + " of " + other.name +
+                             "; links between them would have neither. Give both the same.");
     CpmParameters between;
     between.normal_modulus          = mean(a.normal_modulus, b.normal_modulus);
     between.shear_ratio             = mean(a.shear_ratio, b.shear_ratio);

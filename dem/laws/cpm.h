@@ -72,7 +72,7 @@ namespace dem
   class CpmConstants : public CpmNumbers<double>
   {
   public:
-    /** @throws InputError for a value out of range, or a combination without meaning; the message names the entry. */
+    /** @throws base::InputError for a value out of range, or a combination without meaning; the message names the entry. */
     explicit CpmConstants(const CpmParameters &parameters);
 
     /** Inverse of damage_at(): the kappa with g(kappa) = omega, for omega in [0, 1). */
@@ -189,7 +189,7 @@ namespace dem
    * cohesion, shear contribution, residual strength limit, and of the friction ANGLE (doc/theory/links.md, 3). So G is mean
    * ratio times mean modulus, and eps_f mean eps_0 times mean ductility. Equal materials give their own constants, to the last bit.
    *
-   * @throws InputError if their damage laws or shear kinematics differ; the message names both materials
+   * @throws base::InputError if their damage laws or shear kinematics differ; the message names both materials
    */
   CpmParameters mean_of(const CpmMaterial &one, const CpmMaterial &other);
 
@@ -202,7 +202,7 @@ namespace dem
     static constexpr const char *meaning = "Cohesive particle model: damage in tension, cohesion and friction in shear";
 
     static CpmParameters mean_of(const CpmMaterial &one, const CpmMaterial &other) { return dem::mean_of(one, other); }
-    /** @throws InputError naming the entry that is out of range */
+    /** @throws base::InputError naming the entry that is out of range */
     static void check(const CpmParameters &parameters) { CpmConstants{parameters}; }
     static std::shared_ptr<const LinkLaw>
     bonds(const std::vector<CpmParameters> &pairs, const Physics &physics, int vector_dimension);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dem/core/column.h"
+#include "base/column.h"
 #include "dem/kernels/link_law_of.h"
 #include "dem/laws/cpm.h"
 #include "dem/laws/cpm_tangent.h"
@@ -102,11 +102,12 @@ namespace dem
       return strength > 0 ? shear / strength : std::numeric_limits<double>::infinity();
     }
 
-    static Matrix6 cpm_matrix(const CpmConstants &k, const Eigen::Vector3d &n, CpmUpdate update, const LinkTangent kind)
+    static base::Matrix6
+    cpm_matrix(const CpmConstants &k, const Eigen::Vector3d &n, CpmUpdate update, const LinkTangent kind)
     {
       update.grows              = kind.damages;
       update.slides             = kind.slides;
-      Matrix6 all               = Matrix6::Zero();
+      base::Matrix6 all         = base::Matrix6::Zero();
       all.topLeftCorner<3, 3>() = kind.secant ? cpm_secant(k, n, update) : cpm_tangent(k, n, update);
       return all;
     }
@@ -255,11 +256,11 @@ namespace dem
       return {damages ? state.number[0] / k.onset : 0.0, sliding ? sliding_exertion(k, cohesion, normal, shear) : 0.0};
     }
 
-    static Matrix6 tangent(const CpmConstants     &k,
-                           const LinkStep         &step,
-                           const State<double, 3> &before,
-                           const State<double, 3> &after,
-                           const LinkTangent       kind)
+    static base::Matrix6 tangent(const CpmConstants     &k,
+                                 const LinkStep         &step,
+                                 const State<double, 3> &before,
+                                 const State<double, 3> &after,
+                                 const LinkTangent       kind)
     {
       CpmUpdate u;
       u.normal_strain = step.geometry.strain;
@@ -360,11 +361,11 @@ namespace dem
       return {0.0, sliding ? sliding_exertion(k, 0.0, normal, shear) : 0.0};
     }
 
-    static Matrix6 tangent(const CpmConstants     &k,
-                           const LinkStep         &step,
-                           const State<double, 3> &before,
-                           const State<double, 3> &,
-                           const LinkTangent kind)
+    static base::Matrix6 tangent(const CpmConstants     &k,
+                                 const LinkStep         &step,
+                                 const State<double, 3> &before,
+                                 const State<double, 3> &,
+                                 const LinkTangent kind)
     {
       CpmUpdate u;
       u.normal_strain = step.geometry.strain;

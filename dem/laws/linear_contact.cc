@@ -1,6 +1,6 @@
 #include "dem/laws/linear_contact.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "dem/kernels/link_update.h"
 
 #include <cmath>
@@ -16,7 +16,7 @@ namespace dem
         return;
       std::ostringstream message;
       message << "linear/" << entry << " = " << value << ": " << rule;
-      throw InputError(message.str());
+      throw base::InputError(message.str());
     }
   } // namespace
 
@@ -37,7 +37,7 @@ namespace dem
     const Eigen::Matrix3d nn     = n * n.transpose();
     const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - nn;
     const bool            closed = strain < 0;
-    const double          size   = k.shear * trial.norm(), limit = closed ? -k.friction * k.normal * strain : 0.0;
+    const double          size = k.shear * trial.norm(), limit = closed ? -k.friction * k.normal * strain : 0.0;
     if (kind.secant)
       {
         const double kept = size > 0 ? std::min(std::max(limit / size, 1e-3), 1.0) : 1.0;
@@ -52,16 +52,16 @@ namespace dem
            limit / size * k.shear * (across - t * t.transpose());
   }
 
-  Matrix6 LinearContact::tangent(const Constants        &k,
-                                 const LinkStep         &step,
-                                 const State<double, 3> &before,
-                                 const State<double, 3> &,
-                                 const LinkTangent       kind)
+  base::Matrix6 LinearContact::tangent(const Constants        &k,
+                                       const LinkStep         &step,
+                                       const State<double, 3> &before,
+                                       const State<double, 3> &,
+                                       const LinkTangent kind)
   {
     Eigen::Vector3d trial = step.shear_increment;
     for (int c = 0; c < 3; ++c)
       trial[c] += before.shear[0][c];
-    Matrix6 all               = Matrix6::Zero();
+    base::Matrix6 all         = base::Matrix6::Zero();
     all.topLeftCorner<3, 3>() = linear_contact_tangent(k, step.direction, step.geometry.strain, trial, kind);
     return all;
   }
@@ -79,7 +79,7 @@ namespace dem
 
   std::shared_ptr<const LinkLaw> LinearContactLaw::contacts(const std::vector<LinearContactParameters> &pairs,
                                                             const Physics                              &physics,
-                                                            const int                                   vector_dimension)
+                                                            const int vector_dimension)
   {
     std::vector<LinearContactConstants> constants(pairs.begin(), pairs.end());
     if (!physics.friction)

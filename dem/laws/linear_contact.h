@@ -33,7 +33,7 @@ namespace dem
 
   struct LinearContactConstants : LinearContactNumbers<double>
   {
-    /** @throws InputError naming the entry that is out of range */
+    /** @throws base::InputError naming the entry that is out of range */
     explicit LinearContactConstants(const LinearContactParameters &parameters);
   };
 
@@ -168,11 +168,11 @@ namespace dem
       const double strength = -k.friction * normal;
       return {0, shear == 0 ? 0.0 : strength > 0 ? shear / strength : std::numeric_limits<double>::infinity()};
     }
-    static Matrix6 tangent(const Constants        &k,
-                           const LinkStep         &step,
-                           const State<double, 3> &before,
-                           const State<double, 3> &after,
-                           LinkTangent             kind);
+    static base::Matrix6 tangent(const Constants        &k,
+                                 const LinkStep         &step,
+                                 const State<double, 3> &before,
+                                 const State<double, 3> &after,
+                                 LinkTangent             kind);
   };
 
   /** Tangent of linear_contact_force(): d (force over area) / d (strain vector) [Pa]. @param trial elastic shear before it slides */

@@ -1,6 +1,6 @@
 #include "dem/laws/parallel_bond.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "dem/kernels/link_update.h"
 
 #include <cmath>
@@ -18,7 +18,7 @@ namespace dem
         return;
       std::ostringstream message;
       message << "parallel-bond/" << entry << " = " << value << ": " << rule;
-      throw InputError(message.str());
+      throw base::InputError(message.str());
     }
 
     void check(const ParallelBondParameters &p)
@@ -76,17 +76,17 @@ namespace dem
     numbers[twist]       = 0;
   }
 
-  Matrix6 ParallelBond::tangent(const Constants        &k,
-                                const LinkStep         &step,
-                                const State<double, 3> &before,
-                                const State<double, 3> &after,
-                                const LinkTangent       kind)
+  base::Matrix6 ParallelBond::tangent(const Constants        &k,
+                                      const LinkStep         &step,
+                                      const State<double, 3> &before,
+                                      const State<double, 3> &after,
+                                      const LinkTangent       kind)
   {
     Eigen::Vector3d trial = step.shear_increment;
     for (int c = 0; c < 3; ++c)
       trial[c] += before.shear[contact_shear][c];
     const double    strain = step.geometry.strain - std::min(after.number[installed], 0.0);
-    Matrix6         all    = Matrix6::Zero();
+    base::Matrix6   all    = base::Matrix6::Zero();
     Eigen::Matrix3d force  = linear_contact_tangent(k.contact(), step.direction, strain, trial, kind);
     if (after.number[broken] < 0.5)
       {

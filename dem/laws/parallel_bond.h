@@ -49,7 +49,7 @@ namespace dem
   {
     double radius_multiplier;
 
-    /** @throws InputError naming the entry that is out of range */
+    /** @throws base::InputError naming the entry that is out of range */
     ParallelBondConstants(const ParallelBondParameters &parameters, int dimension);
 
     LinearContactConstants contact() const;
@@ -252,11 +252,11 @@ namespace dem
       const double limit = std::max(k.cohesion - normal * k.tan_angle, 0.0);
       return {std::max({tension / k.tensile_strength, shear / limit, 0.0}), 0};
     }
-    static Matrix6 tangent(const Constants        &k,
-                           const LinkStep         &step,
-                           const State<double, 3> &before,
-                           const State<double, 3> &after,
-                           LinkTangent             kind);
+    static base::Matrix6 tangent(const Constants        &k,
+                                 const LinkStep         &step,
+                                 const State<double, 3> &before,
+                                 const State<double, 3> &after,
+                                 LinkTangent             kind);
 
   private:
     template <typename S>

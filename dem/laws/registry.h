@@ -36,8 +36,8 @@ namespace dem
   public:
     virtual ~LinkConstants()                                               = default;
     virtual void                           visit(ConstantVisitor &visitor) = 0;
-    virtual void                           check() const                   = 0; ///< @throws InputError naming the entry
-    virtual std::shared_ptr<LinkConstants> copy() const                    = 0;
+    virtual void                           check() const = 0; ///< @throws base::InputError naming the entry
+    virtual std::shared_ptr<LinkConstants> copy() const  = 0;
   };
 
   /** A material of a scene: its constants are those that the law of the scene made. */

@@ -48,7 +48,7 @@ namespace dem
     return found;
   }
 
-  void CurveFigures::visit_state(StateVisitor &visitor)
+  void CurveFigures::visit_state(base::StateVisitor &visitor)
   {
     visitor.scalar("curve/strength", strength);
     visitor.scalar("curve/strain_at_peak", strain_at_peak);

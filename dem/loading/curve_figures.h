@@ -1,7 +1,7 @@
 #pragma once
 
-#include "dem/core/column.h"
-#include "dem/core/state.h"
+#include "base/column.h"
+#include "base/state.h"
 
 namespace dem
 {
@@ -41,11 +41,11 @@ namespace dem
     bool            add(double strain, double stress);
     UniaxialFigures figures() const;
     double          largest_stress() const { return strength; }
-    void            visit_state(StateVisitor &visitor);
+    void            visit_state(base::StateVisitor &visitor);
 
   private:
-    double strength = 0, strain_at_peak = 0;
-    double product = 0, square = 0; ///< sums of stress times strain and of strain squared, up to now
-    Column notes;                   ///< records: stress, sums of all points before it was first reached
+    double       strength = 0, strain_at_peak = 0;
+    double       product = 0, square = 0; ///< sums of stress times strain and of strain squared, up to now
+    base::Column notes;                   ///< records: stress, sums of all points before it was first reached
   };
 } // namespace dem

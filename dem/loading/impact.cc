@@ -1,6 +1,6 @@
 #include "dem/loading/impact.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +40,7 @@ namespace dem
         return;
       std::ostringstream message;
       message << "Impact/" << entry << " = " << value << ": " << rule;
-      throw InputError(message.str());
+      throw base::InputError(message.str());
     }
 
     void check(const ImpactParameters &p)
@@ -81,7 +81,7 @@ namespace dem
   {
     check(p);
     if (body.parameters().loose != 1)
-      throw InputError("Impact: the specimen must have one loose particle, the striker.");
+      throw base::InputError("Impact: the specimen must have one loose particle, the striker.");
     const ParticleOutput particles = body.particles();
     striker_mass                   = particles.mass[striker];
     Eigen::Vector3d velocity       = Eigen::Vector3d::Zero();
@@ -98,7 +98,8 @@ namespace dem
               particles.position[i][up] <= extent.low[up] + particles.radius[i])
             grip.particles.push_back(i);
         if (grip.particles.empty())
-          throw InputError("Impact/Support width: a support would hold no particle. Widen it, or shorten the span.");
+          throw base::InputError(
+            "Impact/Support width: a support would hold no particle. Widen it, or shorten the span.");
         grip.prescribed[static_cast<std::size_t>(up)] = true;
         body.add_grip(grip);
       }
@@ -168,7 +169,7 @@ namespace dem
       }
   }
 
-  void ImpactTest::visit_state(StateVisitor &visitor)
+  void ImpactTest::visit_state(base::StateVisitor &visitor)
   {
     auto number = static_cast<std::int64_t>(episode);
     visitor.scalar("impact/stage", number);

@@ -26,7 +26,7 @@ namespace dem
   /**
    * The beam with the striker as its last particle, just above mid-span; the specimen must leave it loose. Of a beam of several
    * materials the striker has the first.
-   * @throws InputError for parameters out of range
+   * @throws base::InputError for parameters out of range
    */
   Packing with_striker(const Packing &beam, const ImpactParameters &parameters, int dimension);
 
@@ -52,7 +52,7 @@ namespace dem
       done
     };
 
-    /** @throws InputError when a support would hold no particle */
+    /** @throws base::InputError when a support would hold no particle */
     ImpactTest(Specimen &specimen, const ImpactParameters &parameters);
 
     /** Take up to the given number of steps; fewer where the test ends. */
@@ -61,7 +61,7 @@ namespace dem
 
     double striker_energy() const; ///< at the start [J]
     double absorbed() const;       ///< taken from the striker so far [J]
-    void   visit_state(StateVisitor &visitor);
+    void   visit_state(base::StateVisitor &visitor);
 
   private:
     /** What decides on the episode. */

@@ -1,6 +1,7 @@
 #include "dem/loading/periodic_cell.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
+#include "base/voigt.h"
 #include "dem/model/particles.h"
 
 #include <Eigen/Dense>
@@ -20,29 +21,11 @@ namespace dem
 
     const char *const component_names[6] = {"11", "22", "33", "23", "31", "12"};
 
-    /** Symmetric tensor of a strain with engineering shears. */
-    Eigen::Matrix3d strain_tensor(const Vector6d &e)
-    {
-      Eigen::Matrix3d t;
-      t << e[0], e[5] / 2, e[4] / 2, e[5] / 2, e[1], e[3] / 2, e[4] / 2, e[3] / 2, e[2];
-      return t;
-    }
-
-    /** Components of the symmetric part; shears times `shear`: 1 for stress, 2 for engineering strain. */
-    Vector6d components(const Eigen::Matrix3d &t, const double shear)
-    {
-      const double half = 0.5 * shear;
-      Vector6d     c;
-      c << t(0, 0), t(1, 1), t(2, 2), half * (t(1, 2) + t(2, 1)), half * (t(2, 0) + t(0, 2)),
-        half * (t(0, 1) + t(1, 0));
-      return c;
-    }
-
     bool in_plane(const int component) { return component == 0 || component == 1 || component == 5; }
 
     void check(const CellTestParameters &p, const int dimension)
     {
-      const auto refuse = [](const std::string &message) { throw InputError("Loading/" + message); };
+      const auto refuse = [](const std::string &message) { throw base::InputError("Loading/" + message); };
       if (p.path.empty())
         refuse("path: at least one leg is needed.");
       if (!(p.servo_time > 0))
@@ -65,7 +48,7 @@ namespace dem
     }
 
     /** Time of a pressure wave across the cell: largest height over the wave's speed in the undamaged cell [s]. */
-    double crossing_time(const Specimen &specimen, const Matrix6d &stiffness)
+    double crossing_time(const Specimen &specimen, const base::Matrix6 &stiffness)
     {
       const int       dimension = specimen.parameters().physics.dimension;
       const CellState cell      = specimen.cell();
@@ -91,8 +74,8 @@ namespace dem
 
   void CellTest::begin_leg()
   {
-    const CellLeg &now      = parameters.path[leg];
-    const Vector6d measured = stress();
+    const CellLeg      &now      = parameters.path[leg];
+    const base::Vector6 measured = stress();
     for (int c = 0; c < 6; ++c)
       if (!now.stress_given[c])
         start[c] = strain[c];
@@ -103,34 +86,34 @@ namespace dem
     steps_of_leg = std::max<std::int64_t>(1, std::llround(now.duration / specimen->time_step()));
   }
 
-  Vector6d CellTest::asked(const std::int64_t step) const
+  base::Vector6 CellTest::asked(const std::int64_t step) const
   {
     const double part = static_cast<double>(step) / static_cast<double>(steps_of_leg);
     return step == steps_of_leg ? parameters.path[leg].target :
-                                  Vector6d(start + part * (parameters.path[leg].target - start));
+                                  base::Vector6(start + part * (parameters.path[leg].target - start));
   }
 
-  Vector6d CellTest::stress() const { return components(specimen->cell().stress, 1.0); }
+  base::Vector6 CellTest::stress() const { return base::stress_voigt(specimen->cell().stress); }
 
   /** Strains of the next step. */
-  Vector6d CellTest::servo(const Vector6d &now, const Vector6d &next) const
+  base::Vector6 CellTest::servo(const base::Vector6 &now, const base::Vector6 &next) const
   {
     std::vector<int> given; // components of given stress
     for (int c = 0; c < 6; ++c)
       if (parameters.path[leg].stress_given[c])
         given.push_back(c);
-    Vector6d result = strain;
+    base::Vector6 result = strain;
     for (int c = 0; c < 6; ++c)
       if (!parameters.path[leg].stress_given[c])
         result[c] = next[c];
     if (given.empty())
       return result;
 
-    const Vector6d  foretold = stiffness * (result - strain); // by the imposed strains
-    const Vector6d  measured = stress();
-    const auto      unknowns = static_cast<Eigen::Index>(given.size());
-    Eigen::MatrixXd K(unknowns, unknowns);
-    Eigen::VectorXd wanted(unknowns);
+    const base::Vector6 foretold = stiffness * (result - strain); // by the imposed strains
+    const base::Vector6 measured = stress();
+    const auto          unknowns = static_cast<Eigen::Index>(given.size());
+    Eigen::MatrixXd     K(unknowns, unknowns);
+    Eigen::VectorXd     wanted(unknowns);
     for (Eigen::Index i = 0; i < unknowns; ++i)
       {
         const int c = given[i];
@@ -149,7 +132,7 @@ namespace dem
                     << next[given[i]] << " Pa is not reached, it is " << measured[given[i]] << " Pa at strain "
                     << result[given[i]] << ": the cell cannot carry it. Ask for less, or raise the strain limit ("
                     << parameters.strain_limit << ").";
-            throw NumericalError(message.str());
+            throw base::NumericalError(message.str());
           }
       }
     return result;
@@ -158,10 +141,10 @@ namespace dem
   void CellTest::step()
   {
     const double          dt  = specimen->time_step();
-    const Vector6d        now = asked(step_of_leg), next = asked(step_of_leg + 1);
-    const Vector6d        to       = servo(now, next);
-    const Eigen::Matrix3d one      = Eigen::Matrix3d::Identity();
-    Eigen::Matrix3d       gradient = ((one + strain_tensor(to)) * specimen->cell().deformation.inverse() - one) / dt;
+    const base::Vector6   now = asked(step_of_leg), next = asked(step_of_leg + 1);
+    const base::Vector6   to  = servo(now, next);
+    const Eigen::Matrix3d one = Eigen::Matrix3d::Identity();
+    Eigen::Matrix3d gradient  = ((one + base::strain_tensor(to)) * specimen->cell().deformation.inverse() - one) / dt;
     if (specimen->parameters().physics.dimension == 2)
       {
         gradient.row(2).setZero(); // round-off of the inverse
@@ -197,8 +180,8 @@ namespace dem
     const Eigen::Matrix3d skew = 0.5 * (cell.stress - cell.stress.transpose());
     CellSample            s;
     s.time        = specimen->time() - specimen->time_step(); // forces are those of the last step's start
-    s.strain      = components(cell.deformation_at_forces - Eigen::Matrix3d::Identity(), 2.0);
-    s.stress      = components(cell.stress, 1.0);
+    s.strain      = base::strain_voigt(cell.deformation_at_forces - Eigen::Matrix3d::Identity());
+    s.stress      = base::stress_voigt(cell.stress);
     s.skew_stress = skew.cwiseAbs().maxCoeff();
     s.servo_error = 0;
     for (int c = 0; c < 6; ++c)
@@ -255,7 +238,7 @@ namespace dem
   {
     constexpr std::size_t numbers_per_sample = 18;
 
-    void put(const CellSample &s, Column &flat)
+    void put(const CellSample &s, base::Column &flat)
     {
       flat.push_back(s.time);
       flat.insert(flat.end(), s.strain.data(), s.strain.data() + 6);
@@ -265,10 +248,11 @@ namespace dem
 
     CellSample sample_from(const double *flat)
     {
-      return {flat[0], Vector6d(flat + 1), Vector6d(flat + 7), flat[13], flat[14], flat[15], flat[16], flat[17] > 0};
+      return {flat[0],     base::Vector6(flat + 1), base::Vector6(flat + 7), flat[13], flat[14], flat[15], flat[16],
+              flat[17] > 0};
     }
 
-    void put(const Band &b, Column &flat)
+    void put(const Band &b, base::Column &flat)
     {
       flat.insert(flat.end(), b.wave.begin(), b.wave.end());
       flat.insert(flat.end(), b.normal.data(), b.normal.data() + 3);
@@ -287,24 +271,24 @@ namespace dem
     }
   } // namespace
 
-  void CellTest::visit_state(StateVisitor &visitor)
+  void CellTest::visit_state(base::StateVisitor &visitor)
   {
     visitor.scalar("cell_test/leg", leg);
     visitor.scalar("cell_test/step_of_leg", step_of_leg);
     visitor.scalar("cell_test/steps_of_leg", steps_of_leg);
-    Column numbers;
-    for (const Vector6d *v : {&strain, &start, &aim})
+    base::Column numbers;
+    for (const base::Vector6 *v : {&strain, &start, &aim})
       numbers.insert(numbers.end(), v->data(), v->data() + 6);
     for (const bool is_stress : aim_is_stress)
       numbers.push_back(is_stress ? 1.0 : 0.0);
     visitor.column("cell_test/numbers", numbers);
-    strain = Vector6d(numbers.data());
-    start  = Vector6d(numbers.data() + 6);
-    aim    = Vector6d(numbers.data() + 12);
+    strain = base::Vector6(numbers.data());
+    start  = base::Vector6(numbers.data() + 6);
+    aim    = base::Vector6(numbers.data() + 12);
     for (int c = 0; c < 6; ++c)
       aim_is_stress[c] = numbers[18 + c] > 0;
 
-    Column curve, localised(lost.begin(), lost.end()), at_onset(lost_at_onset.begin(), lost_at_onset.end());
+    base::Column curve, localised(lost.begin(), lost.end()), at_onset(lost_at_onset.begin(), lost_at_onset.end());
     for (const CellSample &s : samples)
       put(s, curve);
     visitor.column("cell_test/curve", curve);
@@ -317,7 +301,7 @@ namespace dem
     lost.assign(localised.begin(), localised.end());
     lost_at_onset.assign(at_onset.begin(), at_onset.end());
 
-    Column events; // onset | detected | band
+    base::Column events; // onset | detected | band
     if (onset)
       put(*onset, events);
     if (found)

@@ -15,9 +15,9 @@ namespace dem
    */
   struct CellLeg
   {
-    double              duration     = 0;                ///< [s], > 0
-    std::array<bool, 6> stress_given = {};               ///< target is a stress [Pa]; otherwise a strain [-]
-    Vector6d            target       = Vector6d::Zero(); ///< at the end of the leg
+    double              duration     = 0;                     ///< [s], > 0
+    std::array<bool, 6> stress_given = {};                    ///< target is a stress [Pa]; otherwise a strain [-]
+    base::Vector6       target       = base::Vector6::Zero(); ///< at the end of the leg
   };
 
   /** How a cell test is run. */
@@ -38,14 +38,14 @@ namespace dem
   /** One row of the cell's record, all at one instant t_n. Tension positive. */
   struct CellSample
   {
-    double   time;        ///< [s]
-    Vector6d strain;      ///< F - 1, symmetric part, engineering shears
-    Vector6d stress;      ///< symmetric part [Pa]
-    double   skew_stress; ///< largest component of the unsymmetric part [Pa]
-    double   servo_error; ///< largest |stress - target| of the components with given stress [Pa]
-    double   unbalanced;  ///< see Specimen::unbalanced_ratio()
-    double   dissipated;  ///< by damage so far [J]
-    bool     localised;
+    double        time;        ///< [s]
+    base::Vector6 strain;      ///< F - 1, symmetric part, engineering shears
+    base::Vector6 stress;      ///< symmetric part [Pa]
+    double        skew_stress; ///< largest component of the unsymmetric part [Pa]
+    double        servo_error; ///< largest |stress - target| of the components with given stress [Pa]
+    double        unbalanced;  ///< see Specimen::unbalanced_ratio()
+    double        dissipated;  ///< by damage so far [J]
+    bool          localised;
   };
 
   /** That, and where, the cell has ceased to stand for a homogeneous material: its average is no longer a material property. */
@@ -67,12 +67,12 @@ namespace dem
   class CellTest
   {
   public:
-    /** @throws InputError for parameters out of range, or a specimen without a periodic cell */
+    /** @throws base::InputError for parameters out of range, or a specimen without a periodic cell */
     CellTest(Specimen &specimen, const CellTestParameters &parameters);
 
     /**
      * Take up to the given number of steps along the path, and add one sample.
-     * @throws NumericalError if the servo leaves the strain limit
+     * @throws base::NumericalError if the servo leaves the strain limit
      */
     CellSample advance(std::int64_t steps);
     bool       finished() const { return leg >= static_cast<std::int64_t>(parameters.path.size()); }
@@ -80,28 +80,28 @@ namespace dem
     const std::vector<CellSample>     &curve() const { return samples; }
     const std::optional<Localisation> &localisation() const { return found; }
 
-    void visit_state(StateVisitor &visitor);
+    void visit_state(base::StateVisitor &visitor);
 
   private:
-    void       step();
-    void       begin_leg();
-    Vector6d   asked(std::int64_t step_of_leg) const;
-    Vector6d   servo(const Vector6d &now, const Vector6d &next) const;
-    Vector6d   stress() const;
-    CellSample sample() const;
-    void       watch(CellSample &now);
+    void          step();
+    void          begin_leg();
+    base::Vector6 asked(std::int64_t step_of_leg) const;
+    base::Vector6 servo(const base::Vector6 &now, const base::Vector6 &next) const;
+    base::Vector6 stress() const;
+    CellSample    sample() const;
+    void          watch(CellSample &now);
     /** Strength that the links of each particle have lost, half of each link's; tells where damage grows. */
     std::vector<double> lost_strength() const;
 
     Specimen          *specimen;
     CellTestParameters parameters;
-    Matrix6d           stiffness;      ///< affine, of the undamaged cell [Pa]
+    base::Matrix6      stiffness;      ///< affine, of the undamaged cell [Pa]
     double             servo_constant; ///< T [s]
 
     std::int64_t        leg = 0, step_of_leg = 0, steps_of_leg = 0;
-    Vector6d            strain        = Vector6d::Zero(); ///< imposed so far
-    Vector6d            start         = Vector6d::Zero(); ///< of the leg: strain or stress as given
-    Vector6d            aim           = Vector6d::Zero(); ///< of the forces as they are
+    base::Vector6       strain        = base::Vector6::Zero(); ///< imposed so far
+    base::Vector6       start         = base::Vector6::Zero(); ///< of the leg: strain or stress as given
+    base::Vector6       aim           = base::Vector6::Zero(); ///< of the forces as they are
     std::array<bool, 6> aim_is_stress = {};
 
     std::vector<CellSample>     samples;

@@ -1,6 +1,6 @@
 #include "dem/loading/uniaxial.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@ namespace dem
 
     void check(const UniaxialParameters &p, const int dimension)
     {
-      const auto refuse = [](const std::string &message) { throw InputError("Loading/" + message); };
+      const auto refuse = [](const std::string &message) { throw base::InputError("Loading/" + message); };
       if (p.axis < 0 || p.axis >= dimension)
         refuse("Axis: must be one of the specimen's directions.");
       if (p.strain_rate == 0 || !std::isfinite(p.strain_rate))
@@ -134,7 +134,7 @@ namespace dem
   void UniaxialTest::set_strain_rate(const double strain_rate)
   {
     if (!std::isfinite(strain_rate))
-      throw InputError("Loading/strain rate: must be a finite number.");
+      throw base::InputError("Loading/strain rate: must be a finite number.");
     travel_then     = travel();
     rate_changed_at = specimen->time();
     rate            = strain_rate;
@@ -165,9 +165,9 @@ namespace dem
     return found;
   }
 
-  void UniaxialTest::visit_state(StateVisitor &visitor)
+  void UniaxialTest::visit_state(base::StateVisitor &visitor)
   {
-    Column flat;
+    base::Column flat;
     for (const auto &s : samples)
       flat.insert(flat.end(), {s.time, s.strain, s.stress});
     visitor.column("uniaxial/samples", flat);

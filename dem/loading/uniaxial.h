@@ -38,7 +38,7 @@ namespace dem
   public:
     /**
      * Find the two layers, grip them, and start with the velocity field linear between them (no first shock).
-     * @throws InputError when the layers meet, and for parameters out of range.
+     * @throws base::InputError when the layers meet, and for parameters out of range.
      */
     UniaxialTest(Specimen &specimen, const UniaxialParameters &parameters);
 
@@ -46,7 +46,7 @@ namespace dem
     UniaxialSample advance(std::int64_t steps);
     /**
      * Move the grips at another rate from now on: slower, or back. Figures and stop criterion go on as for the first rate.
-     * @throws InputError for a rate that is not finite
+     * @throws base::InputError for a rate that is not finite
      */
     void set_strain_rate(double strain_rate);
     /** The stop criterion is met. */
@@ -59,7 +59,7 @@ namespace dem
     const GripLayers                  &grip_layers() const { return layers; }
     double                             section() const { return layers.section; }           ///< A [m^2]
     double                             gauge_length() const { return layers.gauge_length; } ///< [m]
-    void                               visit_state(StateVisitor &visitor);
+    void                               visit_state(base::StateVisitor &visitor);
 
   private:
     /** Time and strains of the forces that the next step will find. */

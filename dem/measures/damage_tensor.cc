@@ -1,8 +1,7 @@
 #include "dem/measures/damage_tensor.h"
 
-#include "dem/measures/mandel.h"
-
-#include <Eigen/Eigenvalues>
+#include "base/mandel.h"
+#include "dem/core/symmetric_modes.h"
 
 #include <stdexcept>
 #include <string>
@@ -49,22 +48,21 @@ namespace dem
     Eigen::VectorXd directed = Eigen::VectorXd::Zero(unknowns), column(unknowns);
     for (const LinkDamage &l : links)
       {
-        const Vector6d product = to_mandel(l.direction * l.direction.transpose());
+        const base::Vector6 product = base::to_mandel(l.direction * l.direction.transpose());
         for (Eigen::Index i = 0; i < unknowns; ++i)
           column[i] = product[at[i]];
         fabric += column * column.transpose();
         directed += l.damage * column;
       }
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(fabric);
-    const Eigen::VectorXd                               &values = modes.eigenvalues(); // ascending
+    const SymmetricModes   modes  = symmetric_modes(fabric);
+    const Eigen::VectorXd &values = modes.values; // ascending
     if (!(values[0] > smallest_condition * values[unknowns - 1]))
       return std::nullopt;
-    const Eigen::VectorXd fit =
-      modes.eigenvectors() * (modes.eigenvectors().transpose() * directed).cwiseQuotient(values);
-    Vector6d mandel = Vector6d::Zero();
+    const Eigen::VectorXd fit    = modes.vectors * (modes.vectors.transpose() * directed).cwiseQuotient(values);
+    base::Vector6         mandel = base::Vector6::Zero();
     for (Eigen::Index i = 0; i < unknowns; ++i)
       mandel[at[i]] = fit[i];
-    return from_mandel(mandel);
+    return base::from_mandel(mandel);
   }
 
   std::vector<ParticleDamage> particle_damage(const std::vector<std::array<std::size_t, 2>> &ends,

@@ -15,7 +15,7 @@ namespace dem
       {
         const double          w       = weights.empty() ? 1.0 : weights[i];
         const Eigen::Matrix3d product = directions[i] * directions[i].transpose();
-        const Vector6d        column  = to_mandel(product);
+        const base::Vector6   column  = base::to_mandel(product);
         result.second += w * product;
         result.fourth += w * column * column.transpose();
         result.weight += w;
@@ -32,10 +32,10 @@ namespace dem
     /** Directions spread evenly in the space or plane spanned by `identity`: <nn> = second 1, <nnnn> = fourth (dd + dd + dd). */
     Fabric even_fabric(const Eigen::Matrix3d &identity, const double second, const double fourth)
     {
-      Fabric         result;
-      const Vector6d d = to_mandel(identity);
-      result.second    = second * identity;
-      result.fourth    = fourth * d * d.transpose();
+      Fabric              result;
+      const base::Vector6 d = base::to_mandel(identity);
+      result.second         = second * identity;
+      result.fourth         = fourth * d * d.transpose();
       for (int i = 0; i < 6; ++i) // d_ik d_jl + d_il d_jk is twice the identity of the symmetric tensors in that space
         {
           const int a = i < 3 ? i : (i - 2) % 3, b = i < 3 ? i : (i - 1) % 3;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dem/measures/mandel.h"
+#include "base/mandel.h"
 
 #include <vector>
 
@@ -10,7 +10,7 @@ namespace dem
   struct Fabric
   {
     Eigen::Matrix3d second = Eigen::Matrix3d::Zero(); ///< <n (x) n>, trace 1
-    Matrix6d        fourth = Matrix6d::Zero();        ///< <n (x) n (x) n (x) n> as a Mandel matrix
+    base::Matrix6   fourth = base::Matrix6::Zero();   ///< <n (x) n (x) n (x) n> as a Mandel matrix
     double          weight = 0;                       ///< sum of weights (their number when unweighted)
   };
 

@@ -58,7 +58,7 @@ namespace dem
                    const LinkSet         &links,
                    const LinkView        &link,
                    const std::size_t      l,
-                   const Column          &moves,
+                   const base::Column          &moves,
                    const Eigen::Vector3d &of_cell)
     {
       const std::int32_t J = links.first[l], K = links.second[l];

@@ -1,6 +1,6 @@
 #include "dem/model/cell.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "dem/core/records.h"
 
 #include <Eigen/LU>
@@ -15,14 +15,14 @@ namespace dem
     , H(base)
   {
     if (!base.allFinite() || !(base.determinant() > 0))
-      throw InputError("periodic cell: its base vectors must be finite and span a volume above zero.");
+      throw base::InputError("periodic cell: its base vectors must be finite and span a volume above zero.");
     rate.assign(3 * record_size, 0.0);
     enter({0, 0, 0});
   }
 
   double Cell::volume() const { return H.determinant(); }
 
-  void Cell::write_record(Column &column, const std::size_t record, const Eigen::Vector3d &value)
+  void Cell::write_record(base::Column &column, const std::size_t record, const Eigen::Vector3d &value)
   {
     std::copy_n(value.data(), 3, &column[record_size * record]);
   }
@@ -30,9 +30,9 @@ namespace dem
   void Cell::set_gradient(const Eigen::Matrix3d &gradient)
   {
     if (!gradient.allFinite())
-      throw InputError("periodic cell: the velocity gradient must be finite.");
+      throw base::InputError("periodic cell: the velocity gradient must be finite.");
     if (dimensions == 2 && !(gradient.row(2).isZero(0) && gradient.col(2).isZero(0)))
-      throw InputError("periodic cell: in two dimensions the velocity gradient has no components along z.");
+      throw base::InputError("periodic cell: in two dimensions the velocity gradient has no components along z.");
     G = gradient;
     for (int c = 0; c < 3; ++c)
       write_record(rate, c, G.col(c));
@@ -43,7 +43,7 @@ namespace dem
     const Eigen::Matrix3d before = H;
     const Eigen::Matrix3d growth = Eigen::Matrix3d::Identity() + time_step * G;
     if (!(growth.determinant() > 0))
-      throw NumericalError("periodic cell: it turns inside out within one step. Lower the strain rate.");
+      throw base::NumericalError("periodic cell: it turns inside out within one step. Lower the strain rate.");
     H         = growth * H;
     F         = growth * F;
     increment = time_step * G * growth.inverse();
@@ -85,9 +85,9 @@ namespace dem
            shifts.capacity() * sizeof(CellShift);
   }
 
-  void Cell::visit_state(StateVisitor &visitor)
+  void Cell::visit_state(base::StateVisitor &visitor)
   {
-    Column matrices;
+    base::Column matrices;
     for (const Eigen::Matrix3d *m : {&H, &F, &G, &increment})
       matrices.insert(matrices.end(), m->data(), m->data() + 9);
     std::vector<std::int32_t> flat;

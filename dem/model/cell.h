@@ -1,7 +1,7 @@
 #pragma once
 
-#include "dem/core/column.h"
-#include "dem/core/state.h"
+#include "base/column.h"
+#include "base/state.h"
 
 #include <Eigen/Core>
 
@@ -37,9 +37,9 @@ namespace dem
     const Eigen::Matrix3d &last_increment() const { return increment; }
     double                 volume() const; ///< det H [m^3]
 
-    /** @throws InputError if it is not finite, or leaves the plane of a plane specimen. */
+    /** @throws base::InputError if it is not finite, or leaves the plane of a plane specimen. */
     void set_gradient(const Eigen::Matrix3d &gradient);
-    /** One step: H += dt G H, F += dt G F. @throws NumericalError if the cell turns inside out. */
+    /** One step: H += dt G H, F += dt G F. @throws base::NumericalError if the cell turns inside out. */
     void advance(double time_step);
 
     /** Number of an image in the table, entered if it is new; 0 is the particle itself. */
@@ -49,15 +49,15 @@ namespace dem
     Eigen::Vector3d  motion_of(std::int32_t image) const; ///< its change over the last step [m]
 
     std::size_t bytes() const;
-    void        visit_state(StateVisitor &visitor);
+    void        visit_state(base::StateVisitor &visitor);
 
     // What the kernels read: records (record_size doubles each).
-    Column offset; ///< H k (3) [m] | 0 .. of each image
-    Column motion; ///< its change over the last step (3) [m] | 0 ..
-    Column rate;   ///< the three columns of G (3) [1/s] | 0 ..
+    base::Column offset; ///< H k (3) [m] | 0 .. of each image
+    base::Column motion; ///< its change over the last step (3) [m] | 0 ..
+    base::Column rate;   ///< the three columns of G (3) [1/s] | 0 ..
 
   private:
-    void write_record(Column &column, std::size_t record, const Eigen::Vector3d &value);
+    void write_record(base::Column &column, std::size_t record, const Eigen::Vector3d &value);
 
     int                    dimensions = 3;
     Eigen::Matrix3d        H = Eigen::Matrix3d::Zero(), F = Eigen::Matrix3d::Identity(), G = Eigen::Matrix3d::Zero();

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "dem/core/column.h"
+#include "base/column.h"
+#include "base/matrix6.h"
 #include "dem/model/physics.h"
 
 #include <Eigen/Core>
@@ -106,8 +107,6 @@ namespace dem
     bool slides  = false; ///< the shear force was returned to the strength, or is about to be
   };
 
-  using Matrix6 = Eigen::Matrix<double, 6, 6>;
-
   /**
    * The law of all links of one kind (bonds, or contacts) in one specimen: its constants for every pair of materials, the pass that
    * updates the links, and all that is asked of single ones. Chosen once per scene; the pass knows it at compile time.
@@ -166,7 +165,7 @@ namespace dem
      * Linearisation of the last update, in global axes: d (force over area, moment) / d (strain vector eps_N n + eps_T, relative
      * rotation of the ends) [Pa], [N m].
      */
-    virtual Matrix6 tangent(
+    virtual base::Matrix6 tangent(
       std::size_t law, const LinkStep &step, const double *before, const double *history, LinkTangent kind) const = 0;
   };
 } // namespace dem

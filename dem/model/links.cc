@@ -15,9 +15,9 @@ namespace dem
   std::size_t LinkSet::bytes() const
   {
     std::size_t doubles = 0;
-    for (const Column *column : {&reference_length, &area, &force, &moment, &stress_moments})
+    for (const base::Column *column : {&reference_length, &area, &force, &moment, &stress_moments})
       doubles += column->capacity();
-    for (const Column &column : history)
+    for (const base::Column &column : history)
       doubles += column.capacity();
     std::size_t integers = 0;
     for (const auto *column : {&first, &second, &image, &law, &noted, &own_begin, &other_begin, &others})
@@ -75,7 +75,7 @@ namespace dem
     std::fill(reference_length.begin() + n, reference_length.end(), 1.0);
     area.resize(lines);
     std::fill(area.begin() + n, area.end(), 0.0);
-    for (Column &column : history)
+    for (base::Column &column : history)
       {
         column.resize(lines);
         std::fill(column.begin() + n, column.end(), 0.0);
@@ -215,7 +215,7 @@ namespace dem
     links.tabulate(particles.count);
   }
 
-  void LinkSet::visit_state(StateVisitor &visitor, const std::string &name, const std::size_t particles)
+  void LinkSet::visit_state(base::StateVisitor &visitor, const std::string &name, const std::size_t particles)
   {
     auto counted = static_cast<std::int64_t>(count), living = static_cast<std::int64_t>(alive);
     visitor.scalar(name + "/count", counted);
@@ -238,7 +238,7 @@ namespace dem
     if (has_moment)
       visitor.column(name + "/moment", moment);
 
-    Column sums(3 * accounts.size());
+    base::Column sums(3 * accounts.size());
     for (std::size_t b = 0; b < accounts.size(); ++b)
       {
         sums[3 * b]     = accounts[b].friction;

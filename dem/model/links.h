@@ -1,7 +1,7 @@
 #pragma once
 
-#include "dem/core/column.h"
-#include "dem/core/state.h"
+#include "base/column.h"
+#include "base/state.h"
 #include "dem/model/link_law.h"
 #include "dem/model/particles.h"
 #include "dem/neighbours/cell_list.h"
@@ -47,13 +47,15 @@ namespace dem
     std::vector<std::int32_t> image; ///< of the second end, number in the cell's table; only if periodic
     std::vector<std::int32_t> law;   ///< number of the pair of materials; only with several
     std::vector<std::int32_t> noted; ///< 1: broken, and in the crack log; only where broken links may stay
-    Column                    reference_length; ///< L0 [m]
-    Column                    area;             ///< A [m^2]; 0: deleted
-    std::vector<Column>       history;          ///< what the law remembers, see `quantities`
-    Column                    force; ///< records: f on the first end (3) [N] | half l x f (3) [N m] | (r_J - r_K)/L | 0
-    Column moment; ///< half records: moment on the first end at the contact point (3) [N m] | 0; only with moments
+    base::Column              reference_length; ///< L0 [m]
+    base::Column              area;             ///< A [m^2]; 0: deleted
+    std::vector<base::Column> history;          ///< what the law remembers, see `quantities`
+    base::Column              force; ///< records: f on the first end (3) [N] | half l x f (3) [N m] | (r_J - r_K)/L | 0
+    base::Column
+      moment; ///< half records: moment on the first end at the contact point (3) [N m] | 0; only with moments
     std::vector<LinkBlockAccount> accounts;
-    Column stress_moments; ///< of each block a record of 16: sum l (x) f by rows (9) [N m] | 0 ..; only if periodic
+    base::Column
+      stress_moments; ///< of each block a record of 16: sum l (x) f by rows (9) [N m] | 0 ..; only if periodic
 
     std::vector<std::int32_t> own_begin;   ///< links whose first end is particle i: own_begin[i] .. own_begin[i + 1]
     std::vector<std::int32_t> other_begin; ///< as own_begin, into `others`
@@ -85,7 +87,7 @@ namespace dem
     void compact(std::size_t particles);
     void remove(std::size_t link);
 
-    void visit_state(StateVisitor &visitor, const std::string &name, std::size_t particles);
+    void visit_state(base::StateVisitor &visitor, const std::string &name, std::size_t particles);
   };
 
   /** Branch l from the first end to the (image of the) second where the particles are now [m]. */

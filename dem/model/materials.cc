@@ -1,6 +1,6 @@
 #include "dem/model/materials.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 
 #include <cmath>
 
@@ -17,8 +17,8 @@ namespace dem
   LinkMaterials LinkMaterials::with_contacts(const LinkMaterials &other) const
   {
     if (other.size() != size())
-      throw InputError("Contacts: there are " + std::to_string(size()) + " materials, but contacts are told for " +
-                       std::to_string(other.size()) + ".");
+      throw base::InputError("Contacts: there are " + std::to_string(size()) +
+                             " materials, but contacts are told for " + std::to_string(other.size()) + ".");
     LinkMaterials both = *this;
     both.touching      = other.touching;
     return both;
@@ -28,8 +28,9 @@ namespace dem
   {
     for (std::size_t i = 0; i < packing.material.size(); ++i)
       if (packing.material[i] < 0 || static_cast<std::size_t>(packing.material[i]) >= materials.size())
-        throw InputError("particle " + std::to_string(i + 1) + ": material = " + std::to_string(packing.material[i]) +
-                         ": " + std::to_string(materials.size()) + " given, numbered from 0.");
+        throw base::InputError("particle " + std::to_string(i + 1) +
+                               ": material = " + std::to_string(packing.material[i]) + ": " +
+                               std::to_string(materials.size()) + " given, numbered from 0.");
   }
 
   // tan(atan()) might miss equal ones by a bit

@@ -44,7 +44,7 @@ namespace dem
 
     bool several() const { return list.size() > 1; }
 
-    /** Parameters of every pair, in the order of material_pair(). @throws InputError for a pair that has none */
+    /** Parameters of every pair, in the order of material_pair(). @throws base::InputError for a pair that has none */
     std::vector<Parameters> pairs() const
     {
       std::vector<Parameters> all;
@@ -82,7 +82,7 @@ namespace dem
     /** Density of each material's particles [kg/m^3]. @param otherwise of those that have none of their own */
     std::vector<double> densities(double otherwise) const;
 
-    /** Law of the links made at the start. @throws InputError for constants out of range, or materials that have no mean */
+    /** Law of the links made at the start. @throws base::InputError for constants out of range, or materials that have no mean */
     std::shared_ptr<const LinkLaw> bonds(const Physics &physics) const
     {
       return bonding->bonds(physics, physics.dimension);
@@ -94,7 +94,7 @@ namespace dem
     {
       return touching->contacts(physics, physics.dimension);
     }
-    /** The same materials, whose contacts obey another law. @throws InputError if it has another number of materials */
+    /** The same materials, whose contacts obey another law. @throws base::InputError if it has another number of materials */
     LinkMaterials with_contacts(const LinkMaterials &other) const;
 
   private:
@@ -126,7 +126,7 @@ namespace dem
     std::vector<double>            density; ///< of each material; 0: none of its own
   };
 
-  /** @throws InputError for a particle of a material that is not among those given; see also check_packing() */
+  /** @throws base::InputError for a particle of a material that is not among those given; see also check_packing() */
   void check_materials(const Packing &packing, const LinkMaterials &materials);
 
   /** Mean of two constants of a pair of materials. */

@@ -1,6 +1,6 @@
 #include "dem/model/packing.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "dem/neighbours/cell_list.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace dem
 
     [[noreturn]] void refuse(const std::string &origin, const std::size_t particle, const std::string &why)
     {
-      throw InputError(origin + ": particle " + std::to_string(particle + 1) + ": " + why);
+      throw base::InputError(origin + ": particle " + std::to_string(particle + 1) + ": " + why);
     }
 
     /** Volumes, and squares of distances, of what lies within these can be computed [m]. */
@@ -92,14 +92,14 @@ namespace dem
       const auto &names = packing.material_names;
       for (std::size_t i = 0; i < names.size(); ++i)
         if (!is_material_name(names[i]))
-          throw InputError(origin + ": material \"" + names[i] + "\": " + material_name_rule() + ".");
+          throw base::InputError(origin + ": material \"" + names[i] + "\": " + material_name_rule() + ".");
         else if (std::count(names.begin(), names.end(), names[i]) > 1)
-          throw InputError(origin + ": the material name \"" + names[i] + "\" stands for two numbers.");
+          throw base::InputError(origin + ": the material name \"" + names[i] + "\" stands for two numbers.");
       if (packing.material.empty())
         return;
       if (packing.material.size() != packing.size())
-        throw InputError(origin + ": " + std::to_string(packing.size()) + " particles but the materials of " +
-                         std::to_string(packing.material.size()) + ".");
+        throw base::InputError(origin + ": " + std::to_string(packing.size()) + " particles but the materials of " +
+                               std::to_string(packing.material.size()) + ".");
       for (std::size_t i = 0; i < packing.size(); ++i)
         if (packing.material[i] < 0)
           refuse(origin, i, "material = " + std::to_string(packing.material[i]) + ": must be a number from 0.");
@@ -127,15 +127,15 @@ namespace dem
   void check_packing(const Packing &packing, const std::string &origin)
   {
     if (packing.centre.size() != packing.radius.size())
-      throw InputError(origin + ": " + std::to_string(packing.centre.size()) + " centres but " +
-                       std::to_string(packing.radius.size()) + " radii.");
+      throw base::InputError(origin + ": " + std::to_string(packing.centre.size()) + " centres but " +
+                             std::to_string(packing.radius.size()) + " radii.");
     if (packing.size() == 0)
-      throw InputError(origin + ": no particle. A packing needs at least one.");
+      throw base::InputError(origin + ": no particle. A packing needs at least one.");
     for (int d = 0; d < 3 && packing.periodic_cell; ++d)
       if (const double edge = (*packing.periodic_cell)[d];
           !(edge >= smallest_length && (edge <= largest_length || std::isinf(edge))))
-        throw InputError(origin + ": periodic cell = " + place(*packing.periodic_cell) +
-                         ": its edges must be above zero, from 1e-100 to 1e100 m (or inf: no repetition).");
+        throw base::InputError(origin + ": periodic cell = " + place(*packing.periodic_cell) +
+                               ": its edges must be above zero, from 1e-100 to 1e100 m (or inf: no repetition).");
     for (std::size_t i = 0; i < packing.size(); ++i)
       check_particle(packing, i, origin);
     check_materials(packing, origin);

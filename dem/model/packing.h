@@ -35,11 +35,11 @@ namespace dem
  * that is negative or beyond the names, names that is_material_name() does not allow or that occur twice.
  *
  * @param origin where the packing came from (a file name, "generator"), for the message.
- * @throws InputError naming the first offending particle (counted from 1) and what is allowed.
+ * @throws base::InputError naming the first offending particle (counted from 1) and what is allowed.
  */
   void check_packing(const Packing &packing, const std::string &origin);
 
-  /** What a packing must be to repeat by its periodic cell. @throws InputError naming the particle */
+  /** What a packing must be to repeat by its periodic cell. @throws base::InputError naming the particle */
   void check_in_cell(const Packing &packing, const std::string &origin);
 
   /** Whether a material may be called so: its name must fit a column of a table. */

@@ -51,7 +51,7 @@ namespace dem
     Particles p;
     p.count                 = packing.size();
     const std::size_t slots = p.count + 2;
-    for (Column *column : {&p.pose, &p.motion, &p.velocity, &p.force, &p.inverse_mass})
+    for (base::Column *column : {&p.pose, &p.motion, &p.velocity, &p.force, &p.inverse_mass})
       column->assign(record_size * slots, 0.0);
     p.reference.assign(3 * slots, 0.0);
     p.mass.resize(p.count);
@@ -81,7 +81,7 @@ namespace dem
   std::size_t Particles::bytes() const
   {
     std::size_t doubles = 0;
-    for (const Column *column : {&pose, &motion, &velocity, &force, &inverse_mass, &reference, &mass, &inertia})
+    for (const base::Column *column : {&pose, &motion, &velocity, &force, &inverse_mass, &reference, &mass, &inertia})
       doubles += column->capacity();
     return doubles * sizeof(double) +
            (number.capacity() + made_links.capacity() + broken_links.capacity() + material.capacity()) *
@@ -89,7 +89,7 @@ namespace dem
            cell.bytes();
   }
 
-  void Particles::visit_state(StateVisitor &visitor)
+  void Particles::visit_state(base::StateVisitor &visitor)
   {
     visitor.column("particles/pose", pose);
     visitor.column("particles/motion", motion);

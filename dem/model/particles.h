@@ -1,8 +1,8 @@
 #pragma once
 
-#include "dem/core/column.h"
+#include "base/column.h"
+#include "base/state.h"
 #include "dem/core/records.h"
-#include "dem/core/state.h"
 #include "dem/model/cell.h"
 #include "dem/model/packing.h"
 
@@ -20,16 +20,17 @@ namespace dem
   {
     std::size_t count = 0;
 
-    Column pose;   ///< x y z [m] | tau theta (3) | radius [m] | 0, at the start of the step to come
-    Column motion; ///< displacement (3) [m] | rotation vector theta (3) | 0 0, of the last step
-    Column
-      velocity;   ///< v (3) [m/s] | w (3) [rad/s] | 0 0, at half steps; in a periodic cell v is the fluctuation v - G x
-    Column force; ///< F (3) [N] | T (3) [N m] | 0 0, of links, contacts and weight, at the last step's start
-    Column pushed; ///< force (3) [N] | couple (3) [N m] | 0 0 from outside, where a force is to be added; empty: none
-    Column inverse_mass; ///< 1/m (3) | 1/I (3) | 0 0; zero where motion is prescribed or not modelled
-    Column reference;    ///< x y z at the start [m], three per particle
-    Column mass;         ///< [kg]
-    Column inertia;      ///< [kg m^2]
+    base::Column pose;   ///< x y z [m] | tau theta (3) | radius [m] | 0, at the start of the step to come
+    base::Column motion; ///< displacement (3) [m] | rotation vector theta (3) | 0 0, of the last step
+    base::Column
+      velocity; ///< v (3) [m/s] | w (3) [rad/s] | 0 0, at half steps; in a periodic cell v is the fluctuation v - G x
+    base::Column force; ///< F (3) [N] | T (3) [N m] | 0 0, of links, contacts and weight, at the last step's start
+    base::Column
+      pushed; ///< force (3) [N] | couple (3) [N m] | 0 0 from outside, where a force is to be added; empty: none
+    base::Column inverse_mass; ///< 1/m (3) | 1/I (3) | 0 0; zero where motion is prescribed or not modelled
+    base::Column reference;    ///< x y z at the start [m], three per particle
+    base::Column mass;         ///< [kg]
+    base::Column inertia;      ///< [kg m^2]
 
     Cell cell; ///< periodic, or none
 
@@ -43,7 +44,7 @@ namespace dem
     Eigen::Vector3d position_of(const std::size_t i) const { return Eigen::Vector3d(&pose[record_size * i]); }
 
     std::size_t bytes() const;
-    void        visit_state(StateVisitor &visitor);
+    void        visit_state(base::StateVisitor &visitor);
   };
 
   /** Mass and inertia of one particle: sphere, or disc of the given thickness in two dimensions. */

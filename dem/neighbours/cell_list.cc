@@ -1,6 +1,6 @@
 #include "dem/neighbours/cell_list.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "dem/neighbours/tie.h"
 
 #include <Eigen/Dense>
@@ -373,8 +373,8 @@ namespace dem
                                     std::to_string(query.skin) + ": both must be finite and not negative.");
       for (std::size_t i = 0; i < query.centre.size(); ++i)
         if (!finite(query.centre[i]) || !std::isfinite(query.radius[i]) || query.radius[i] <= 0)
-          throw NumericalError("neighbour search: the centre or radius of particle " + std::to_string(i + 1) +
-                               " is not a number (or the radius not above zero).");
+          throw base::NumericalError("neighbour search: the centre or radius of particle " + std::to_string(i + 1) +
+                                     " is not a number (or the radius not above zero).");
     }
   } // namespace
 

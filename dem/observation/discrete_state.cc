@@ -1,6 +1,6 @@
 #include "dem/observation/discrete_state.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 
 #include <cmath>
 #include <sstream>
@@ -32,7 +32,7 @@ namespace dem
     {
       std::ostringstream message;
       message << origin << ": " << kind << ' ' << number + 1 << ": " << what << ", found " << found << '.';
-      throw InputError(message.str());
+      throw base::InputError(message.str());
     }
 
     /** Beyond these there is nothing, and squares of what lies within can be computed. */
@@ -86,13 +86,13 @@ namespace dem
     const std::size_t n       = state.size();
     const auto        require = [&](const char *name, const std::size_t found, const std::size_t expected) {
       if (found != expected)
-        throw InputError(origin + ": column \"" + name + "\" has " + std::to_string(found) + " rows, expected " +
-                                std::to_string(expected) + ".");
+        throw base::InputError(origin + ": column \"" + name + "\" has " + std::to_string(found) + " rows, expected " +
+                                      std::to_string(expected) + ".");
     };
     if (n == 0)
-      throw InputError(origin + ": no particle. A discrete state needs at least one.");
+      throw base::InputError(origin + ": no particle. A discrete state needs at least one.");
     if (state.dimension != 2 && state.dimension != 3)
-      throw InputError(origin + ": dimension = " + std::to_string(state.dimension) + ": must be 2 or 3.");
+      throw base::InputError(origin + ": dimension = " + std::to_string(state.dimension) + ": must be 2 or 3.");
     require("reference", state.reference.size(), n);
     require("position", state.position.size(), n);
     require("volume", state.volume.size(), n);
@@ -101,7 +101,7 @@ namespace dem
     require("link direction", state.damage.links.size(), state.damage.ends.size());
     require("link contact", state.damage.contact.size(), state.damage.ends.size());
     if (!within(state.time, 1e15))
-      throw InputError(origin + ": time = " + std::to_string(state.time) + ": must be a finite number [s].");
+      throw base::InputError(origin + ": time = " + std::to_string(state.time) + ": must be a finite number [s].");
     for (std::size_t i = 0; i < n; ++i)
       check_particle(state, i, origin);
     for (std::size_t l = 0; l < state.damage.ends.size(); ++l)

@@ -31,7 +31,7 @@ namespace dem
 
   /**
    * @param origin where it came from, for the message.
-   * @throws InputError naming the first column of wrong length, or the first particle or link with a value that cannot be.
+   * @throws base::InputError naming the first column of wrong length, or the first particle or link with a value that cannot be.
    */
   void check_discrete_state(const DiscreteState &state, const std::string &origin);
 } // namespace dem

@@ -1,6 +1,6 @@
 #include "dem/packing/compaction.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "dem/packing/frictional_assembly.h"
 #include "dem/packing/sequential_placement.h"
 
@@ -34,7 +34,7 @@ namespace dem
         return;
       std::ostringstream text;
       text << "compaction: " << entry << " = " << value << ": must be " << rule << '.';
-      throw InputError(text.str());
+      throw base::InputError(text.str());
     }
 
     void check(const CompactionParameters &p)
@@ -117,8 +117,8 @@ namespace dem
             const AssemblyMeasures m        = assembly.measures();
             const double           relative = 2 * m.pressure / stage.target;
             if (!std::isfinite(relative))
-              throw NumericalError("compaction: the pressure is no longer a number after step " +
-                                   std::to_string(steps) + ".");
+              throw base::NumericalError("compaction: the pressure is no longer a number after step " +
+                                         std::to_string(steps) + ".");
             if (progress && !progress({stage.number, steps, packing_fraction(), relative, m.unbalanced_ratio}))
               throw CompactionCancelled();
             if (std::abs(relative - 1) < pressure_tolerance && m.unbalanced_ratio < stage.unbalanced_limit)

@@ -103,7 +103,7 @@ namespace dem
    * The same parameters give the same packing, for any number of threads.
    *
    * @param progress called every 20 steps if set; returns false to stop.
-   * @throws InputError naming the parameter and what is allowed; CompactionFailed, CompactionCancelled; NumericalError if the
+   * @throws base::InputError naming the parameter and what is allowed; CompactionFailed, CompactionCancelled; NumericalError if the
    *         state is no longer a number.
    */
   CompactionResult compact(const CompactionParameters                            &parameters,

@@ -1,6 +1,6 @@
 #include "dem/packing/lattice.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 
 #include <cmath>
 #include <limits>
@@ -32,7 +32,7 @@ namespace dem
         case Lattice::hexagonal:
           return {{2, 2 * std::sqrt(3.0), 0}, {{0, 0, 0}, {0.5, 0.5, 0}}};
         }
-      throw InputError("lattice: unknown kind " + std::to_string(static_cast<int>(lattice)) + ".");
+      throw base::InputError("lattice: unknown kind " + std::to_string(static_cast<int>(lattice)) + ".");
     }
   } // namespace
 
@@ -41,11 +41,13 @@ namespace dem
     const UnitCell unit   = unit_cell(lattice);
     const bool     planar = unit.edge[2] == 0;
     if (!std::isfinite(radius) || radius <= 0)
-      throw InputError("lattice: radius = " + std::to_string(radius) + ": must be a finite length above zero [m].");
+      throw base::InputError("lattice: radius = " + std::to_string(radius) +
+                             ": must be a finite length above zero [m].");
     for (int d = 0; d < 3; ++d)
       if (cells[d] < 1 || (d == 2 && planar && cells[d] != 1))
-        throw InputError("lattice: cells = " + std::to_string(cells[0]) + " x " + std::to_string(cells[1]) + " x " +
-                         std::to_string(cells[2]) + ": must be at least 1 each, and the third exactly 1 for discs.");
+        throw base::InputError("lattice: cells = " + std::to_string(cells[0]) + " x " + std::to_string(cells[1]) +
+                               " x " + std::to_string(cells[2]) +
+                               ": must be at least 1 each, and the third exactly 1 for discs.");
     const Eigen::Vector3d first(1, 1, planar ? 0 : 1);
     Packing               packing;
     for (int k = 0; k < cells[2]; ++k)

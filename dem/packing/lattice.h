@@ -24,7 +24,7 @@ namespace dem
    *
    * @param radius [m], > 0
    * @param cells  number of lattice cells along x, y, z, >= 1; the third is 1 for discs
-   * @throws InputError for other values.
+   * @throws base::InputError for other values.
    */
   Packing make_lattice(Lattice lattice, double radius, const std::array<int, 3> &cells);
 } // namespace dem

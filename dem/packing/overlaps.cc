@@ -1,6 +1,6 @@
 #include "dem/packing/overlaps.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "dem/neighbours/cell_list.h"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ namespace dem
           message << origin << ": along "
                   << "xyz"[d] << " the centres lie up to " << length << " m apart, and the periodic cell is " << edge
                   << " m long: the packing is larger than its cell. Check the cell and the units: metres.";
-          throw InputError(message.str());
+          throw base::InputError(message.str());
         }
       const double solid = solid_volume(packing), cell = packing.periodic_cell->prod();
       if (dimension == 2 || solid <= cell)
@@ -34,7 +34,7 @@ namespace dem
       std::ostringstream message;
       message << origin << ": the particles have a volume of " << solid << " m^3, and their periodic cell has " << cell
               << " m^3. Check the cell and the units: metres.";
-      throw InputError(message.str());
+      throw base::InputError(message.str());
     }
   } // namespace
 
@@ -59,7 +59,7 @@ namespace dem
                 << (pair.shift != decltype(pair.shift){} ? " (its periodic image)" : "") << " overlap by " << overlap
                 << " m, " << std::round(100 * overlap / smaller) << " % of the smaller diameter; up to "
                 << 100 * allowed << " % is taken. Remove one of the two, or check the units: metres.";
-        throw InputError(message.str());
+        throw base::InputError(message.str());
       }
   }
 } // namespace dem

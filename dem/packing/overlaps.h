@@ -14,7 +14,7 @@ namespace dem
    * @param packing as check_packing() lets pass
    * @param origin where it came from, for the message
    * @param dimension 2: discs, which fill no volume
-   * @throws InputError naming the particles (counted from 1) and the lengths
+   * @throws base::InputError naming the particles (counted from 1) and the lengths
    */
   void check_overlaps(const Packing &packing, const std::string &origin, int dimension);
 } // namespace dem

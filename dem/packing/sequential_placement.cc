@@ -1,6 +1,6 @@
 #include "dem/packing/sequential_placement.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "dem/core/uniform_random.h"
 
 #include <algorithm>
@@ -102,9 +102,9 @@ namespace dem
   {
     constexpr int most_draws = 100000;
     if (!(edges.minCoeff() >= 2 * radius))
-      throw InputError("random placement: a sphere of diameter " + std::to_string(2 * radius) +
-                       " m overlaps its own image in a periodic cell of edge " + std::to_string(edges.minCoeff()) +
-                       " m.");
+      throw base::InputError("random placement: a sphere of diameter " + std::to_string(2 * radius) +
+                             " m overlaps its own image in a periodic cell of edge " +
+                             std::to_string(edges.minCoeff()) + " m.");
     UniformRandom random(seed);
     GrowingCells  cells(edges, 2 * radius, count);
     Packing       packing;
@@ -123,7 +123,7 @@ namespace dem
                 text << "random placement: sphere " << packing.centre.size() + 1 << " of " << count
                      << " found no free place in " << most_draws
                      << " draws. Place them in a larger cell (its edges are " << edges.transpose() << " m).";
-                throw InputError(text.str());
+                throw base::InputError(text.str());
               }
             for (int d = 0; d < 3; ++d)
               x[d] = edges[d] * random();

@@ -13,7 +13,7 @@ namespace dem
    * Schaaf, Tarjus, 1991, Mol. Phys. 72, 1397); 0.31 takes some tens of draws per sphere.
    *
    * @param edges of the cell [m]
-   * @throws InputError if a sphere finds no place in 100000 draws, or is larger than the cell.
+   * @throws base::InputError if a sphere finds no place in 100000 draws, or is larger than the cell.
    */
   Packing place_sequentially(std::size_t count, double radius, const Eigen::Vector3d &edges, std::uint64_t seed);
 } // namespace dem

@@ -1,6 +1,6 @@
 #include "dem/packing/tiling.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,9 +36,10 @@ namespace dem
             const double cells = std::ceil(box[d] / (*packing.periodic_cell)[d]);
             total *= cells;
             if (!(total <= std::numeric_limits<std::int32_t>::max()))
-              throw InputError(text_of(box) + ": " + std::to_string(packing.size()) +
-                               " spheres repeated to cover it would be more than 2^31 - 1. Shrink the box (are its "
-                               "edges in metres?) or take larger spheres.");
+              throw base::InputError(
+                text_of(box) + ": " + std::to_string(packing.size()) +
+                " spheres repeated to cover it would be more than 2^31 - 1. Shrink the box (are its "
+                "edges in metres?) or take larger spheres.");
             repeats[d] = static_cast<std::int64_t>(cells);
           }
       return repeats;
@@ -86,9 +87,9 @@ namespace dem
   {
     for (int d = 0; d < 3; ++d)
       if (std::isnan(box[d]) || box[d] <= 0)
-        throw InputError(text_of(box) + ": its edges must be above zero.");
+        throw base::InputError(text_of(box) + ": its edges must be above zero.");
     if (packing.size() == 0)
-      throw InputError(text_of(box) + ": there is no sphere to fill it with.");
+      throw base::InputError(text_of(box) + ": there is no sphere to fill it with.");
     Tiling        tiling;
     const Packing cell            = wrapped(packing);
     tiling.repeats                = count_repeats(packing, box);
@@ -118,7 +119,7 @@ namespace dem
           << text_of(box) << ": no sphere lies fully inside (the smallest diameter is "
           << 2 * *std::min_element(cell.radius.begin(), cell.radius.end())
           << " m). Enlarge the box, check its units (metres) or the place of the packing (the box begins at 0, 0, 0).";
-        throw InputError(text.str());
+        throw base::InputError(text.str());
       }
     return tiling;
   }

@@ -23,7 +23,7 @@ namespace dem
    * Particles are numbered anew: cell by cell (x fastest), within a cell in the packing's order.
    *
    * @param box edge lengths [m]; an infinite one: not cropped along it (the third of discs)
-   * @throws InputError if an edge is not above zero, nothing remains, a periodic packing would have to be repeated without
+   * @throws base::InputError if an edge is not above zero, nothing remains, a periodic packing would have to be repeated without
    *         end, or the result had more than 2^31 - 1 spheres.
    */
   Tiling tile_and_crop(const Packing &packing, const Eigen::Vector3d &box);

@@ -1,4 +1,4 @@
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "dem/measures/link_measures.h"
 #include "dem/model/strain_operator.h"
 #include "dem/specimen/implementation.h"
@@ -12,14 +12,15 @@ namespace dem
     void require_cell(const Particles &particles, const char *what)
     {
       if (!particles.cell.repeats())
-        throw InputError(std::string(what) + ": the specimen has no periodic cell. Make it with Periodic = true.");
+        throw base::InputError(std::string(what) +
+                               ": the specimen has no periodic cell. Make it with Periodic = true.");
     }
 
     /** Sum of H^T C H over the links [N m]. */
-    Matrix6d stiffness_moment(const Particles &particles, const LinkSet &links, const LinkLaw &law)
+    base::Matrix6 stiffness_moment(const Particles &particles, const LinkSet &links, const LinkLaw &law)
     {
-      LinkReader reader(particles, links, law);
-      Matrix6d   sum = Matrix6d::Zero();
+      LinkReader    reader(particles, links, law);
+      base::Matrix6 sum = base::Matrix6::Zero();
       for (std::size_t l = 0; l < links.count; ++l)
         {
           if (!links.is_alive(l))
@@ -67,7 +68,7 @@ namespace dem
     return state;
   }
 
-  Matrix6d Specimen::affine_stiffness() const
+  base::Matrix6 Specimen::affine_stiffness() const
   {
     require_cell(self->particles, "affine stiffness");
     return (stiffness_moment(self->particles, self->bonds, *self->bond_law) +

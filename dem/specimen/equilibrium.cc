@@ -1,4 +1,4 @@
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "dem/kernels/kinematics.h"
 #include "dem/measures/link_measures.h"
 #include "dem/specimen/implementation.h"
@@ -25,7 +25,7 @@ namespace dem
     /** Residuals that rounding alone may leave, over its root-mean-square estimate. */
     constexpr double rounding_margin = 4;
 
-    [[noreturn]] void refuse(const std::string &why) { throw InputError("Initial equilibrium: " + why); }
+    [[noreturn]] void refuse(const std::string &why) { throw base::InputError("Initial equilibrium: " + why); }
 
     /** The bonds as they are now, undamaged; particles by their number in the packing. */
     ElasticNetwork network_of(const Particles &p, const LinkSet &bonds, const LinkLaw &law, const Physics &physics)
@@ -130,7 +130,7 @@ namespace dem
           if (!stiffness.is_held(k, c))
             b[at(k, c)] = force(c, stiffness.order()[k]) / (c < 3 ? 1 : scale);
       LaneStrains none;
-      none.fill(Vector6::Zero());
+      none.fill(base::Vector6::Zero());
       report = solve_linear(stiffness, b, x, none, false, {});
       ParticleMotions motion(motions, static_cast<Eigen::Index>(network.particles()));
       for (std::size_t k = 0; k < network.particles(); ++k)

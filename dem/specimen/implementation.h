@@ -21,10 +21,10 @@ namespace dem
     std::vector<std::int32_t> members;
     std::vector<std::size_t>  given; ///< which of grip.particles each member is
     std::array<double, 6>     pull =
-      {};                 ///< sum of the links' (and weight's) force and moment over the members, at t_n [N, N m]
-    Column own_rates;     ///< 6 of each member, where members move each on its own; empty: all alike
-    double own_power = 0; ///< that the grip puts in at these rates and the forces at t_n [W]
-    Column lost_velocity; ///< of each member, 6 components: what set_grip_velocity took away since the last step
+      {};                       ///< sum of the links' (and weight's) force and moment over the members, at t_n [N, N m]
+    base::Column own_rates;     ///< 6 of each member, where members move each on its own; empty: all alike
+    double       own_power = 0; ///< that the grip puts in at these rates and the forces at t_n [W]
+    base::Column lost_velocity; ///< of each member, 6 components: what set_grip_velocity took away since the last step
 
     double rate(const int c) const { return c < 3 ? grip.velocity[c] : grip.spin[c - 3]; }
     double rate(const std::size_t member, const int c) const
@@ -83,7 +83,7 @@ namespace dem
     double          stored_at_start = 0, weight_at_start = 0; ///< energy in links, work of weight, of a static start
     Eigen::Matrix3d stress_moment = Eigen::Matrix3d::Zero();  ///< sum l (x) f at t_n [N m]; only if periodic
     std::vector<std::int32_t> crack_log;                      ///< ends of the cohesive links deleted so far, flattened
-    Column crack_geometry; ///< records: last branch (3) [m] | contact point (3) [m] | dissipated [J] | 0
+    base::Column crack_geometry; ///< records: last branch (3) [m] | contact point (3) [m] | dissipated [J] | 0
 
     Implementation(const Packing &packing, const SpecimenParameters &p, const LinkMaterials &materials);
     Mixture mixture() const
@@ -154,13 +154,13 @@ namespace dem
     double largest_displacement() const;
     /** Forces of surfaces at t_n, unless they are known; new contacts may shorten the step. */
     void find_surface_forces();
-    /** Glue particles to a surface. @throws InputError where nobody is near, or the law has no bonds */
+    /** Glue particles to a surface. @throws base::InputError where nobody is near, or the law has no bonds */
     void glue(std::size_t surface, const SurfaceGlue &glue);
-    /** Look where particles are before the first step. @return energy of surfaces that the account starts from [J] @throws InputError */
+    /** Look where particles are before the first step. @return energy of surfaces that the account starts from [J] @throws base::InputError */
     double begin_surfaces();
     /** Move the surfaces, and take up what they have done in the halves of this step. */
     void advance_surfaces(const StepHalves &halves);
-    /** A particle that passes its radius in a step may pass a surface unseen. @throws NumericalError naming it */
+    /** A particle that passes its radius in a step may pass a surface unseen. @throws base::NumericalError naming it */
     void   refuse_too_fast(double displacement_of_surfaces) const;
     double smallest_radius = 0; ///< [m], once there are surfaces
     /** NaN and infinity spread to velocities within a step. */

@@ -1,6 +1,6 @@
 // What others may do to a specimen: lengths of steps, forces, impulses and prescribed motion from outside.
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "dem/specimen/implementation.h"
 
 #include <Eigen/Geometry>
@@ -24,7 +24,7 @@ namespace dem
     std::ostringstream message;
     message << "step of " << step << " s: must be above 0 and at most " << self->longest_step
             << " s, the stable one of the particles with the step factor.";
-    throw InputError(message.str());
+    throw base::InputError(message.str());
   }
 
   ParticleState Specimen::particle(const std::size_t number) const
@@ -41,7 +41,7 @@ namespace dem
   void Specimen::add_force(const std::size_t particle, const Eigen::Vector3d &force, const Eigen::Vector3d &couple)
   {
     if (self->parameters.physics.periodic)
-      throw InputError("Forces: a periodic cell has nothing that could hold against them.");
+      throw base::InputError("Forces: a periodic cell has nothing that could hold against them.");
     Particles &p = self->particles;
     if (p.pushed.empty())
       p.pushed.assign(record_size * p.count, 0.0);
@@ -97,9 +97,9 @@ namespace dem
     HeldGrip  &held  = self->grips.at(number);
     const auto count = held.members.size();
     if (velocity.size() != count || spin.size() != count)
-      throw InputError("Grip of " + std::to_string(count) + " particles: velocities of " +
-                       std::to_string(velocity.size()) + " and spins of " + std::to_string(spin.size()) +
-                       " were given.");
+      throw base::InputError("Grip of " + std::to_string(count) + " particles: velocities of " +
+                             std::to_string(velocity.size()) + " and spins of " + std::to_string(spin.size()) +
+                             " were given.");
     held.own_rates.resize(6 * count);
     for (std::size_t k = 0; k < count; ++k)
       {

@@ -1,7 +1,7 @@
 #include "dem/specimen/specimen.h"
 
+#include "base/errors.h"
 #include "dem/contacts/particle_pairs.h"
-#include "dem/core/errors.h"
 #include "dem/measures/bulk_volume.h"
 #include "dem/neighbours/tie.h"
 #include "dem/specimen/implementation.h"
@@ -19,7 +19,7 @@ namespace dem
     {
       std::ostringstream message;
       message << entry << " = " << value << ": " << rule;
-      throw InputError(message.str());
+      throw base::InputError(message.str());
     }
 
     void check(const SpecimenParameters &p)
@@ -36,11 +36,11 @@ namespace dem
       if (!(p.damping >= 0 && p.damping < 1))
         refuse("Damping", p.damping, "must be in [0, 1).");
       if (!p.gravity.allFinite())
-        throw InputError("Gravity: must be finite.");
+        throw base::InputError("Gravity: must be finite.");
       if (p.physics.periodic && !p.gravity.isZero(0))
-        throw InputError("Gravity: a periodic cell has nothing to stand on and would fall for ever.");
+        throw base::InputError("Gravity: a periodic cell has nothing to stand on and would fall for ever.");
       if (p.physics.dimension == 2 && p.gravity.z() != 0)
-        throw InputError("Gravity: in two dimensions it must lie in the plane, z = 0.");
+        throw base::InputError("Gravity: in two dimensions it must lie in the plane, z = 0.");
       if (p.physics.dimension == 2 && !(p.thickness > 0))
         refuse("Thickness", p.thickness, "must be above 0 m in two dimensions.");
     }
@@ -53,7 +53,7 @@ namespace dem
             std::ostringstream message;
             message << "particle " << i + 1 << ": z = " << packing.centre[i].z()
                     << " m, but a scene in two dimensions lies in the plane z = 0.";
-            throw InputError(message.str());
+            throw base::InputError(message.str());
           }
     }
 
@@ -63,12 +63,13 @@ namespace dem
       if (!p.physics.periodic)
         return {};
       if (!packing.periodic_cell)
-        throw InputError("Periodic: the packing has no periodic cell. Use a periodic packing, or a free specimen.");
+        throw base::InputError(
+          "Periodic: the packing has no periodic cell. Use a periodic packing, or a free specimen.");
       Eigen::Vector3d edges = *packing.periodic_cell;
       if (p.physics.dimension == 2)
         edges.z() = p.thickness;
       if (!edges.allFinite())
-        throw InputError("Periodic: the edges of the packing's periodic cell must be finite.");
+        throw base::InputError("Periodic: the edges of the packing's periodic cell must be finite.");
       return Cell(edges.asDiagonal(), p.physics.dimension);
     }
 
@@ -133,9 +134,10 @@ namespace dem
     space_per_solid = volume_per_solid(particles, shape);
     longest_step = time_step = parameters.step_factor * (bond_law->bonds() ? stable() : step_of_lone_particles());
     if (!std::isfinite(time_step))
-      throw InputError("Interaction ratio = " + std::to_string(p.interaction_ratio) +
-                       ": no two particles are near enough to be linked, nothing holds the specimen together. Raise "
-                       "the ratio or check the packing.");
+      throw base::InputError(
+        "Interaction ratio = " + std::to_string(p.interaction_ratio) +
+        ": no two particles are near enough to be linked, nothing holds the specimen together. Raise "
+        "the ratio or check the packing.");
     if (parameters.physics.contacts)
       make_contacts(); // of what overlaps from the start
   }
@@ -274,7 +276,7 @@ namespace dem
   std::size_t Specimen::add_grip(const Grip &grip)
   {
     if (self->parameters.physics.periodic)
-      throw InputError("Grips: a periodic cell has no place for them; it is loaded by its deformation.");
+      throw base::InputError("Grips: a periodic cell has no place for them; it is loaded by its deformation.");
     HeldGrip held;
     held.grip = grip;
     std::vector<std::pair<std::int32_t, std::size_t>> order;
@@ -311,7 +313,7 @@ namespace dem
   void Specimen::set_damping(const double damping)
   {
     if (!(damping >= 0 && damping < 1))
-      throw InputError("Damping: must be in [0, 1).");
+      throw base::InputError("Damping: must be in [0, 1).");
     self->parameters.damping = damping;
   }
 
@@ -336,10 +338,10 @@ namespace dem
 
   namespace
   {
-    void visit_kicks(StateVisitor &visitor, std::vector<VelocityKick> &kicks)
+    void visit_kicks(base::StateVisitor &visitor, std::vector<VelocityKick> &kicks)
     {
       std::vector<std::int32_t> particle;
-      Column                    change;
+      base::Column              change;
       for (const VelocityKick &kick : kicks)
         {
           particle.push_back(kick.particle);
@@ -356,7 +358,7 @@ namespace dem
     }
   } // namespace
 
-  void Specimen::visit_state(StateVisitor &visitor)
+  void Specimen::visit_state(base::StateVisitor &visitor)
   {
     auto &s = *self;
     s.particles.visit_state(visitor);
@@ -402,7 +404,7 @@ namespace dem
       }
     visit_kicks(visitor, s.kicks);
     s.surfaces.visit_state(visitor);
-    Column kinetic(s.accounts.size());
+    base::Column kinetic(s.accounts.size());
     for (std::size_t b = 0; b < kinetic.size(); ++b)
       kinetic[b] = s.accounts[b].kinetic;
     visitor.column("energy/kinetic", kinetic);

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "dem/core/state.h"
+#include "base/mandel.h"
+#include "base/state.h"
 #include "dem/facets/glue_output.h"
 #include "dem/measures/loads.h"
-#include "dem/measures/mandel.h"
 #include "dem/model/energy.h"
 #include "dem/model/initial_equilibrium.h"
 #include "dem/model/materials.h"
@@ -114,8 +114,8 @@ namespace dem
   struct WallContact
   {
     std::size_t     particle, surface;
-    Eigen::Vector3d place; ///< [m]
-    Eigen::Vector3d force; ///< on the particle [N]
+    Eigen::Vector3d place;   ///< [m]
+    Eigen::Vector3d force;   ///< on the particle [N]
     double          overlap; ///< [m]
   };
 
@@ -139,7 +139,7 @@ namespace dem
     /**
    * Link the packing and set it at rest. Links take the constants of the pair of materials that they join.
    * @param materials numbered as the packing does; where it does not say, all particles are of the first
-   * @throws InputError when nothing can be made of it: see check_packing(); when no two particles are near enough to be linked;
+   * @throws base::InputError when nothing can be made of it: see check_packing(); when no two particles are near enough to be linked;
    *         when it is to be periodic and the packing is not; or when it has a material that is not among those given.
    */
     Specimen(const Packing &packing, const SpecimenParameters &parameters, const LinkMaterials &materials);
@@ -149,7 +149,7 @@ namespace dem
     Specimen(const Specimen &);
     Specimen &operator=(const Specimen &);
 
-    /** Take the given number of steps. @throws NumericalError when the state is no longer a number. */
+    /** Take the given number of steps. @throws base::NumericalError when the state is no longer a number. */
     void advance(std::int64_t steps);
     /** The same, asking after each step whether to go on. */
     void advance(std::int64_t steps, const std::function<bool()> &go_on);
@@ -161,17 +161,17 @@ namespace dem
     double       time_step() const; ///< [s], in use
     double
     longest_step() const; ///< that may be set: the step factor times the stable step of the stiffest state so far [s]
-    /** Steps of this length from now on [s]; contacts that are born may shorten it. @throws InputError beyond longest_step() */
+    /** Steps of this length from now on [s]; contacts that are born may shorten it. @throws base::InputError beyond longest_step() */
     void   set_time_step(double step);
     double stable_step() const;   ///< per-particle bound (5.1) of the present state [s]
     double critical_step() const; ///< sharp: 2/sqrt(largest eigenvalue) by Lanczos, of the undamaged elastic system [s]
     Counts counts() const;
     std::size_t bytes() const; ///< memory held by particles, links and contacts
 
-    /** Prescribe motion of a group from now on. @return its number for reaction(). @throws InputError in a periodic cell */
+    /** Prescribe motion of a group from now on. @return its number for reaction(). @throws base::InputError in a periodic cell */
     std::size_t add_grip(const Grip &grip);
     void        set_grip_velocity(std::size_t grip, const Eigen::Vector3d &velocity, const Eigen::Vector3d &spin);
-    /** The same for each of the grip's particles on its own, in the order of Grip::particles. @throws InputError for another number of them */
+    /** The same for each of the grip's particles on its own, in the order of Grip::particles. @throws base::InputError for another number of them */
     void set_grip_velocities(std::size_t                         grip,
                              const std::vector<Eigen::Vector3d> &velocity,
                              const std::vector<Eigen::Vector3d> &spin);
@@ -184,7 +184,7 @@ namespace dem
 
     /**
    * Push a particle from outside [N, N m], in every step until clear_forces(). Several add up; their work is external work. Not part of
-   * the state that visit_state() shows. @throws InputError in a periodic cell
+   * the state that visit_state() shows. @throws base::InputError in a periodic cell
    */
     void add_force(std::size_t particle, const Eigen::Vector3d &force, const Eigen::Vector3d &couple);
     void clear_forces();
@@ -197,7 +197,7 @@ namespace dem
 
     /**
    * A surface that particles touch from now on: a wall, or the boundary of somebody else's body. It rests until it is led.
-   * @return its number, from 0 @throws InputError for a facet that is none; in a periodic cell; and before the first step for
+   * @return its number, from 0 @throws base::InputError for a facet that is none; in a periodic cell; and before the first step for
    * particles behind it or in it by more than half their radius
    */
     std::size_t add_surface(const SurfaceParameters &surface);
@@ -206,9 +206,9 @@ namespace dem
                             const Eigen::Vector3d &velocity,
                             const Eigen::Vector3d &spin  = {0, 0, 0},
                             const Eigen::Vector3d &about = {0, 0, 0});
-    /** Hold it at a force from now on; call it again for another force. @throws InputError for a servo that is none */
+    /** Hold it at a force from now on; call it again for another force. @throws base::InputError for a servo that is none */
     void hold_surface(std::size_t surface, const ForceServo &servo);
-    /** Each vertex moves on its own [m/s] from the next step on. @throws InputError for another number of them, or for a plane */
+    /** Each vertex moves on its own [m/s] from the next step on. @throws base::InputError for another number of them, or for a plane */
     void set_vertex_velocities(std::size_t surface, const std::vector<Eigen::Vector3d> &velocity);
     /** Put the vertices to where their owner has them [m], to the last bit: no motion, only what rounding left between the two. */
     void place_vertices(std::size_t surface, const std::vector<Eigen::Vector3d> &place);
@@ -218,36 +218,36 @@ namespace dem
    */
     void find_surface_forces();
     /** The surface as it is: its vertices, and the forces on it at t_n and all that it has taken. */
-    const Surface &surface(std::size_t number) const;
-    std::size_t    surfaces() const;
-    void           clear_vertex_impulses(std::size_t surface); ///< Surface::impulse is zero again
+    const Surface           &surface(std::size_t number) const;
+    std::size_t              surfaces() const;
+    void                     clear_vertex_impulses(std::size_t surface); ///< Surface::impulse is zero again
     std::vector<WallContact> wall_contacts() const;
     /** How often facets near particles were searched, and how many pairs were tested for it, since the start. */
     std::array<std::int64_t, 2> surface_searches() const;
 
     /**
    * Deform the periodic cell, and the particles with it, at velocity gradient G [1/s] from the next step on.
-   * @throws InputError without a periodic cell, or for a gradient that is not finite or leaves a plane specimen's plane
+   * @throws base::InputError without a periodic cell, or for a gradient that is not finite or leaves a plane specimen's plane
    */
     void      set_velocity_gradient(const Eigen::Matrix3d &gradient);
-    CellState cell() const; ///< @throws InputError without a periodic cell
+    CellState cell() const; ///< @throws base::InputError without a periodic cell
 
     /**
    * Stiffness of the cell if every particle followed its strain without turning, of the links as damaged as they are (secant; closed
    * links whole) [Pa]: engineering shears, order 11 22 33 23 31 12. An upper bound of the true one (doc/theory/homogenisation.md, 2).
    */
-    Matrix6d affine_stiffness() const;
+    base::Matrix6 affine_stiffness() const;
     /** Mean |force on a particle| over mean |link or contact force| at t_n; how far from equilibrium. Prescribed particles do not count. */
     double unbalanced_ratio() const;
 
-    /** Local damping from the next step on: little while waves matter, more to come to rest. @throws InputError outside [0, 1) */
+    /** Local damping from the next step on: little while waves matter, more to come to rest. @throws base::InputError outside [0, 1) */
     void set_damping(double damping);
 
     /**
    * Before the first step: move the particles to where links and weight are in equilibrium, grips held where they are. Found by the
    * static solver, and followed through the change of geometry with the links' own update until it holds for the very forces that the
    * first step will see. Loose particles stay as they are, and so do a few that no links hold (one in a hundred at most, named). Displacements count from the packing; what is stored becomes initial energy.
-   * @throws InputError, naming particles, where there is no such equilibrium or not every link stays elastic in it
+   * @throws base::InputError, naming particles, where there is no such equilibrium or not every link stays elastic in it
    */
     InitialEquilibrium find_equilibrium();
 
@@ -262,7 +262,7 @@ namespace dem
     LinkOutput      links() const;
 
     /** Everything needed to go on to the same bits; a reader must be given a specimen made of the same packing and parameters. */
-    void visit_state(StateVisitor &visitor);
+    void visit_state(base::StateVisitor &visitor);
 
   private:
     struct Implementation;

@@ -1,4 +1,4 @@
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "dem/measures/link_measures.h"
 #include "dem/specimen/implementation.h"
 
@@ -240,7 +240,7 @@ namespace dem
             message << "step " << step_count << ", time " << time << " s: particle " << particles.number[i] + 1
                     << " no longer has a finite velocity. Lower Time/Step factor (" << parameters.step_factor
                     << ") or the loading rate, and check the material.";
-            throw NumericalError(message.str());
+            throw base::NumericalError(message.str());
           }
   }
 } // namespace dem

@@ -1,6 +1,6 @@
 // Walls and other surfaces of a specimen: how they are added and led, and what they do in a step.
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "dem/specimen/implementation.h"
 
 #include <algorithm>
@@ -20,14 +20,14 @@ namespace dem
       return message.str();
     }
 
-    /** @throws InputError */
+    /** @throws base::InputError */
     void check_speeds(const Particles &p, const double step)
     {
       for (std::size_t i = 0; i < p.count; ++i)
         {
           const double distance = step * Eigen::Vector3d(&p.velocity[record_size * i]).norm();
           if (distance > p.radius_of(i))
-            throw InputError(too_fast(p, i, distance));
+            throw base::InputError(too_fast(p, i, distance));
         }
     }
   } // namespace
@@ -69,7 +69,7 @@ namespace dem
       {
         const double distance = Eigen::Vector3d(&particles.motion[record_size * i]).norm() + of_surfaces;
         if (distance > particles.radius_of(i))
-          throw NumericalError(too_fast(particles, i, distance));
+          throw base::NumericalError(too_fast(particles, i, distance));
       }
   }
 
@@ -77,13 +77,13 @@ namespace dem
   {
     const std::string name = surfaces.surface(number).name;
     if (step_count > 0)
-      throw InputError("wall " + name + ": particles are glued to it before the first step.");
+      throw base::InputError("wall " + name + ": particles are glued to it before the first step.");
     if (!(glue.within > 0 && std::isfinite(glue.within)))
-      throw InputError("wall " + name + ": particles are glued within a distance above 0 m.");
+      throw base::InputError("wall " + name + ": particles are glued within a distance above 0 m.");
     const auto law = glue.law ? glue.law : bond_law;
     if (!law->bonds())
-      throw InputError("wall " + name + ": links of law " + law->name() +
-                       " carry no tension. Take another law for what is glued.");
+      throw base::InputError("wall " + name + ": links of law " + law->name() +
+                             " carry no tension. Take another law for what is glued.");
     for (const std::int32_t i : surfaces.glue(number, glue.within, law, particles, shape, parameters.physics.rotations))
       longest_step = std::min(longest_step, parameters.step_factor * stable(i));
     time_step = std::min(time_step, longest_step);
@@ -92,7 +92,7 @@ namespace dem
   std::size_t Specimen::add_surface(const SurfaceParameters &surface)
   {
     if (self->parameters.physics.periodic)
-      throw InputError("wall " + surface.name + ": a periodic cell has no place for walls.");
+      throw base::InputError("wall " + surface.name + ": a periodic cell has no place for walls.");
     self->smallest_radius = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < self->particles.count; ++i)
       self->smallest_radius = std::min(self->smallest_radius, self->particles.radius_of(i));
@@ -100,7 +100,7 @@ namespace dem
     for (const std::size_t number : surface.particles)
       {
         if (number >= self->slot.size())
-          throw InputError("wall " + surface.name + ": there is no particle " + std::to_string(number + 1) + ".");
+          throw base::InputError("wall " + surface.name + ": there is no particle " + std::to_string(number + 1) + ".");
         meets[static_cast<std::size_t>(self->slot[number])] = true;
       }
     const Physics    &physics = self->parameters.physics;
@@ -117,7 +117,7 @@ namespace dem
   {
     Surface &surface = self->surfaces.surface(number);
     if (surface.mesh.is_plane() && !spin.isZero(0))
-      throw InputError("wall " + surface.name + ": an unbounded plane does not spin. Take a plate of facets.");
+      throw base::InputError("wall " + surface.name + ": an unbounded plane does not spin. Take a plate of facets.");
     surface.led      = Surface::Led::rigidly;
     surface.velocity = velocity;
     surface.spin     = spin;
@@ -129,7 +129,7 @@ namespace dem
     Surface &surface = self->surfaces.surface(number);
     if (!(servo.direction.norm() > 0 && servo.largest_speed > 0 && servo.gain > 0 && servo.gain <= 1 &&
           std::isfinite(servo.force)))
-      throw InputError(
+      throw base::InputError(
         "wall " + surface.name +
         ": a servo needs a direction, a finite force, a largest speed above 0 m/s and a gain in (0, 1].");
     surface.led             = Surface::Led::by_force;
@@ -142,10 +142,10 @@ namespace dem
   {
     Surface &surface = self->surfaces.surface(number);
     if (surface.mesh.is_plane())
-      throw InputError("wall " + surface.name + ": the vertices of an unbounded plane do not move one by one.");
+      throw base::InputError("wall " + surface.name + ": the vertices of an unbounded plane do not move one by one.");
     if (velocity.size() != surface.place.size())
-      throw InputError("wall " + surface.name + " of " + std::to_string(surface.place.size()) +
-                       " vertices: velocities of " + std::to_string(velocity.size()) + " were given.");
+      throw base::InputError("wall " + surface.name + " of " + std::to_string(surface.place.size()) +
+                             " vertices: velocities of " + std::to_string(velocity.size()) + " were given.");
     surface.led  = Surface::Led::by_vertex;
     surface.rate = velocity;
   }
@@ -154,8 +154,8 @@ namespace dem
   {
     Surface &surface = self->surfaces.surface(number);
     if (place.size() != surface.place.size())
-      throw InputError("wall " + surface.name + " of " + std::to_string(surface.place.size()) +
-                       " vertices: places of " + std::to_string(place.size()) + " were given.");
+      throw base::InputError("wall " + surface.name + " of " + std::to_string(surface.place.size()) +
+                             " vertices: places of " + std::to_string(place.size()) + " were given.");
     double furthest = 0;
     for (std::size_t v = 0; v < place.size(); ++v)
       furthest = std::max(furthest, (place[v] - surface.place[v]).norm());
@@ -176,10 +176,7 @@ namespace dem
   const Surface &Specimen::surface(const std::size_t number) const { return self->surfaces.surfaces().at(number); }
   std::size_t    Specimen::surfaces() const { return self->surfaces.surfaces().size(); }
 
-  void Specimen::clear_vertex_impulses(const std::size_t number)
-  {
-    self->surfaces.surface(number).clear_impulses();
-  }
+  void Specimen::clear_vertex_impulses(const std::size_t number) { self->surfaces.surface(number).clear_impulses(); }
 
   std::vector<WallContact> Specimen::wall_contacts() const
   {

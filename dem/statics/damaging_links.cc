@@ -1,5 +1,6 @@
 #include "dem/statics/damaging_links.h"
 
+#include "base/state_vectors.h"
 #include "dem/kernels/first_order_shear.h"
 
 #include <algorithm>
@@ -10,20 +11,9 @@ namespace dem
 {
   namespace
   {
-    /** Write or read three numbers per link. */
-    void visit_vectors(StateVisitor &visitor, const char *name, std::vector<Eigen::Vector3d> &vectors)
+    void visit_numbers(base::StateVisitor &visitor, const char *name, std::vector<double> &numbers)
     {
-      Column column(3 * vectors.size());
-      for (std::size_t i = 0; i < vectors.size(); ++i)
-        std::copy_n(vectors[i].data(), 3, &column[3 * i]);
-      visitor.column(name, column);
-      for (std::size_t i = 0; i < vectors.size(); ++i)
-        vectors[i] = Eigen::Vector3d(column.at(3 * i), column.at(3 * i + 1), column.at(3 * i + 2));
-    }
-
-    void visit_numbers(StateVisitor &visitor, const char *name, std::vector<double> &numbers)
-    {
-      Column column(numbers.begin(), numbers.end());
+      base::Column column(numbers.begin(), numbers.end());
       visitor.column(name, column);
       numbers.assign(column.begin(), column.end());
     }
@@ -111,13 +101,13 @@ namespace dem
     return std::isinf(before) ? 0.0 : (law->damaging_strain(pair_of(i), row(trial, i)) - before) / before;
   }
 
-  std::vector<Matrix6> DamagingLinks::stiffness(const LinkStiffness kind) const
+  std::vector<base::Matrix6> DamagingLinks::stiffness(const LinkStiffness kind) const
   {
     // In equilibrium a damaging link stands exactly on its envelope, a sliding one at its strength; rounding must not guess which
     // way they will go.
-    constexpr double     on_the_envelope = 1e-9;
-    std::vector<Matrix6> result(size());
-    const std::int64_t   n = static_cast<std::int64_t>(size());
+    constexpr double           on_the_envelope = 1e-9;
+    std::vector<base::Matrix6> result(size());
+    const std::int64_t         n = static_cast<std::int64_t>(size());
 #pragma omp parallel for schedule(static)
     for (std::int64_t i = 0; i < n; ++i)
       {
@@ -200,11 +190,11 @@ namespace dem
     return sum;
   }
 
-  void DamagingLinks::visit_state(StateVisitor &visitor)
+  void DamagingLinks::visit_state(base::StateVisitor &visitor)
   {
     visit_numbers(visitor, "history", state);
-    visit_vectors(visitor, "shear", shear);
-    visit_vectors(visitor, "turn", turn);
+    base::visit_vectors(visitor, "shear", shear);
+    base::visit_vectors(visitor, "turn", turn);
     visit_numbers(visitor, "strain", strain);
     visitor.column("grown", grown);
     visitor.column("slid", slid);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dem/core/state.h"
+#include "base/state.h"
 #include "dem/model/materials.h"
 #include "dem/statics/loaded_network.h"
 
@@ -37,7 +37,7 @@ namespace dem
     /** Moment of each link on its first end at the contact point, of the trial [N m]; empty for a law without. */
     const std::vector<Eigen::Vector3d> &moments() const { return moment; }
     /** Force and moment per slip and relative rotation of each link, of the trial [N/m], [N m]. */
-    std::vector<Matrix6> stiffness(LinkStiffness kind) const;
+    std::vector<base::Matrix6> stiffness(LinkStiffness kind) const;
 
     /** Normal strain of a link in the trial [-]. */
     double normal_strain(const std::size_t link) const { return trial_strain[link]; }
@@ -60,7 +60,7 @@ namespace dem
     double stored() const;                                  ///< energy stored in the links, committed [J]
 
     /** Committed state; call evaluate() after reading. */
-    void visit_state(StateVisitor &visitor);
+    void visit_state(base::StateVisitor &visitor);
 
   private:
     std::size_t   pair_of(const std::size_t link) const { return loaded->network.links[link].law; }

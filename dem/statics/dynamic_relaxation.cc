@@ -1,6 +1,6 @@
 #include "dem/statics/dynamic_relaxation.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,8 +56,8 @@ namespace dem
         for (int lane = 0; lane < load_lanes; ++lane)
           report.residual[lane] = reference[lane] > 0 ? std::sqrt(squares[lane]) / reference[lane] : 0.0;
         if (!std::isfinite(report.largest_residual()))
-          throw NumericalError("dynamic relaxation: the residual is not a number after " +
-                               std::to_string(report.iterations) + " steps.");
+          throw base::NumericalError("dynamic relaxation: the residual is not a number after " +
+                                     std::to_string(report.iterations) + " steps.");
         report.converged = report.largest_residual() <= p.limits.tolerance;
         if (report.converged || report.iterations == p.limits.max_iterations)
           return report;

@@ -1,6 +1,6 @@
 #include "dem/statics/elastic_network.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "dem/kernels/first_order_shear.h"
 #include "dem/model/particles.h"
 #include "dem/neighbours/cell_list.h"
@@ -19,7 +19,7 @@ namespace dem
     void require(const bool holds, const char *entry, const double value, const char *rule)
     {
       if (!holds)
-        throw InputError(std::string(entry) + " = " + std::to_string(value) + ": " + rule);
+        throw base::InputError(std::string(entry) + " = " + std::to_string(value) + ": " + rule);
     }
 
     void check_links(const NetworkParameters &p)
@@ -108,8 +108,8 @@ namespace dem
                            const Finish                     &finish)
     {
       if (pairs.empty())
-        throw InputError("Interaction ratio = " + std::to_string(p.interaction_ratio) +
-                         ": no two particles are near enough to be linked. Raise it, or take a denser packing.");
+        throw base::InputError("Interaction ratio = " + std::to_string(p.interaction_ratio) +
+                               ": no two particles are near enough to be linked. Raise it, or take a denser packing.");
       ElasticNetwork network;
       network.dimension = p.dimension;
       network.rotations = p.rotations;
@@ -157,9 +157,9 @@ namespace dem
     return {(length - link.reference) / link.reference, length, link.reference, link.area};
   }
 
-  Matrix6 undamaged_stiffness(const ElasticLink &link)
+  base::Matrix6 undamaged_stiffness(const ElasticLink &link)
   {
-    Matrix6 all                   = Matrix6::Zero();
+    base::Matrix6 all             = base::Matrix6::Zero();
     all.topLeftCorner<3, 3>()     = link.stiffness;
     all.bottomRightCorner<3, 3>() = link.turning;
     return all;

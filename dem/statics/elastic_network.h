@@ -38,7 +38,7 @@ namespace dem
   LinkGeometry geometry_of(const ElasticLink &link);
 
   /** Force and moment on the first end per slip and relative rotation, as the link was made. */
-  Matrix6 undamaged_stiffness(const ElasticLink &link);
+  base::Matrix6 undamaged_stiffness(const ElasticLink &link);
 
   /** Particles joined by linear links, in the configuration whose small motions are asked for. */
   struct ElasticNetwork
@@ -81,7 +81,7 @@ namespace dem
    *
    * In a periodic cell every image counts, however small the cell.
    *
-   * @throws InputError for a parameter out of its range, a packing that check_packing() refuses, or no link at all.
+   * @throws base::InputError for a parameter out of its range, a packing that check_packing() refuses, or no link at all.
    */
   ElasticNetwork make_network(const Packing &packing, const NetworkParameters &parameters);
   ElasticNetwork make_network(const CellPacking &packing, const NetworkParameters &parameters);

@@ -1,6 +1,6 @@
 #include "dem/statics/iterations.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "dem/core/simd.h"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ namespace dem
     {
       const std::int64_t n      = static_cast<std::int64_t>(size);
       const std::int64_t chunks = (n + chunk - 1) / chunk;
-      Column             partial(chunks * load_lanes);
+      base::Column       partial(chunks * load_lanes);
 #pragma omp parallel for schedule(static)
       for (std::int64_t k = 0; k < chunks; ++k)
         {
@@ -91,8 +91,8 @@ namespace dem
     {
       for (int lane = 0; lane < load_lanes; ++lane)
         if (!std::isfinite(static_cast<double>(squares[lane])))
-          throw NumericalError("static solution: the residual of load case " + std::to_string(lane + 1) +
-                               " is not a number after " + std::to_string(iteration) + " iterations.");
+          throw base::NumericalError("static solution: the residual of load case " + std::to_string(lane + 1) +
+                                     " is not a number after " + std::to_string(iteration) + " iterations.");
     }
 
     void conclude(const Lanes &squares, const Lanes &target, const Lanes &scale, IterationReport &report)

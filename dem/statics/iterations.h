@@ -32,7 +32,7 @@ namespace dem
    *
    * @param x          in: start, zero in held motions; out: solution
    * @param reference  per lane [N], what the norm of the residual is compared with
-   * @throws NumericalError when a residual is no longer a number.
+   * @throws base::NumericalError when a residual is no longer a number.
    */
   IterationReport conjugate_gradients(const StiffnessOperator              &stiffness,
                                       const Preconditioner                 &preconditioner,

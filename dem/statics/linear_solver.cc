@@ -1,6 +1,6 @@
 #include "dem/statics/linear_solver.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "dem/statics/block_jacobi.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "dem/statics/link_relaxation.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 
 #include <Eigen/Geometry>
 
@@ -111,13 +111,13 @@ namespace dem
   LinkRelaxationReport relax_links(const LoadedNetwork            &loaded,
                                    DamagingLinks                  &links,
                                    LoadedMotion                   &motion,
-                                   const Vector6                  &change,
+                                   const base::Vector6            &change,
                                    const LinkRelaxationParameters &p)
   {
     Relaxation           relaxation(loaded, p.damping);
     const double         scale        = mean_arm(loaded.network);
-    const Vector6        part         = change / static_cast<double>(p.ramp_steps);
-    Vector6              force_before = Vector6::Zero();
+    const base::Vector6  part         = change / static_cast<double>(p.ramp_steps);
+    base::Vector6        force_before = base::Vector6::Zero();
     int                  at_rest      = 0; // steps in a row: forces also vanish where all swings through
     LinkRelaxationReport report;
     for (;; ++report.steps)
@@ -127,8 +127,8 @@ namespace dem
         const Unbalanced unbalanced = unbalanced_of(loaded, links.forces(), links.moments(), scale);
         report.residual             = unbalanced.residual;
         if (!std::isfinite(report.residual))
-          throw NumericalError("quasi-static loading: a force is no longer a number after " +
-                               std::to_string(report.steps) + " steps of relaxation.");
+          throw base::NumericalError("quasi-static loading: a force is no longer a number after " +
+                                     std::to_string(report.steps) + " steps of relaxation.");
         const bool ramp = report.steps < p.ramp_steps;
         if (report.steps > 0 && report.steps <= p.ramp_steps)
           report.external_work += 0.5 * (force_before + unbalanced.loads).dot(part);

@@ -35,6 +35,6 @@ namespace dem
   LinkRelaxationReport relax_links(const LoadedNetwork            &loaded,
                                    DamagingLinks                  &links,
                                    LoadedMotion                   &motion,
-                                   const Vector6                  &change,
+                                   const base::Vector6            &change,
                                    const LinkRelaxationParameters &parameters);
 } // namespace dem

@@ -1,6 +1,6 @@
 #include "dem/statics/loaded_hinges.h"
 
-#include <Eigen/Eigenvalues>
+#include "dem/core/symmetric_modes.h"
 
 #include <algorithm>
 
@@ -42,12 +42,12 @@ namespace dem
             for (Eigen::Index c = 0; c < n; ++c)
               own(r, c) = diagonal[k](free[r], free[c]);
           }
-        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(own);
-        const Eigen::VectorXd                                values = modes.eigenvalues(); // ascending
-        const Eigen::Index loose = (values.array() <= negligible_stiffness * values[n - 1]).count();
+        const SymmetricModes  modes  = symmetric_modes(own);
+        const Eigen::VectorXd values = modes.values; // ascending
+        const Eigen::Index    loose  = (values.array() <= negligible_stiffness * values[n - 1]).count();
         if (loose == 0 || loose == n)
           continue; // without any link: a body of its own
-        const Eigen::MatrixXd motion = modes.eigenvectors().leftCols(loose);
+        const Eigen::MatrixXd motion = modes.vectors.leftCols(loose);
         if ((motion.transpose() * force).norm() <= no_load * force.norm())
           continue;
         for (const Eigen::Index row : rows_to_hold(motion))

@@ -1,6 +1,6 @@
 #include "dem/statics/loaded_network.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "dem/model/strain_operator.h"
 
 #include <Eigen/Geometry>
@@ -32,7 +32,8 @@ namespace dem
       for (const std::size_t i : members)
         {
           if (i >= loaded.network.particles() || loaded.held[i] & bit(grips.axis))
-            throw InputError("grips: particle " + std::to_string(i + 1) + " is not there, or belongs to both of them.");
+            throw base::InputError("grips: particle " + std::to_string(i + 1) +
+                                   " is not there, or belongs to both of them.");
           loaded.held[i] |= bit(grips.axis);
           for (int c = 0; c < 3; ++c)
             {
@@ -57,9 +58,9 @@ namespace dem
   LoadedNetwork load_cell(ElasticNetwork network, const int axis, const bool lateral_free)
   {
     if (!network.periodic())
-      throw InputError("quasi-static cell: the packing has no periodic cell.");
+      throw base::InputError("quasi-static cell: the packing has no periodic cell.");
     if (axis < 0 || axis >= network.dimension)
-      throw InputError("Axis = " + std::to_string(axis) + ": must be one of the cell's directions.");
+      throw base::InputError("Axis = " + std::to_string(axis) + ": must be one of the cell's directions.");
     LoadedNetwork loaded;
     loaded.volume = network.volume;
     loaded.led    = axis;
@@ -80,12 +81,12 @@ namespace dem
   LoadedNetwork load_grips(ElasticNetwork network, const GripPair &grips)
   {
     if (grips.axis < 0 || grips.axis >= network.dimension)
-      throw InputError("Axis = " + std::to_string(grips.axis) + ": must be one of the specimen's directions.");
+      throw base::InputError("Axis = " + std::to_string(grips.axis) + ": must be one of the specimen's directions.");
     if (grips.layers.low.empty() || grips.layers.high.empty())
-      throw InputError("grips: one of them holds no particle.");
+      throw base::InputError("grips: one of them holds no particle.");
     if (!(grips.layers.distance > 0 && grips.layers.section > 0) ||
         !std::isfinite(grips.layers.distance * grips.layers.section))
-      throw InputError("grips: the length between them and the section must be above 0.");
+      throw base::InputError("grips: the length between them and the section must be above 0.");
     LoadedNetwork loaded;
     loaded.volume = grips.layers.distance * grips.layers.section;
     loaded.held   = missing_motions(network);
@@ -118,9 +119,9 @@ namespace dem
       loaded.held[two] |= bit(other);
   }
 
-  void LoadedMotion::visit_state(StateVisitor &visitor)
+  void LoadedMotion::visit_state(base::StateVisitor &visitor)
   {
-    Column flat(particles.data(), particles.data() + particles.size());
+    base::Column flat(particles.data(), particles.data() + particles.size());
     flat.insert(flat.end(), loads.data(), loads.data() + 6);
     visitor.column("motion", flat);
     std::copy_n(flat.data(), particles.size(), particles.data());
@@ -149,8 +150,8 @@ namespace dem
     Unbalanced u;
     u.particles.setZero(6, static_cast<Eigen::Index>(loaded.network.particles()));
     u.loads.setZero();
-    double  squares = 0;
-    Vector6 reach   = Vector6::Zero();
+    double        squares = 0;
+    base::Vector6 reach   = base::Vector6::Zero();
     for (std::size_t i = 0; i < force.size(); ++i)
       {
         const ElasticLink    &l      = loaded.network.links[i];

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "dem/core/state.h"
+#include "base/matrix6.h"
+#include "base/state.h"
 #include "dem/grips/grip_layers.h"
 #include "dem/statics/elastic_network.h"
 #include "dem/statics/stiffness_operator.h"
@@ -12,7 +13,6 @@
 
 namespace dem
 {
-  using Vector6 = Eigen::Matrix<double, 6, 1>;
 
   /**
    * A network with all that moves it from outside: up to six load parameters, each of which moves the ends of links against each
@@ -35,11 +35,11 @@ namespace dem
    * A periodic cell strained along an axis; with `lateral_free` the other five stresses vanish, else the other five strains do.
    * One particle is held, so that the cell stays in place; nothing acts on it.
    *
-   * @throws InputError if the network is not periodic, or the axis leaves a plane network
+   * @throws base::InputError if the network is not periodic, or the axis leaves a plane network
    */
   LoadedNetwork load_cell(ElasticNetwork network, int axis, bool lateral_free);
 
-  /** A periodic cell whose strains are all given: none free, the first led. @throws InputError if the network is not periodic */
+  /** A periodic cell whose strains are all given: none free, the first led. @throws base::InputError if the network is not periodic */
   LoadedNetwork strained_cell(ElasticNetwork network);
 
   /** Two layers of particles that are led apart (or together) along an axis, half of the way each. */
@@ -53,7 +53,7 @@ namespace dem
 
   /**
    * A free network between two grips; load parameter 0 is the strain, its stress the mean of both grips' forces over the section.
-   * @throws InputError for empty or overlapping grips, or a length or section that is not above zero
+   * @throws base::InputError for empty or overlapping grips, or a length or section that is not above zero
    */
   LoadedNetwork load_grips(ElasticNetwork network, const GripPair &grips);
 
@@ -67,14 +67,14 @@ namespace dem
   struct LoadedMotion
   {
     Eigen::Matrix<double, 6, Eigen::Dynamic> particles; ///< of each its own displacement [m] and rotation [-]
-    Vector6                                  loads;     ///< load parameters
+    base::Vector6                            loads;     ///< load parameters
 
     explicit LoadedMotion(const std::size_t n = 0)
       : particles(Eigen::Matrix<double, 6, Eigen::Dynamic>::Zero(6, static_cast<Eigen::Index>(n)))
-      , loads(Vector6::Zero())
+      , loads(base::Vector6::Zero())
     {
     }
-    void visit_state(StateVisitor &visitor);
+    void visit_state(base::StateVisitor &visitor);
   };
 
   /** Relative displacement of the two ends at the contact point of a link [m]; doc/theory/statics.md, 1. */
@@ -87,7 +87,7 @@ namespace dem
   struct Unbalanced
   {
     Eigen::Matrix<double, 6, Eigen::Dynamic> particles; ///< force [N] and moment [N m] on each, zero where held
-    Vector6                                  loads;     ///< force of each parameter, volume times its stress [J]
+    base::Vector6                            loads;     ///< force of each parameter, volume times its stress [J]
     double                                   residual =
       0; ///< of the forces on particles, and of free parameters; over link forces, both as root of sums of squares
   };

@@ -1,6 +1,6 @@
 #include "dem/statics/quasi_static_path.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ namespace dem
           return;
         std::ostringstream message;
         message << entry << " = " << value << ": " << rule;
-        throw InputError(message.str());
+        throw base::InputError(message.str());
       };
       require(p.sign == 1 || p.sign == -1, "Sign", p.sign, "must be 1 for tension or -1 for compression.");
       require(p.strain_step > 0, "Strain step", p.strain_step, "must be above 0.");
@@ -225,14 +225,14 @@ namespace dem
     p.tolerance                     = parameters.tolerance;
     bonds.forget_growth();
     const LinkRelaxationReport report = relax_links(
-      *loaded, bonds, now, parameters.sign * onward * parameters.strain_step * Vector6::Unit(loaded->led), p);
+      *loaded, bonds, now, parameters.sign * onward * parameters.strain_step * base::Vector6::Unit(loaded->led), p);
     if (!report.converged)
       {
         std::ostringstream message;
         message << "quasi-static loading: no equilibrium at the strain " << led() << " within " << report.steps
                 << " steps of relaxation, residual " << report.residual
                 << ". Raise the tolerance, or look for particles that nothing holds.";
-        throw NumericalError(message.str());
+        throw base::NumericalError(message.str());
       }
     restore(now);
     QuasiStaticPoint point;
@@ -271,7 +271,7 @@ namespace dem
     path.push_back(point);
   }
 
-  void QuasiStaticPath::visit_state(StateVisitor &visitor)
+  void QuasiStaticPath::visit_state(base::StateVisitor &visitor)
   {
     bonds.visit_state(visitor);
     now.visit_state(visitor);
@@ -280,10 +280,10 @@ namespace dem
     restore(now);
   }
 
-  void QuasiStaticPath::visit_points(StateVisitor &visitor)
+  void QuasiStaticPath::visit_points(base::StateVisitor &visitor)
   {
     constexpr std::size_t numbers = 22;
-    Column                flat;
+    base::Column          flat;
     for (const QuasiStaticPoint &p : path)
       {
         flat.insert(flat.end(), p.strain.data(), p.strain.data() + 6);

@@ -38,9 +38,9 @@ namespace dem
   /** One equilibrium of the path, with the energy of the whole path so far. */
   struct QuasiStaticPoint
   {
-    Vector6 strain      = Vector6::Zero(); ///< load parameters [-]
-    Vector6 stress      = Vector6::Zero(); ///< [Pa]
-    double  mean_damage = 0;
+    base::Vector6 strain      = base::Vector6::Zero(); ///< load parameters [-]
+    base::Vector6 stress      = base::Vector6::Zero(); ///< [Pa]
+    double        mean_damage = 0;
 
     double external_work =
       0;               ///< trapezoidal over the points: where damage jumps it errs in proportion to the steps [J]
@@ -72,12 +72,12 @@ namespace dem
   class QuasiStaticPath
   {
   public:
-    /** @throws InputError for parameters out of range. */
+    /** @throws base::InputError for parameters out of range. */
     QuasiStaticPath(const LoadedNetwork         &loaded,
                     const LinkMaterials         &materials,
                     const QuasiStaticParameters &parameters);
 
-    /** One point further. @throws NumericalError if even the relaxation finds no equilibrium. */
+    /** One point further. @throws base::NumericalError if even the relaxation finds no equilibrium. */
     const QuasiStaticPoint &advance();
     bool                    finished() const;
 
@@ -86,7 +86,7 @@ namespace dem
     const LoadedMotion                  &motion() const { return now; }
 
     /** Everything to go on to the same bits. */
-    void visit_state(StateVisitor &visitor);
+    void visit_state(base::StateVisitor &visitor);
 
   private:
     struct Target
@@ -107,7 +107,7 @@ namespace dem
     void                      accept(StepControl control);
     void                      complete(QuasiStaticPoint &point);
     void                      restore(const LoadedMotion &earlier);
-    void                      visit_points(StateVisitor &visitor);
+    void                      visit_points(base::StateVisitor &visitor);
     double                    led() const { return now.loads[loaded->led]; }
 
     const LoadedNetwork          *loaded;

@@ -1,6 +1,6 @@
 #include "dem/statics/responding_cell.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,16 +19,16 @@ namespace dem
           return;
         std::ostringstream message;
         message << "cell: " << entry << " = " << value << ": " << rule;
-        throw InputError(message.str());
+        throw base::InputError(message.str());
       };
       if (!cell.network.periodic())
-        throw InputError("cell: the packing has no periodic cell.");
+        throw base::InputError("cell: the packing has no periodic cell.");
       require(p.tolerance > 0 && p.tolerance <= 1e-2, "tolerance", p.tolerance, "must lie in (0, 1e-2].");
       require(p.max_iterations > 1, "iterations", p.max_iterations, "must be above 1.");
       require(p.growth_step > 0, "growth step", p.growth_step, "must be above 0.");
     }
 
-    void check(const LoadedNetwork &cell, const Vector6 &strain)
+    void check(const LoadedNetwork &cell, const base::Vector6 &strain)
     {
       const bool plane = cell.network.dimension == 2;
       if (!strain.allFinite() || (plane && !strain.segment<3>(2).isZero(0)))
@@ -36,7 +36,7 @@ namespace dem
           std::ostringstream message;
           message << "cell: strain " << strain.transpose() << ": must be finite"
                   << (plane ? ", in the plane with the components 11, 22 and 12 alone." : ".");
-          throw InputError(message.str());
+          throw base::InputError(message.str());
         }
     }
   } // namespace
@@ -86,21 +86,21 @@ namespace dem
     trial.unbalanced = unbalanced_of(*cell, trial.links.forces(), trial.links.moments(), scale);
   }
 
-  CellResponse RespondingCell::respond(const Vector6 &strain)
+  CellResponse RespondingCell::respond(const base::Vector6 &strain)
   {
     check(*cell, strain);
     if (!system)
       system = std::make_unique<TangentSystem>(*cell);
-    trial                     = committed;
-    answer                    = CellResponse();
-    constexpr double smallest = 1.0 / 64;
-    const Vector6    whole    = strain - trial.motion.loads;
-    double           done = 0, part = 1;
+    trial                        = committed;
+    answer                       = CellResponse();
+    constexpr double    smallest = 1.0 / 64;
+    const base::Vector6 whole    = strain - trial.motion.loads;
+    double              done = 0, part = 1;
     while (done < 1)
       {
-        part                 = std::min(part, 1 - done);
-        const Vector6 target = done + part < 1 ? Vector6(strain - (1 - done - part) * whole) : strain;
-        const Vector6 force = trial.unbalanced.loads, change = target - trial.motion.loads;
+        part                       = std::min(part, 1 - done);
+        const base::Vector6 target = done + part < 1 ? base::Vector6(strain - (1 - done - part) * whole) : strain;
+        const base::Vector6 force = trial.unbalanced.loads, change = target - trial.motion.loads;
         if (attempt(target, LinkStiffness::onward, part > smallest) ||
             (part <= smallest && attempt(target, LinkStiffness::secant, false)))
           {
@@ -123,13 +123,13 @@ namespace dem
     answer.stress   = trial.unbalanced.loads / cell->volume;
     answer.residual = trial.unbalanced.residual;
     if (!system->condense(trial.links.stiffness(LinkStiffness::consistent), answer.tangent))
-      throw NumericalError("cell: its stiffness has no finite tangent; something holds it no more.");
+      throw base::NumericalError("cell: its stiffness has no finite tangent; something holds it no more.");
     ++answer.iterations;
     answer.tangent /= cell->volume;
     return answer;
   }
 
-  bool RespondingCell::attempt(const Vector6 &strain, const LinkStiffness stiffness, const bool limited)
+  bool RespondingCell::attempt(const base::Vector6 &strain, const LinkStiffness stiffness, const bool limited)
   {
     const LoadedMotion before = trial.motion;
     LoadedMotion       correction;
@@ -170,7 +170,7 @@ namespace dem
           return false;
         LoadedMotion correction;
         ++answer.iterations;
-        if (!system->solve_led(trial.links.stiffness(stiffness), trial.unbalanced, Vector6::Zero(), correction))
+        if (!system->solve_led(trial.links.stiffness(stiffness), trial.unbalanced, base::Vector6::Zero(), correction))
           return false;
         trial.motion.particles += correction.particles;
         evaluate(trial.motion);
@@ -185,7 +185,7 @@ namespace dem
     evaluate(trial.motion);
   }
 
-  void RespondingCell::relax(const Vector6 &strain)
+  void RespondingCell::relax(const base::Vector6 &strain)
   {
     LinkRelaxationParameters p = parameters.relaxation;
     p.tolerance                = parameters.tolerance;
@@ -197,7 +197,7 @@ namespace dem
         message << "cell: no equilibrium at the strain " << strain.transpose() << " within " << report.steps
                 << " steps of relaxation, residual " << report.residual
                 << ". Raise the tolerance, or look for particles that nothing holds.";
-        throw NumericalError(message.str());
+        throw base::NumericalError(message.str());
       }
     trial.motion.loads = strain; // the ramp sums it up with rounding
     evaluate(trial.motion);
@@ -218,7 +218,7 @@ namespace dem
             committed.links.sliding_work(), committed.damped};
   }
 
-  void RespondingCell::visit_state(StateVisitor &visitor)
+  void RespondingCell::visit_state(base::StateVisitor &visitor)
   {
     committed.links.visit_state(visitor);
     committed.motion.visit_state(visitor);

@@ -31,16 +31,16 @@ namespace dem
   /** What a cell answers to a strain. */
   struct CellResponse
   {
-    Vector6 stress = Vector6::Zero(); ///< mean [Pa], order 11 22 33 23 31 12
+    base::Vector6 stress = base::Vector6::Zero(); ///< mean [Pa], order 11 22 33 23 31 12
     /**
      * Derivative of the stress by the strain with all particles in equilibrium, consistent with the links' update [Pa]; where
      * the step was taken in parts, with the last of them.
      */
-    Matrix6      tangent          = Matrix6::Zero();
-    int          iterations       = 0; ///< linear solutions
-    int          parts            = 0; ///< the step was taken in
-    std::int64_t relaxation_steps = 0; ///< above 0: a cascade, equilibrium was found by dynamics
-    double       residual         = 0; ///< see Unbalanced::residual
+    base::Matrix6 tangent          = base::Matrix6::Zero();
+    int           iterations       = 0; ///< linear solutions
+    int           parts            = 0; ///< the step was taken in
+    std::int64_t  relaxation_steps = 0; ///< above 0: a cascade, equilibrium was found by dynamics
+    double        residual         = 0; ///< see Unbalanced::residual
   };
 
   /**
@@ -53,7 +53,7 @@ namespace dem
   class RespondingCell
   {
   public:
-    /** @param cell from strained_cell() @throws InputError for parameters out of range */
+    /** @param cell from strained_cell() @throws base::InputError for parameters out of range */
     RespondingCell(std::shared_ptr<const LoadedNetwork> cell,
                    const LinkMaterials                 &materials,
                    const CellResponseParameters        &parameters = {});
@@ -63,19 +63,19 @@ namespace dem
 
     /**
      * @param strain whole, from the undeformed cell [-], with engineering shears; in the plane 11 22 12 alone
-     * @throws InputError for a strain that is not finite or leaves the plane; NumericalError if no equilibrium is found
+     * @throws base::InputError for a strain that is not finite or leaves the plane; NumericalError if no equilibrium is found
      */
-    CellResponse respond(const Vector6 &strain);
+    CellResponse respond(const base::Vector6 &strain);
     void         commit();
 
     /** Of the committed state. */
-    const Vector6       &strain() const { return committed.motion.loads; }
+    const base::Vector6 &strain() const { return committed.motion.loads; }
     CellEnergy           energy() const;
     const DamagingLinks &links() const { return committed.links; }
     const LoadedMotion  &motion() const { return committed.motion; }
 
     /** Everything committed. */
-    void visit_state(StateVisitor &visitor);
+    void visit_state(base::StateVisitor &visitor);
 
   private:
     struct State
@@ -87,9 +87,9 @@ namespace dem
     };
 
     void evaluate(const LoadedMotion &motion);
-    bool attempt(const Vector6 &strain, LinkStiffness stiffness, bool limited);
+    bool attempt(const base::Vector6 &strain, LinkStiffness stiffness, bool limited);
     bool iterate(LinkStiffness stiffness);
-    void relax(const Vector6 &strain);
+    void relax(const base::Vector6 &strain);
     /** Make the trial the state that the next part starts from. */
     void go_on_from_here();
 

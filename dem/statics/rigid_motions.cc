@@ -1,9 +1,11 @@
 #include "dem/statics/rigid_motions.h"
 
+#include "dem/core/symmetric_modes.h"
 #include "dem/statics/loaded_network.h"
 #include "dem/statics/particle_groups.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
+#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -117,12 +119,12 @@ namespace dem
         unheld.push_back(body);
         return;
       }
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(resistance);
-    const auto                                           values = modes.eigenvalues();
-    const Eigen::Index free = (values.array() < free_below * values[values.size() - 1]).count(); // ascending
+    const SymmetricModes modes  = symmetric_modes(resistance);
+    const auto           values = modes.values;
+    const Eigen::Index   free   = (values.array() < free_below * values[values.size() - 1]).count(); // ascending
     if (free == 0)
       return;
-    const Eigen::MatrixXd basis = orthonormal(rigid * modes.eigenvectors().leftCols(free));
+    const Eigen::MatrixXd basis = orthonormal(rigid * modes.vectors.leftCols(free));
     for (Eigen::Index f = 0; f < free; ++f)
       {
         const Eigen::VectorXd column = basis.col(f);

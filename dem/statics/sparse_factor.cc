@@ -1,6 +1,6 @@
 #include "dem/statics/sparse_factor.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "dem/statics/particle_groups.h"
 
 #include <Eigen/SparseCore>
@@ -165,9 +165,9 @@ namespace dem
 
     [[noreturn]] void refuse(const std::string &what) const
     {
-      throw NumericalError("static solution, direct: " + what + " (" + std::to_string(matrix.cols()) +
-                           " unknowns, CHOLMOD status " + std::to_string(common.status) +
-                           "). The iterative solver needs far less memory.");
+      throw base::NumericalError("static solution, direct: " + what + " (" + std::to_string(matrix.cols()) +
+                                 " unknowns, CHOLMOD status " + std::to_string(common.status) +
+                                 "). The iterative solver needs far less memory.");
     }
 
     /** Fill-reducing order of the unknowns: best of CHOLMOD's choices for the particle graph, spread over the motions. */

@@ -25,13 +25,13 @@ namespace dem
   class SparseFactor : public Preconditioner
   {
   public:
-    /** Order and analyse; no numbers yet. @throws NumericalError if memory does not suffice. */
+    /** Order and analyse; no numbers yet. @throws base::NumericalError if memory does not suffice. */
     explicit SparseFactor(const StiffnessOperator &stiffness);
     ~SparseFactor() override;
 
     FactorCost cost() const;
 
-    /** Compute the factor. @throws NumericalError if the stiffness is not positive semi-definite, or memory does not suffice. */
+    /** Compute the factor. @throws base::NumericalError if the stiffness is not positive semi-definite, or memory does not suffice. */
     void factorise(const StiffnessOperator &stiffness);
 
     /** Part of the diagonal that had to be added to itself; 0 before factorise(). */

@@ -1,5 +1,6 @@
 #include "dem/statics/stiffness_operator.h"
 
+#include "base/voigt.h"
 #include "dem/core/simd.h"
 #include "dem/core/vector.h"
 #include "dem/model/particles.h"
@@ -67,13 +68,6 @@ namespace dem
       return m;
     }
   } // namespace
-
-  Eigen::Matrix3d strain_tensor(const Eigen::Matrix<double, 6, 1> &e)
-  {
-    Eigen::Matrix3d E;
-    E << e[0], e[5] / 2, e[4] / 2, e[5] / 2, e[1], e[3] / 2, e[4] / 2, e[3] / 2, e[2];
-    return E;
-  }
 
   StiffnessOperator::StiffnessOperator(const ElasticNetwork           &network,
                                        const std::vector<HeldMotions> &held,
@@ -232,7 +226,7 @@ namespace dem
     Eigen::Matrix<double, 3, 6> s = part(l.second, 0) - part(l.first, 0);
     s += cross_matrix(l.n) * (l.arm_first * part(l.first, 1) + l.arm_second * part(l.second, 1));
     for (int lane = 0; lane < 6; ++lane)
-      s.col(lane) += strain_tensor(strain[lane]) * l.macro;
+      s.col(lane) += base::strain_tensor(strain[lane]) * l.macro;
     return s;
   }
 
@@ -263,9 +257,9 @@ namespace dem
     return norm;
   }
 
-  Eigen::Matrix<double, 6, 6> StiffnessOperator::energy_product(const Fields &x, const LaneStrains &strain) const
+  base::Matrix6 StiffnessOperator::energy_product(const Fields &x, const LaneStrains &strain) const
   {
-    Eigen::Matrix<double, 6, 6> sum = Eigen::Matrix<double, 6, 6>::Zero();
+    base::Matrix6 sum = base::Matrix6::Zero();
     for (const Record &l : records)
       {
         const Eigen::Matrix<double, 3, 6> s = slips(l, x, strain);

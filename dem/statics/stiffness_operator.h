@@ -1,6 +1,7 @@
 #pragma once
 
-#include "dem/core/column.h"
+#include "base/column.h"
+#include "base/matrix6.h"
 #include "dem/statics/elastic_network.h"
 
 #include <array>
@@ -20,7 +21,7 @@ namespace dem
    * Displacement (or force) fields of all load cases: value(particle, motion, lane) stands at
    * (particle * motions + motion) * load_lanes + lane. [m] or [N].
    */
-  using Fields = Column;
+  using Fields = base::Column;
 
   using Block = Eigen::Matrix<double, motions, motions>;
 
@@ -28,7 +29,7 @@ namespace dem
   using HeldMotions = std::uint8_t;
 
   /** A small strain per lane; engineering shears, order 11 22 33 23 31 12. */
-  using LaneStrains = std::array<Eigen::Matrix<double, 6, 1>, load_lanes>;
+  using LaneStrains = std::array<base::Vector6, load_lanes>;
 
   /** Whether a macroscopic strain moves a link by its whole branch, or only by the cell's share of it. */
   enum class CellFormulation
@@ -74,7 +75,7 @@ namespace dem
     std::array<double, load_lanes> link_force_norm(const Fields &x, const LaneStrains &strain) const;
 
     /** (1/2) sum of slip C slip over pairs of lanes: twice the energy of the fields i and j, i, j < 6 [J]. */
-    Eigen::Matrix<double, 6, 6> energy_product(const Fields &x, const LaneStrains &strain) const;
+    base::Matrix6 energy_product(const Fields &x, const LaneStrains &strain) const;
 
     /** The block of the stiffness between two motions of one particle. */
     std::vector<Block> diagonal_blocks() const;
@@ -117,8 +118,8 @@ namespace dem
     Eigen::Matrix<double, 3, 6> slips(const Record &link, const Fields &x, const LaneStrains &strain) const;
     Eigen::Matrix<double, 3, 6> turns(const Record &link, const Fields &x) const;
 
-    std::vector<Record>       records;
-    std::vector<Record>       turning; ///< of each record its moment over relative rotation, over the scale squared; or empty
+    std::vector<Record> records;
+    std::vector<Record> turning; ///< of each record its moment over relative rotation, over the scale squared; or empty
     std::vector<std::int64_t> begin; ///< entries of particle i: begin[i] .. begin[i + 1]
     std::vector<Entry>        entries;
     std::vector<HeldMotions>  masks;
@@ -127,6 +128,4 @@ namespace dem
     bool                      some_held = false;
   };
 
-  /** Symmetric tensor of a strain with engineering shears. */
-  Eigen::Matrix3d strain_tensor(const Eigen::Matrix<double, 6, 1> &strain);
 } // namespace dem

@@ -131,7 +131,7 @@ namespace dem
         }
     }
 
-    void assemble(const std::vector<Matrix6> &stiffness)
+    void assemble(const std::vector<base::Matrix6> &stiffness)
     {
       std::fill_n(matrix.valuePtr(), matrix.nonZeros(), 0.0);
       for (std::size_t i = 0; i < stiffness.size(); ++i)
@@ -153,7 +153,7 @@ namespace dem
     Eigen::VectorXd undamaged_diagonal()
     {
       weak_diagonal = Eigen::VectorXd::Zero(count);
-      std::vector<Matrix6> stiffness;
+      std::vector<base::Matrix6> stiffness;
       for (const ElasticLink &l : loaded.network.links)
         stiffness.push_back(undamaged_stiffness(l));
       assemble(stiffness);
@@ -162,7 +162,7 @@ namespace dem
       return (diagonal.array() > 1e-12 * mean).select(diagonal, mean);
     }
 
-    bool factorize(const std::vector<Matrix6> &stiffness)
+    bool factorize(const std::vector<base::Matrix6> &stiffness)
     {
       assemble(stiffness);
       lu.factorize(matrix);
@@ -181,15 +181,15 @@ namespace dem
     }
 
     /** Force on every unknown per unit of some parameters, from links of the given stiffness. */
-    Eigen::MatrixXd load_columns(const std::vector<Matrix6> &stiffness, const std::vector<int> &of) const
+    Eigen::MatrixXd load_columns(const std::vector<base::Matrix6> &stiffness, const std::vector<int> &of) const
     {
       Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(count, static_cast<Eigen::Index>(of.size()));
       for (std::size_t i = 0; i < stiffness.size(); ++i)
         {
-          const ElasticLink &l = loaded.network.links[i];
-          const auto [J, K]    = slip_matrices(l, scale);
-          const Matrix6 f      = stiffness[i].leftCols<3>() * loaded.load_slip[i];
-          const Block   on_J = J.transpose() * f, on_K = K.transpose() * f;
+          const ElasticLink &l     = loaded.network.links[i];
+          const auto [J, K]        = slip_matrices(l, scale);
+          const base::Matrix6 f    = stiffness[i].leftCols<3>() * loaded.load_slip[i];
+          const Block         on_J = J.transpose() * f, on_K = K.transpose() * f;
           for (int c = 0; c < motions; ++c)
             for (std::size_t p = 0; p < of.size(); ++p)
               {
@@ -212,7 +212,7 @@ namespace dem
       return motion;
     }
 
-    Eigen::VectorXd of_all(const Vector6 &parameters) const
+    Eigen::VectorXd of_all(const base::Vector6 &parameters) const
     {
       Eigen::VectorXd values(static_cast<Eigen::Index>(all.size()));
       for (std::size_t p = 0; p < all.size(); ++p)
@@ -221,12 +221,12 @@ namespace dem
     }
 
     /** Change of the parameters' forces under a motion. */
-    Vector6 load_forces(const std::vector<Matrix6> &stiffness, const LoadedMotion &motion) const
+    base::Vector6 load_forces(const std::vector<base::Matrix6> &stiffness, const LoadedMotion &motion) const
     {
-      Vector6 sum = Vector6::Zero();
+      base::Vector6 sum = base::Vector6::Zero();
       for (std::size_t i = 0; i < stiffness.size(); ++i)
         {
-          Vector6 strained;
+          base::Vector6 strained;
           strained << slip_of(loaded, i, motion), turn_of(loaded, i, motion);
           sum += loaded.load_slip[i].transpose() * (stiffness[i].topRows<3>() * strained);
         }
@@ -234,15 +234,17 @@ namespace dem
     }
 
     /** Let the free parameters take out their force; `left` of each is there to begin with. */
-    void release(std::vector<LoadedMotion> &answers, const std::vector<Matrix6> &stiffness, const Vector6 &left) const
+    void release(std::vector<LoadedMotion>        &answers,
+                 const std::vector<base::Matrix6> &stiffness,
+                 const base::Vector6              &left) const
     {
       // A row per parameter: its force vanishes; of the led one and of those that stay zero, the step itself is given.
-      Eigen::Matrix<double, 6, 6> D = Eigen::Matrix<double, 6, 6>::Identity();
+      base::Matrix6               D = base::Matrix6::Identity();
       Eigen::Matrix<double, 6, 2> h = Eigen::Matrix<double, 6, 2>::Zero();
-      const Vector6               f = left + load_forces(stiffness, answers[0]);
+      const base::Vector6         f = left + load_forces(stiffness, answers[0]);
       for (std::size_t p = 0; p < moving.size(); ++p)
         {
-          const Vector6 change = load_forces(stiffness, answers[p + 1]);
+          const base::Vector6 change = load_forces(stiffness, answers[p + 1]);
           for (int q = 0; q < 6; ++q)
             if (loaded.free[q])
               D(q, moving[p]) = change[q];
@@ -289,7 +291,7 @@ namespace dem
 
   double TangentSystem::length_scale() const { return self->scale; }
 
-  bool TangentSystem::solve(const std::vector<Matrix6> &stiffness, const Unbalanced &unbalanced, Answer &answer)
+  bool TangentSystem::solve(const std::vector<base::Matrix6> &stiffness, const Unbalanced &unbalanced, Answer &answer)
   {
     Implementation &s = *self;
     if (!s.factorize(stiffness))
@@ -313,10 +315,10 @@ namespace dem
     return answer.constant.particles.allFinite() && answer.per_step.particles.allFinite();
   }
 
-  bool TangentSystem::solve_led(const std::vector<Matrix6> &stiffness,
-                                const Unbalanced           &unbalanced,
-                                const Vector6              &change,
-                                LoadedMotion               &correction)
+  bool TangentSystem::solve_led(const std::vector<base::Matrix6> &stiffness,
+                                const Unbalanced                 &unbalanced,
+                                const base::Vector6              &change,
+                                LoadedMotion                     &correction)
   {
     Implementation &s = *self;
     if (!s.factorize(stiffness))
@@ -330,7 +332,7 @@ namespace dem
     return x.allFinite();
   }
 
-  bool TangentSystem::condense(const std::vector<Matrix6> &stiffness, Matrix6 &forces)
+  bool TangentSystem::condense(const std::vector<base::Matrix6> &stiffness, base::Matrix6 &forces)
   {
     Implementation &s = *self;
     if (!s.factorize(stiffness))
@@ -342,9 +344,9 @@ namespace dem
     forces.setZero();
     for (std::size_t p = 0; p < s.all.size(); ++p)
       {
-        LoadedMotion motion    = s.motion_of(x.col(static_cast<Eigen::Index>(p)));
-        motion.loads[s.all[p]] = 1;
-        const Vector6 per_unit = s.load_forces(stiffness, motion);
+        LoadedMotion motion          = s.motion_of(x.col(static_cast<Eigen::Index>(p)));
+        motion.loads[s.all[p]]       = 1;
+        const base::Vector6 per_unit = s.load_forces(stiffness, motion);
         for (const int row : s.all)
           forces(row, s.all[p]) = per_unit[row];
       }

@@ -37,22 +37,22 @@ namespace dem
      * @param stiffness of each link, force and moment per slip and relative rotation [N/m], [N m]
      * @return false if the linearisation is singular
      */
-    bool solve(const std::vector<Matrix6> &stiffness, const Unbalanced &unbalanced, Answer &answer);
+    bool solve(const std::vector<base::Matrix6> &stiffness, const Unbalanced &unbalanced, Answer &answer);
 
     /**
      * The same, all parameters given: what balances the particles while the parameters change.
      * @param change of each parameter; also in `correction`
      */
-    bool solve_led(const std::vector<Matrix6> &stiffness,
-                   const Unbalanced           &unbalanced,
-                   const Vector6              &change,
-                   LoadedMotion               &correction);
+    bool solve_led(const std::vector<base::Matrix6> &stiffness,
+                   const Unbalanced                 &unbalanced,
+                   const base::Vector6              &change,
+                   LoadedMotion                     &correction);
 
     /**
      * Stiffness of the whole network to its parameters, particles in equilibrium: change of each parameter's force per unit of each
      * [J], without the addition to the diagonal. In the plane, and of parameters that move nothing, rows and columns are zero.
      */
-    bool condense(const std::vector<Matrix6> &stiffness, Matrix6 &forces);
+    bool condense(const std::vector<base::Matrix6> &stiffness, base::Matrix6 &forces);
 
   private:
     struct Implementation;

@@ -1,5 +1,6 @@
 #include "fem/explicit/explicit_solver.h"
 
+#include "base/errors.h"
 #include "fem/solid/element_kernel.h"
 
 #include <Eigen/Eigenvalues>
@@ -35,12 +36,12 @@ namespace fem
   {
     for (const auto &entry : solid.mesh().materials)
       if (options.density.count(entry.first) == 0 || !(options.density.at(entry.first) > 0))
-        throw std::invalid_argument("Density of material " + entry.first + ": must be given and positive [kg/m^3].");
+        throw base::InputError("Density of material " + entry.first + ": must be given and positive [kg/m^3].");
     if (!(options.safety > 0 && options.safety <= 1))
-      throw std::invalid_argument("Safety = " + std::to_string(options.safety) +
-                                  ": must lie in (0, 1], the step over the critical one.");
+      throw base::InputError("Safety = " + std::to_string(options.safety) +
+                             ": must lie in (0, 1], the step over the critical one.");
     if (!(options.damping >= 0))
-      throw std::invalid_argument("Damping = " + std::to_string(options.damping) + " 1/s: must not be negative.");
+      throw base::InputError("Damping = " + std::to_string(options.damping) + " 1/s: must not be negative.");
     lump_mass();
     find_weight();
     find_step();
@@ -154,7 +155,7 @@ namespace fem
           for (unsigned int q = 0; q < solid.quadrature().size(); ++q)
             {
               kernel.strain(q);
-              kernel.add_stiffness(Voigt::Zero(), points.material->elastic_stiffness(), k);
+              kernel.add_stiffness(base::Voigt::Zero(), points.material->elastic_stiffness(), k);
             }
           for (unsigned int i = 0; i < n; ++i)
             for (unsigned int j = 0; j < n; ++j)
@@ -171,7 +172,7 @@ namespace fem
   void ExplicitSolver<dim>::set_velocity(const VectorOf<dim> &velocity)
   {
     if (started)
-      throw std::invalid_argument("initial velocity: the motion has begun already.");
+      throw base::InputError("initial velocity: the motion has begun already.");
     const auto                          &fe = solid.dofs().get_fe();
     std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
     for (const auto &cell : solid.dofs().active_cell_iterators())
@@ -219,7 +220,7 @@ namespace fem
   unsigned int ExplicitSolver<dim>::local(const types::global_dof_index dof) const
   {
     if (!v.in_local_range(dof))
-      throw std::invalid_argument("displacement " + std::to_string(dof) + ": belongs to another rank.");
+      throw base::InputError("displacement " + std::to_string(dof) + ": belongs to another rank.");
     return v.get_partitioner()->global_to_local(dof);
   }
 
@@ -275,8 +276,8 @@ namespace fem
   {
     const unsigned int i = local(dof);
     if (solid.constraints().is_constrained(dof))
-      throw std::invalid_argument("displacement " + std::to_string(dof) +
-                                  ": is prescribed by the loads of the solid, and cannot be from outside as well.");
+      throw base::InputError("displacement " + std::to_string(dof) +
+                             ": is prescribed by the loads of the solid, and cannot be from outside as well.");
     if (started && !held[i]) // kinetic energy of what is held is that of its velocity alone
       {
         const double now = v.local_element(i);

@@ -58,7 +58,7 @@ namespace fem
   class ExplicitSolver
   {
   public:
-    /// @throws std::invalid_argument for a missing or non-positive density, a safety outside (0, 1], or negative damping.
+    /// @throws base::InputError for a missing or non-positive density, a safety outside (0, 1], or negative damping.
     ExplicitSolver(Solid<dim> &solid, const ExplicitOptions &options);
 
     double critical_step() const { return step_limit; } ///< [s], of the undeformed elements
@@ -92,7 +92,7 @@ namespace fem
      */
     void apply_impulse(dealii::types::global_dof_index dof, double change);
 
-    /// From now on a locally owned displacement moves at this velocity [m/s]. @throws std::invalid_argument where the solid's loads prescribe it
+    /// From now on a locally owned displacement moves at this velocity [m/s]. @throws base::InputError where the solid's loads prescribe it
     void prescribe(dealii::types::global_dof_index dof, double velocity);
 
     /// Force that holds a prescribed displacement where it is, at the last whole step, inertia not counted [N].

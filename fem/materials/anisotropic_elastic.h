@@ -38,7 +38,7 @@ namespace fem
     }
 
     /// @param stiffness [Pa], symmetric
-    static void take_stiffness(Parameters &p, const Stiffness &stiffness)
+    static void take_stiffness(Parameters &p, const base::Stiffness &stiffness)
     {
       unsigned int next = 0;
       for (int i = 0; i < 6; ++i)
@@ -51,27 +51,27 @@ namespace fem
     {
     }
 
-    /// @throws std::invalid_argument unless the matrix is positive definite.
+    /// @throws base::InputError unless the matrix is positive definite.
     explicit AnisotropicElastic(const Parameters &parameters);
 
     /// @param stiffness [Pa].
-    /// @throws std::invalid_argument unless symmetric to 1e-10 of its largest entry, and positive definite.
-    explicit AnisotropicElastic(const Stiffness &stiffness);
+    /// @throws base::InputError unless symmetric to 1e-10 of its largest entry, and positive definite.
+    explicit AnisotropicElastic(const base::Stiffness &stiffness);
 
     Response<State>
-    evaluate(const Voigt &strain, const State &, const ElementExtent &, bool /*with_tangent*/ = true) const
+    evaluate(const base::Voigt &strain, const State &, const ElementExtent &, bool /*with_tangent*/ = true) const
     {
       return {stiffness * strain, stiffness, {}};
     }
 
-    const Stiffness &elastic_stiffness() const { return stiffness; }
+    const base::Stiffness &elastic_stiffness() const { return stiffness; }
 
-    double stored_energy(const Voigt &strain, const Voigt &stress, const State &) const
+    double stored_energy(const base::Voigt &strain, const base::Voigt &stress, const State &) const
     {
       return 0.5 * stress.dot(strain);
     }
 
   private:
-    Stiffness stiffness;
+    base::Stiffness stiffness;
   };
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/materials/voigt.h"
+#include "base/voigt.h"
 
 #include <array>
 

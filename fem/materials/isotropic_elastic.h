@@ -33,7 +33,7 @@ namespace fem
       number("Poisson ratio", p.poisson_ratio, "-", "nu", -0.9999999, 0.4999999, true);
     }
 
-    /// @throws std::invalid_argument for what is softer than gels: a number in another unit.
+    /// @throws base::InputError for what is softer than gels: a number in another unit.
     static void check(const Parameters &p)
     {
       demand(p.young_modulus >= 1e3, "Young modulus [Pa]", p.young_modulus,
@@ -45,30 +45,30 @@ namespace fem
     {
     }
 
-    /// @throws std::invalid_argument unless E > 0 and -1 < nu < 0.5.
+    /// @throws base::InputError unless E > 0 and -1 < nu < 0.5.
     explicit IsotropicElastic(const Parameters &p)
     {
       demand(p.young_modulus > 0 && std::isfinite(p.young_modulus), "Young modulus", p.young_modulus,
              "must be positive.");
       demand(p.poisson_ratio > -1 && p.poisson_ratio < 0.5, "Poisson ratio", p.poisson_ratio, "must lie in (-1, 0.5).");
-      stiffness = isotropic_stiffness(p.young_modulus / (3 * (1 - 2 * p.poisson_ratio)),
-                                      p.young_modulus / (2 * (1 + p.poisson_ratio)));
+      stiffness = base::isotropic_stiffness(p.young_modulus / (3 * (1 - 2 * p.poisson_ratio)),
+                                            p.young_modulus / (2 * (1 + p.poisson_ratio)));
     }
 
     Response<State>
-    evaluate(const Voigt &strain, const State &, const ElementExtent &, bool /*with_tangent*/ = true) const
+    evaluate(const base::Voigt &strain, const State &, const ElementExtent &, bool /*with_tangent*/ = true) const
     {
       return {stiffness * strain, stiffness, {}};
     }
 
-    const Stiffness &elastic_stiffness() const { return stiffness; }
+    const base::Stiffness &elastic_stiffness() const { return stiffness; }
 
-    double stored_energy(const Voigt &strain, const Voigt &stress, const State &) const
+    double stored_energy(const base::Voigt &strain, const base::Voigt &stress, const State &) const
     {
       return 0.5 * stress.dot(strain);
     }
 
   private:
-    Stiffness stiffness;
+    base::Stiffness stiffness;
   };
 }

@@ -12,7 +12,7 @@ namespace fem
   enum class Settling
   {
     quickly, ///< when twice as many parts change it little, measured by the increment
-    surely   ///< few parts, which agree by chance, twice; and measured by what is left where a step ends near zero strain
+    surely ///< few parts, which agree by chance, twice; and measured by what is left where a step ends near zero strain
   };
 
   namespace mixed_control
@@ -54,7 +54,7 @@ namespace fem
     }
 
     /// The rows of what is given in stress condensed, zero outside what is given in strain.
-    inline Stiffness condensed(const Stiffness &full, const std::array<bool, 6> &stress_given)
+    inline base::Stiffness condensed(const base::Stiffness &full, const std::array<bool, 6> &stress_given)
     {
       using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
       std::array<int, 6> in{}, out{};
@@ -72,7 +72,7 @@ namespace fem
       if (n_out > 0)
         kept -=
           block(in, n_in, out, n_out) * block(out, n_out, out, n_out).partialPivLu().solve(block(out, n_out, in, n_in));
-      Stiffness result = Stiffness::Zero();
+      base::Stiffness result = base::Stiffness::Zero();
       for (int i = 0; i < n_in; ++i)
         for (int j = 0; j < n_in; ++j)
           result(in[i], in[j]) = kept(i, j);
@@ -166,7 +166,7 @@ namespace fem
     if constexpr (std::is_empty_v<typename Law::State>)
       {
         if (const auto found =
-              newton_mixed(law, Voigt(Voigt::Zero()), target, committed, element, stress_unit, anywhere))
+              newton_mixed(law, base::Voigt(base::Voigt::Zero()), target, committed, element, stress_unit, anywhere))
           return *found;
         throw MaterialFailure("mixed control: no strain meets the prescribed stresses.");
       }
@@ -198,16 +198,16 @@ namespace fem
    * differences of the same walk: one more for each strain, ahead in its own direction.
    */
   template <typename Law>
-  Stiffness mixed_tangent(const Law                 &law,
-                          const MixedTarget         &target,
-                          const typename Law::State &committed,
-                          const ElementExtent       &element,
-                          const double               stress_unit,
-                          const MixedSolution<Law>  &at)
+  base::Stiffness mixed_tangent(const Law                 &law,
+                                const MixedTarget         &target,
+                                const typename Law::State &committed,
+                                const ElementExtent       &element,
+                                const double               stress_unit,
+                                const MixedSolution<Law>  &at)
   {
     if (at.parts == 1)
       return mixed_control::condensed(at.response.tangent, target.stress_given);
-    Stiffness tangent = Stiffness::Zero();
+    base::Stiffness tangent = base::Stiffness::Zero();
     if constexpr (!std::is_empty_v<typename Law::State>)
       {
         const double crack = law.strain_scale();

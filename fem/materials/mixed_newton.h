@@ -14,7 +14,7 @@ namespace fem
   template <typename Law>
   struct MixedSolution
   {
-    Voigt                         strain;
+    base::Voigt                   strain;
     Response<typename Law::State> response;
     int                           parts = 1; ///< steps of their own into which the whole was divided
   };
@@ -31,7 +31,7 @@ namespace fem
    */
   template <typename Law>
   std::optional<MixedSolution<Law>> newton_mixed(const Law                 &law,
-                                                 const Voigt               &guess,
+                                                 const base::Voigt         &guess,
                                                  const MixedTarget         &target,
                                                  const typename Law::State &committed,
                                                  const ElementExtent       &element,
@@ -39,7 +39,7 @@ namespace fem
                                                  const double               reach,
                                                  const int                  most_iterations = 50)
   {
-    const auto too_far = [&]([[maybe_unused]] const Voigt &strain) {
+    const auto too_far = [&]([[maybe_unused]] const base::Voigt &strain) {
       if constexpr (std::is_empty_v<typename Law::State>)
         return false;
       else
@@ -49,7 +49,7 @@ namespace fem
     using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
     std::array<int, 6> open{};
     int                n      = 0;
-    Voigt              strain = guess;
+    base::Voigt        strain = guess;
     for (int i = 0; i < 6; ++i)
       if (target.stress_given[i])
         open[n++] = i;
@@ -81,7 +81,7 @@ namespace fem
             bool improved = false;
             for (double a = 1; a > 1e-4 && !improved; a /= 2)
               {
-                Voigt next = now.strain;
+                base::Voigt next = now.strain;
                 for (int i = 0; i < n; ++i)
                   next[open[i]] += a * step[i];
                 if (too_far(next))

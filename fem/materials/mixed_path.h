@@ -32,7 +32,7 @@ namespace fem
     /// The answer if the step does not yield: nothing if it does.
     std::optional<MixedSolution<Law>> elastic() const
     {
-      const Voigt strain = predictor();
+      const base::Voigt strain = predictor();
       if (!strain.allFinite() || !(increment_to(strain) <= longest_elastic))
         return std::nullopt;
       auto answer = newton_mixed(law, strain, target, committed, element, stress_unit, longest_elastic, 1);
@@ -42,7 +42,7 @@ namespace fem
     }
 
     /// The answer of the step taken whole, the one nearest to a guess.
-    std::optional<MixedSolution<Law>> whole(const Voigt &guess, const double reach) const
+    std::optional<MixedSolution<Law>> whole(const base::Voigt &guess, const double reach) const
     {
       return newton_mixed(law, guess, target, committed, element, stress_unit, reach);
     }
@@ -70,14 +70,14 @@ namespace fem
       w.end.strain         = committed.strain;
       w.end.response.trial = committed;
       w.end.parts          = steps;
-      Voigt last           = (predictor() - committed.strain) / steps;
+      base::Voigt last     = (predictor() - committed.strain) / steps;
       if (!(last.cwiseAbs().maxCoeff() <= reach))
         last.setZero();
       for (; w.done < steps; ++w.done)
         {
           const State       from  = w.end.response.trial;
           const MixedTarget there = at(w.done + 1, steps);
-          auto next = newton_mixed(law, Voigt(w.end.strain + last), there, from, element, stress_unit, reach);
+          auto next = newton_mixed(law, base::Voigt(w.end.strain + last), there, from, element, stress_unit, reach);
           if (!next) // the path may bend here
             next = newton_mixed(law, w.end.strain, there, from, element, stress_unit, reach);
           if (!next)
@@ -96,7 +96,7 @@ namespace fem
       return walk(steps, reach, [](const State &, const State &) {});
     }
 
-    double increment_to(const Voigt &strain) const { return (strain - committed.strain).cwiseAbs().maxCoeff(); }
+    double increment_to(const base::Voigt &strain) const { return (strain - committed.strain).cwiseAbs().maxCoeff(); }
 
     /// Longest of the increments that are given in strain [-].
     double given_increment() const
@@ -124,11 +124,11 @@ namespace fem
     }
 
     /// Strain at the target if the point only unloads.
-    Voigt predictor() const
+    base::Voigt predictor() const
     {
-      const Stiffness stiffness = (1 - Law::damage_of(committed)) * law.elastic_stiffness();
-      Stiffness       rows      = Stiffness::Identity();
-      Voigt           right;
+      const base::Stiffness stiffness = (1 - Law::damage_of(committed)) * law.elastic_stiffness();
+      base::Stiffness       rows      = base::Stiffness::Identity();
+      base::Voigt           right;
       for (int i = 0; i < 6; ++i)
         {
           right[i] = target.value[i] - (target.stress_given[i] ? committed.stress[i] : committed.strain[i]);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/materials/voigt.h"
+#include "base/voigt.h"
 
 #include <array>
 
@@ -10,7 +10,7 @@ namespace fem
   struct MixedTarget
   {
     std::array<bool, 6> stress_given{};
-    Voigt               value = Voigt::Zero(); ///< strain [-] or stress [Pa], component by component
+    base::Voigt         value = base::Voigt::Zero(); ///< strain [-] or stress [Pa], component by component
   };
 
   /// How a step is integrated whose components are given partly in stress.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/errors.h"
+
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -7,7 +9,7 @@
 namespace fem
 {
   /// Ends with `entry = value: broken rule` when the rule does not hold (NaN included).
-  /// @throws std::invalid_argument
+  /// @throws base::InputError
   inline void demand(const bool holds, const std::string &entry, const double value, const std::string &rule)
   {
     if (holds)
@@ -15,6 +17,6 @@ namespace fem
     std::ostringstream text;
     text.precision(10);
     text << entry << " = " << value << ": " << rule;
-    throw std::invalid_argument(text.str());
+    throw base::InputError(text.str());
   }
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/materials/voigt.h"
+#include "base/voigt.h"
 
 #include <limits>
 #include <stdexcept>
@@ -11,10 +11,10 @@ namespace fem
   template <typename State>
   struct Response
   {
-    Voigt     stress;
-    Stiffness tangent; ///< consistent with the algorithm; valid only if it was asked for
-    State     trial;
-    int       substeps = 1; ///< parts into which the law divided the strain increment
+    base::Voigt     stress;
+    base::Stiffness tangent; ///< consistent with the algorithm; valid only if it was asked for
+    State           trial;
+    int             substeps = 1; ///< parts into which the law divided the strain increment
   };
 
   /// Marks a parameter that has no default: the input must give it.

@@ -53,17 +53,17 @@ namespace fem
   /// Along a straight line of strains. @param next (from, strain, done part of the way) -> history
   template <typename Law, typename Next>
   std::optional<Dissipation> dissipation_on_line(
-    const Law &law, const typename Law::State &from, const Voigt &to, const int pieces, const Next &next)
+    const Law &law, const typename Law::State &from, const base::Voigt &to, const int pieces, const Next &next)
   {
     Dissipation         sum;
     typename Law::State now   = from;
-    const Voigt         whole = to - from.strain;
+    const base::Voigt   whole = to - from.strain;
     try
       {
         for (int k = 1; k <= pieces; ++k)
           {
             const double part  = double(k) / pieces;
-            const auto   there = next(now, k == pieces ? to : Voigt(from.strain + part * whole), part);
+            const auto   there = next(now, k == pieces ? to : base::Voigt(from.strain + part * whole), part);
             sum.add(law.dissipation(now, there));
             now = there;
           }

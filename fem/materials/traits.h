@@ -26,8 +26,8 @@ namespace fem
     template <typename Law>
     using AveragingLength = decltype(std::declval<const Law &>().averaging_length());
     template <typename Law>
-    using Stiffened =
-      decltype(Law::take_stiffness(std::declval<typename Law::Parameters &>(), std::declval<const Stiffness &>()));
+    using Stiffened = decltype(Law::take_stiffness(std::declval<typename Law::Parameters &>(),
+                                                   std::declval<const base::Stiffness &>()));
     template <typename Law>
     using LargestElement = decltype(std::declval<const Law &>().largest_element_size());
     template <typename Law>

@@ -1,4 +1,4 @@
-#include "fem/mesh/bodies.h"
+#include "base/errors.h"
 #include "fem/mesh/shapes.h"
 
 #include <deal.II/grid/grid_generator.h>
@@ -23,7 +23,7 @@ namespace fem
     {
       for (unsigned int d = 0; d < dim; ++d)
         if (!(box.size[d] > 0) || box.divisions[d] == 0)
-          throw std::invalid_argument("box " + box.name + ": its size and divisions must be positive.");
+          throw base::InputError("box " + box.name + ": its size and divisions must be positive.");
     }
 
     template <int dim>
@@ -57,22 +57,21 @@ namespace fem
       for (std::size_t a = 0; a < boxes.size(); ++a)
         for (std::size_t b = a + 1; b < boxes.size(); ++b)
           if (overlap(boxes[a], boxes[b], dim))
-            throw std::invalid_argument("boxes " + boxes[a].name + " and " + boxes[b].name +
-                                        " overlap. Bodies may touch, no more.");
+            throw base::InputError("boxes " + boxes[a].name + " and " + boxes[b].name +
+                                   " overlap. Bodies may touch, no more.");
     }
 
     void check(const NamedBall &ball)
     {
       if (!(ball.radius > 0) || !(ball.fineness >= 1))
-        throw std::invalid_argument("ball " + ball.name +
-                                    ": its radius must be positive, and its fineness at least 1.");
+        throw base::InputError("ball " + ball.name + ": its radius must be positive, and its fineness at least 1.");
     }
 
     void
     refuse_overlaps(const std::vector<NamedBall> &balls, const std::vector<NamedBox> &boxes, const unsigned int dim)
     {
       const auto refuse = [](const std::string &a, const std::string &b) {
-        throw std::invalid_argument("bodies " + a + " and " + b + " overlap. Bodies may touch, no more.");
+        throw base::InputError("bodies " + a + " and " + b + " overlap. Bodies may touch, no more.");
       };
       for (std::size_t a = 0; a < balls.size(); ++a)
         {
@@ -183,7 +182,7 @@ namespace fem
   Mesh<dim> make_shape(const BodiesShape &shape, const ShapeOptions &options)
   {
     if (shape.boxes.empty() && shape.balls.empty())
-      throw std::invalid_argument("bodies: there is none.");
+      throw base::InputError("bodies: there is none.");
     for (const NamedBox &box : shape.boxes)
       check(box, dim);
     for (const NamedBall &ball : shape.balls)
@@ -199,7 +198,7 @@ namespace fem
       coarse.add(part, materials.emplace(material, materials.size()).first->second, first);
       for (std::size_t side = 0; side < sides.size(); ++side)
         if (!boundaries.emplace(sides[side], first + side).second)
-          throw std::invalid_argument("bodies: two of them are named " + sides[side] + ".");
+          throw base::InputError("bodies: two of them are named " + sides[side] + ".");
     };
     for (const NamedBox &box : shape.boxes)
       {
@@ -222,7 +221,7 @@ namespace fem
       mesh.copy_triangulation(whole);
       mesh.refine_global(options.refinements);
     };
-    Mesh<dim> mesh  = make_mesh_of_bodies<dim>(build, options.family, options.communicator);
+    Mesh<dim> mesh  = make_mesh<dim>(build, options.family, options.communicator, Bodies::several);
     mesh.boundaries = boundaries;
     mesh.materials  = materials;
     return mesh;

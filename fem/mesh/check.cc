@@ -1,5 +1,7 @@
 #include "fem/mesh/check.h"
 
+#include "base/errors.h"
+
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria_accessor.h>
 #include <deal.II/grid/tria_iterator.h>
@@ -50,7 +52,7 @@ namespace fem
             std::ostringstream text;
             text << "mesh: element " << cell->id() << " at " << cell->center()
                  << " is inverted or flat (its Jacobian is not positive at every corner). Repair the mesh there.";
-            throw std::invalid_argument(text.str());
+            throw base::InputError(text.str());
           }
     }
 
@@ -88,7 +90,7 @@ namespace fem
            << " elements, one of them at " << place_of[smallest->first]
            << ". Join the parts (merge coincident nodes) or remove one; bodies that lie apart on purpose want "
               "Mesh/Several bodies = true.";
-      throw std::invalid_argument(text.str());
+      throw base::InputError(text.str());
     }
   }
 

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "fem/mesh/bodies.h"
+#include "fem/mesh/mesh.h"
 
 #include <deal.II/grid/tria.h>
 
 namespace fem
 {
-  /// @throws std::invalid_argument naming the first inverted or flat element and its place, or, of one body, the number of
+  /// @throws base::InputError naming the first inverted or flat element and its place, or, of one body, the number of
   ///         unconnected parts and a point of the smallest.
   template <int dim>
   void refuse_bad_mesh(const dealii::Triangulation<dim> &mesh, Bodies bodies);

@@ -1,5 +1,6 @@
 #include "fem/mesh/gmsh.h"
 
+#include "base/errors.h"
 #include "fem/mesh/gmsh_body.h"
 
 #include <deal.II/grid/grid_tools.h>
@@ -110,9 +111,9 @@ namespace fem
         give_names(mesh.materials, materials);
         return mesh;
       }
-    catch (const std::invalid_argument &problem)
+    catch (const base::InputError &problem)
       {
-        throw std::invalid_argument(file + ": " + problem.what());
+        throw base::InputError(file + ": " + problem.what());
       }
   }
 

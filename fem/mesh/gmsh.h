@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/mesh/bodies.h"
+#include "fem/mesh/mesh.h"
 
 namespace fem
 {
@@ -9,7 +9,7 @@ namespace fem
    * boundary names, those of dimension dim material names.
    *
    * Nothing reaches deal.II before it is proved to fit together. Every rank reads the file.
-   * @throws std::invalid_argument naming the file, the line or the element, and what is wrong with it.
+   * @throws base::InputError naming the file, the line or the element, and what is wrong with it.
    */
   template <int dim>
   Mesh<dim> read_gmsh(const std::string &file, MPI_Comm communicator = MPI_COMM_WORLD, Bodies bodies = Bodies::one);

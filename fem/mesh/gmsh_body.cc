@@ -1,5 +1,7 @@
 #include "fem/mesh/gmsh_body.h"
 
+#include "base/errors.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -129,7 +131,7 @@ namespace fem
         return text.str();
       }
 
-      static void refuse(const std::string &problem) { throw std::invalid_argument(problem); }
+      static void refuse(const std::string &problem) { throw base::InputError(problem); }
 
       void take_cells()
       {

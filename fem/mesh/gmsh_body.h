@@ -20,7 +20,7 @@ namespace fem
   /**
    * Takes the cells and the named surface out of a file, after proof that they fit together.
    *
-   * @throws std::invalid_argument, naming elements and nodes by their numbers in the file: no cells; a node twice in an
+   * @throws base::InputError, naming elements and nodes by their numbers in the file: no cells; a node twice in an
    *         element; a plane model out of its plane; an inverted, flat or repeated element; elements that lie over each other or
    *         share a twisted side; nodes at one place; a named side that no element has or that lies inside the body.
    */

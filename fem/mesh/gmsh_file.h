@@ -46,7 +46,7 @@ namespace fem
    * Reads a Gmsh file of format 2 or 4.1, text, with elements of first order.
    *
    * @param dimension of the model: elements of lower dimension than its sides are left out.
-   * @throws std::invalid_argument naming file and line, what was found there and what would be right.
+   * @throws base::InputError naming file and line, what was found there and what would be right.
    */
   GmshFile read_gmsh_file(const std::string &file, int dimension);
 }

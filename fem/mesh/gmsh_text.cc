@@ -1,5 +1,7 @@
 #include "fem/mesh/gmsh_text.h"
 
+#include "base/errors.h"
+
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -37,7 +39,7 @@ namespace fem
   {
     std::ifstream in(file, std::ios::binary);
     if (!in || std::filesystem::is_directory(file))
-      throw std::invalid_argument(file + ": cannot be read. Give the path of a Gmsh file (.msh).");
+      throw base::InputError(file + ": cannot be read. Give the path of a Gmsh file (.msh).");
     std::ostringstream all;
     all << in.rdbuf();
     text = all.str();
@@ -116,8 +118,8 @@ namespace fem
 
   void GmshText::refuse(const std::string &problem) const
   {
-    throw std::invalid_argument(file + ", line " + std::to_string(line_number) + ": " + problem);
+    throw base::InputError(file + ", line " + std::to_string(line_number) + ": " + problem);
   }
 
-  void GmshText::refuse_file(const std::string &problem) const { throw std::invalid_argument(file + ": " + problem); }
+  void GmshText::refuse_file(const std::string &problem) const { throw base::InputError(file + ": " + problem); }
 }

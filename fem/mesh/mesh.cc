@@ -1,6 +1,6 @@
 #include "fem/mesh/mesh.h"
 
-#include "fem/mesh/bodies.h"
+#include "base/errors.h"
 #include "fem/mesh/check.h"
 
 #include <deal.II/base/mpi.h>
@@ -57,88 +57,57 @@ namespace fem
     std::string known;
     for (const auto &entry : boundaries)
       known += (known.empty() ? "" : ", ") + entry.first;
-    throw std::invalid_argument("boundary = " + name + ": the mesh has no such boundary. It has: " + known + ".");
-  }
-
-  namespace
-  {
-    template <int dim>
-    Mesh<dim> spread_out(Triangulation<dim> &serial, const MPI_Comm communicator, const Bodies bodies)
-    {
-      refuse_bad_mesh(serial, bodies);
-      Mesh<dim> mesh;
-      name_by_number(mesh, serial);
-      if (serial.all_reference_cells_are_hyper_cube())
-        {
-          auto spread = make_hypercubes<dim>(communicator);
-          spread->copy_triangulation(serial);
-          mesh.triangulation = std::move(spread);
-          return mesh;
-        }
-      if (!serial.all_reference_cells_are_simplex())
-        throw std::invalid_argument(
-          "mesh: it mixes element shapes. Use triangles and tetrahedra only, or quadrilaterals and hexahedra only.");
-      mesh.family        = ElementFamily::simplex;
-      mesh.triangulation = spread_simplices(serial, communicator);
-      return mesh;
-    }
-
-    template <int dim>
-    Mesh<dim>
-    made(const BuildMesh<dim> &build, const ElementFamily family, const MPI_Comm communicator, const Bodies bodies)
-    {
-      if (family == ElementFamily::simplex)
-        {
-          Triangulation<dim> bricks, simplices;
-          build(bricks);
-          Triangulation<dim> flat;
-          GridGenerator::flatten_triangulation(bricks, flat);
-          GridGenerator::convert_hypercube_to_simplex_mesh(flat, simplices);
-          return spread_out(simplices, communicator, bodies);
-        }
-      Mesh<dim> mesh;
-      mesh.family = family;
-      auto spread = make_hypercubes<dim>(communicator);
-      build(*spread);
-      refuse_bad_mesh(*spread, bodies);
-      name_by_number(mesh, *spread);
-      mesh.triangulation = std::move(spread);
-      return mesh;
-    }
+    throw base::InputError("boundary = " + name + ": the mesh has no such boundary. It has: " + known + ".");
   }
 
   template <int dim>
-  Mesh<dim> make_mesh(const BuildMesh<dim> &build, const ElementFamily family, const MPI_Comm communicator)
+  Mesh<dim>
+  make_mesh(const BuildMesh<dim> &build, const ElementFamily family, const MPI_Comm communicator, const Bodies bodies)
   {
-    return made(build, family, communicator, Bodies::one);
-  }
-
-  template <int dim>
-  Mesh<dim> make_mesh_of_bodies(const BuildMesh<dim> &build, const ElementFamily family, const MPI_Comm communicator)
-  {
-    return made(build, family, communicator, Bodies::several);
+    if (family == ElementFamily::simplex)
+      {
+        Triangulation<dim> bricks, simplices;
+        build(bricks);
+        Triangulation<dim> flat;
+        GridGenerator::flatten_triangulation(bricks, flat);
+        GridGenerator::convert_hypercube_to_simplex_mesh(flat, simplices);
+        return distribute_mesh(simplices, communicator, bodies);
+      }
+    Mesh<dim> mesh;
+    mesh.family = family;
+    auto spread = make_hypercubes<dim>(communicator);
+    build(*spread);
+    refuse_bad_mesh(*spread, bodies);
+    name_by_number(mesh, *spread);
+    mesh.triangulation = std::move(spread);
+    return mesh;
   }
 
   template <int dim>
   Mesh<dim> distribute_mesh(Triangulation<dim> &serial, const MPI_Comm communicator, const Bodies bodies)
   {
-    return spread_out(serial, communicator, bodies);
-  }
-
-  template <int dim>
-  Mesh<dim> distribute_mesh(Triangulation<dim> &serial, const MPI_Comm communicator)
-  {
-    return spread_out(serial, communicator, Bodies::one);
+    refuse_bad_mesh(serial, bodies);
+    Mesh<dim> mesh;
+    name_by_number(mesh, serial);
+    if (serial.all_reference_cells_are_hyper_cube())
+      {
+        auto spread = make_hypercubes<dim>(communicator);
+        spread->copy_triangulation(serial);
+        mesh.triangulation = std::move(spread);
+        return mesh;
+      }
+    if (!serial.all_reference_cells_are_simplex())
+      throw base::InputError(
+        "mesh: it mixes element shapes. Use triangles and tetrahedra only, or quadrilaterals and hexahedra only.");
+    mesh.family        = ElementFamily::simplex;
+    mesh.triangulation = spread_simplices(serial, communicator);
+    return mesh;
   }
 
   template struct Mesh<2>;
   template struct Mesh<3>;
-  template Mesh<2> make_mesh(const BuildMesh<2> &, ElementFamily, MPI_Comm);
-  template Mesh<3> make_mesh(const BuildMesh<3> &, ElementFamily, MPI_Comm);
-  template Mesh<2> make_mesh_of_bodies(const BuildMesh<2> &, ElementFamily, MPI_Comm);
-  template Mesh<3> make_mesh_of_bodies(const BuildMesh<3> &, ElementFamily, MPI_Comm);
+  template Mesh<2> make_mesh(const BuildMesh<2> &, ElementFamily, MPI_Comm, Bodies);
+  template Mesh<3> make_mesh(const BuildMesh<3> &, ElementFamily, MPI_Comm, Bodies);
   template Mesh<2> distribute_mesh(Triangulation<2> &, MPI_Comm, Bodies);
   template Mesh<3> distribute_mesh(Triangulation<3> &, MPI_Comm, Bodies);
-  template Mesh<2> distribute_mesh(Triangulation<2> &, MPI_Comm);
-  template Mesh<3> distribute_mesh(Triangulation<3> &, MPI_Comm);
 }

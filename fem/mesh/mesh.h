@@ -1,5 +1,7 @@
 #pragma once
 
+#include "fem/mesh/shape_sizes.h"
+
 #include <deal.II/distributed/tria_base.h>
 
 #include <functional>
@@ -9,11 +11,11 @@
 
 namespace fem
 {
-  /// Shape of the elements: quadrilaterals and hexahedra, or triangles and tetrahedra.
-  enum class ElementFamily
+  /// What a mesh is made of: one body that hangs together, or several that need not.
+  enum class Bodies
   {
-    hypercube,
-    simplex
+    one,
+    several
   };
 
   /// A mesh spread over the ranks, with the names by which a user speaks of its parts.
@@ -25,7 +27,7 @@ namespace fem
     std::map<std::string, dealii::types::boundary_id>         boundaries;
     std::map<std::string, dealii::types::material_id>         materials;
 
-    /// @throws std::invalid_argument naming the boundary asked for and those that exist.
+    /// @throws base::InputError naming the boundary asked for and those that exist.
     dealii::types::boundary_id boundary(const std::string &name) const;
   };
 
@@ -39,12 +41,17 @@ namespace fem
    * Hypercubes go to `parallel::distributed`; simplices (8 triangles for a quadrilateral, 24 tetrahedra for a
    * hexahedron) are partitioned by METIS in a `parallel::shared` mesh, which every rank holds as a whole. Boundaries and materials are named by
    * their numbers until the caller gives names.
-   * @throws std::invalid_argument on an inverted element or a mesh that falls into unconnected parts.
+   * @throws base::InputError on an inverted element, or one body that falls into unconnected parts.
    */
   template <int dim>
-  Mesh<dim> make_mesh(const BuildMesh<dim> &build, ElementFamily family, MPI_Comm communicator = MPI_COMM_WORLD);
+  Mesh<dim> make_mesh(const BuildMesh<dim> &build,
+                      ElementFamily         family,
+                      MPI_Comm              communicator = MPI_COMM_WORLD,
+                      Bodies                bodies       = Bodies::one);
 
   /// Spreads a serial mesh that is already made, of either family (every rank holds the same copy).
   template <int dim>
-  Mesh<dim> distribute_mesh(dealii::Triangulation<dim> &serial, MPI_Comm communicator = MPI_COMM_WORLD);
+  Mesh<dim> distribute_mesh(dealii::Triangulation<dim> &serial,
+                            MPI_Comm                    communicator = MPI_COMM_WORLD,
+                            Bodies                      bodies       = Bodies::one);
 }

@@ -1,5 +1,7 @@
 #include "fem/mesh/shapes.h"
 
+#include "base/errors.h"
+
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria.h>
@@ -19,7 +21,7 @@ namespace fem
     void demand(const bool holds, const std::string &message)
     {
       if (!holds)
-        throw std::invalid_argument(message);
+        throw base::InputError(message);
     }
 
     using Names = std::vector<std::string>; // boundary id -> name
@@ -257,7 +259,7 @@ namespace fem
   Mesh<dim> make_shape([[maybe_unused]] const CylinderShape &s, [[maybe_unused]] const ShapeOptions &options)
   {
     if constexpr (dim == 2)
-      throw std::invalid_argument("cylinder: is a body in three dimensions. In two, take a box.");
+      throw base::InputError("cylinder: is a body in three dimensions. In two, take a box.");
     else
       {
         demand(s.length > 0 && s.radius > 0 && s.divisions > 0,

@@ -18,17 +18,17 @@ namespace fem
     virtual void place(const std::vector<Eigen::Vector3d> &places, const std::vector<double> &volumes) = 0;
 
     /// First pass. @throws MaterialFailure
-    virtual void flow(std::size_t point, const Voigt &strain, bool with_tangent) = 0;
+    virtual void flow(std::size_t point, const base::Voigt &strain, bool with_tangent) = 0;
 
     /// Between the passes, when all points have flown. The second is evaluate(), for the strain of the first; its tangent is that at
     /// fixed average, and influence() and response() are the rest.
     virtual void average() = 0;
 
     /// d driving variable / d strain of a point, of the last pass with tangent.
-    virtual Voigt influence(std::size_t point) const = 0;
+    virtual base::Voigt influence(std::size_t point) const = 0;
 
     /// d stress / d averaged variable of a point [Pa]; zero where the damage does not grow.
-    virtual const Voigt &response(std::size_t point) const = 0;
+    virtual const base::Voigt &response(std::size_t point) const = 0;
 
     /// d averaged variable of a point / d variable of the points of the row, itself among them.
     virtual const std::vector<std::pair<std::size_t, double>> &couplings(std::size_t point) const = 0;

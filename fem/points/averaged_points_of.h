@@ -20,7 +20,7 @@ namespace fem
     }
 
     const char                *material_name() const override { return Law::name; }
-    const Stiffness           &elastic_stiffness() const override { return law.elastic_stiffness(); }
+    const base::Stiffness     &elastic_stiffness() const override { return law.elastic_stiffness(); }
     bool                       linear() const override { return false; }
     double                     averaging_length() const override { return law.averaging_length(); }
     bool                       takes_initial_state() const override { return true; }
@@ -32,7 +32,7 @@ namespace fem
       trial.assign(n_points, {});
       flown.assign(n_points, {});
       driving.assign(n_points, 0.0);
-      responses.assign(n_points, Voigt::Zero());
+      responses.assign(n_points, base::Voigt::Zero());
     }
 
     void place(const std::vector<Eigen::Vector3d> &places, const std::vector<double> &volumes) override
@@ -48,7 +48,7 @@ namespace fem
         }
     }
 
-    void flow(const std::size_t point, const Voigt &strain, const bool with_tangent) override
+    void flow(const std::size_t point, const base::Voigt &strain, const bool with_tangent) override
     {
       flown[point] = law.flow(strain, committed[point], with_tangent);
     }
@@ -61,7 +61,7 @@ namespace fem
     }
 
     void evaluate(const std::size_t    point,
-                  const Voigt         &strain,
+                  const base::Voigt   &strain,
                   const ElementExtent &element,
                   const bool           with_tangent,
                   PointAnswer         &answer) override
@@ -71,13 +71,14 @@ namespace fem
       answer.stress   = done.response.stress;
       if (!with_tangent)
         return;
-      answer.tangent = done.response.tangent;
-      responses[point] =
-        Law::damage_of(trial[point]) > Law::damage_of(committed[point]) ? done.stress_by_driving : Voigt(Voigt::Zero());
+      answer.tangent   = done.response.tangent;
+      responses[point] = Law::damage_of(trial[point]) > Law::damage_of(committed[point]) ?
+                           done.stress_by_driving :
+                           base::Voigt(base::Voigt::Zero());
     }
 
-    Voigt        influence(const std::size_t point) const override { return flown[point].driving_by_strain(); }
-    const Voigt &response(const std::size_t point) const override { return responses[point]; }
+    base::Voigt        influence(const std::size_t point) const override { return flown[point].driving_by_strain(); }
+    const base::Voigt &response(const std::size_t point) const override { return responses[point]; }
     const std::vector<std::pair<std::size_t, double>> &couplings(const std::size_t point) const override
     {
       return coupled[point];
@@ -103,7 +104,7 @@ namespace fem
       trial[point] = committed[point];
     }
 
-    double stored_energy(const std::size_t point, const Voigt &strain, const Voigt &stress) const override
+    double stored_energy(const std::size_t point, const base::Voigt &strain, const base::Voigt &stress) const override
     {
       return law.stored_energy(strain, stress, committed[point]);
     }
@@ -114,7 +115,7 @@ namespace fem
       const typename Law::State &from = committed[point], &to = trial[point];
       if (Law::was_elastic(from, to) && Law::damage_of(from) == Law::damage_of(to))
         return {};
-      const auto next = [&](const typename Law::State &now, const Voigt &strain, const double part) {
+      const auto next = [&](const typename Law::State &now, const base::Voigt &strain, const double part) {
         const auto   went  = law.flow(strain, now, false);
         const double start = Law::driving_of(from), grown = Law::driving_of(to) - start;
         const double share  = grown > 0 ? (went.driving() - start) / grown : part;
@@ -132,6 +133,6 @@ namespace fem
     std::vector<typename Law::State>                         committed, trial;
     std::vector<typename Law::March>                         flown;
     std::vector<double>                                      driving, driving_before; // averaged
-    std::vector<Voigt>                                       responses;
+    std::vector<base::Voigt>                                 responses;
   };
 }

@@ -18,11 +18,11 @@ namespace fem
     virtual void
     go_to(const MixedTarget &target, const ElementExtent &element, double stress_unit, Increments increments) = 0;
 
-    virtual const Voigt &strain() const = 0;
-    virtual const Voigt &stress() const = 0; ///< [Pa]
-    virtual int          parts() const  = 0; ///< into which the last step was divided
+    virtual const base::Voigt &strain() const = 0;
+    virtual const base::Voigt &stress() const = 0; ///< [Pa]
+    virtual int                parts() const  = 0; ///< into which the last step was divided
 
-    virtual const Stiffness &elastic_stiffness() const = 0;
+    virtual const base::Stiffness &elastic_stiffness() const = 0;
 
     /// How the material itself wants the rows of a path to be taken.
     virtual Increments increments() const = 0;

@@ -27,11 +27,11 @@ namespace fem
       in_parts           = reached.parts * reached.response.substeps;
     }
 
-    const Voigt     &strain() const override { return now_strain; }
-    const Voigt     &stress() const override { return now_stress; }
-    int              parts() const override { return in_parts; }
-    const Stiffness &elastic_stiffness() const override { return law.elastic_stiffness(); }
-    void             visit(const StateColumn &column) override { Law::describe_state(state, column); }
+    const base::Voigt     &strain() const override { return now_strain; }
+    const base::Voigt     &stress() const override { return now_stress; }
+    int                    parts() const override { return in_parts; }
+    const base::Stiffness &elastic_stiffness() const override { return law.elastic_stiffness(); }
+    void                   visit(const StateColumn &column) override { Law::describe_state(state, column); }
 
     Increments increments() const override
     {
@@ -44,7 +44,7 @@ namespace fem
   private:
     Law                 law;
     typename Law::State state;
-    Voigt               now_strain = Voigt::Zero(), now_stress = Voigt::Zero();
+    base::Voigt         now_strain = base::Voigt::Zero(), now_stress = base::Voigt::Zero();
     int                 in_parts = 1;
   };
 }

@@ -35,7 +35,7 @@ namespace fem
       return std::make_unique<DrivenPointOf<Law>>(Law(parameters));
     }
 
-    void take_stiffness([[maybe_unused]] const Stiffness &stiffness) override
+    void take_stiffness([[maybe_unused]] const base::Stiffness &stiffness) override
     {
       if constexpr (fem::takes_stiffness<Law>)
         Law::take_stiffness(parameters, stiffness);

@@ -20,8 +20,8 @@ namespace fem
   /// Stress [Pa] and consistent tangent [Pa] of one point.
   struct PointAnswer
   {
-    Voigt     stress;
-    Stiffness tangent;
+    base::Voigt     stress;
+    base::Stiffness tangent;
   };
 
   /// All integration points of one material: a committed history, and the trial one of the last evaluation.
@@ -38,8 +38,11 @@ namespace fem
     /// Answers to a strain, and stores the trial history of that point.
     /// In plane stress the components zz, yz, zx of the strain are ignored and found from zero stress.
     /// @throws MaterialFailure
-    virtual void evaluate(
-      std::size_t point, const Voigt &strain, const ElementExtent &element, bool with_tangent, PointAnswer &answer) = 0;
+    virtual void evaluate(std::size_t          point,
+                          const base::Voigt   &strain,
+                          const ElementExtent &element,
+                          bool                 with_tangent,
+                          PointAnswer         &answer) = 0;
 
     /// A solver looks for another step from the committed histories: nothing of an attempt before shall matter.
     virtual void begin_step() {}
@@ -50,7 +53,7 @@ namespace fem
     /// Whether points can begin with a stress and damage from elsewhere.
     virtual bool takes_initial_state() const = 0;
 
-    /// @throws std::invalid_argument if the material takes none, or the values are out of range.
+    /// @throws base::InputError if the material takes none, or the values are out of range.
     virtual void set_initial(std::size_t point, const InitialPointState &given, const ElementExtent &element) = 0;
 
     /// The columns of a history, in the order of visit(); none where nothing is remembered.
@@ -60,13 +63,13 @@ namespace fem
     virtual void visit(std::size_t point, const StateColumn &column) = 0;
 
     /// What a point could give back, at the strain and stress that its committed history belongs to [J/m^3].
-    virtual double stored_energy(std::size_t point, const Voigt &strain, const Voigt &stress) const = 0;
+    virtual double stored_energy(std::size_t point, const base::Voigt &strain, const base::Voigt &stress) const = 0;
 
     /// What a point dissipates between its committed history and that of the last evaluation, in a step that began with begin_step();
     /// along the material's own path [J/m^3].
     virtual Dissipation dissipated(std::size_t point, const ElementExtent &element) const = 0;
 
-    virtual const Stiffness &elastic_stiffness() const = 0;
+    virtual const base::Stiffness &elastic_stiffness() const = 0;
 
     /// Whether stress is linear in strain: one iteration is then enough, and the tangent symmetric.
     virtual bool linear() const = 0;
@@ -76,7 +79,7 @@ namespace fem
   };
 
   /// Points of one law. Of the materials in fem/points/all.h they are compiled in fem; for any other law include points_of.h.
-  /// @throws std::invalid_argument for what is not built for plane stress.
+  /// @throws base::InputError for what is not built for plane stress.
   template <typename Law>
   std::unique_ptr<MaterialPoints> make_points(const Law &law, Plane plane);
 }

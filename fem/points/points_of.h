@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/errors.h"
 #include "fem/materials/mixed_control.h"
 #include "fem/materials/step_dissipation.h"
 #include "fem/materials/traits.h"
@@ -21,7 +22,7 @@ namespace fem
     }
 
     const char                *material_name() const override { return Law::name; }
-    const Stiffness           &elastic_stiffness() const override { return law.elastic_stiffness(); }
+    const base::Stiffness     &elastic_stiffness() const override { return law.elastic_stiffness(); }
     bool                       linear() const override { return !has_history<Law>; }
     bool                       takes_initial_state() const override { return fem::takes_initial_state<Law>; }
     std::vector<PointQuantity> quantities() const override { return quantities_of<Law>(); }
@@ -33,7 +34,7 @@ namespace fem
     }
 
     void evaluate(const std::size_t    point,
-                  const Voigt         &strain,
+                  const base::Voigt   &strain,
                   const ElementExtent &element,
                   const bool           with_tangent,
                   PointAnswer         &answer) override
@@ -56,7 +57,7 @@ namespace fem
       if constexpr (fem::takes_initial_state<Law>)
         trial[point] = committed[point] = law.initial_state(given, element);
       else
-        throw std::invalid_argument(std::string(Law::name) + ": no initial state can be given to it.");
+        throw base::InputError(std::string(Law::name) + ": no initial state can be given to it.");
     }
 
     void visit(const std::size_t point, const StateColumn &column) override
@@ -65,7 +66,7 @@ namespace fem
       trial[point] = committed[point];
     }
 
-    double stored_energy(const std::size_t point, const Voigt &strain, const Voigt &stress) const override
+    double stored_energy(const std::size_t point, const base::Voigt &strain, const base::Voigt &stress) const override
     {
       return law.stored_energy(strain, stress, committed[point]);
     }
@@ -80,7 +81,7 @@ namespace fem
             return {};
           const MixedTarget    target = in_plane(to.strain);
           const MixedPath<Law> path(law, target, from, element, stress_unit(to.strain));
-          const auto           next = [&](const typename Law::State &now, const Voigt &strain, double) {
+          const auto           next = [&](const typename Law::State &now, const base::Voigt &strain, double) {
             return law.evaluate(strain, now, element, false).trial;
           };
           return settled_dissipation(law, from, to, [&](const int pieces) {
@@ -94,7 +95,7 @@ namespace fem
 
   private:
     /// The strains in the plane, and no stress across it.
-    static MixedTarget in_plane(const Voigt &strain)
+    static MixedTarget in_plane(const base::Voigt &strain)
     {
       MixedTarget target;
       target.stress_given = {false, false, true, true, true, false};
@@ -102,13 +103,13 @@ namespace fem
       return target;
     }
 
-    double stress_unit(const Voigt &strain) const
+    double stress_unit(const base::Voigt &strain) const
     {
       return law.elastic_stiffness()(0, 0) * std::fmax(strain.cwiseAbs().maxCoeff(), 1e-12);
     }
 
     void evaluate_plane_stress(const std::size_t    point,
-                               const Voigt         &strain,
+                               const base::Voigt   &strain,
                                const ElementExtent &element,
                                const bool           with_tangent,
                                PointAnswer         &answer)
@@ -137,7 +138,7 @@ namespace fem
       if (law.averaging_length() > 0)
         {
           if (plane == Plane::stress)
-            throw std::invalid_argument("Nonlocal length: is not built for plane stress.");
+            throw base::InputError("Nonlocal length: is not built for plane stress.");
           return std::make_unique<AveragedPointsOf<Law>>(law);
         }
     return std::make_unique<PointsOf<Law>>(law, plane);

@@ -14,7 +14,7 @@ namespace fem
   using ConstantReceiver = std::function<void(
     const char *key, double &member, const char *unit, const char *meaning, double lower, double upper, bool required)>;
 
-  /// Constants of a material of whatever kind, and what can be made of them. All but visit() throw std::invalid_argument for
+  /// Constants of a material of whatever kind, and what can be made of them. All but visit() throw base::InputError for
   /// constants that have no meaning.
   class MaterialConstants
   {
@@ -29,7 +29,7 @@ namespace fem
     virtual std::unique_ptr<DrivenPoint>    make_point() const             = 0;
 
     /// In place of the constants. @pre MaterialKind::takes_stiffness()
-    virtual void take_stiffness(const Stiffness &stiffness) = 0;
+    virtual void take_stiffness(const base::Stiffness &stiffness) = 0;
 
     /// @pre MaterialKind::takes_initial_state()
     virtual UniaxialStrengths uniaxial_strengths() const = 0;
@@ -39,7 +39,7 @@ namespace fem
 
     /// Widest element in which softening does not snap back [m]; infinite where the mesh plays no part.
     virtual double largest_element_size() const = 0;
-    /// @throws std::invalid_argument for a wider one, saying why
+    /// @throws base::InputError for a wider one, saying why
     virtual void require_element_size(double size) const = 0;
   };
 

@@ -18,15 +18,14 @@ namespace fem
   }
 
   template <int dim, typename Number>
-  ElementBlocksOf<Number> &BlockBuilder<dim, Number>::block_for(const MaterialPoints &material,
-                                                                const BlockGeometry   geometry,
-                                                                std::size_t          &lane)
+  ElementBlocksOf<Number> &
+  BlockBuilder<dim, Number>::block_for(const MaterialPoints &material, const BlockGeometry geometry, std::size_t &lane)
   {
     const auto [entry, fresh] = known.insert({{&material, geometry}, {blocks.size(), 0}});
     if (fresh)
       {
         ElementBlocksOf<Number> e;
-        const Stiffness        &d = material.elastic_stiffness();
+        const base::Stiffness  &d = material.elastic_stiffness();
         e.geometry                = geometry;
         e.dim                     = dim;
         e.n_nodes                 = nodes;
@@ -34,7 +33,7 @@ namespace fem
         for (int i = 0; i < 36; ++i)
           e.stiffness[i] = static_cast<Number>(d(i / 6, i % 6));
         const double bulk = (d(0, 0) + 2 * d(0, 1)) / 3;
-        e.isotropic       = (d - isotropic_stiffness(bulk, d(3, 3))).norm() <= 1e-14 * bulk;
+        e.isotropic       = (d - base::isotropic_stiffness(bulk, d(3, 3))).norm() <= 1e-14 * bulk;
         blocks.push_back(std::move(e));
       }
     ElementBlocksOf<Number> &e     = blocks[entry->second.first];
@@ -63,7 +62,7 @@ namespace fem
           all[q][a] = unit_gradient(q, a);
       return all;
     }();
-    bool one = true;
+    bool            one = true;
     Eigen::Matrix3d first;
     for (unsigned int q = 0; q < 8; ++q)
       {
@@ -74,8 +73,8 @@ namespace fem
               jacobian(d, i) += cell->vertex(a)[d] * unit[q][a][i];
         if (q == 0)
           first = jacobian;
-        one                           = one && (jacobian - first).norm() <= 1e-13 * first.norm();
-        volume[q]                     = jacobian.determinant() / 8;
+        one                            = one && (jacobian - first).norm() <= 1e-13 * first.norm();
+        volume[q]                      = jacobian.determinant() / 8;
         const Eigen::Matrix3d inverted = jacobian.inverse();
         for (int i = 0; i < 3; ++i)
           for (int d = 0; d < 3; ++d)
@@ -91,7 +90,7 @@ namespace fem
     const std::size_t     stored = e.n_stored_points();
     for (std::size_t q = 0; q < stored; ++q)
       {
-        const std::size_t at        = (e.n_blocks - 1) * stored + q;
+        const std::size_t at         = (e.n_blocks - 1) * stored + q;
         e.weights[at * lanes + lane] = static_cast<Number>(volume[q]);
         for (std::size_t i = 0; i < 9; ++i)
           e.jacobians[(at * 9 + i) * lanes + lane] = static_cast<Number>(inverse[q][i]);

@@ -51,14 +51,14 @@ namespace fem
   }
 
   template <int dim>
-  Voigt ElementKernel<dim>::strain(const unsigned int point)
+  base::Voigt ElementKernel<dim>::strain(const unsigned int point)
   {
     current = point;
     if (!large)
       {
         linear_b(point);
         const Eigen::Matrix<double, n_rows<dim>, 1> rows = b * u;
-        Voigt                                       e    = Voigt::Zero();
+        base::Voigt                                 e    = base::Voigt::Zero();
         for (int r = 0; r < n_rows<dim>; ++r)
           e[voigt_row<dim>(r)] = rows[r];
         return e;
@@ -74,7 +74,7 @@ namespace fem
             quadratic += (deformation[k][i] - (k == i)) * (deformation[k][j] - (k == j));
           green(i, j) = 0.5 * ((deformation[i][j] - (i == j)) + (deformation[j][i] - (i == j)) + quadratic);
         }
-    return strain_voigt(green);
+    return base::strain_voigt(green);
   }
 
   template <int dim>
@@ -127,7 +127,7 @@ namespace fem
   }
 
   template <int dim>
-  void ElementKernel<dim>::add_force(const Voigt &stress, Eigen::VectorXd &force) const
+  void ElementKernel<dim>::add_force(const base::Voigt &stress, Eigen::VectorXd &force) const
   {
     Eigen::Matrix<double, n_rows<dim>, 1> s;
     for (int r = 0; r < n_rows<dim>; ++r)
@@ -136,7 +136,9 @@ namespace fem
   }
 
   template <int dim>
-  void ElementKernel<dim>::add_stiffness(const Voigt &stress, const Stiffness &tangent, Eigen::MatrixXd &stiffness)
+  void ElementKernel<dim>::add_stiffness(const base::Voigt     &stress,
+                                         const base::Stiffness &tangent,
+                                         Eigen::MatrixXd       &stiffness)
   {
     Eigen::Matrix<double, n_rows<dim>, n_rows<dim>> d;
     for (int r = 0; r < n_rows<dim>; ++r)
@@ -147,7 +149,7 @@ namespace fem
     if (!large)
       return;
     const Tensor<1, dim> *g = &gradients[current * n_dofs];
-    const Eigen::Matrix3d s = stress_tensor(stress);
+    const Eigen::Matrix3d s = base::stress_tensor(stress);
     for (unsigned int i = 0; i < n_dofs; ++i)
       {
         Tensor<1, dim> sg;

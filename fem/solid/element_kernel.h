@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/materials/voigt.h"
+#include "base/voigt.h"
 
 #include <deal.II/fe/fe_values.h>
 
@@ -36,13 +36,13 @@ namespace fem
     void reinit(const dealii::FEValues<dim> &values, const Eigen::VectorXd &displacement);
 
     /// Strain at a point.
-    Voigt strain(unsigned int point);
+    base::Voigt strain(unsigned int point);
 
     /// Adds the force of a stress at the point whose strain was asked last.
-    void add_force(const Voigt &stress, Eigen::VectorXd &force) const;
+    void add_force(const base::Voigt &stress, Eigen::VectorXd &force) const;
 
     /// Adds the stiffness at the point whose strain was asked last.
-    void add_stiffness(const Voigt &stress, const Stiffness &tangent, Eigen::MatrixXd &stiffness);
+    void add_stiffness(const base::Voigt &stress, const base::Stiffness &tangent, Eigen::MatrixXd &stiffness);
 
   private:
     using BMatrix = Eigen::Matrix<double, n_rows<dim>, Eigen::Dynamic>;

@@ -19,7 +19,7 @@ namespace fem
 
     void reinit(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell, const Vector &displacement);
 
-    Voigt                        strain(const unsigned int point) { return kernel.strain(point); }
+    base::Voigt                  strain(const unsigned int point) { return kernel.strain(point); }
     const dealii::FEValues<dim> &at_points() const { return values; }
 
     /// Force and, where wanted, stiffness of the element at hand. @throws MaterialFailure naming the element

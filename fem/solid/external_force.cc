@@ -1,4 +1,5 @@
 // Loads of a solid: surface, body and point forces.
+#include "base/errors.h"
 #include "fem/solid/point_search.h"
 #include "fem/solid/solid.h"
 
@@ -33,7 +34,7 @@ namespace fem
       {
         std::ostringstream text;
         text << "point " << where << ": lies outside the solid. Move it onto or into the mesh.";
-        throw std::invalid_argument(text.str());
+        throw base::InputError(text.str());
       }
     std::vector<std::pair<types::global_dof_index, double>> weights;
     if (found_by == rank)

@@ -1,5 +1,6 @@
 #include "fem/solid/nonlocal_coupling.h"
 
+#include "base/errors.h"
 #include "fem/solid/element_sweep.h"
 
 #include <deal.II/base/mpi.h>
@@ -25,8 +26,8 @@ namespace fem
     : solid(solid_)
   {
     if (Utilities::MPI::n_mpi_processes(solid.communicator()) > 1)
-      throw std::invalid_argument("Nonlocal length: averages reach over ranks, which is not built. Use one process, or "
-                                  "leave the length out.");
+      throw base::InputError("Nonlocal length: averages reach over ranks, which is not built. Use one process, or "
+                             "leave the length out.");
     find_elements();
     find_neighbours();
   }

@@ -15,7 +15,7 @@ namespace fem
   class NonlocalCoupling
   {
   public:
-    /// Finds the neighbours of the points. @throws std::invalid_argument on several ranks
+    /// Finds the neighbours of the points. @throws base::InputError on several ranks
     explicit NonlocalCoupling(const Solid<dim> &solid);
 
     /// Whether the solid has points that need it.

@@ -1,5 +1,6 @@
 #include "fem/solid/solid.h"
 
+#include "base/errors.h"
 #include "fem/solid/block_builder.h"
 #include "fem/solid/element_sweep.h"
 #include "fem/solid/nonlocal_coupling.h"
@@ -24,13 +25,13 @@ namespace fem
     , dof_handler(*grid.triangulation)
   {
     if (options.degree < 1 || options.degree > 2)
-      throw std::invalid_argument("Degree = " + std::to_string(options.degree) + ": must be 1 or 2.");
+      throw base::InputError("Degree = " + std::to_string(options.degree) + ": must be 1 or 2.");
     if (dim == 2 && !(options.thickness > 0))
-      throw std::invalid_argument("Thickness = " + std::to_string(options.thickness) + " m: must be positive.");
+      throw base::InputError("Thickness = " + std::to_string(options.thickness) + " m: must be positive.");
     if (options.large_displacement && options.mean_dilatation)
-      throw std::invalid_argument("Mean dilatation: is a small-strain form. Switch it off with large displacements.");
+      throw base::InputError("Mean dilatation: is a small-strain form. Switch it off with large displacements.");
     if (dim == 2 && options.plane == Plane::stress && options.mean_dilatation)
-      throw std::invalid_argument("Mean dilatation: plane stress does not lock. Switch it off.");
+      throw base::InputError("Mean dilatation: plane stress does not lock. Switch it off.");
 
     const unsigned int k = options.degree;
     if (grid.family == ElementFamily::hypercube)
@@ -68,12 +69,11 @@ namespace fem
         std::string known;
         for (const auto &entry : grid.materials)
           known += (known.empty() ? "" : ", ") + entry.first;
-        throw std::invalid_argument("material = " + material_name + ": the mesh has no such group. It has: " + known +
-                                    ".");
+        throw base::InputError("material = " + material_name + ": the mesh has no such group. It has: " + known + ".");
       }
     if (settings.large_displacement && !law->linear())
-      throw std::invalid_argument(std::string(law->material_name()) +
-                                  ": is a small-strain law. Large displacements need an elastic material.");
+      throw base::InputError(std::string(law->material_name()) +
+                             ": is a small-strain law. Large displacements need an elastic material.");
     materials[material_name] = std::move(law);
   }
 
@@ -88,8 +88,8 @@ namespace fem
       {
         const auto law = materials.find(entry.first);
         if (law == materials.end())
-          throw std::invalid_argument("material = " + entry.first +
-                                      ": this group of the mesh has no material law. Give it one.");
+          throw base::InputError("material = " + entry.first +
+                                 ": this group of the mesh has no material law. Give it one.");
         material_of[entry.second] = law->second.get();
         history                   = history || !law->second->linear();
       }
@@ -251,7 +251,7 @@ namespace fem
           at_hand.reinit(cell, displacement);
           for (unsigned int q = 0; q < points.size(); ++q)
             {
-              const Voigt strain = at_hand.strain(q);
+              const base::Voigt strain = at_hand.strain(q);
               e.material->evaluate(e.first + q, strain, e.extent, false, answer);
               visit({cell, at_hand.at_points().quadrature_point(q), at_hand.at_points().JxW(q) * thickness, strain,
                      answer.stress, e.material, e.first + q});

@@ -44,7 +44,7 @@ namespace fem
     typename dealii::DoFHandler<dim>::active_cell_iterator cell;
     dealii::Point<dim>                                     place;  ///< [m], undeformed
     double                                                 volume; ///< its share, thickness included [m^3]
-    Voigt                                                  strain, stress;
+    base::Voigt                                            strain, stress;
     MaterialPoints                                        *material;
     std::size_t                                            index; ///< of the point in its material
   };
@@ -59,7 +59,7 @@ namespace fem
   class Solid
   {
   public:
-    /// @throws std::invalid_argument on options that do not fit together.
+    /// @throws base::InputError on options that do not fit together.
     Solid(Mesh<dim> mesh, const SolidOptions &options);
     ~Solid();
 
@@ -67,7 +67,7 @@ namespace fem
     void assign(const std::string &material_name, std::unique_ptr<MaterialPoints> points);
 
     /// Sets supports and loads; call once, after every assign().
-    /// @throws std::invalid_argument on an unknown boundary, contradicting displacements, a force outside the solid, a material
+    /// @throws base::InputError on an unknown boundary, contradicting displacements, a force outside the solid, a material
     ///         without law, or supports that leave a rigid motion free.
     void set_loads(const Loads<dim> &loads);
 
@@ -146,11 +146,11 @@ namespace fem
     const PointSearch<dim> &point_search() const;
 
     /// Weights of the displacements of the element around a point: value = sum weight u[dof], for one component.
-    /// Empty on all ranks but one. @throws std::invalid_argument if the point lies outside the solid.
+    /// Empty on all ranks but one. @throws base::InputError if the point lies outside the solid.
     std::vector<std::pair<dealii::types::global_dof_index, double>> interpolation(const dealii::Point<dim> &where,
                                                                                   unsigned int component) const;
 
-    /// Locally owned displacements of one component on a boundary. @throws std::invalid_argument on an unknown one.
+    /// Locally owned displacements of one component on a boundary. @throws base::InputError on an unknown one.
     std::vector<dealii::types::global_dof_index> boundary_dofs(const std::string &boundary,
                                                                unsigned int       component) const;
 

@@ -1,4 +1,5 @@
 // Supports of a solid: which displacements are prescribed, and whether they hold it.
+#include "base/errors.h"
 #include "fem/mesh/extent.h"
 #include "fem/solid/rigid_motion.h"
 #include "fem/solid/solid.h"
@@ -75,7 +76,7 @@ namespace fem
             std::ostringstream text;
             text << "displacement at " << place << ": two boundary conditions prescribe " << a << " m and " << b
                  << " m at time " << time << ". Let them agree on the shared edge, or drop one component.";
-            throw std::invalid_argument(text.str());
+            throw base::InputError(text.str());
           }
       }
   }
@@ -84,8 +85,8 @@ namespace fem
   void Solid<dim>::hold_boundary(const PrescribedDisplacement<dim> &p)
   {
     if (p.component >= dim)
-      throw std::invalid_argument("boundary = " + p.boundary + ": the model has no displacement component " +
-                                  std::to_string(p.component) + ".");
+      throw base::InputError("boundary = " + p.boundary + ": the model has no displacement component " +
+                             std::to_string(p.component) + ".");
     const types::boundary_id             id = grid.boundary(p.boundary);
     std::set<types::global_dof_index>    on_boundary;
     std::vector<types::global_dof_index> indices;
@@ -122,7 +123,7 @@ namespace fem
         std::ostringstream text;
         text << "support at " << node.where << ": the nearest node is " << distance << " m away, the tolerance is "
              << node.tolerance * extent << " m. Move the support to a node or refine the mesh.";
-        throw std::invalid_argument(text.str());
+        throw base::InputError(text.str());
       }
     visit_nodes([&](const auto &, unsigned int, const types::global_dof_index dof, const unsigned int component,
                     const auto &place) {
@@ -169,7 +170,7 @@ namespace fem
         std::ostringstream text;
         text << "support from " << box.low << " to " << box.high << ": no node lies in it, the nearest is " << distance
              << " m away. Move the support to a node, enlarge its box or refine the mesh.";
-        throw std::invalid_argument(text.str());
+        throw base::InputError(text.str());
       }
   }
 
@@ -242,8 +243,8 @@ namespace fem
         motion.hold(entry.second.place, entry.second.component);
     const std::string free = motion.free_motion(communicator());
     if (!free.empty())
-      throw std::invalid_argument("supports: the solid can move as a rigid body (mainly " + free +
-                                  "). Prescribe more displacements, or ask for the rigid motion to be removed.");
+      throw base::InputError("supports: the solid can move as a rigid body (mainly " + free +
+                             "). Prescribe more displacements, or ask for the rigid motion to be removed.");
   }
 
   template <int dim>

@@ -41,12 +41,12 @@ namespace fem
         {
           values.reinit(typename Triangulation<dim>::cell_iterator(cell));
           kernel.reinit(values, Eigen::VectorXd::Zero(n));
-          Eigen::MatrixXd  k = Eigen::MatrixXd::Zero(n, n);
-          const Stiffness &d = material_of(solid, cell).elastic_stiffness();
+          Eigen::MatrixXd        k = Eigen::MatrixXd::Zero(n, n);
+          const base::Stiffness &d = material_of(solid, cell).elastic_stiffness();
           for (unsigned int q = 0; q < solid.quadrature().size(); ++q)
             {
               kernel.strain(q);
-              kernel.add_stiffness(Voigt::Zero(), d, k);
+              kernel.add_stiffness(base::Voigt::Zero(), d, k);
             }
           cell->get_mg_dof_indices(indices);
           visit(Eigen::MatrixXd(thickness * k), indices);

@@ -1,5 +1,6 @@
 #include "fem/solvers/linear_solver.h"
 
+#include "base/errors.h"
 #include "fem/solvers/geometric_multigrid.h"
 
 #include <deal.II/base/mpi.h>
@@ -209,7 +210,7 @@ namespace fem
         if (geometric)
           return geometric;
         if (options.method == LinearMethod::geometric)
-          throw std::invalid_argument("linear solver = geometric: " + obstacle + ". Use the iterative one.");
+          throw base::InputError("linear solver = geometric: " + obstacle + ". Use the iterative one.");
       }
     // Translations of the owned displacements (deal.II's extract_constant_modes() fails on shared meshes).
     const IndexSet                       owned = solid.dofs().locally_owned_dofs();

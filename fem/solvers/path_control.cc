@@ -1,4 +1,5 @@
 // Static steps whose load parameter is an unknown: indirect displacement control and arc length.
+#include "base/errors.h"
 #include "fem/solvers/static_solver.h"
 
 #include <deal.II/base/mpi.h>
@@ -42,11 +43,11 @@ namespace fem
         Vector bend = second;
         bend -= first;
         if (bend.linfty_norm() > 1e-10 * first.linfty_norm())
-          throw std::invalid_argument(
+          throw base::InputError(
             "path control: loads and prescribed displacements must be linear in time, which becomes the load factor.");
       }
     if (load_1.linfty_norm() == 0 && support_1.linfty_norm() == 0)
-      throw std::invalid_argument("path control: nothing grows with time, so there is no load factor to find.");
+      throw base::InputError("path control: nothing grows with time, so there is no load factor to find.");
     load_1.update_ghost_values();
     support_1.update_ghost_values();
     path_known = true;

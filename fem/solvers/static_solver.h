@@ -89,7 +89,7 @@ namespace fem
     StepReport relax_to(double time);
 
     /// Tries to go one increment of the control further.
-    /// @throws std::invalid_argument if loads or displacements are not linear in time.
+    /// @throws base::InputError if loads or displacements are not linear in time.
     StepReport advance_along(const PathControl &control, double increment);
 
     double              time() const { return current_time; }

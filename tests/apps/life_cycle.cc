@@ -3,7 +3,7 @@
 
 #include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "postprocess/atomic_file.h"
 #include "postprocess/errors.h"
 #include "tests/apps/scratch_folder.h"
@@ -32,7 +32,7 @@ namespace
     {
       calls.emplace_back("prepare");
       if (!refusal.empty())
-        throw dem::InputError(refusal);
+        throw base::InputError(refusal);
     }
     void begin(const std::filesystem::path &folder, const Record &record) override
     {
@@ -112,7 +112,7 @@ TEST_CASE("A run that is refused leaves no folder", "[apps]")
   const ScratchFolder folder;
   Counting            work;
   work.refusal = "no numbers.";
-  CHECK_THROWS_AS(execute(request_in(folder / "out"), work), dem::InputError);
+  CHECK_THROWS_AS(execute(request_in(folder / "out"), work), base::InputError);
   CHECK(work.calls == Calls{"prepare"});
   CHECK_FALSE(std::filesystem::exists(folder / "out"));
 }
@@ -150,13 +150,13 @@ TEST_CASE("A run goes on only from its own scene and its own files", "[apps]")
   request.inputs              = {{"Specimen/File", "packing.txt", 7, 4711}};
   Counting first;
   first.stops_at = 5;
-  CHECK_THROWS_AS(execute(request, first), dem::NumericalError);
+  CHECK_THROWS_AS(execute(request, first), base::NumericalError);
 
   request.resume           = true;
   apps::RunRequest another = request;
   another.deciding_text    = "set Kind = counting\nset To = 20\n";
   Counting rest;
-  CHECK_THROWS_AS(execute(another, rest), dem::InputError);
+  CHECK_THROWS_AS(execute(another, rest), base::InputError);
   another                  = request;
   another.inputs[0].digest = 4712;
   CHECK_THROWS_WITH(execute(another, rest), Contains("Specimen/File"));
@@ -173,7 +173,7 @@ TEST_CASE("A new run may throw away what was interrupted, and earlier results st
   execute(request, complete);
   const std::string results = content_of(folder / "out/series.csv");
   stopped.stops_at          = 3;
-  CHECK_THROWS_AS(execute(request, stopped), dem::NumericalError);
+  CHECK_THROWS_AS(execute(request, stopped), base::NumericalError);
   CHECK(content_of(folder / "out/series.csv") == results);
   request.restart = true;
   CHECK(execute(request, last) == apps::exit_success);

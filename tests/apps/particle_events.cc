@@ -38,7 +38,7 @@ namespace
         assign(root, apps::read_overrides(all), "test");
         event.validate(root);
       }
-    catch (const dem::InputError &refused)
+    catch (const base::InputError &refused)
       {
         return refused.what();
       }

@@ -122,8 +122,8 @@ TEST_CASE("A crack at a grip is a warning, and a cell has no grips", "[apps]")
 
 TEST_CASE("Curves of compression are drawn upwards as well", "[apps]")
 {
-  const dem::Column strain = {0, -1e-3}, stress = {0, -30e6};
-  const auto        panel = apps::panel_of(apps::UniaxialLoad::compression, strain, stress);
+  const base::Column strain = {0, -1e-3}, stress = {0, -30e6};
+  const auto         panel = apps::panel_of(apps::UniaxialLoad::compression, strain, stress);
   REQUIRE(panel.series.size() == 1);
   CHECK(panel.series[0].x.back() > 0);
   CHECK(panel.series[0].y.back() > 0);

@@ -26,7 +26,7 @@ namespace
 
     bool reads() const override { return reading; }
     void group(const std::string &) override {}
-    void column(const std::string &, dem::Column &) override { FAIL("no column is expected"); }
+    void column(const std::string &, base::Column &) override { FAIL("no column is expected"); }
     void column(const std::string &, std::vector<std::int32_t> &) override { FAIL("no column is expected"); }
     void scalar(const std::string &, double &) override { FAIL("no real number is expected"); }
     void scalar(const std::string &name, std::int64_t &value) override

@@ -56,7 +56,7 @@ namespace
       {
         palette.set(texts);
       }
-    catch (const dem::InputError &refused)
+    catch (const base::InputError &refused)
       {
         return refused.what();
       }

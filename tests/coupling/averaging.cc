@@ -12,10 +12,10 @@ using namespace coupling;
 
 namespace
 {
-  const Eigen::Matrix3d base  = fields::symmetric(-3e6, 1e6, 2e6, 0.3e6, -0.7e6, 0.5e6);
-  const Eigen::Matrix3d slope = fields::symmetric(2e7, -1e7, 4e7, 3e7, 1e7, -2e7);
+  const Eigen::Matrix3d uniform = fields::symmetric(-3e6, 1e6, 2e6, 0.3e6, -0.7e6, 0.5e6);
+  const Eigen::Matrix3d slope   = fields::symmetric(2e7, -1e7, 4e7, 3e7, 1e7, -2e7);
 
-  Eigen::Matrix3d linear(const Eigen::Vector3d &x) { return base + (x[0] - 2 * x[1] + 0.5 * x[2]) * slope; }
+  Eigen::Matrix3d linear(const Eigen::Vector3d &x) { return uniform + (x[0] - 2 * x[1] + 0.5 * x[2]) * slope; }
 
   const std::vector<Eigen::Vector3d> probes = {{0.05, 0.05, 0.05}, {0, 0, 0}, {0.1, 0.05, 0.02}, {0.03, 0.1, 0.1}};
 
@@ -31,14 +31,14 @@ namespace
 TEST_CASE("every kernel returns a uniform field, also at faces, edges and corners", "[coupling]")
 {
   const ParticleField field =
-    fields::box({0.1, 0.1, 0.1}, {12, 12, 12}, 0.8, fields::constant(base), fields::constant(1e-7 * slope));
+    fields::box({0.1, 0.1, 0.1}, {12, 12, 12}, 0.8, fields::constant(uniform), fields::constant(1e-7 * slope));
   for (const Kernel kernel :
        {Kernel::nearest, Kernel::ball, Kernel::gaussian, Kernel::moving_least_squares, Kernel::specimen})
     for (const Eigen::Vector3d &x : probes)
       {
         const coupling::Average a = Averaging(field, by(kernel)).at(x, 0.03);
         // Weights sum to one to rounding; a linear fit at a corner magnifies it about tenfold.
-        CHECK((a.stress - base).norm() <= 1e-13 * base.norm());
+        CHECK((a.stress - uniform).norm() <= 1e-13 * uniform.norm());
         CHECK((a.damage - 1e-7 * slope).norm() <= 1e-13 * 1e-7 * slope.norm());
       }
 }
@@ -51,20 +51,22 @@ TEST_CASE("moving least squares returns a linear field from disordered particles
     {
       const coupling::Average a = averaging.at(x, 0.03);
       CHECK(a.linear);
-      CHECK((a.stress - linear(x)).norm() <= 1e-12 * base.norm());
+      CHECK((a.stress - linear(x)).norm() <= 1e-12 * uniform.norm());
     }
 }
 
 TEST_CASE("a smooth field is averaged with second order in the width", "[coupling]")
 {
   // Ratio of widths to particle spacing kept large and fixed, so that the disorder of the particles does not show.
-  const auto smooth = [](const Eigen::Vector3d &x) -> Eigen::Matrix3d { return std::sin(8 * x[0] + 5 * x[1]) * base; };
-  const auto error  = [&](const Kernel kernel, const int n, const std::vector<Eigen::Vector3d> &places) {
-    const ParticleField field = fields::box({0.1, 0.1, 0.1}, {n, n, n}, 0, smooth, fields::constant(base));
+  const auto smooth = [](const Eigen::Vector3d &x) -> Eigen::Matrix3d {
+    return std::sin(8 * x[0] + 5 * x[1]) * uniform;
+  };
+  const auto error = [&](const Kernel kernel, const int n, const std::vector<Eigen::Vector3d> &places) {
+    const ParticleField field = fields::box({0.1, 0.1, 0.1}, {n, n, n}, 0, smooth, fields::constant(uniform));
     const Averaging     averaging(field, by(kernel, 0.15 / n));
     double              largest = 0;
     for (const Eigen::Vector3d &x : places)
-      largest = std::max(largest, (averaging.at(x, 0.01).stress - smooth(x)).norm() / base.norm());
+      largest = std::max(largest, (averaging.at(x, 0.01).stress - smooth(x)).norm() / uniform.norm());
     return largest;
   };
   const std::vector<Eigen::Vector3d> inside = {{0.05, 0.05, 0.05}, {0.055, 0.045, 0.05}};
@@ -87,7 +89,7 @@ TEST_CASE("a smooth field is averaged with second order in the width", "[couplin
 TEST_CASE("the offset tells a boundary from the inside", "[coupling]")
 {
   const ParticleField field =
-    fields::box({0.1, 0.1, 0.1}, {30, 30, 30}, 0, fields::constant(base), fields::constant(base));
+    fields::box({0.1, 0.1, 0.1}, {30, 30, 30}, 0, fields::constant(uniform), fields::constant(uniform));
   const Averaging averaging(field, by(Kernel::gaussian, 0.008));
   CHECK(averaging.at({0.05, 0.05, 0.05}, 0.01).offset < 0.02);
   // Centre of half a Gaussian: sqrt(2/pi); the cut at three widths and the grid change the second decimal.
@@ -131,7 +133,7 @@ TEST_CASE("moving least squares falls back to the average where particles determ
   const ParticleField     field = fields::box({0.1, 0.1, 0.1}, {20, 20, 1}, 0, linear, linear); // a sheet
   const coupling::Average a     = Averaging(field, by(Kernel::moving_least_squares)).at({0.05, 0.05, 0.05}, 0.01);
   CHECK_FALSE(a.linear);
-  CHECK((a.stress - linear({0.05, 0.05, 0.05})).norm() <= 1e-10 * base.norm()); // symmetric about the point
+  CHECK((a.stress - linear({0.05, 0.05, 0.05})).norm() <= 1e-10 * uniform.norm()); // symmetric about the point
 }
 
 TEST_CASE("in the plane the linear fit leaves the third direction alone", "[coupling]")
@@ -146,7 +148,7 @@ TEST_CASE("in the plane the linear fit leaves the third direction alone", "[coup
     }
   const coupling::Average a = Averaging(field, by(Kernel::moving_least_squares)).at({0, 0.05, 0}, 0.02);
   CHECK(a.linear);
-  CHECK((a.stress - in_plane({0, 0.05, 0})).norm() <= 1e-12 * base.norm());
+  CHECK((a.stress - in_plane({0, 0.05, 0})).norm() <= 1e-12 * uniform.norm());
 }
 
 TEST_CASE("section forces of a beam in bending are its normal force and moments", "[coupling]")
@@ -156,7 +158,7 @@ TEST_CASE("section forces of a beam in bending are its normal force and moments"
   const auto   bending = [&](const Eigen::Vector3d &x) {
     return fields::symmetric(n + m * (x[1] - 0.5 * h), 0, 0, 0, 0, 0);
   };
-  const ParticleField field = fields::box({0.2, h, b}, {40, 24, 8}, 0, bending, fields::constant(base));
+  const ParticleField field = fields::box({0.2, h, b}, {40, 24, 8}, 0, bending, fields::constant(uniform));
   Sections            sections;
   sections.high   = 0.2;
   sections.count  = 5;

@@ -1,7 +1,7 @@
 // Deformable bodies that touch each other: momentum, energy and friction of their contact.
 #include "coupling/concurrent/concurrent_motion.h"
 #include "fem/materials/isotropic_elastic.h"
-#include "fem/mesh/bodies.h"
+#include "fem/mesh/mesh.h"
 #include "tests/dem/clusters.h"
 #include "tests/fem/solid_fixture.h"
 
@@ -29,7 +29,7 @@ namespace
   template <int dim>
   fem::Mesh<dim> parts(const std::vector<Part<dim>> &all, const fem::ElementFamily family)
   {
-    return fem::make_mesh_of_bodies<dim>(
+    return fem::make_mesh<dim>(
       [&all](dealii::Triangulation<dim> &mesh) {
         std::vector<dealii::Point<dim>>    points;
         std::vector<dealii::CellData<dim>> cells;
@@ -57,7 +57,7 @@ namespace
           }
         mesh.create_triangulation(points, cells, dealii::SubCellData());
       },
-      family, MPI_COMM_SELF);
+      family, MPI_COMM_SELF, fem::Bodies::several);
   }
 
   /** A particle far away from everything: the motion has two sides. */
@@ -325,7 +325,7 @@ TEST_CASE("body contact: a clamp that closes touches itself only where self-cont
   dem::BodyContactParameters law  = contact(dem::BodyContactForm::potential, 0);
   law.self_contact                = self;
   // A U of blocks, whose arms come together; a second body far away, without which there would be no contact at all.
-  auto mesh = fem::make_mesh_of_bodies<2>(
+  auto mesh = fem::make_mesh<2>(
     [](dealii::Triangulation<2> &made) {
       std::vector<dealii::Point<2>>    points;
       std::vector<dealii::CellData<2>> cells;
@@ -351,7 +351,7 @@ TEST_CASE("body contact: a clamp that closes touches itself only where self-cont
       add_grid(9, 9, 1, 1, [](unsigned int, unsigned int) { return true; });
       made.create_triangulation(points, cells, dealii::SubCellData());
     },
-    fem::ElementFamily::hypercube, MPI_COMM_SELF);
+    fem::ElementFamily::hypercube, MPI_COMM_SELF, fem::Bodies::several);
   Bodies<2> b(
     std::move(mesh),
     [](const dealii::Point<2> &x) {

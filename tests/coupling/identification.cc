@@ -1,5 +1,5 @@
+#include "base/errors.h"
 #include "coupling/sequential/identify.h"
-#include "dem/core/errors.h"
 #include "fem/points/material_kind_of.h"
 #include "tests/fem/concrete_fixture.h"
 

@@ -18,7 +18,7 @@ namespace
     return Eigen::Vector3d(values[0], values[1], values[2]).asDiagonal();
   }
 
-  fem::Voigt voigt_of(const std::array<double, 6> &values) { return Eigen::Map<const fem::Voigt>(values.data()); }
+  base::Voigt voigt_of(const std::array<double, 6> &values) { return Eigen::Map<const base::Voigt>(values.data()); }
 
   /// Tensors are printed with six decimals; the law's exponent magnifies what is lost of a small measure.
   double printed_digits(const PublishedCase &c)

@@ -1,5 +1,5 @@
+#include "base/errors.h"
 #include "coupling/sequential/transfer.h"
-#include "dem/core/errors.h"
 #include "field_fixture.h"
 #include "tests/fem/concrete_fixture.h"
 #include "tests/fem/solid_fixture.h"
@@ -43,7 +43,7 @@ TEST_CASE("points without particles are counted, left virgin, and refused past t
   Cube                cube;
   TransferOptions     options;
   options.averaging.width = 0.01;
-  CHECK_THROWS_AS(transfer(half, options, cube.solid), dem::InputError);
+  CHECK_THROWS_AS(transfer(half, options, cube.solid), base::InputError);
   CHECK_THROWS_WITH(transfer(half, options, cube.solid),
                     Contains("32 of 64 integration points have no particle within reach") && Contains("share of 0"));
   options.limits.empty       = 0.5;
@@ -129,7 +129,7 @@ TEST_CASE("what points and particles differ by is measured by the stress there i
                     Contains("the forces over a cut of points and particles differ by") &&
                       Contains("the scene allows 0.05"));
   options.strength = 3e6;
-  CHECK_THROWS_AS(transfer(half(-10e6), options, cube.solid), dem::InputError); // 10 MPa measure themselves
+  CHECK_THROWS_AS(transfer(half(-10e6), options, cube.solid), base::InputError); // 10 MPa measure themselves
   const TransferReport small = transfer(half(-1e5), options, cube.solid); // 0.1 MPa left over are 3 % of the strength
   CHECK(small.cuts.points.size() == 2);
   CHECK(small.cuts.force_error(0) > 0.05);

@@ -14,7 +14,7 @@ namespace
   {
     dem::Specimen           specimen(disordered(5, 4), concrete_specimen(), brittle_concrete());
     dem::CellTestParameters p;
-    p.path = {strain_leg(2000 * specimen.time_step(), 4e-3 * dem::Vector6d::Unit(0))};
+    p.path = {strain_leg(2000 * specimen.time_step(), 4e-3 * base::Vector6::Unit(0))};
     dem::CellTest(specimen, p).advance(2000);
     return specimen;
   }

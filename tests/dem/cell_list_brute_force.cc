@@ -1,4 +1,4 @@
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "dem/neighbours/cell_list.h"
 
 #include <Eigen/Dense>
@@ -184,7 +184,7 @@ TEST_CASE("the neighbour search names what it cannot use", "[dem][neighbours]")
   REQUIRE_THROWS_WITH(dem::find_pairs_sheared(centre, radius, 1.0, 0.0, Eigen::Matrix3d::Zero()),
                       Contains("determinant"));
   centre[1][2] = nan;
-  REQUIRE_THROWS_AS(dem::find_pairs(centre, radius, 1.0, 0.0, std::nullopt), dem::NumericalError);
+  REQUIRE_THROWS_AS(dem::find_pairs(centre, radius, 1.0, 0.0, std::nullopt), base::NumericalError);
   REQUIRE_THROWS_WITH(dem::find_pairs(centre, radius, 1.0, 0.0, std::nullopt), Contains("particle 2"));
   centre[1] = {3000.5, 0, 0};
   REQUIRE_THROWS_WITH(dem::find_pairs(centre, radius, 1.0, 0.0, Eigen::Vector3d(10, 10, 10)),

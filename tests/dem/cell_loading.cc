@@ -1,4 +1,4 @@
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "dem/measures/localisation.h"
 #include "periodic_cell_fixture.h"
 
@@ -9,7 +9,7 @@ using Catch::Contains;
 
 namespace
 {
-  dem::CellLeg mixed_leg(const double duration, const std::array<bool, 6> &stress_given, const dem::Vector6d &target)
+  dem::CellLeg mixed_leg(const double duration, const std::array<bool, 6> &stress_given, const base::Vector6 &target)
   {
     dem::CellLeg leg;
     leg.duration     = duration;
@@ -22,7 +22,7 @@ namespace
 TEST_CASE("the servo reaches six given stresses at the strains of the static stiffness", "[dem][periodic]")
 {
   dem::Specimen specimen(eight_spheres(), elastic(1.5), unit_links(0.2));
-  dem::Vector6d wanted;
+  base::Vector6 wanted;
   wanted << 3e-6, -2e-6, 1e-6, 0.5e-6, -1e-6, 0.7e-6;
   dem::CellTestParameters   p;
   const std::array<bool, 6> all = {{true, true, true, true, true, true}};
@@ -31,7 +31,7 @@ TEST_CASE("the servo reaches six given stresses at the strains of the static sti
   dem::CellTest         test(specimen, p);
   const dem::CellSample end = test.advance(10000);
   REQUIRE(test.finished());
-  const dem::Vector6d exact = eight_spheres_stiffness().inverse() * wanted;
+  const base::Vector6 exact = eight_spheres_stiffness().inverse() * wanted;
   CHECK(end.servo_error < 1e-9 * wanted.norm());
   // Finite strain: some 5e-6 of itself.
   CHECK((end.strain - exact).norm() < 5e-5 * exact.norm());
@@ -41,12 +41,12 @@ TEST_CASE("the servo reaches six given stresses at the strains of the static sti
 TEST_CASE("uniaxial stress: one strain and five stresses give the static compliance", "[dem][periodic]")
 {
   dem::Specimen             specimen(eight_spheres(), elastic(1.5), unit_links(0.2));
-  const dem::Matrix6d       compliance = eight_spheres_stiffness().inverse();
+  const base::Matrix6       compliance = eight_spheres_stiffness().inverse();
   dem::CellTestParameters   p;
   const double              dt = specimen.time_step(), strain = 1e-6;
   const std::array<bool, 6> others = {{true, true, false, true, true, true}};
-  p.path                           = {mixed_leg(1000 * dt, others, strain * dem::Vector6d::Unit(2)),
-                                      mixed_leg(9000 * dt, others, strain * dem::Vector6d::Unit(2))};
+  p.path                           = {mixed_leg(1000 * dt, others, strain * base::Vector6::Unit(2)),
+                                      mixed_leg(9000 * dt, others, strain * base::Vector6::Unit(2))};
   dem::CellTest test(specimen, p);
   double        worst = 0;
   while (!test.finished())
@@ -70,8 +70,8 @@ TEST_CASE("discs: one strain and two stresses in the plane", "[dem][periodic]")
   const std::array<bool, 6> others     = {{false, true, false, false, false, true}};
   dem::CellTestParameters   p;
   const double              dt = specimen.time_step();
-  p.path                       = {mixed_leg(1000 * dt, others, 1e-6 * dem::Vector6d::Unit(0)),
-                                  mixed_leg(9000 * dt, others, 1e-6 * dem::Vector6d::Unit(0))};
+  p.path                       = {mixed_leg(1000 * dt, others, 1e-6 * base::Vector6::Unit(0)),
+                                  mixed_leg(9000 * dt, others, 1e-6 * base::Vector6::Unit(0))};
   dem::CellTest         test(specimen, p);
   const dem::CellSample end = test.advance(10000);
   CHECK(end.stress[0] == Approx(1e-6 / compliance(0, 0)).epsilon(2e-5));
@@ -83,7 +83,7 @@ TEST_CASE("a path of legs goes from where it is to each target in turn", "[dem][
   dem::Specimen           specimen(eight_spheres(), elastic(1.5), unit_links(0.2));
   dem::CellTestParameters p;
   const double            dt = specimen.time_step();
-  dem::Vector6d           a, b;
+  base::Vector6           a, b;
   a << 1e-4, 0, -2e-4, 0, 3e-4, 0;
   b << -1e-4, 2e-4, 0, 1e-4, 0, 0;
   p.path = {strain_leg(10 * dt, a), strain_leg(20 * dt, b)};
@@ -105,8 +105,8 @@ TEST_CASE("a stress that the cell cannot carry stops the run and is named", "[de
   dem::Specimen           specimen(disordered(4, 1), concrete_specimen(), brittle_concrete());
   dem::CellTestParameters p;
   const double            dt = specimen.time_step();
-  p.path = {mixed_leg(2000 * dt, {{true, false, false, false, false, false}}, 50e6 * dem::Vector6d::Unit(0)),
-            mixed_leg(1e6 * dt, {{true, false, false, false, false, false}}, 50e6 * dem::Vector6d::Unit(0))};
+  p.path = {mixed_leg(2000 * dt, {{true, false, false, false, false, false}}, 50e6 * base::Vector6::Unit(0)),
+            mixed_leg(1e6 * dt, {{true, false, false, false, false, false}}, 50e6 * base::Vector6::Unit(0))};
   dem::CellTest test(specimen, p);
   REQUIRE_THROWS_WITH(test.advance(100000), Contains("stress 11") && Contains("cannot carry"));
 }
@@ -117,11 +117,11 @@ TEST_CASE("cell paths that have no meaning are refused", "[dem][periodic]")
     plane(six_discs(), elastic(1.25, 2), unit_links(0.2));
   dem::CellTestParameters p;
   REQUIRE_THROWS_WITH(dem::CellTest(specimen, p), Contains("at least one leg"));
-  p.path = {strain_leg(0, dem::Vector6d::Zero())};
+  p.path = {strain_leg(0, base::Vector6::Zero())};
   REQUIRE_THROWS_WITH(dem::CellTest(specimen, p), Contains("leg 1") && Contains("duration"));
-  p.path = {strain_leg(1, dem::Vector6d::Constant(std::nan("")))};
+  p.path = {strain_leg(1, base::Vector6::Constant(std::nan("")))};
   REQUIRE_THROWS_WITH(dem::CellTest(specimen, p), Contains("finite"));
-  p.path = {strain_leg(1, 1e-3 * dem::Vector6d::Unit(3))};
+  p.path = {strain_leg(1, 1e-3 * base::Vector6::Unit(3))};
   REQUIRE_THROWS_WITH(dem::CellTest(plane, p), Contains("component 23") && Contains("two dimensions"));
   p.servo_time = 0;
   REQUIRE_THROWS_WITH(dem::CellTest(specimen, p), Contains("servo time"));

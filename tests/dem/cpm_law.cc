@@ -1,4 +1,4 @@
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "dem/core/uniform_random.h"
 #include "dem/laws/cpm.h"
 
@@ -295,8 +295,8 @@ namespace
       const auto                         r = Law::update(k, load(strain), load(shear2), state);
       std::vector<std::array<double, 8>> rows;
       for (const dem::Pack &p :
-           {r.normal_stress, r.shear_stress[0], r.shear_stress[1], r.shear_stress[2], r.plastic_work,
-            state.kappa, state.damage, state.elastic_shear[0], state.elastic_shear[1], state.elastic_shear[2]})
+           {r.normal_stress, r.shear_stress[0], r.shear_stress[1], r.shear_stress[2], r.plastic_work, state.kappa,
+            state.damage, state.elastic_shear[0], state.elastic_shear[1], state.elastic_shear[2]})
         {
           rows.emplace_back();
           for (int lane = 0; lane < 8; ++lane)
@@ -309,8 +309,9 @@ namespace
     {
       State      state = {kappa[lane], damage[lane], {{shear[0][lane], shear[1][lane], shear[2][lane]}}};
       const auto r     = Law::update(k, strain[lane], shear2[lane], state);
-      return {r.normal_stress, r.shear_stress[0], r.shear_stress[1],      r.shear_stress[2],      r.plastic_work,
-              state.kappa,     state.damage,      state.elastic_shear[0], state.elastic_shear[1], state.elastic_shear[2]};
+      return {r.normal_stress,        r.shear_stress[0],     r.shear_stress[1], r.shear_stress[2],
+              r.plastic_work,         state.kappa,           state.damage,      state.elastic_shear[0],
+              state.elastic_shear[1], state.elastic_shear[2]};
     }
   };
 
@@ -379,8 +380,8 @@ TEST_CASE("CPM refuses constants without meaning and names the entry", "[dem]")
   CHECK_THROWS_WITH(refused(&CpmParameters::cohesion, -1)(), Contains("Cohesion"));
   CHECK_THROWS_WITH(refused(&CpmParameters::friction_coefficient, -0.1)(), Contains("Friction coefficient"));
   CHECK_THROWS_WITH(refused(&CpmParameters::shear_contribution, -0.1)(), Contains("Shear contribution"));
-  CHECK_THROWS_AS(refused(&CpmParameters::normal_modulus, -1)(), dem::InputError);
-  CHECK_THROWS_AS(refused(&CpmParameters::normal_modulus, std::numeric_limits<double>::infinity())(), dem::InputError);
+  CHECK_THROWS_AS(refused(&CpmParameters::normal_modulus, -1)(), base::InputError);
+  CHECK_THROWS_AS(refused(&CpmParameters::normal_modulus, std::numeric_limits<double>::infinity())(), base::InputError);
 
   CpmParameters brittle      = tabulated_linear();
   brittle.relative_ductility = 1;

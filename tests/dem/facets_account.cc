@@ -1,6 +1,6 @@
 // Balance of walls and led surfaces: momentum, power, energy, servo, threads, restart, refusals.
+#include "base/errors.h"
 #include "closed_system.h"
-#include "dem/core/errors.h"
 #include "facets_fixture.h"
 #include "memory_state.h"
 
@@ -335,7 +335,7 @@ TEST_CASE("walls that cannot be are refused by name", "[dem][facets][S14]")
   CHECK_THROWS_WITH(with({0, 0, -9 * R}, ground), Contains("or behind it"));
   CHECK_THROWS_WITH(with({0, 0, 0.1 * R}, dem::plate({-1, -1, 0}, {2, 0, 0}, {0, 2, 0})), Contains("lies in it"));
   CHECK_THROWS_WITH(with({0, 0, 5 * R}, ground, {0, 0, 1e4}), Contains("more than its radius"));
-  CHECK_THROWS_AS(with({0, 0, 5 * R}, ground, {0, 0, 1e4}), dem::InputError);
+  CHECK_THROWS_AS(with({0, 0, 5 * R}, ground, {0, 0, 1e4}), base::InputError);
 
   dem::Specimen ball(balls({{0, 0, 2 * R}}, R), loose(), contact());
   const auto    plane = ball.add_surface(wall(ground)),

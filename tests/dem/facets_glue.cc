@@ -1,7 +1,7 @@
 // Particles glued to surfaces: couples on facets, springs in series, rigid turns, strength, balance, restart.
+#include "base/errors.h"
 #include "closed_system.h"
 #include "clusters.h"
-#include "dem/core/errors.h"
 #include "dem/facets/facet_spin.h"
 #include "dem/laws/parallel_bond.h"
 #include "facets_fixture.h"

@@ -1,5 +1,5 @@
 // Where spheres touch facets: nearest points, one contact per zone, continuity over edges.
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "dem/facets/contact_zones.h"
 #include "facets_fixture.h"
 

@@ -1,6 +1,6 @@
 // The first-order shear update with radii as arms, for comparison with programs that have it (doc/theory/shear-kinematics.md, 3).
+#include "base/errors.h"
 #include "closed_system.h"
-#include "dem/core/errors.h"
 #include "dem/kernels/kinematics.h"
 #include "dem/laws/cpm.h"
 #include "dem/statics/elastic_network.h"

@@ -1,6 +1,6 @@
 // Weight in motion: free fall, sudden load, energy, restart, threads.
+#include "base/errors.h"
 #include "clusters.h"
-#include "dem/core/errors.h"
 #include "dem/specimen/specimen.h"
 #include "memory_state.h"
 

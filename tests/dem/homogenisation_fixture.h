@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/voigt.h"
 #include "dem/core/uniform_random.h"
 #include "dem/homogenisation/relaxed_stiffness.h"
 #include "dem/model/packing.h"
@@ -69,7 +70,7 @@ namespace homogenisation_fixture
     Matrix6 T;
     for (int c = 0; c < 6; ++c)
       {
-        const Eigen::Matrix3d E = R * dem::strain_tensor(Eigen::Matrix<double, 6, 1>::Unit(c)) * R.transpose();
+        const Eigen::Matrix3d E = R * base::strain_tensor(base::Vector6::Unit(c)) * R.transpose();
         T.col(c) << E(0, 0), E(1, 1), E(2, 2), 2 * E(1, 2), 2 * E(2, 0), 2 * E(0, 1);
       }
     return T;

@@ -40,7 +40,7 @@ TEST_CASE("relaxed stiffness: never above the affine one, for 100 random strains
       const Matrix6 relaxed = dem::relaxed_stiffness(network).stiffness;
       for (int k = 0; k < 100; ++k)
         {
-          Eigen::Matrix<double, 6, 1> E;
+          base::Vector6 E;
           for (int c = 0; c < 6; ++c)
             E[c] = random() - 0.5;
           const double upper = E.dot(affine * E), energy = E.dot(relaxed * E);
@@ -65,7 +65,7 @@ TEST_CASE("relaxed stiffness: symmetric, by condensation as by energy", "[dem][h
       for (int c = 0; c < 6; ++c)
         {
           const Eigen::Matrix3d s = l.branch * f.col(c).transpose();
-          stress.col(c) += (Eigen::Matrix<double, 6, 1>() << s(0, 0), s(1, 1), s(2, 2), (s(1, 2) + s(2, 1)) / 2,
+          stress.col(c) += (base::Vector6() << s(0, 0), s(1, 1), s(2, 2), (s(1, 2) + s(2, 1)) / 2,
                             (s(2, 0) + s(0, 2)) / 2, (s(0, 1) + s(1, 0)) / 2)
                              .finished() /
                            network.volume;

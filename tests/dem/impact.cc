@@ -1,7 +1,7 @@
-#include "dem/laws/cpm.h"
 #include "dem/loading/impact.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
+#include "dem/laws/cpm.h"
 #include "dem/packing/lattice.h"
 
 #include <catch2/catch.hpp>

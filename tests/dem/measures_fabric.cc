@@ -32,7 +32,7 @@ namespace
   double delta(const int i, const int j) { return i == j ? 1.0 : 0.0; }
 
   /** Component ijkl out of a Mandel matrix. */
-  double component(const dem::Matrix6d &m, const int i, const int j, const int k, const int l)
+  double component(const base::Matrix6 &m, const int i, const int j, const int k, const int l)
   {
     const auto at = [](const int a, const int b) { return a == b ? a : 6 - a - b; };
     return m(at(i, j), at(k, l)) / ((i == j ? 1 : std::sqrt(2.0)) * (k == l ? 1 : std::sqrt(2.0)));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dem/core/state.h"
+#include "base/state.h"
 
 #include <catch2/catch.hpp>
 
@@ -11,19 +11,19 @@
 /** A run's state in memory: written by one visitor, read back by the other; a name asked for must have been written. */
 struct MemoryState
 {
-  std::map<std::string, dem::Column>               columns;
+  std::map<std::string, base::Column>              columns;
   std::map<std::string, std::vector<std::int32_t>> integer_columns;
   std::map<std::string, double>                    numbers;
   std::map<std::string, std::int64_t>              integers;
 
-  class Writer : public dem::StateVisitor
+  class Writer : public base::StateVisitor
   {
   public:
     explicit Writer(MemoryState &memory)
       : m(memory)
     {
     }
-    void column(const std::string &name, dem::Column &values) override { put(m.columns, name, values); }
+    void column(const std::string &name, base::Column &values) override { put(m.columns, name, values); }
     void column(const std::string &name, std::vector<std::int32_t> &values) override
     {
       put(m.integer_columns, name, values);
@@ -41,14 +41,14 @@ struct MemoryState
     MemoryState &m;
   };
 
-  class Reader : public dem::StateVisitor
+  class Reader : public base::StateVisitor
   {
   public:
     explicit Reader(const MemoryState &memory)
       : m(memory)
     {
     }
-    void column(const std::string &name, dem::Column &values) override { get(m.columns, name, values); }
+    void column(const std::string &name, base::Column &values) override { get(m.columns, name, values); }
     void column(const std::string &name, std::vector<std::int32_t> &values) override
     {
       get(m.integer_columns, name, values);

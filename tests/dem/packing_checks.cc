@@ -1,4 +1,4 @@
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "dem/model/packing.h"
 #include "dem/packing/overlaps.h"
 
@@ -52,7 +52,7 @@ TEST_CASE("a packing without particles, or with columns that do not fit, is refu
   SECTION("as an input error, which the program answers with exit status 2")
   {
     packing = {};
-    REQUIRE_THROWS_AS(refusal(), dem::InputError);
+    REQUIRE_THROWS_AS(refusal(), base::InputError);
   }
 }
 

@@ -1,4 +1,4 @@
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "dem/neighbours/cell_list.h"
 #include "dem/packing/compaction.h"
 #include "dem/packing/tiling.h"
@@ -256,7 +256,7 @@ TEST_CASE("parameters without sense are refused by name", "[dem][packing]")
   REQUIRE_THROWS_WITH(refusal([](P &p) { p.count = 0; }), Contains("count = 0"));
   REQUIRE_THROWS_WITH(refusal([](P &p) { p.friction = -0.1; }), Contains("friction = -0.1"));
   REQUIRE_THROWS_WITH(refusal([](P &p) { p.damping = 1; }), Contains("damping = 1"));
-  REQUIRE_THROWS_AS(refusal([=](P &p) { p.damping = nan; }), dem::InputError);
+  REQUIRE_THROWS_AS(refusal([=](P &p) { p.damping = nan; }), base::InputError);
   REQUIRE_THROWS_WITH(refusal([](P &p) { p.shear_ratio = 2; }), Contains("shear ratio = 2"));
   REQUIRE_THROWS_WITH(refusal([](P &p) { p.initial_spacing = 2; }), Contains("initial spacing = 2"));
   REQUIRE_THROWS_WITH(refusal([](P &p) { p.low_pressure = 0; }), Contains("low pressure = 0"));

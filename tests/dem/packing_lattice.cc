@@ -1,4 +1,4 @@
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "dem/neighbours/cell_list.h"
 #include "dem/packing/lattice.h"
 
@@ -52,5 +52,5 @@ TEST_CASE("a lattice without sense is refused", "[dem][packing]")
   using Catch::Contains;
   REQUIRE_THROWS_WITH(dem::make_lattice(dem::Lattice::simple_cubic, 0.0, {{1, 1, 1}}), Contains("radius"));
   REQUIRE_THROWS_WITH(dem::make_lattice(dem::Lattice::simple_cubic, 1.0, {{1, 0, 1}}), Contains("1 x 0 x 1"));
-  REQUIRE_THROWS_AS(dem::make_lattice(dem::Lattice::square, 1.0, {{1, 1, 2}}), dem::InputError);
+  REQUIRE_THROWS_AS(dem::make_lattice(dem::Lattice::square, 1.0, {{1, 1, 2}}), base::InputError);
 }

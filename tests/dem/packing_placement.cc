@@ -1,4 +1,4 @@
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "dem/core/uniform_random.h"
 #include "dem/neighbours/cell_list.h"
 #include "dem/packing/sequential_placement.h"
@@ -66,5 +66,5 @@ TEST_CASE("a cell without room is refused", "[dem][packing]")
   // 0.45 of the volume: beyond what random placement can ever fill.
   REQUIRE_THROWS_WITH(dem::place_sequentially(100, 1.0, Eigen::Vector3d::Constant(std::cbrt(100 * 4.19 / 0.45)), 1),
                       Contains("no free place"));
-  REQUIRE_THROWS_AS(dem::place_sequentially(100, 1.0, Eigen::Vector3d::Constant(5.0), 1), dem::InputError);
+  REQUIRE_THROWS_AS(dem::place_sequentially(100, 1.0, Eigen::Vector3d::Constant(5.0), 1), base::InputError);
 }

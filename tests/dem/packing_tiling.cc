@@ -1,4 +1,4 @@
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "dem/packing/lattice.h"
 #include "dem/packing/tiling.h"
 
@@ -78,5 +78,5 @@ TEST_CASE("a box that cannot be filled is refused", "[dem][packing]")
   REQUIRE_THROWS_WITH(dem::tile_and_crop(cell, {1e-3, 1e-3, 1e-3}), Contains("no sphere lies fully inside"));
   REQUIRE_THROWS_WITH(dem::tile_and_crop(cell, {50, 50, 50}), Contains("metres"));
   REQUIRE_THROWS_WITH(dem::tile_and_crop(cell, {0.05, 0.05, far}), Contains("2^31"));
-  REQUIRE_THROWS_AS(dem::tile_and_crop({}, {1, 1, 1}), dem::InputError);
+  REQUIRE_THROWS_AS(dem::tile_and_crop({}, {1, 1, 1}), base::InputError);
 }

@@ -1,5 +1,5 @@
 // Constants of links between particles of different materials, doc/theory/links.md, 3.
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "dem/laws/cpm.h"
 #include "dem/packing/tiling.h"
 #include "two_materials.h"
@@ -56,7 +56,7 @@ TEST_CASE("link between two materials has the means of their constants, and of t
         Approx(std::sqrt(2.0) - 1).epsilon(1e-14)); // tan 22.5 degrees; mean of tan: 0.5
 
   const std::vector<dem::CpmParameters> pairs = dem::CpmMaterials({soft(), hard()}).pairs();
-  const dem::CpmConstants mean(pairs[dem::material_pair(1, 0)]);
+  const dem::CpmConstants               mean(pairs[dem::material_pair(1, 0)]);
   CHECK(mean.G == Approx(0.3 * 40e9).epsilon(1e-15));        // not the mean of 4e9 and 24e9
   CHECK(mean.softening == Approx(20 * 2e-4).epsilon(1e-15)); // not the mean of 3e-3 and 3e-3
   CHECK(pairs[dem::material_pair(0, 0)].normal_modulus == 20e9);
@@ -101,7 +101,7 @@ TEST_CASE("materials whose damage laws differ are refused, both named", "[dem]")
   CHECK_THROWS_WITH(dem::LinkMaterials(dem::CpmMaterials({soft(), linear})).bonds(dem::Physics()),
                     Contains("Damage law") && Contains("soft has the exponential one") &&
                       Contains("hard the linear one"));
-  CHECK_THROWS_AS(dem::mean_of(soft(), linear), dem::InputError);
+  CHECK_THROWS_AS(dem::mean_of(soft(), linear), base::InputError);
 }
 
 TEST_CASE("a packing's materials are checked, and stay with their particles when it is tiled and cropped", "[dem]")

@@ -263,7 +263,7 @@ TEST_CASE("static cantilever of parallel bonds deflects as n shear and bending s
         ++tip;
       b[(dem::motions * tip + 1) * dem::load_lanes] = F;
       dem::LaneStrains none;
-      none.fill(Eigen::Matrix<double, 6, 1>::Zero());
+      none.fill(base::Vector6::Zero());
       const dem::SolverReport report = dem::solve_linear(stiffness, b, x, none, false, {});
       REQUIRE(report.converged);
       const double k_s        = law.effective_modulus / law.stiffness_ratio / (2 * R) * section(dimension);

@@ -1,5 +1,5 @@
+#include "base/errors.h"
 #include "clusters.h"
-#include "dem/core/errors.h"
 #include "memory_state.h"
 
 #include <catch2/catch.hpp>
@@ -175,9 +175,9 @@ TEST_CASE("steps may change their length without losing the second order", "[dem
 TEST_CASE("a step beyond the stable one is refused", "[dem]")
 {
   dem::Specimen specimen = elastic_cluster();
-  CHECK_THROWS_AS(specimen.set_time_step(1.01 * specimen.longest_step()), dem::InputError);
-  CHECK_THROWS_AS(specimen.set_time_step(0), dem::InputError);
-  CHECK_THROWS_AS(specimen.set_time_step(std::nan("")), dem::InputError);
+  CHECK_THROWS_AS(specimen.set_time_step(1.01 * specimen.longest_step()), base::InputError);
+  CHECK_THROWS_AS(specimen.set_time_step(0), base::InputError);
+  CHECK_THROWS_AS(specimen.set_time_step(std::nan("")), base::InputError);
   specimen.set_time_step(0.5 * specimen.longest_step());
   CHECK(specimen.time_step() == 0.5 * specimen.longest_step());
 }
@@ -235,7 +235,7 @@ TEST_CASE("particles of a grip may move each on its own: an affine motion, and i
     }
   INFO(largest);
   CHECK(largest < 1e-5);
-  CHECK_THROWS_AS(specimen.set_grip_velocities(grip, {}, {}), dem::InputError);
+  CHECK_THROWS_AS(specimen.set_grip_velocities(grip, {}, {}), base::InputError);
 }
 
 TEST_CASE("a grip told one velocity for each particle moves as one told it for all", "[dem]")

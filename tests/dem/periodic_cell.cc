@@ -1,4 +1,4 @@
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "dem/measures/couple_stress.h"
 #include "dem/measures/stress.h"
 #include "periodic_cell_fixture.h"
@@ -13,9 +13,9 @@ using Catch::Contains;
 namespace
 {
   /** Mean Young's modulus and Poisson's ratio by the orthotropic reading (doc/theory/homogenisation.md, 4). */
-  Eigen::Vector2d constants(const dem::Matrix6d &stiffness)
+  Eigen::Vector2d constants(const base::Matrix6 &stiffness)
   {
-    const dem::Matrix6d c = stiffness.inverse();
+    const base::Matrix6 c = stiffness.inverse();
     double              e = 0, nu = 0;
     for (int i = 0; i < 3; ++i)
       {
@@ -34,7 +34,7 @@ TEST_CASE("a strained lattice answers with its exact stiffness, whatever images 
   const double       En = 1, Gn = 0.3, a = M_PI / (2 * std::sqrt(2.0));
   const dem::Packing cubic  = lattice({{0.2, 0.7, 0.1}}, 2.0),
                      face   = lattice({{0, 0, 0}, {0.5, 0.5, 0}, {0, 0.5, 0.5}, {0.5, 0, 0.5}}, 2 * std::sqrt(2.0));
-  dem::Matrix6d exact_cubic = dem::Matrix6d::Zero(), exact_face = dem::Matrix6d::Zero();
+  base::Matrix6 exact_cubic = base::Matrix6::Zero(), exact_face = base::Matrix6::Zero();
   for (int i = 0; i < 3; ++i)
     {
       exact_cubic(i, i)         = M_PI / 4 * En;
@@ -43,7 +43,7 @@ TEST_CASE("a strained lattice answers with its exact stiffness, whatever images 
         exact_face(i, j) = i == j ? a * (En + Gn) : a / 2 * (En - Gn);
       exact_face(3 + i, 3 + i) = a / 2 * (En + Gn);
     }
-  const auto check = [&](const dem::Packing &packing, const dem::Matrix6d &exact) {
+  const auto check = [&](const dem::Packing &packing, const base::Matrix6 &exact) {
     const auto make = [&] { return dem::Specimen(packing, elastic(1.1), unit_links(Gn)); };
     REQUIRE((make().affine_stiffness() - exact).cwiseAbs().maxCoeff() < 1e-14);
     for (int c = 0; c < 6; ++c)
@@ -57,7 +57,7 @@ TEST_CASE("a strained lattice answers with its exact stiffness, whatever images 
 TEST_CASE("eight spheres relax to their static stiffness", "[dem][periodic]")
 {
   const auto          make  = [] { return dem::Specimen(eight_spheres(), elastic(1.5), unit_links(0.2)); };
-  const dem::Matrix6d exact = eight_spheres_stiffness();
+  const base::Matrix6 exact = eight_spheres_stiffness();
   REQUIRE(make().counts().links == 37);
   const Eigen::Vector2d affine = constants(make().affine_stiffness());
   REQUIRE(affine[0] == Approx(0.624201).margin(5e-7));
@@ -72,7 +72,7 @@ TEST_CASE("eight spheres that cannot turn are stiffer, as the static solution sa
   dem::SpecimenParameters parameters = elastic(1.5);
   parameters.physics.rotations       = false;
   const auto    make                 = [&] { return dem::Specimen(eight_spheres(), parameters, unit_links(0.2)); };
-  dem::Matrix6d stiffness;
+  base::Matrix6 stiffness;
   for (int c = 0; c < 6; ++c)
     stiffness.col(c) = stiffness_column(make, c, 1e-5, 1e-10);
   const Eigen::Vector2d found = constants(stiffness);
@@ -91,7 +91,7 @@ TEST_CASE("six discs relax to their static stiffness in the plane", "[dem][perio
   const int at[3] = {0, 1, 5};
   for (int i = 0; i < 3; ++i)
     {
-      const dem::Vector6d column = stiffness_column(make, at[i], 1e-5, 1e-10);
+      const base::Vector6 column = stiffness_column(make, at[i], 1e-5, 1e-10);
       for (int j = 0; j < 3; ++j)
         {
           found(j, i) = column[at[j]];
@@ -105,7 +105,7 @@ TEST_CASE("the internal measures agree with the kernel's stress, and couple stre
 {
   dem::Specimen           specimen(eight_spheres(), elastic(1.5), unit_links(0.2));
   dem::CellTestParameters p;
-  dem::Vector6d           strain;
+  base::Vector6           strain;
   strain << 1e-5, -2e-5, 0, 3e-5, 0, 1e-5;
   p.path = {strain_leg(50 * specimen.time_step(), strain)};
   dem::CellTest test(specimen, p);
@@ -132,13 +132,13 @@ TEST_CASE("moving a particle by whole cells changes nothing", "[dem][periodic]")
   dem::Packing moved = eight_spheres();
   moved.centre[2] += Eigen::Vector3d(3, -2, 1);
   moved.centre[5] += Eigen::Vector3d(0, 0, -5);
-  dem::Vector6d stress[2];
+  base::Vector6 stress[2];
   int           k = 0;
   for (const dem::Packing &packing : {eight_spheres(), moved})
     {
       dem::Specimen           specimen(packing, elastic(1.5), unit_links(0.2));
       dem::CellTestParameters p;
-      dem::Vector6d           strain;
+      base::Vector6           strain;
       strain << 0.01, -0.02, 0.005, 0.03, -0.01, 0.02;
       p.path = {strain_leg(300 * specimen.time_step(), strain)};
       dem::CellTest test(specimen, p);
@@ -150,14 +150,14 @@ TEST_CASE("moving a particle by whole cells changes nothing", "[dem][periodic]")
 
 TEST_CASE("two cells side by side answer like one, while links break and spheres meet", "[dem][periodic]")
 {
-  dem::Vector6d stress[2];
+  base::Vector6 stress[2];
   dem::Counts   counts[2];
   int           k = 0;
   for (const dem::Packing &packing : {disordered(4, 3), twice(disordered(4, 3))})
     {
       dem::Specimen           specimen(packing, concrete_specimen(), brittle_concrete());
       dem::CellTestParameters p;
-      p.path = {strain_leg(400 * specimen.time_step(), 4e-3 * dem::Vector6d::Unit(0))};
+      p.path = {strain_leg(400 * specimen.time_step(), 4e-3 * base::Vector6::Unit(0))};
       dem::CellTest test(specimen, p);
       stress[k]   = test.advance(400).stress;
       counts[k++] = specimen.counts();
@@ -184,7 +184,7 @@ TEST_CASE("spheres meet across the boundary of the cell", "[dem][periodic]")
 
   dem::CellTestParameters p;
   const double            shorter = -0.2 / 4.1;
-  p.path                          = {strain_leg(4000 * specimen.time_step(), shorter * dem::Vector6d::Unit(0))};
+  p.path                          = {strain_leg(4000 * specimen.time_step(), shorter * base::Vector6::Unit(0))};
   dem::CellTest test(specimen, p);
   bool          met_late = false, apart_early = false;
   while (!test.finished())
@@ -216,7 +216,7 @@ TEST_CASE("work on the cell is stored in a lattice, and its account closes", "[d
                                    unit_links(0.3));
   dem::CellTestParameters p;
   const double            strain = 1e-4;
-  p.path                         = {strain_leg(100 * specimen.time_step(), strain * dem::Vector6d::Unit(3))};
+  p.path                         = {strain_leg(100 * specimen.time_step(), strain * base::Vector6::Unit(3))};
   dem::CellTest test(specimen, p);
   test.advance(100);
   specimen.advance(1);
@@ -237,9 +237,9 @@ TEST_CASE("energy of a cell that is pulled apart and crushed stays accounted for
       dem::Specimen           specimen(disordered(5, 11), parameters, brittle_concrete());
       dem::CellTestParameters p;
       const double            dt = specimen.time_step();
-      dem::Vector6d           crushed;
+      base::Vector6           crushed;
       crushed << -0.05, 0.02, 0.02, 0.01, 0, 0.02;
-      p.path = {strain_leg(1000 * dt, 3e-3 * dem::Vector6d::Unit(0)), strain_leg(2000 * dt, crushed)};
+      p.path = {strain_leg(1000 * dt, 3e-3 * base::Vector6::Unit(0)), strain_leg(2000 * dt, crushed)};
       dem::CellTest      test(specimen, p);
       dem::EnergyAccount before = specimen.energy();
       double             worst  = 0;
@@ -269,7 +269,7 @@ TEST_CASE("a cell goes on from a saved state to the same bits, with any number o
     mixed.duration     = 200 * dt;
     mixed.stress_given = {{false, true, true, true, true, true}};
     mixed.target << 3e-3, 0, 0, 0, 0, 0;
-    dem::Vector6d crushed;
+    base::Vector6 crushed;
     crushed << -0.08, 0.03, 0.03, 0, 0, 0.02;
     p.path = {mixed, strain_leg(300 * dt, crushed)};
     return p;
@@ -310,13 +310,13 @@ TEST_CASE("what a periodic specimen cannot do is said", "[dem][periodic]")
   body.physics.periodic        = false;
   dem::Specimen unbounded(free, body, unit_links(0.2));
   REQUIRE_THROWS_WITH(unbounded.set_velocity_gradient(Eigen::Matrix3d::Zero()), Contains("no periodic cell"));
-  REQUIRE_THROWS_AS(unbounded.cell(), dem::InputError);
+  REQUIRE_THROWS_AS(unbounded.cell(), base::InputError);
 
   dem::Specimen cell(eight_spheres(), elastic(1.5), unit_links(0.2));
   REQUIRE_THROWS_WITH(cell.add_grip({}), Contains("periodic cell"));
   REQUIRE_THROWS_WITH(cell.set_velocity_gradient(Eigen::Matrix3d::Constant(std::nan(""))), Contains("finite"));
   cell.set_velocity_gradient(-2 / cell.time_step() * Eigen::Matrix3d(Eigen::Vector3d(1, 0, 0).asDiagonal()));
-  REQUIRE_THROWS_AS(cell.advance(1), dem::NumericalError);
+  REQUIRE_THROWS_AS(cell.advance(1), base::NumericalError);
 
   dem::Specimen plane(six_discs(), elastic(1.25, 2), unit_links(0.2));
   REQUIRE_THROWS_WITH(plane.set_velocity_gradient(Eigen::Matrix3d::Identity()), Contains("along z"));

@@ -27,9 +27,9 @@ namespace periodic_fixture
   }
 
   /** Its relaxed stiffness for E = 1, G/E = 0.2 as printed there. */
-  inline dem::Matrix6d eight_spheres_stiffness()
+  inline base::Matrix6 eight_spheres_stiffness()
   {
-    dem::Matrix6d d;
+    base::Matrix6 d;
     d << 0.6516972, 0.1656204, 0.1871454, -0.004127942, -0.07683566, -0.01991760, //
       0.1656204, 0.5962287, 0.1309957, 0.02745349, -0.01489825, -0.009256186,     //
       0.1871454, 0.1309957, 0.6422239, 0.01182032, -0.04931502, -0.002428461,     //
@@ -139,7 +139,7 @@ namespace periodic_fixture
     return c;
   }
 
-  inline dem::CellLeg strain_leg(const double duration, const dem::Vector6d &strain)
+  inline dem::CellLeg strain_leg(const double duration, const base::Vector6 &strain)
   {
     dem::CellLeg leg;
     leg.duration = duration;
@@ -160,10 +160,10 @@ namespace periodic_fixture
     return -1;
   }
 
-  inline dem::Vector6d stress_of(const dem::Specimen &specimen)
+  inline base::Vector6 stress_of(const dem::Specimen &specimen)
   {
     const Eigen::Matrix3d s = specimen.cell().stress;
-    dem::Vector6d         v;
+    base::Vector6         v;
     v << s(0, 0), s(1, 1), s(2, 2), 0.5 * (s(1, 2) + s(2, 1)), 0.5 * (s(2, 0) + s(0, 2)), 0.5 * (s(0, 1) + s(1, 0));
     return v;
   }
@@ -173,14 +173,14 @@ namespace periodic_fixture
    * counts only by its square.
    */
   template <typename Make>
-  dem::Vector6d stiffness_column(Make &&make, const int component, const double size, const double unbalanced)
+  base::Vector6 stiffness_column(Make &&make, const int component, const double size, const double unbalanced)
   {
-    dem::Vector6d column = dem::Vector6d::Zero();
+    base::Vector6 column = base::Vector6::Zero();
     for (const double sign : {1.0, -1.0})
       {
         dem::Specimen           specimen = make();
         dem::CellTestParameters p;
-        p.path = {strain_leg(10 * specimen.time_step(), sign * size * dem::Vector6d::Unit(component))};
+        p.path = {strain_leg(10 * specimen.time_step(), sign * size * base::Vector6::Unit(component))};
         dem::CellTest test(specimen, p);
         test.advance(10);
         if (unbalanced > 0 && relax(specimen, unbalanced) < 0)
@@ -193,12 +193,12 @@ namespace periodic_fixture
   }
 
   /** Keeps a state in memory: what a checkpoint does on disk. */
-  class MemoryState : public dem::StateVisitor
+  class MemoryState : public base::StateVisitor
   {
   public:
     bool reading = false;
 
-    void column(const std::string &name, dem::Column &values) override { keep(columns, name, values); }
+    void column(const std::string &name, base::Column &values) override { keep(columns, name, values); }
     void column(const std::string &name, std::vector<std::int32_t> &values) override { keep(integers, name, values); }
     void scalar(const std::string &name, double &value) override { keep(numbers, name, value); }
     void scalar(const std::string &name, std::int64_t &value) override { keep(counts, name, value); }
@@ -219,7 +219,7 @@ namespace periodic_fixture
         items[name] = value;
     }
 
-    std::map<std::string, dem::Column>               columns;
+    std::map<std::string, base::Column>              columns;
     std::map<std::string, std::vector<std::int32_t>> integers;
     std::map<std::string, double>                    numbers;
     std::map<std::string, std::int64_t>              counts;

@@ -19,15 +19,14 @@ namespace
   class Typical : public dem::ConstantVisitor
   {
   public:
-    void
-    number(const char *key, double &member, const char *, const char *meaning, double, double, const bool required) override
+    void number(
+      const char *key, double &member, const char *, const char *meaning, double, double, const bool required) override
     {
       CHECK_FALSE(std::string(meaning).empty());
-      const std::map<std::string, double> values = {{"Normal modulus", 25e9},      {"Effective modulus", 25e9},
-                                                    {"Shear ratio", 0.2},          {"Limit elastic strain", 1e-4},
-                                                    {"Relative ductility", 5},     {"Cohesion", 3e6},
-                                                    {"Friction coefficient", 0.8}, {"Tensile strength", 4e6},
-                                                    {"Friction angle", 30}};
+      const std::map<std::string, double> values = {
+        {"Normal modulus", 25e9},       {"Effective modulus", 25e9}, {"Shear ratio", 0.2},
+        {"Limit elastic strain", 1e-4}, {"Relative ductility", 5},   {"Cohesion", 3e6},
+        {"Friction coefficient", 0.8},  {"Tensile strength", 4e6},   {"Friction angle", 30}};
       const auto found = values.find(key);
       INFO("a typical value of \"" << key << "\" is wanted here");
       CHECK((found != values.end() || !required));
@@ -153,7 +152,9 @@ TEST_CASE("every link law balances work, stored and dissipated energy on random 
             double    work = 0, spent = 0, largest = 0;
             for (int i = 1; i <= n && !link.gone(); ++i)
               {
-                const auto change = [&](const int c) { return way.at(c, double(i) / n) - way.at(c, double(i - 1) / n); };
+                const auto change = [&](const int c) {
+                  return way.at(c, double(i) / n) - way.at(c, double(i - 1) / n);
+                };
                 const Vector3d force = link.answer.force, moment = link.answer.moment;
                 const double   strain = link.step.geometry.strain;
                 const Vector3d slip(0, strains * change(1), strains * change(2)),
@@ -182,11 +183,11 @@ TEST_CASE("every link law's tangent is the derivative of its update", "[dem][law
       {
         const Vector3d n = cluster::random_direction(random);
         Link           link(typical(*kind).bonds(dem::Physics()), n);
-        const auto     across = [&](Vector3d v) { return Vector3d(v - v.dot(n) * n); };
+        const auto     across      = [&](Vector3d v) { return Vector3d(v - v.dot(n) * n); };
         const auto     random_step = [&](const double size) {
           const double   strain = size * strains * (2 * random() - 1);
-          const Vector3d slip = size * strains * across(cluster::random_vector(random)),
-                         turn = size * turns * cluster::random_vector(random);
+          const Vector3d slip   = size * strains * across(cluster::random_vector(random)),
+                         turn   = size * turns * cluster::random_vector(random);
           link.advance(strain, slip, turn);
         };
         random_step(2);
@@ -196,30 +197,30 @@ TEST_CASE("every link law's tangent is the derivative of its update", "[dem][law
         random_step(1);
         const Link at = link;
         // Input: strain vector (strain along n, slip across) and rotation; answer: force over area, moment.
-        const auto answer_at = [&](const Eigen::Matrix<double, 6, 1> &change) {
-          Link           moved  = start;
-          const Vector3d e      = change.head<3>();
+        const auto answer_at = [&](const base::Vector6 &change) {
+          Link           moved = start;
+          const Vector3d e     = change.head<3>();
           moved.advance(at.step.geometry.strain + e.dot(n), at.step.shear_increment + across(e),
                         at.step.bending_increment + at.step.twist_increment * n + change.tail<3>());
-          Eigen::Matrix<double, 6, 1> out;
+          base::Vector6 out;
           out << moved.answer.force / at.step.geometry.area, moved.answer.moment;
           return out;
         };
         dem::LinkTangent kind_of;
         kind_of.damages =
           at.law->damaging_strain(0, at.history.data()) > at.law->damaging_strain(0, start.history.data());
-        kind_of.slides               = at.answer.slides;
-        const dem::Matrix6 tangent   = at.law->tangent(0, at.step, start.history.data(), at.history.data(), kind_of);
-        double             worst     = 0;
-        const double       h         = 1e-10;
-        bool               kink      = false; // within h of another branch
+        kind_of.slides              = at.answer.slides;
+        const base::Matrix6 tangent = at.law->tangent(0, at.step, start.history.data(), at.history.data(), kind_of);
+        double              worst   = 0;
+        const double        h       = 1e-10;
+        bool                kink    = false; // within h of another branch
         for (int c = 0; c < 6; ++c)
           {
-            const Eigen::Matrix<double, 6, 1> unit = Eigen::Matrix<double, 6, 1>::Unit(c);
-            const Eigen::Matrix<double, 6, 1> forward  = (answer_at(h * unit) - answer_at({0, 0, 0, 0, 0, 0})) / h,
-                                              backward = (answer_at({0, 0, 0, 0, 0, 0}) - answer_at(-h * unit)) / h;
-            const double scale = c < 3 ? 25e9 : 1.0;
-            kink  = kink || (forward - backward).head<3>().norm() > 1e-3 * 25e9;
+            const base::Vector6 unit     = base::Vector6::Unit(c);
+            const base::Vector6 forward  = (answer_at(h * unit) - answer_at({0, 0, 0, 0, 0, 0})) / h,
+                                backward = (answer_at({0, 0, 0, 0, 0, 0}) - answer_at(-h * unit)) / h;
+            const double scale           = c < 3 ? 25e9 : 1.0;
+            kink                         = kink || (forward - backward).head<3>().norm() > 1e-3 * 25e9;
             worst = std::max(worst, (0.5 * (forward + backward) - tangent.col(c)).norm() / scale);
           }
         INFO(kind->name() << ", trial " << trial);

@@ -18,8 +18,6 @@
 #include <memory>
 
 using namespace homogenisation_fixture;
-using dem::Vector6;
-
 namespace
 {
   dem::CpmParameters concrete()
@@ -49,17 +47,20 @@ namespace
     return p;
   }
 
-  Vector6 mixed(const double size) { return (Vector6() << 1.0, -0.3, 0.2, 0.4, -0.2, 0.5).finished() * size; }
+  base::Vector6 mixed(const double size)
+  {
+    return (base::Vector6() << 1.0, -0.3, 0.2, 0.4, -0.2, 0.5).finished() * size;
+  }
 
   /** Central differences of the response, from the committed state. */
-  Matrix6 differences(const dem::RespondingCell &cell, const Vector6 &strain, const double step)
+  base::Matrix6 differences(const dem::RespondingCell &cell, const base::Vector6 &strain, const double step)
   {
-    Matrix6 D;
+    base::Matrix6 D;
     for (int c = 0; c < 6; ++c)
       {
         dem::RespondingCell up = cell, down = cell;
-        D.col(c) = (up.respond(strain + step * Vector6::Unit(c)).stress -
-                    down.respond(strain - step * Vector6::Unit(c)).stress) /
+        D.col(c) = (up.respond(strain + step * base::Vector6::Unit(c)).stress -
+                    down.respond(strain - step * base::Vector6::Unit(c)).stress) /
                    (2 * step);
       }
     return D;
@@ -69,9 +70,9 @@ namespace
 TEST_CASE("responding cell: an elastic step gives the relaxed stiffness, and the stress that it says", "[dem][statics]")
 {
   const auto          cell = random_cell(concrete());
-  const Matrix6       D    = dem::relaxed_stiffness(cell->network).stiffness;
+  const base::Matrix6 D    = dem::relaxed_stiffness(cell->network).stiffness;
   dem::RespondingCell point(cell, concrete(), tight());
-  const Vector6       strain = mixed(2e-5);
+  const base::Vector6 strain = mixed(2e-5);
   const auto          answer = point.respond(strain);
   CHECK(relative_difference(answer.tangent, D) < 1e-10);
   CHECK((answer.stress - D * strain).norm() < 1e-10 * (D * strain).norm());
@@ -86,14 +87,14 @@ TEST_CASE("responding cell: an elastic step gives the relaxed stiffness, and the
 TEST_CASE("responding cell: in the plane too, where only in-plane strains exist", "[dem][statics]")
 {
   const auto          cell = random_cell(concrete(), 2);
-  const Matrix6       D    = dem::relaxed_stiffness(cell->network).stiffness;
+  const base::Matrix6 D    = dem::relaxed_stiffness(cell->network).stiffness;
   dem::RespondingCell point(cell, concrete(), tight());
-  Vector6             strain = Vector6::Zero();
+  base::Vector6       strain = base::Vector6::Zero();
   strain << 2e-5, -1e-5, 0, 0, 0, 1e-5;
   const auto answer = point.respond(strain);
   CHECK(relative_difference(answer.tangent, D) < 1e-10);
   CHECK((answer.stress - D * strain).norm() < 1e-10 * (D * strain).norm());
-  CHECK_THROWS_WITH(point.respond(Vector6::Unit(2) * 1e-5), Catch::Contains("in the plane"));
+  CHECK_THROWS_WITH(point.respond(base::Vector6::Unit(2) * 1e-5), Catch::Contains("in the plane"));
 }
 
 TEST_CASE("responding cell: strained in steps it follows the quasi-static path of the same strains", "[dem][statics]")
@@ -130,7 +131,7 @@ TEST_CASE("responding cell: the tangent is the derivative, with damage and slidi
       dem::RespondingCell point(random_cell(concrete()), concrete(), tight());
       point.respond(mixed(sign * 2e-4));
       point.commit();
-      const Vector6       strain = mixed(sign * 2.3e-4);
+      const base::Vector6 strain = mixed(sign * 2.3e-4);
       dem::RespondingCell trial  = point;
       const auto          answer = trial.respond(strain);
       trial.commit();
@@ -148,7 +149,7 @@ TEST_CASE("responding cell: a law with moments answers with its tangent too", "[
   bond.tensile_strength                                = 1e9;
   bond.cohesion                                        = 1e9;
   const auto          cell                             = random_cell(bond);
-  const Matrix6       D                                = dem::relaxed_stiffness(cell->network).stiffness;
+  const base::Matrix6 D                                = dem::relaxed_stiffness(cell->network).stiffness;
   dem::RespondingCell point(cell,
                             bond); // the overlap is a difference of lengths: tighter than 1e-9 is below their rounding
   const auto          answer = point.respond(mixed(1e-4));
@@ -187,7 +188,7 @@ TEST_CASE("responding cell: Newton's method on its stress converges with the squ
 {
   // Uniaxial stress: the other five components are to vanish, as for a point of a structure; damage is under way.
   dem::RespondingCell point(random_cell(concrete()), concrete(), tight());
-  Vector6             strain = Vector6::Zero();
+  base::Vector6       strain = base::Vector6::Zero();
   std::vector<double> error;
   int                 parts = 0;
   for (const double axial : {0.9e-4, 1.2e-4, 1.4e-4})
@@ -222,11 +223,11 @@ TEST_CASE("responding cell: a strain far past the peak in one call is answered i
           "[dem][statics][slow]")
 {
   dem::RespondingCell once(random_cell(concrete()), concrete()), often = once;
-  const Vector6       end    = Vector6::Unit(0) * 12e-4;
+  const base::Vector6 end    = base::Vector6::Unit(0) * 12e-4;
   const auto          answer = once.respond(end);
   once.commit();
   CHECK(answer.parts > 1);
-  Vector6 stress;
+  base::Vector6 stress;
   for (int i = 1; i <= 120; ++i)
     {
       stress = often.respond(i / 120.0 * end).stress;
@@ -248,5 +249,5 @@ TEST_CASE("responding cell: what it cannot be asked is refused", "[dem][statics]
   p.tolerance = 1;
   CHECK_THROWS_WITH(dem::RespondingCell(cell, concrete(), p), Catch::Contains("tolerance = 1"));
   dem::RespondingCell point(cell, concrete());
-  CHECK_THROWS_WITH(point.respond(Vector6::Constant(std::nan(""))), Catch::Contains("must be finite"));
+  CHECK_THROWS_WITH(point.respond(base::Vector6::Constant(std::nan(""))), Catch::Contains("must be finite"));
 }

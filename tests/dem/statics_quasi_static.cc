@@ -250,7 +250,7 @@ TEST_CASE("relaxation of links: a chain led past its snap-back falls to the clos
   p.tolerance = 1e-9;
   // Past the peak, (0.8 * 7 + 1)/8 eps_0, there is equilibrium at this strain only far down the softening branch.
   const double strain = 0.83e-4;
-  const auto   report = dem::relax_links(loaded, links, motion, strain * dem::Vector6::Unit(loaded.led), p);
+  const auto   report = dem::relax_links(loaded, links, motion, strain * base::Vector6::Unit(loaded.led), p);
   REQUIRE(report.converged);
   double low = 2.872e-4, high = 100e-4; // strain of the chain grows with kappa here
   for (int i = 0; i < 100; ++i)
@@ -294,7 +294,7 @@ TEST_CASE("quasi-static specimen: the first slope is that of the linear solution
       const dem::StiffnessOperator K(loaded.network, loaded.held);
       const double                 strain = 1e-6;
       dem::LaneStrains             none;
-      none.fill(Eigen::Matrix<double, 6, 1>::Zero());
+      none.fill(base::Vector6::Zero());
       dem::Fields x(loaded.network.particles() * dem::motions * dem::load_lanes, 0.0), y(x.size());
       for (std::size_t k = 0; k < K.particles(); ++k)
         for (int c = 0; c < 3; ++c)
@@ -332,7 +332,7 @@ TEST_CASE("statics: a cantilever ladder of bonded spheres deflects by its closed
       const dem::StiffnessOperator K(network, held);
       dem::Fields                  x(packing.size() * dem::motions * dem::load_lanes, 0.0), y(x.size());
       dem::LaneStrains             none;
-      none.fill(Eigen::Matrix<double, 6, 1>::Zero());
+      none.fill(base::Vector6::Zero());
       const auto at = [&](const std::size_t particle) {
         const auto place = std::find(K.order().begin(), K.order().end(), static_cast<std::int32_t>(particle));
         return ((place - K.order().begin()) * dem::motions + 1) * dem::load_lanes;

@@ -1,5 +1,5 @@
 // Networks and quasi-static paths of two materials.
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "dem/statics/quasi_static_path.h"
 #include "two_materials.h"
 
@@ -27,7 +27,7 @@ namespace
     dem::Packing packing = cluster::cubic_lattice(static_cast<int>(material.size()), 1, 1, r);
     packing.material     = material;
     dem::GripPair grips;
-    grips.axis   = 0;
+    grips.axis = 0;
     dem::GripParameters ends;
     ends.thickness = 0.1 * r;
     grips.layers   = dem::find_grip_layers({packing.centre, packing.radius}, 0, ends);
@@ -96,5 +96,5 @@ TEST_CASE("network of one material declared twice is that of one", "[dem][static
 TEST_CASE("network refuses a material that is not given", "[dem][statics]")
 {
   CHECK_THROWS_WITH(row({0, 2, 1}, cluster::mortar_and_aggregate()), Contains("particle 2: material = 2: 2 given"));
-  CHECK_THROWS_AS(row({0, 2, 1}, cluster::mortar_and_aggregate()), dem::InputError);
+  CHECK_THROWS_AS(row({0, 2, 1}, cluster::mortar_and_aggregate()), base::InputError);
 }

@@ -1,7 +1,7 @@
 #include "dem/loading/uniaxial.h"
 
+#include "base/errors.h"
 #include "clusters.h"
-#include "dem/core/errors.h"
 #include "dem/specimen/specimen.h"
 #include "two_materials.h"
 
@@ -143,7 +143,7 @@ TEST_CASE("uniaxial test refuses what it cannot do and names the entry", "[dem]"
                     Contains("Gauge planes") && Contains("0.009 m"));
   CHECK_THROWS_WITH(refused([](auto &p) { p.stop_fraction = 1; })(), Contains("stop fraction"));
   CHECK_THROWS_WITH(refused([](auto &p) { p.stop_strain = 0; })(), Contains("stop strain"));
-  CHECK_THROWS_AS(refused([](auto &p) { p.axis = -1; })(), dem::InputError);
+  CHECK_THROWS_AS(refused([](auto &p) { p.axis = -1; })(), base::InputError);
 }
 
 TEST_CASE("grips that turn back at half the speed lead stress and strain back along the elastic line", "[dem]")

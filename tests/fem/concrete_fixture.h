@@ -68,12 +68,12 @@ public:
 
 /// A point on a strain path, each corner reached in equal steps.
 inline fem::DamagePlasticState
-follow(const fem::DamagePlasticConcrete &law, const std::vector<fem::Voigt> &corners, const int steps)
+follow(const fem::DamagePlasticConcrete &law, const std::vector<base::Voigt> &corners, const int steps)
 {
   fem::DamagePlasticState state;
-  for (const fem::Voigt &corner : corners)
+  for (const base::Voigt &corner : corners)
     {
-      const fem::Voigt from = state.strain;
+      const base::Voigt from = state.strain;
       for (int i = 1; i <= steps; ++i)
         state = law.evaluate(from + (corner - from) * (double(i) / steps), state, {}).trial;
     }

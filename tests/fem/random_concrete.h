@@ -41,7 +41,7 @@ inline fem::DamagePlasticParameters any_concrete(Random &random)
 /// Proportional to the elastic stress of the target: the factor at which it reaches the surface of a hardening variable.
 inline double factor_to_yield(const fem::DamagePlasticConcrete   &law,
                               const fem::DamagePlasticParameters &p,
-                              const fem::Voigt                   &stress,
+                              const base::Voigt                  &stress,
                               const double                        kappa)
 {
   const fem::StressInvariants inv(stress);
@@ -71,10 +71,10 @@ inline fem::MixedTarget any_target(const fem::DamagePlasticConcrete   &law,
   for (int i = 0; i < 6; ++i)
     target.value[i] = target.stress_given[i] ? (free ? 0 : 0.5 * random.normal() * p.young_modulus) : random.normal();
   fem::IsotropicElastic::Parameters hooke;
-  hooke.young_modulus      = p.young_modulus;
-  hooke.poisson_ratio      = p.poisson_ratio;
-  const fem::Voigt elastic = fem::solve_mixed(fem::IsotropicElastic(hooke), target, {}, {}, 1e9).response.stress;
-  const double     limit   = factor_to_yield(law, p, elastic, random.one_in(2) ? 0 : 1);
+  hooke.young_modulus       = p.young_modulus;
+  hooke.poisson_ratio       = p.poisson_ratio;
+  const base::Voigt elastic = fem::solve_mixed(fem::IsotropicElastic(hooke), target, {}, {}, 1e9).response.stress;
+  const double      limit   = factor_to_yield(law, p, elastic, random.one_in(2) ? 0 : 1);
   target.value *= limit * random.log_between(0.1, 10);
   return target;
 }

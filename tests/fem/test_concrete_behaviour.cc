@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-using fem::Voigt;
+using base::Voigt;
 
 namespace
 {
@@ -126,9 +126,9 @@ TEST_CASE("concrete is objective: a turned strain path gives turned stresses", "
                           (Voigt() << 3e-4, 5e-4, -2e-4, 1e-4, 2e-4, 6e-4).finished()};
   std::vector<Voigt> turned;
   for (const Voigt &corner : path)
-    turned.push_back(fem::strain_voigt(turn * fem::strain_tensor(corner) * turn.transpose()));
+    turned.push_back(base::strain_voigt(turn * base::strain_tensor(corner) * turn.transpose()));
   const auto  straight = follow(law, path, 50), rotated = follow(law, turned, 50);
-  const Voigt back = fem::stress_voigt(turn.transpose() * fem::stress_tensor(rotated.stress) * turn);
+  const Voigt back = base::stress_voigt(turn.transpose() * base::stress_tensor(rotated.stress) * turn);
   CHECK((back - straight.stress).norm() <= 1e-9 * straight.stress.norm());
   CHECK(rotated.damage == Approx(straight.damage).epsilon(1e-9));
   CHECK(straight.damage > 0.1); // the path does damage
@@ -163,7 +163,7 @@ TEST_CASE("concrete from a given state: the stress comes back at zero strain, da
 
   given.damage = 1.2;
   CHECK_THROWS_WITH(law.initial_state(given, {}), Catch::Contains("initial damage = 1.2"));
-  given.damage  = 0;
+  given.damage    = 0;
   given.hardening = 1.5;
   CHECK_THROWS_WITH(law.initial_state(given, {}), Catch::Contains("initial kappa_P = 1.5"));
 }

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <random>
 
-using fem::Voigt;
+using base::Voigt;
 
 namespace
 {
@@ -30,12 +30,12 @@ namespace
       const double kind = uniform(engine);
       const double sign = uniform(engine) < 0.5 ? -1 : 1;
       if (kind < 0.25)
-        direction = sign * fem::voigt_identity() + std::pow(10, -4 * uniform(engine)) * direction;
+        direction = sign * base::voigt_identity() + std::pow(10, -4 * uniform(engine)) * direction;
       else if (kind < 0.375)
         {
           const Voigt axial = (Voigt() << 1, 0, 0, 0, 0, 0).finished();
           direction =
-            sign * axial + normal(engine) * fem::voigt_identity() + std::pow(10, -6 * uniform(engine)) * direction;
+            sign * axial + normal(engine) * base::voigt_identity() + std::pow(10, -6 * uniform(engine)) * direction;
         }
       const double size = elastic_limit * std::pow(10, -2 + 4 * uniform(engine));
       return direction * (size / direction.cwiseAbs().maxCoeff());
@@ -115,12 +115,12 @@ namespace
   /// truncated, narrow ones rounded, and between them lies what the tangent is really worth.
   double tangent_error(const fem::DamagePlasticConcrete &law, const fem::DamagePlasticState &state, const Voigt &strain)
   {
-    const fem::Stiffness tangent = law.evaluate(strain, state, {}).tangent;
-    double               best    = 1e300;
+    const base::Stiffness tangent = law.evaluate(strain, state, {}).tangent;
+    double                best    = 1e300;
     for (const double width : {1e-4, 1e-5, 1e-6, 1e-7})
       {
-        const double   h = width * std::max(strain.cwiseAbs().maxCoeff(), 1e-5);
-        fem::Stiffness difference;
+        const double    h = width * std::max(strain.cwiseAbs().maxCoeff(), 1e-5);
+        base::Stiffness difference;
         for (int j = 0; j < 6; ++j)
           {
             const auto at = [&](const double f) {

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-using fem::Voigt;
+using base::Voigt;
 
 namespace
 {
@@ -151,20 +151,20 @@ TEST_CASE("concrete in oedometric and hydrostatic strain: reference values", "[f
 
   const double compressed[5] = {-22.260704e6, -36.081632e6, -48.335164e6, -59.947123e6, -71.338664e6};
   for (int n = 1; n <= 5; ++n)
-    CHECK(follow(law, {-5e-4 * n * fem::voigt_identity()}, n).stress[0] ==
+    CHECK(follow(law, {-5e-4 * n * base::voigt_identity()}, n).stress[0] ==
           Approx(compressed[n - 1]).epsilon(run_tolerance));
 
   auto old_norm        = material_m1();
   old_norm.vertex_norm = 1.0 / 9.0;
   const fem::DamagePlasticConcrete old_law(old_norm);
-  CHECK(follow(old_law, {-5e-4 * fem::voigt_identity()}, 1).stress[0] == Approx(-21.266609e6).epsilon(run_tolerance));
-  CHECK(follow(old_law, {-25e-4 * fem::voigt_identity()}, 5).stress[0] == Approx(-59.160237e6).epsilon(run_tolerance));
+  CHECK(follow(old_law, {-5e-4 * base::voigt_identity()}, 1).stress[0] == Approx(-21.266609e6).epsilon(run_tolerance));
+  CHECK(follow(old_law, {-25e-4 * base::voigt_identity()}, 5).stress[0] == Approx(-59.160237e6).epsilon(run_tolerance));
 
   const double stretched[4] = {2.5e6, 1.723204e6, 0.958173e6, 0.555152e6};
   const double damage[4]    = {0, 0.412698, 0.673436, 0.810793};
   for (int n = 1; n <= 4; ++n)
     {
-      const auto s = follow(law, {5e-5 * n * fem::voigt_identity()}, n);
+      const auto s = follow(law, {5e-5 * n * base::voigt_identity()}, n);
       CHECK(s.stress[0] == Approx(stretched[n - 1]).epsilon(run_tolerance));
       CHECK(s.damage == Approx(damage[n - 1]).epsilon(run_tolerance));
     }

@@ -4,8 +4,8 @@
 
 #include <catch2/catch.hpp>
 
-using fem::Stiffness;
-using fem::Voigt;
+using base::Stiffness;
+using base::Voigt;
 
 namespace
 {

@@ -50,7 +50,7 @@ TEST_CASE("a plane element that opens across its plane has its size in it", "[fe
   fem::DamagePlasticState          state;
   for (int step = 1; step <= 200 && state.damage == 0; ++step)
     {
-      fem::Voigt strain = fem::Voigt::Zero();
+      base::Voigt strain = base::Voigt::Zero();
       strain.head<3>() << -1e-5 * step, -2e-5 * step, 6e-5 * step;
       state = law.evaluate(strain, state, square).trial;
     }

@@ -121,11 +121,11 @@ TEST_CASE("dissipation of concrete: what a point stores and dissipates is the wo
     fem::DamagePlasticState state;
     double                  work = 0;
     fem::Dissipation        lost;
-    const fem::Voigt        start = fem::Voigt::Zero();
-    fem::Voigt              last  = start;
-    for (const fem::Voigt &corner : {(fem::Voigt() << 4e-4, 0, 0, 0, 1e-4, 0).finished(),
-                                     (fem::Voigt() << -1e-3, 2e-4, 2e-4, 0, 1e-4, 3e-4).finished(),
-                                     (fem::Voigt() << -1e-4, 6e-4, 1e-4, 2e-4, 0, -4e-4).finished()})
+    const base::Voigt       start = base::Voigt::Zero();
+    base::Voigt             last  = start;
+    for (const base::Voigt &corner : {(base::Voigt() << 4e-4, 0, 0, 0, 1e-4, 0).finished(),
+                                      (base::Voigt() << -1e-3, 2e-4, 2e-4, 0, 1e-4, 3e-4).finished(),
+                                      (base::Voigt() << -1e-4, 6e-4, 1e-4, 2e-4, 0, -4e-4).finished()})
       {
         for (int k = 1; k <= steps; ++k)
           {

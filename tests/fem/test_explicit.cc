@@ -173,7 +173,7 @@ TEST_CASE("explicit: mass-proportional damping decays by exp(-alpha t / 2), and 
 
 TEST_CASE("explicit: the fast kernel gives the forces of the general sweep", "[fem]")
 {
-  Eigen::Matrix<double, 6, 6> full = Eigen::Matrix<double, 6, 6>::Identity() * 20e9;
+  base::Matrix6 full = base::Matrix6::Identity() * 20e9;
   for (int i = 0; i < 6; ++i)
     for (int j = i + 1; j < 6; ++j)
       full(i, j) = full(j, i) = 1e9 * std::cos(i + 3.0 * j);
@@ -182,7 +182,7 @@ TEST_CASE("explicit: the fast kernel gives the forces of the general sweep", "[f
       {
         fem::Solid<3> solid(fem::make_mesh<3>(box<3>({1, 2, 3}, {3, 2, 3}, 0.2), family, MPI_COMM_SELF), {});
         solid.assign("0", anisotropic ?
-                            fem::make_points(fem::AnisotropicElastic(fem::Stiffness(full)), fem::Plane::strain) :
+                            fem::make_points(fem::AnisotropicElastic(base::Stiffness(full)), fem::Plane::strain) :
                             fem::make_points(elastic(young, 0.3), fem::Plane::strain));
         fem::Loads<3> loads;
         loads.remove_rigid_motion = true;

@@ -51,7 +51,8 @@ namespace
                       by(LinearMethod::direct));
     for (const auto method : {LinearMethod::iterative, LinearMethod::geometric})
       {
-        Model<dim> other(build, ElementFamily::hypercube, options, law, mixed_loads<dim>(), {}, MPI_COMM_SELF, by(method));
+        Model<dim> other(build, ElementFamily::hypercube, options, law, mixed_loads<dim>(), {}, MPI_COMM_SELF,
+                         by(method));
         for (const double time : {1.0, 3.0}) // the second step starts from a deformed state
           {
             REQUIRE(direct.solver->advance_to(time).converged);
@@ -62,14 +63,14 @@ namespace
             CHECK(difference.linfty_norm() <= 1e-9 * direct.solver->displacement().linfty_norm());
             CHECK(other.solver->energy().external == Approx(direct.solver->energy().external).epsilon(1e-9));
           }
-        direct.solver->restore(fem::StaticState{0, 0, {}, direct.solid.make_vector(), direct.solid.make_vector(),
-                                                direct.solid.make_vector()});
+        direct.solver->restore(fem::StaticState{
+          0, 0, {}, direct.solid.make_vector(), direct.solid.make_vector(), direct.solid.make_vector()});
       }
   }
 
   fem::AnisotropicElastic anisotropic()
   {
-    fem::Stiffness full = fem::Stiffness::Identity() * 20e9;
+    base::Stiffness full = base::Stiffness::Identity() * 20e9;
     for (int i = 0; i < 6; ++i)
       for (int j = i + 1; j < 6; ++j)
         full(i, j) = full(j, i) = 1e9 * std::cos(i + 3.0 * j);
@@ -135,8 +136,8 @@ TEST_CASE("large elastic problems choose geometric multigrid where it fits, and 
 {
   fem::LinearSolverOptions large;
   large.direct_limit    = 100; // so that small test problems count as large
-  const auto said_about = [&](const fem::BuildMesh<3> &build, const ElementFamily family, const fem::SolidOptions &options,
-                              const fem::Loads<3> &loads) {
+  const auto said_about = [&](const fem::BuildMesh<3> &build, const ElementFamily family,
+                              const fem::SolidOptions &options, const fem::Loads<3> &loads) {
     Model<3> model(build, family, options, elastic(1e9, 0.2), loads, {}, MPI_COMM_SELF, large);
     REQUIRE(model.solver->advance_to(1).converged);
     return model.solver->linear_solver();

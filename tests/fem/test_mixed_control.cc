@@ -6,8 +6,8 @@
 
 namespace
 {
+  using base::Voigt;
   using fem::MixedTarget;
-  using fem::Voigt;
   using Law      = fem::DamagePlasticConcrete;
   using State    = fem::DamagePlasticState;
   using Solution = fem::MixedSolution<Law>;
@@ -154,7 +154,7 @@ TEST_CASE("mixed control: the tangent is the derivative of the answer, of steps 
       const MixedTarget target = walked ? plane_stress(4e-4, 0, 1e-4) : plane_stress(1.1e-4, 2.2e-5, 3.2e-5);
       const Solution    at     = solve(law, target, from);
       CHECK((at.parts > 1) == walked);
-      const fem::Stiffness tangent = fem::mixed_tangent(law, target, from, fem::ElementExtent{}, unit, at);
+      const base::Stiffness tangent = fem::mixed_tangent(law, target, from, fem::ElementExtent{}, unit, at);
       for (const int j : {0, 1, 5})
         {
           const double step = 1e-9;

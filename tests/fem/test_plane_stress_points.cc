@@ -8,7 +8,7 @@
 
 namespace
 {
-  using fem::Voigt;
+  using base::Voigt;
   using Law = fem::DamagePlasticConcrete;
 
   constexpr std::array<bool, 6> across{false, false, true, true, true, false}; // stresses given: zero

@@ -112,7 +112,7 @@ TEST_CASE(
       const auto points = constants->make_points(fem::Plane::strain), copy = constants->make_points(fem::Plane::strain);
       points->allocate(1);
       copy->allocate(1);
-      fem::Voigt       strain = fem::Voigt::Zero();
+      base::Voigt      strain = base::Voigt::Zero();
       fem::PointAnswer now, ahead, behind, again;
       for (int step = 0; step < 20; ++step)
         {
@@ -132,7 +132,7 @@ TEST_CASE(
         next += of.values();
       });
       copy->commit(); // the trial history is the one that was read
-      const fem::Voigt further = 1.1 * strain;
+      const base::Voigt further = 1.1 * strain;
       points->evaluate(0, further, element, true, now);
       copy->evaluate(0, further, element, true, again);
       CHECK(now.stress == again.stress);
@@ -140,12 +140,12 @@ TEST_CASE(
       for (int j = 0; j < 6; ++j)
         {
           constexpr double h     = 1e-9;
-          fem::Voigt       moved = further;
+          base::Voigt      moved = further;
           moved[j] += h;
           points->evaluate(0, moved, element, false, ahead);
           moved[j] -= 2 * h;
           points->evaluate(0, moved, element, false, behind);
-          const fem::Voigt difference = (ahead.stress - behind.stress) / (2 * h);
+          const base::Voigt difference = (ahead.stress - behind.stress) / (2 * h);
           CHECK((difference - now.tangent.col(j)).norm() < 1e-4 * now.tangent.norm());
         }
     }
@@ -158,7 +158,7 @@ TEST_CASE("every material stores and dissipates what its stresses work, and tell
     for (const fem::Plane plane : {fem::Plane::strain, fem::Plane::stress})
       {
         INFO(kind->name() << (plane == fem::Plane::stress ? ", plane stress" : ""));
-        fem::Voigt straight;
+        base::Voigt straight;
         straight << 5e-4, -1e-4, 0, 0, 0, 2e-4;
         double lost[2], stored = 0;
         for (const int steps : {1, 200})
@@ -166,7 +166,7 @@ TEST_CASE("every material stores and dissipates what its stresses work, and tell
             const auto points = typical_constants(*kind)->make_points(plane);
             points->allocate(1);
             fem::PointAnswer now;
-            fem::Voigt       last = fem::Voigt::Zero();
+            base::Voigt      last = base::Voigt::Zero();
             double           work = 0, &sum = lost[steps == 1 ? 0 : 1];
             sum = 0;
             for (int k = 1; k <= steps; ++k)

@@ -72,7 +72,7 @@ namespace
     const Eigen::Matrix3d s     = lambda * e.trace() * Eigen::Matrix3d::Identity() + 2 * mu * e;
     double                worst = 0;
     model.solid.visit_points(model.solver->displacement(), [&](const fem::PointView<dim> &p) {
-      worst = std::max(worst, (fem::stress_tensor(p.stress) - s).norm() / s.norm());
+      worst = std::max(worst, (base::stress_tensor(p.stress) - s).norm() / s.norm());
     });
     CHECK(worst <= 1e-11);
   }

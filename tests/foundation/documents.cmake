@@ -36,7 +36,7 @@ foreach(page IN LISTS pages)
   endforeach()
 
   # Code: a path of the house between back ticks.
-  string(REGEX MATCHALL "`(apps|coupling|dem|fem|meshes|postprocess|tests)/[a-z0-9_./]+`" places "${text}")
+  string(REGEX MATCHALL "`(apps|base|coupling|dem|fem|meshes|postprocess|tests)/[a-z0-9_./]+`" places "${text}")
   foreach(place IN LISTS places)
     string(REPLACE "`" "" place "${place}")
     file(GLOB found "${ROOT}/${place}.*")
@@ -84,7 +84,7 @@ if(count GREATER 80)
 endif()
 
 # Comments: pages that they name exist, and nothing refers to papers that are not in the repository.
-file(GLOB_RECURSE sources RELATIVE "${ROOT}" "${ROOT}/apps/*.h" "${ROOT}/apps/*.cc" "${ROOT}/apps/*.prm" "${ROOT}/dem/*.h"
+file(GLOB_RECURSE sources RELATIVE "${ROOT}" "${ROOT}/apps/*.h" "${ROOT}/apps/*.cc" "${ROOT}/apps/*.prm" "${ROOT}/base/*.h" "${ROOT}/dem/*.h"
      "${ROOT}/dem/*.cc" "${ROOT}/fem/*.h" "${ROOT}/fem/*.cc" "${ROOT}/coupling/*.h" "${ROOT}/coupling/*.cc"
      "${ROOT}/postprocess/*.h" "${ROOT}/postprocess/*.cc" "${ROOT}/tests/*.h" "${ROOT}/tests/*.cc")
 foreach(file IN LISTS sources)

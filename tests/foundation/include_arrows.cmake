@@ -10,23 +10,25 @@
 # include everything.
 
 cmake_minimum_required(VERSION 3.25)
-set(rooms dem fem coupling postprocess apps)
+set(rooms base dem fem coupling postprocess apps)
 set(suffixes h hh hpp inl c cc cpp cxx in)
 
-set(dem_rooms "")
+set(base_rooms "")
+set(base_libraries Eigen/)
+set(dem_rooms base)
 # Spectra is Eigen's eigenvalue solver, headers only; CHOLMOD factorises for statics; the last two are the vectors of
 # the compiler.
 set(dem_libraries Eigen/ Spectra/ cholmod.h omp.h experimental/simd immintrin.h)
-set(fem_rooms "")
+set(fem_rooms base)
 # Eigen carries the 6-vectors of the material points: the library that dem has too, hence no new dependency. Epetra is what
 # deal.II's own matrices are made of: to gather one on a rank.
 set(fem_libraries deal.II/ umfpack.h cholmod.h mpi.h Eigen/ Epetra_)
 # Adapters and writers speak the types in the interfaces of both sides.
-set(coupling_rooms dem fem)
+set(coupling_rooms base dem fem)
 set(coupling_libraries deal.II/ mpi.h Eigen/ unsupported/Eigen/)
-set(postprocess_rooms dem fem)
+set(postprocess_rooms base dem fem)
 set(postprocess_libraries deal.II/ mpi.h Eigen/ hdf5 vtk fmt/ nlohmann/)
-set(apps_rooms dem fem coupling postprocess)
+set(apps_rooms base dem fem coupling postprocess)
 set(apps_libraries anything)
 # The operating system (POSIX) is under every room.
 set(system_headers fcntl.h signal.h spawn.h stdlib.h sys/ unistd.h)

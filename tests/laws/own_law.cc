@@ -132,15 +132,15 @@ namespace
     {
       return {state.number[0] / k.largest_stretch, 0};
     }
-    static dem::Matrix6 tangent(const Constants     &k,
-                                const dem::LinkStep &step,
-                                const State<double, 3> &,
-                                const State<double, 3> &,
-                                dem::LinkTangent)
+    static base::Matrix6 tangent(const Constants     &k,
+                                 const dem::LinkStep &step,
+                                 const State<double, 3> &,
+                                 const State<double, 3> &,
+                                 dem::LinkTangent)
     {
       const double          e  = step.geometry.strain;
       const Eigen::Matrix3d nn = step.direction * step.direction.transpose();
-      dem::Matrix6          C  = dem::Matrix6::Zero();
+      base::Matrix6         C  = base::Matrix6::Zero();
       C.topLeftCorner<3, 3>() =
         k.modulus * ((1 + 3 * k.stiffening * e * e) * nn + (Eigen::Matrix3d::Identity() - nn) / 3);
       return C;

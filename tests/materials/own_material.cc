@@ -27,7 +27,7 @@
 
 using apps_tests::content_of;
 using apps_tests::ScratchFolder;
-using fem::Voigt;
+using base::Voigt;
 
 namespace
 {
@@ -80,8 +80,8 @@ namespace
 
     explicit Chalk(const Parameters &parameters)
       : p(parameters)
-      , stiffness(fem::isotropic_stiffness(p.young_modulus / (3 * (1 - 2 * p.poisson_ratio)),
-                                           p.young_modulus / (2 * (1 + p.poisson_ratio))))
+      , stiffness(base::isotropic_stiffness(p.young_modulus / (3 * (1 - 2 * p.poisson_ratio)),
+                                            p.young_modulus / (2 * (1 + p.poisson_ratio))))
     {
       fem::demand(p.ductility >= p.threshold, "Ductility", p.ductility, "must not be below Threshold.");
     }
@@ -105,7 +105,7 @@ namespace
       return r;
     }
 
-    const fem::Stiffness &elastic_stiffness() const { return stiffness; }
+    const base::Stiffness &elastic_stiffness() const { return stiffness; }
 
     double stored_energy(const Voigt &strain, const Voigt &stress, const State &s) const
     {
@@ -150,8 +150,8 @@ namespace
     }
 
   private:
-    Parameters     p;
-    fem::Stiffness stiffness;
+    Parameters      p;
+    base::Stiffness stiffness;
   };
 
   constexpr double E = 1e9, k_0 = 1e-4, k_f = 1e-3;

@@ -1,6 +1,6 @@
 #include "machine_rates.h"
 
-#include "dem/core/column.h"
+#include "base/column.h"
 #include "dem/core/simd.h"
 
 #include <omp.h>
@@ -35,7 +35,7 @@ namespace performance
 
   double triad_bandwidth(const int threads)
   {
-    dem::Column  a(doubles, 0.0), b(doubles, 1.0), c(doubles, 2.0);
+    base::Column a(doubles, 0.0), b(doubles, 1.0), c(doubles, 2.0);
     double      *to = a.data(), *x = b.data(), *y = c.data();
     const double seconds = best_seconds([&] {
 #pragma omp          parallel for num_threads(threads) schedule(static)
@@ -48,10 +48,10 @@ namespace performance
 
            double read_bandwidth(const int threads)
            {
-             const dem::Column a(doubles, 1.0);
-             const double     *x       = a.data();
-             double            total   = 0;
-             const double      seconds = best_seconds([&] {
+             const base::Column a(doubles, 1.0);
+             const double      *x       = a.data();
+             double             total   = 0;
+             const double       seconds = best_seconds([&] {
          #pragma omp parallel num_threads(threads) reduction(+ : total)
       {
                  dem::Pack sum[4] = {0.0, 0.0, 0.0, 0.0};

@@ -1,6 +1,6 @@
 #include "postprocess/checkpoint.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "full_disk.h"
 #include "postprocess/errors.h"
 #include "postprocess/hdf5_file.h"
@@ -28,13 +28,13 @@ namespace
   /** A state with every kind of item, and numbers that a careless writer would change. */
   struct State
   {
-    dem::Column               column;
+    base::Column              column;
     std::vector<std::int32_t> numbers;
-    dem::Column               none;
+    base::Column              none;
     double                    time  = 0;
     std::int64_t              steps = 0;
 
-    void visit_state(dem::StateVisitor &visitor)
+    void visit_state(base::StateVisitor &visitor)
     {
       visitor.column("column", column);
       visitor.column("numbers", numbers);
@@ -82,7 +82,7 @@ namespace
       {
         action();
       }
-    catch (const dem::InputError &error)
+    catch (const base::InputError &error)
       {
         return error.what();
       }
@@ -137,9 +137,10 @@ TEST_CASE("a checkpoint of another scene is refused and says what differs", "[po
 {
   const ScratchFolder folder;
   write(folder / "c.h5", sample_state(), "set Damping = 0.3\n  set Seed = 2\n");
-  REQUIRE(refusal([&] { read(folder / "c.h5"); }) ==
-          (folder / "c.h5").string() +
-            ": was made by another scene: then \"set Seed = 2\", now \"set Seed = 1\". Start the run afresh with --restart.");
+  REQUIRE(
+    refusal([&] { read(folder / "c.h5"); }) ==
+    (folder / "c.h5").string() +
+      ": was made by another scene: then \"set Seed = 2\", now \"set Seed = 1\". Start the run afresh with --restart.");
   write(folder / "c.h5", sample_state(), scene + "set More = 1\n");
   REQUIRE_THAT(refusal([&] { read(folder / "c.h5"); }), Contains("then \"set More = 1\", now nothing"));
 }
@@ -179,7 +180,7 @@ TEST_CASE("an item of another type or shape is refused by name", "[postprocess]"
   write(path, sample_state());
   CheckpointReader reader(path, scene);
   reader.group("specimen");
-  dem::Column               column;
+  base::Column              column;
   std::vector<std::int32_t> numbers;
   double                    real  = 0;
   std::int64_t              whole = 0;
@@ -284,7 +285,7 @@ TEST_CASE("a collection of snapshots goes on from its checkpoint", "[postprocess
   snapshots.add(0.5);
   {
     CheckpointWriter writer(folder / "c.h5", scene);
-    dem::Column      times = snapshots.listed();
+    base::Column     times = snapshots.listed();
     writer.group("particles");
     writer.column("times", times);
     writer.commit();
@@ -294,7 +295,7 @@ TEST_CASE("a collection of snapshots goes on from its checkpoint", "[postprocess
 
   PvdCollection    resumed(folder.path, "particles");
   CheckpointReader reader(folder / "c.h5", scene);
-  dem::Column      times;
+  base::Column     times;
   reader.group("particles");
   reader.column("times", times);
   reader.finish();

@@ -1,5 +1,5 @@
 // Bytes of a file that were changed on a disk or on the way: what is read is what was written, or nothing.
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "postprocess/discrete_state_hdf5.h"
 #include "postprocess/packing_hdf5.h"
 #include "scratch_folder.h"
@@ -53,7 +53,7 @@ namespace
             const bool same = content_of(folder / "copy.h5") == sound; // equal contents make equal files
             ++(same ? found.same : found.other);
           }
-        catch (const dem::InputError &)
+        catch (const base::InputError &)
           {
             ++found.refused;
           }

@@ -1,4 +1,4 @@
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "postprocess/discrete_state_hdf5.h"
 #include "postprocess/hdf5_file.h"
 #include "scratch_folder.h"
@@ -64,7 +64,7 @@ TEST_CASE("a discrete state that cannot be is refused with file, item and reason
       {
         postprocess::read_discrete_state(folder / "state.h5");
       }
-    catch (const dem::InputError &error)
+    catch (const base::InputError &error)
       {
         return std::string(error.what());
       }

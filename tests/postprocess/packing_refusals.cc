@@ -1,4 +1,4 @@
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "postprocess/errors.h"
 #include "postprocess/hdf5_file.h"
 #include "postprocess/packing_io.h"
@@ -62,7 +62,7 @@ TEST_CASE("a faulty text packing is refused with file, line and reason", "[postp
   const ScratchFolder folder;
   const auto          path = folder.file("packing.txt", refusal.text);
   CAPTURE(refusal.text);
-  REQUIRE_THROWS_AS(read_packing(path), dem::InputError);
+  REQUIRE_THROWS_AS(read_packing(path), base::InputError);
   REQUIRE_THROWS_WITH(read_packing(path), path.string() + refusal.message);
 }
 
@@ -79,20 +79,20 @@ TEST_CASE("two particles at one place are refused, from text and from HDF5", "[p
 {
   const ScratchFolder folder;
   const auto          path = folder.file("twins.txt", "0 0 0 1\n5 5 5 1\n5 5 5 2\n");
-  REQUIRE_THROWS_AS(read_packing(path), dem::InputError);
+  REQUIRE_THROWS_AS(read_packing(path), base::InputError);
   REQUIRE_THROWS_WITH(read_packing(path), Contains("twins.txt"));
 
   dem::Packing twins = two_particles();
   twins.centre[1]    = twins.centre[0];
   write_packing(twins, folder / "twins.h5");
-  REQUIRE_THROWS_AS(read_packing(folder / "twins.h5"), dem::InputError);
+  REQUIRE_THROWS_AS(read_packing(folder / "twins.h5"), base::InputError);
 }
 
 namespace
 {
   void is_refused(const std::filesystem::path &path, const std::string &expected)
   {
-    REQUIRE_THROWS_AS(read_packing(path), dem::InputError);
+    REQUIRE_THROWS_AS(read_packing(path), base::InputError);
     REQUIRE_THROWS_WITH(read_packing(path), EndsWith(expected));
   }
 } // namespace
@@ -218,7 +218,7 @@ TEST_CASE("an HDF5 packing that was cut short is refused", "[postprocess]")
   const ScratchFolder folder;
   write_packing(two_particles(), folder / "p.h5");
   std::filesystem::resize_file(folder / "p.h5", std::filesystem::file_size(folder / "p.h5") - 10);
-  REQUIRE_THROWS_AS(read_packing(folder / "p.h5"), dem::InputError);
+  REQUIRE_THROWS_AS(read_packing(folder / "p.h5"), base::InputError);
   REQUIRE_THROWS_WITH(read_packing(folder / "p.h5"),
                       Contains("p.h5: cannot be opened, it is damaged or was cut short"));
 }

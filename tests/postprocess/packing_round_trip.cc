@@ -1,4 +1,4 @@
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "postprocess/packing_io.h"
 #include "scratch_folder.h"
 

@@ -1,4 +1,4 @@
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "full_disk.h"
 #include "postprocess/csv_table.h"
 #include "postprocess/errors.h"
@@ -82,7 +82,7 @@ TEST_CASE("a series that does not fit the checkpoint is refused and left alone",
   const auto          path = folder.file("series.csv", text);
   REQUIRE_THROWS_WITH(SeriesWriter(path, columns, 3), Contains("series.csv: holds 2 rows, the checkpoint knows of 3"));
   REQUIRE_THROWS_WITH(SeriesWriter(path, {{"time", "s"}}, 1), Contains("its header is not that of this run"));
-  REQUIRE_THROWS_AS(SeriesWriter(path, columns, 3), dem::InputError);
+  REQUIRE_THROWS_AS(SeriesWriter(path, columns, 3), base::InputError);
   REQUIRE(content_of(path) == text);
   REQUIRE_THROWS_WITH(SeriesWriter(folder / "none.csv", columns, 3), Contains("No such file"));
 }
@@ -154,7 +154,7 @@ TEST_CASE("a faulty table is refused with file, line and reason", "[postprocess]
       {
         read_csv_table(folder.file("t.csv", text));
       }
-    catch (const dem::InputError &error)
+    catch (const base::InputError &error)
       {
         return std::string(error.what());
       }
@@ -170,5 +170,5 @@ TEST_CASE("a faulty table is refused with file, line and reason", "[postprocess]
   REQUIRE(message("a,b\n1,two\n") == file + ", line 2: \"two\" is not a number.");
   REQUIRE_THROWS_WITH(read_csv_table(folder.file("t.csv", "a,b\n1,2\n")).column("c"),
                       file + ": there is no column c. Columns: a, b.");
-  REQUIRE_THROWS_AS(read_csv_table(folder / "none.csv"), dem::InputError);
+  REQUIRE_THROWS_AS(read_csv_table(folder / "none.csv"), base::InputError);
 }

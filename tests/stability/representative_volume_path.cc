@@ -10,19 +10,19 @@ using namespace periodic_fixture;
 
 namespace
 {
-  dem::Vector6d vector6(const std::array<double, 6> &v) { return Eigen::Map<const dem::Vector6d>(v.data()); }
+  base::Vector6 vector6(const std::array<double, 6> &v) { return Eigen::Map<const base::Vector6>(v.data()); }
 
   const std::array<bool, 6> only_11_strained = {{false, true, true, true, true, true}};
 
   struct AtRest
   {
-    dem::Vector6d stress;
+    base::Vector6 stress;
     double        dissipated;
     bool          localised;
   };
 
   /** Stress at rest after the legs, {target, steps} each. */
-  AtRest after(const std::vector<std::pair<dem::Vector6d, int>> &legs, const std::uint64_t seed)
+  AtRest after(const std::vector<std::pair<base::Vector6, int>> &legs, const std::uint64_t seed)
   {
     dem::Specimen           specimen(disordered(5, seed), concrete_specimen(), brittle_concrete());
     dem::CellTestParameters p;
@@ -43,7 +43,7 @@ TEST_CASE("S17: an elastic strain path with reversal leaves no trace in the stre
   for (const double size : {1e-5, 5e-5}) // the links' limit is 1e-4
     for (std::uint64_t seed = 1; seed <= 3; ++seed)
       {
-        const dem::Vector6d way     = size * vector6({1, -0.3, -0.2, 0.4, -0.5, 0.6});
+        const base::Vector6 way     = size * vector6({1, -0.3, -0.2, 0.4, -0.5, 0.6});
         const AtRest        direct  = after({{0.5 * way, 1000}}, seed);
         const AtRest        turning = after({{way, 400}, {-0.3 * way, 400}, {0.5 * way, 200}}, seed);
         REQUIRE(direct.dissipated + turning.dissipated == 0);
@@ -66,7 +66,7 @@ TEST_CASE("S17: elastic paths that do not retrace themselves differ by finite st
   int    k = 0;
   for (const double size : {1e-5, 5e-5})
     {
-      const dem::Vector6d way  = size * vector6({1, -0.3, -0.2, 0.4, -0.5, 0.6}),
+      const base::Vector6 way  = size * vector6({1, -0.3, -0.2, 0.4, -0.5, 0.6}),
                           side = size * vector6({-0.4, 0.8, 0.1, -0.5, 0.3, 0.2});
       const AtRest direct      = after({{0.5 * way, 1000}}, 1);
       const AtRest around      = after({{side, 400}, {way + 0.2 * side, 400}, {0.5 * way, 200}}, 1);
@@ -86,7 +86,7 @@ TEST_CASE("S17: at small strain, as statics has it, a closed elastic path of 100
   links.shear_ratio         = brittle_concrete().shear_ratio;
   const auto loaded         = dem::load_cell(dem::make_network(disordered(5, 1), links), 0, false);
   const auto relaxed        = dem::relaxed_stiffness(loaded.network);
-  const auto equilibrium_at = [&](const dem::Vector6d &strain) {
+  const auto equilibrium_at = [&](const base::Vector6 &strain) {
     dem::LoadedMotion motion(loaded.network.particles());
     motion.loads = strain;
     for (std::size_t i = 0; i < loaded.network.particles(); ++i)
@@ -94,12 +94,12 @@ TEST_CASE("S17: at small strain, as statics has it, a closed elastic path of 100
     return motion;
   };
   const double        size = 3e-5; // the links' limit is 1e-4
-  const dem::Vector6d way  = size * vector6({1, -0.3, -0.2, 0.4, -0.5, 0.6}),
+  const base::Vector6 way  = size * vector6({1, -0.3, -0.2, 0.4, -0.5, 0.6}),
                       side = size * vector6({-0.4, 0.8, 0.1, -0.5, 0.3, 0.2});
   dem::DamagingLinks around(loaded, brittle_concrete());
-  dem::Vector6d      before = dem::Vector6d::Zero();
-  for (const dem::Vector6d &corner :
-       {side, dem::Vector6d(way + 0.2 * side), dem::Vector6d(-0.3 * way), dem::Vector6d(0.5 * way)})
+  base::Vector6      before = base::Vector6::Zero();
+  for (const base::Vector6 &corner :
+       {side, base::Vector6(way + 0.2 * side), base::Vector6(-0.3 * way), base::Vector6(0.5 * way)})
     {
       for (int step = 1; step <= 250; ++step)
         {
@@ -109,8 +109,8 @@ TEST_CASE("S17: at small strain, as statics has it, a closed elastic path of 100
       before = corner;
     }
   REQUIRE(around.damage_work() + around.sliding_work() == 0);
-  const auto          end   = dem::unbalanced_of(loaded, around.forces(), around.moments(), dem::mean_arm(loaded.network));
-  const dem::Vector6d exact = relaxed.stiffness * (0.5 * way);
+  const auto end = dem::unbalanced_of(loaded, around.forces(), around.moments(), dem::mean_arm(loaded.network));
+  const base::Vector6 exact = relaxed.stiffness * (0.5 * way);
   CHECK(end.residual < 1e-8);
   CHECK((end.loads / loaded.volume - exact).norm() < 1e-8 * exact.norm());
 }
@@ -122,7 +122,7 @@ TEST_CASE("S17: after the path the cell is pulled until it localises, and says s
       dem::Specimen           specimen(disordered(6, seed), concrete_specimen(), brittle_concrete());
       dem::CellTestParameters p;
       const double            dt   = specimen.time_step();
-      const dem::Vector6d     pull = dem::Vector6d::Unit(0);
+      const base::Vector6     pull = base::Vector6::Unit(0);
       p.path = {strain_leg(400 * dt, 4e-5 * pull), strain_leg(400 * dt, -4e-5 * pull), strain_leg(200 * dt, 0 * pull)};
       dem::CellLeg apart;
       apart.duration     = 5000 * dt;
@@ -174,7 +174,7 @@ TEST_CASE("S17: a perfect lattice softens everywhere alike, and is not called lo
   parameters.interaction_ratio       = 1.1;
   dem::Specimen           specimen(packing, parameters, brittle_concrete());
   dem::CellTestParameters p;
-  p.path = {strain_leg(500 * specimen.time_step(), 1e-3 * dem::Vector6d::Unit(0))};
+  p.path = {strain_leg(500 * specimen.time_step(), 1e-3 * base::Vector6::Unit(0))};
   dem::CellTest test(specimen, p);
   double        peak = 0;
   while (!test.finished())

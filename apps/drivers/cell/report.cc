@@ -3,7 +3,7 @@
 #include "apps/drivers/parts/energy_terms.h"
 #include "apps/drivers/parts/summary_head.h"
 #include "apps/process/progress.h"
-#include "fem/materials/voigt.h"
+#include "base/voigt.h"
 #include "postprocess/plot.h"
 
 #include <fmt/format.h>
@@ -18,7 +18,7 @@ namespace apps
 {
   namespace
   {
-    nlohmann::json vector_of(const dem::Vector6d &v) { return std::vector<double>(v.data(), v.data() + 6); }
+    nlohmann::json vector_of(const base::Vector6 &v) { return std::vector<double>(v.data(), v.data() + 6); }
 
     nlohmann::json sample_of(const dem::CellSample &s)
     {
@@ -28,7 +28,7 @@ namespace apps
     /** Component whose strain spans most. */
     int leading_component(const std::vector<dem::CellSample> &curve)
     {
-      dem::Vector6d low = dem::Vector6d::Zero(), high = low;
+      base::Vector6 low = base::Vector6::Zero(), high = low;
       for (const dem::CellSample &s : curve)
         {
           low  = low.cwiseMin(s.strain);
@@ -42,7 +42,7 @@ namespace apps
 
   nlohmann::json CellReport::summary() const
   {
-    dem::Vector6d largest = dem::Vector6d::Zero(), least = largest;
+    base::Vector6 largest = base::Vector6::Zero(), least = largest;
     for (const dem::CellSample &s : test.curve())
       {
         largest = largest.cwiseMax(s.stress);
@@ -57,7 +57,7 @@ namespace apps
                         {"thickness", {{"value", found->band.thickness}, {"unit", "m"}}},
                         {"concentration", found->band.concentration}}}};
     nlohmann::json summary  = summary_head(request, "cell");
-    summary["figures"]      = {{"order", fem::voigt_names},
+    summary["figures"]      = {{"order", base::voigt_names},
                                {"largest_stress", {{"value", vector_of(largest)}, {"unit", "Pa"}}},
                                {"least_stress", {{"value", vector_of(least)}, {"unit", "Pa"}}},
                                {"end", sample_of(test.curve().back())}};
@@ -77,14 +77,14 @@ namespace apps
     const int              lead = leading_component(test.curve());
     postprocess::PlotPanel panel;
     panel.title   = "periodic cell";
-    panel.x_label = fmt::format("Strain {} [1e-3]", fem::voigt_names[lead]);
+    panel.x_label = fmt::format("Strain {} [1e-3]", base::voigt_names[lead]);
     panel.y_label = "Stress [MPa]";
     for (int c = 0; c < 6; ++c)
       {
         if (model.specimen.physics.dimension == 2 && c >= 2 && c < 5)
           continue;
         postprocess::PlotSeries series;
-        series.name  = fem::voigt_names[c];
+        series.name  = base::voigt_names[c];
         series.style = postprocess::PlotSeries::Style::line;
         for (const dem::CellSample &s : test.curve())
           {
@@ -101,7 +101,7 @@ namespace apps
     const dem::CellSample &end = test.curve().back();
     std::string            text;
     for (int c = 0; c < 6; ++c)
-      text += fmt::format("{}           strain {:>12.4e}  stress {:>12.5g} MPa\n", fem::voigt_names[c], end.strain[c],
+      text += fmt::format("{}           strain {:>12.4e}  stress {:>12.5g} MPa\n", base::voigt_names[c], end.strain[c],
                           1e-6 * end.stress[c]);
     if (const auto &found = test.localisation())
       text += fmt::format(

@@ -5,7 +5,7 @@
 #include "apps/drivers/parts/specimen_packing.h"
 #include "apps/results/life_cycle.h"
 #include "apps/results/warning.h"
-#include "fem/materials/voigt.h"
+#include "base/voigt.h"
 #include "postprocess/specimen_picture.h"
 #include "postprocess/summary.h"
 
@@ -36,7 +36,7 @@ namespace apps
     for (const dem::CellLeg &leg : model.loading.path)
       all += std::max(1.0, std::round(leg.duration / specimen->time_step()));
     if (!(all < limit))
-      throw dem::InputError(
+      throw base::InputError(
         fmt::format("Loading: the legs would take {:.1e} steps of {:.1e} s. Check durations, density, "
                     "moduli and sizes: all in SI units.",
                     all, specimen->time_step()));
@@ -104,9 +104,9 @@ namespace apps
   std::vector<postprocess::SeriesColumn> CellRun::series_columns() const
   {
     std::vector<postprocess::SeriesColumn> columns = {{"time", "s"}};
-    for (const char *component : fem::voigt_names)
+    for (const char *component : base::voigt_names)
       columns.push_back({std::string("strain_") + component, "-"});
-    for (const char *component : fem::voigt_names)
+    for (const char *component : base::voigt_names)
       columns.push_back({std::string("stress_") + component, "Pa"});
     for (const auto &[name, unit] : std::initializer_list<std::pair<const char *, const char *>>{{"skew_stress", "Pa"},
                                                                                                  {"servo_error", "Pa"},

@@ -6,7 +6,7 @@
 #include "apps/drivers/parts/specimen_packing.h"
 #include "apps/scene/physics_section.h"
 #include "apps/scene/value_text.h"
-#include "fem/materials/voigt.h"
+#include "base/voigt.h"
 
 #include <fmt/format.h>
 
@@ -72,7 +72,7 @@ namespace apps
         for (int c = 0; c < 6; ++c)
           {
             path[i].target[c] = "stress 0";
-            leg.text(fem::voigt_names[c], path[i].target[c], Need::optional)
+            leg.text(base::voigt_names[c], path[i].target[c], Need::optional)
               .means(c < 3 ? "\"strain VALUE\" [-] or \"stress VALUE\" [Pa], tension positive" :
                              "\"strain VALUE\" (engineering shear) [-] or \"stress VALUE\" [Pa]");
           }
@@ -88,7 +88,7 @@ namespace apps
         if (!aim_in(path[i].target[c]))
           root.find_section("Loading")
             ->find_section(fmt::format("Leg {}", i + 1))
-            ->refuse(fem::voigt_names[c],
+            ->refuse(base::voigt_names[c],
                      "expected \"strain VALUE\" or \"stress VALUE\", e.g. strain 1e-4 or stress -2e6.");
   }
 

@@ -4,17 +4,17 @@
 
 namespace apps
 {
-  void visit_vector(dem::StateVisitor &visitor, const std::string &name, fem::Vector &vector)
+  void visit_vector(base::StateVisitor &visitor, const std::string &name, fem::Vector &vector)
   {
-    dem::Column values(vector.begin(), vector.begin() + vector.locally_owned_size());
+    base::Column values(vector.begin(), vector.begin() + vector.locally_owned_size());
     visitor.column(name, values);
     std::copy(values.begin(), values.end(), vector.begin());
   }
 
   template <int dim>
-  void visit_histories(dem::StateVisitor &visitor, fem::Solid<dim> &solid)
+  void visit_histories(base::StateVisitor &visitor, fem::Solid<dim> &solid)
   {
-    dem::Column values;
+    base::Column values;
     solid.visit_histories([&](const fem::PointQuantity &of, const double *first) {
       values.insert(values.end(), first, first + of.values());
     });
@@ -26,6 +26,6 @@ namespace apps
     });
   }
 
-  template void visit_histories(dem::StateVisitor &, fem::Solid<2> &);
-  template void visit_histories(dem::StateVisitor &, fem::Solid<3> &);
+  template void visit_histories(base::StateVisitor &, fem::Solid<2> &);
+  template void visit_histories(base::StateVisitor &, fem::Solid<3> &);
 } // namespace apps

@@ -2,7 +2,7 @@
 
 #include "apps/drivers/continuum/gauges.h"
 #include "apps/drivers/continuum/model.h"
-#include "dem/core/state.h"
+#include "base/state.h"
 #include "fem/explicit/explicit_solver.h"
 #include "fem/solvers/step_control.h"
 
@@ -48,7 +48,7 @@ namespace apps
     virtual fem::StaticSolver<dim> *static_solver() { return nullptr; }
 
     /** Everything to go on to the same bits, histories of the points included. Columns hold this rank's part. */
-    virtual void visit_state(dem::StateVisitor &visitor) = 0;
+    virtual void visit_state(base::StateVisitor &visitor) = 0;
   };
 
   template <int dim>
@@ -58,9 +58,9 @@ namespace apps
   std::unique_ptr<ContinuumAnalysis<dim>> make_explicit_analysis(fem::Solid<dim> &solid, const ContinuumModel &model);
 
   /** This rank's part of a vector, as a column of a state; after reading, the vector has the column's values. */
-  void visit_vector(dem::StateVisitor &visitor, const std::string &name, fem::Vector &vector);
+  void visit_vector(base::StateVisitor &visitor, const std::string &name, fem::Vector &vector);
 
   /** The committed histories of all points of a solid. */
   template <int dim>
-  void visit_histories(dem::StateVisitor &visitor, fem::Solid<dim> &solid);
+  void visit_histories(base::StateVisitor &visitor, fem::Solid<dim> &solid);
 } // namespace apps

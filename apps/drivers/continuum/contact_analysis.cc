@@ -1,6 +1,5 @@
 #include "apps/drivers/continuum/contacts.h"
 #include "apps/drivers/continuum/motion_analysis.h"
-#include "apps/drivers/parts/in_words_of_input.h"
 #include "apps/scene/name_list.h"
 #include "coupling/contact/contact_motion.h"
 
@@ -18,9 +17,8 @@ namespace apps
       ContactAnalysis(fem::Solid<dim> &solid, const ContinuumModel &what)
         : MotionAnalysis<dim>(solid, what)
         , model(what)
-        , participant(in_words_of_input([&] { return coupling::SolidParticipant<dim>(solid, solver); }))
-        , bodies(in_words_of_input(
-            [&] { return coupling::ContactMotion<dim>(solid, solver, participant, names_in(what.motion.rigid)); }))
+        , participant(solid, solver)
+        , bodies(solid, solver, participant, names_in(what.motion.rigid))
         , contacts(what.contacts, bodies.contacts())
       {
         this->count_steps(bodies.step());
@@ -81,7 +79,7 @@ namespace apps
 
       const ContactFigures *contact_figures() const override { return model.contacts.empty() ? nullptr : &figures; }
 
-      void visit_state(dem::StateVisitor &visitor) override
+      void visit_state(base::StateVisitor &visitor) override
       {
         MotionAnalysis<dim>::visit_state(visitor);
         bodies.visit_state(visitor);

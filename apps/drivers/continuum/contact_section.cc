@@ -40,11 +40,11 @@ namespace apps
   {
     const Section &all = *root.find_section("Contacts");
     if (!empty() && !all.needed())
-      throw dem::InputError(all.find_section(contacts.front().name)->place().text() + ": Contacts/" +
-                            contacts.front().name + ": goes with " + all.condition() + ".");
+      throw base::InputError(all.find_section(contacts.front().name)->place().text() + ": Contacts/" +
+                             contacts.front().name + ": goes with " + all.condition() + ".");
     for (const ContactSection &contact : contacts)
       if (contact.name.find_first_of(",\"") != std::string::npos)
-        throw dem::InputError(all.find_section(contact.name)->place().text() + ": Contacts/" + contact.name +
-                              ": a name without commas and quotes, please: it is part of columns of series.csv.");
+        throw base::InputError(all.find_section(contact.name)->place().text() + ": Contacts/" + contact.name +
+                               ": a name without commas and quotes, please: it is part of columns of series.csv.");
   }
 } // namespace apps

@@ -24,7 +24,7 @@ namespace apps
     std::list<ContactSection> contacts;
 
     void declare(Section &root, std::function<bool()> is_explicit);
-    /** @throws dem::InputError for a name that cannot be part of a column, and contacts of what does not move */
+    /** @throws base::InputError for a name that cannot be part of a column, and contacts of what does not move */
     void validate(const Section &root) const;
     bool empty() const { return contacts.empty(); }
   };

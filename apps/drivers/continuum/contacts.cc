@@ -21,13 +21,9 @@ namespace apps
         {
           given.add({contact.name, names_in(contact.bodies), contact.law});
         }
-      catch (const dem::InputError &)
+      catch (const base::InputError &refusal)
         {
-          throw;
-        }
-      catch (const std::invalid_argument &refusal)
-        {
-          throw dem::InputError("Contacts/" + contact.name + ": " + refusal.what());
+          throw base::InputError("Contacts/" + contact.name + ": " + refusal.what());
         }
   }
 

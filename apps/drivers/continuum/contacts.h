@@ -21,7 +21,7 @@ namespace apps
   class ObservedContacts
   {
   public:
-    /** Gives the contacts to the solid's. Both must outlive it. @throws dem::InputError */
+    /** Gives the contacts to the solid's. Both must outlive it. @throws base::InputError */
     ObservedContacts(const ContactsSection &section, coupling::SolidContacts<dim> &contacts);
 
     /** Columns of the series that the summary tells of: the force on each body. */

@@ -3,7 +3,7 @@
 #include "apps/drivers/continuum/analysis.h"
 #include "apps/drivers/continuum/solid.h"
 #include "apps/drivers/parts/duration.h"
-#include "dem/core/errors.h"
+#include "base/errors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,18 +52,7 @@ namespace apps
   template <int dim>
   double expected_seconds(const ContinuumModel &model, const double states)
   {
-    try
-      {
-        return measured_seconds<dim>(model, states);
-      }
-    catch (const dem::InputError &)
-      {
-        throw;
-      }
-    catch (const std::invalid_argument &refusal)
-      {
-        throw dem::InputError(refusal.what()); // as a run refuses it
-      }
+    return measured_seconds<dim>(model, states);
   }
 
   template double expected_seconds<2>(const ContinuumModel &, double);

@@ -56,9 +56,9 @@ namespace apps
             displacements.push_back({"displacement_" + column_name(p->name) + "_" + "xyz"[c],
                                      solid.interpolation(point_of<dim>(p->position), c)});
           }
-        catch (const std::invalid_argument &refusal)
+        catch (const base::InputError &refusal)
           {
-            throw dem::InputError(p->place.text() + ": Points/" + p->name + ": " + refusal.what());
+            throw base::InputError(p->place.text() + ": Points/" + p->name + ": " + refusal.what());
           }
     watch_histories();
     fem::Vector rest = solid.make_vector();

@@ -3,7 +3,7 @@
 #include "apps/drivers/continuum/energy.h"
 #include "apps/drivers/continuum/gauge_column.h"
 #include "apps/drivers/continuum/model.h"
-#include "dem/core/state.h"
+#include "base/state.h"
 #include "fem/solid/solid.h"
 
 namespace apps
@@ -22,7 +22,7 @@ namespace apps
   class ContinuumGauges
   {
   public:
-    /** @throws dem::InputError for a point outside the solid. */
+    /** @throws base::InputError for a point outside the solid. */
     ContinuumGauges(fem::Solid<dim> &solid, const ContinuumModel &model);
 
     std::vector<GaugeColumn> columns() const;
@@ -32,7 +32,7 @@ namespace apps
 
     /** From now on the energies count from the present histories at this displacement. */
     void start_at(const fem::Vector &displacement) { stored_at_start = read_points(displacement, 0).stored; }
-    void visit_state(dem::StateVisitor &visitor) { visitor.scalar("stored_at_start", stored_at_start); }
+    void visit_state(base::StateVisitor &visitor) { visitor.scalar("stored_at_start", stored_at_start); }
 
     /** The first reaction column, or "". */
     std::string first_reaction() const;

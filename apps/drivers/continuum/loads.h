@@ -52,7 +52,7 @@ namespace apps
     Expressions                                     body_force;
 
     void declare(Section &root);
-    /** Nothing may act along z in two dimensions. @throws dem::InputError. */
+    /** Nothing may act along z in two dimensions. @throws base::InputError. */
     void validate(const Section &root, int dimension) const;
   };
 } // namespace apps

@@ -26,14 +26,14 @@ namespace apps
         .means("Which of the three stiffnesses of the file");
     }
 
-    fem::Stiffness stiffness_in(const std::string &file, const std::string &way)
+    base::Stiffness stiffness_in(const std::string &file, const std::string &way)
     {
       std::ifstream stream(file);
       if (!stream)
-        throw std::invalid_argument(file + ": cannot be opened.");
+        throw base::InputError(file + ": cannot be opened.");
       const nlohmann::json json = nlohmann::json::parse(stream, nullptr, false);
       const auto           path = nlohmann::json::json_pointer("/" + way + "/stiffness");
-      fem::Stiffness       D;
+      base::Stiffness      D;
       try
         {
           for (std::size_t i = 0; i < 6; ++i)
@@ -42,13 +42,13 @@ namespace apps
         }
       catch (const nlohmann::json::exception &)
         {
-          throw std::invalid_argument(file + ": has no 6 x 6 matrix of numbers at \"" + path.to_string() +
-                                      "\". Give a homogenised.json of breccia homogenise.");
+          throw base::InputError(file + ": has no 6 x 6 matrix of numbers at \"" + path.to_string() +
+                                 "\". Give a homogenised.json of breccia homogenise.");
         }
       // A stiffness from an iterative solution is symmetric to its tolerance only.
-      const fem::Stiffness symmetric = 0.5 * (D + D.transpose());
+      const base::Stiffness symmetric = 0.5 * (D + D.transpose());
       if ((D - symmetric).norm() > 1e-6 * D.norm())
-        throw std::invalid_argument(file + ": the matrix at \"" + path.to_string() + "\" is not symmetric.");
+        throw base::InputError(file + ": the matrix at \"" + path.to_string() + "\" is not symmetric.");
       return symmetric;
     }
   } // namespace
@@ -98,9 +98,9 @@ namespace apps
         read->take_stiffness(stiffness_in(block.stiffness_file, block.stiffness_way));
         return read->make_points(plane);
       }
-    catch (const std::invalid_argument &refusal)
+    catch (const base::InputError &refusal)
       {
-        throw dem::InputError(place.text() + ": Materials/" + group + ": " + refusal.what());
+        throw base::InputError(place.text() + ": Materials/" + group + ": " + refusal.what());
       }
   }
 
@@ -110,9 +110,9 @@ namespace apps
       {
         chosen().constants->require_element_size(size);
       }
-    catch (const std::invalid_argument &refusal)
+    catch (const base::InputError &refusal)
       {
-        throw dem::InputError(place.text() + ": Materials/" + group + ": " + refusal.what());
+        throw base::InputError(place.text() + ": Materials/" + group + ": " + refusal.what());
       }
   }
 

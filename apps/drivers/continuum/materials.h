@@ -29,10 +29,10 @@ namespace apps
 
     const Block &chosen() const { return blocks.at(law->name()); }
 
-    /** Room for points of this law. @throws dem::InputError naming the group and the constant that is refused. */
+    /** Room for points of this law. @throws base::InputError naming the group and the constant that is refused. */
     std::unique_ptr<fem::MaterialPoints> make_points(fem::Plane plane) const;
 
-    /** @throws dem::InputError for elements wider than the law can soften in [m]. */
+    /** @throws base::InputError for elements wider than the law can soften in [m]. */
     void require_element_size(double size) const;
   };
 

@@ -1,6 +1,7 @@
 #include "apps/drivers/continuum/mesh.h"
 
 #include "fem/mesh/gmsh.h"
+#include "fem/mesh/shapes.h"
 
 #include <filesystem>
 

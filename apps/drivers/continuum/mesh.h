@@ -1,9 +1,15 @@
 #pragma once
 
 #include "apps/scene/section.h"
-#include "fem/mesh/shapes.h"
+#include "fem/mesh/shape_sizes.h"
 
 #include <list>
+
+namespace fem
+{
+  template <int dim>
+  struct Mesh;
+}
 
 namespace apps
 {
@@ -70,7 +76,7 @@ namespace apps
     void declare_plate(Section &mesh, const int &dimension);
   };
 
-  /** @throws dem::InputError on a file or measures that give no sound mesh. */
+  /** @throws base::InputError on a file or measures that give no sound mesh. */
   template <int dim>
   fem::Mesh<dim> make_mesh(const MeshSection &mesh);
 } // namespace apps

@@ -100,7 +100,7 @@ namespace apps
     void declare(Section &root);
     /** The sections of a solid that moves together with something else: the scene says where that ends and what is written. */
     void declare_as_part(Section &root);
-    /** Rules between entries. @throws dem::InputError. */
+    /** Rules between entries. @throws base::InputError. */
     void validate(const Section &root) const;
     void validate_as_part(const Section &root) const;
 

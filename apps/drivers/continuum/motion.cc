@@ -30,7 +30,7 @@ namespace apps
 
     /** What pushes, leads and adds to the account from outside: of couplings, bodies in contact and rigid bodies. */
     template <int dim>
-    void visit_outside(dem::StateVisitor &visitor, fem::ExplicitOutside &outside, const fem::Solid<dim> &solid)
+    void visit_outside(base::StateVisitor &visitor, fem::ExplicitOutside &outside, const fem::Solid<dim> &solid)
     {
       std::int64_t pushed = outside.force.size() > 0 ? 1 : 0;
       visitor.scalar("pushed_from_outside", pushed);
@@ -41,7 +41,7 @@ namespace apps
           visit_vector(visitor, "outside_force", outside.force);
         }
       std::vector<std::int32_t> driven;
-      dem::Column               velocity;
+      base::Column              velocity;
       for (const auto &[displacement, at] : outside.driven)
         {
           driven.push_back(static_cast<std::int32_t>(displacement));
@@ -62,24 +62,17 @@ namespace apps
   std::unique_ptr<fem::ExplicitSolver<dim>>
   make_motion(fem::Solid<dim> &solid, const ContinuumModel &model, const std::array<double, 3> &gravity)
   {
-    try
-      {
-        fem::ExplicitOptions options = explicit_options(model);
-        options.gravity              = gravity;
-        auto        motion           = std::make_unique<fem::ExplicitSolver<dim>>(solid, options);
-        const auto &v                = model.motion.initial_velocity;
-        if (v[0].given() || v[1].given() || v[2].given())
-          motion->set_velocity(initial_velocity<dim>(model.motion));
-        return motion;
-      }
-    catch (const std::invalid_argument &refusal)
-      {
-        throw dem::InputError(refusal.what());
-      }
+    fem::ExplicitOptions options = explicit_options(model);
+    options.gravity              = gravity;
+    auto        motion           = std::make_unique<fem::ExplicitSolver<dim>>(solid, options);
+    const auto &v                = model.motion.initial_velocity;
+    if (v[0].given() || v[1].given() || v[2].given())
+      motion->set_velocity(initial_velocity<dim>(model.motion));
+    return motion;
   }
 
   template <int dim>
-  void visit_motion(dem::StateVisitor &visitor, fem::ExplicitSolver<dim> &motion, fem::Solid<dim> &solid)
+  void visit_motion(base::StateVisitor &visitor, fem::ExplicitSolver<dim> &motion, fem::Solid<dim> &solid)
   {
     fem::ExplicitState saved   = motion.state();
     std::int64_t       started = saved.started ? 1 : 0;
@@ -107,6 +100,6 @@ namespace apps
   make_motion(fem::Solid<2> &, const ContinuumModel &, const std::array<double, 3> &);
   template std::unique_ptr<fem::ExplicitSolver<3>>
                 make_motion(fem::Solid<3> &, const ContinuumModel &, const std::array<double, 3> &);
-  template void visit_motion(dem::StateVisitor &, fem::ExplicitSolver<2> &, fem::Solid<2> &);
-  template void visit_motion(dem::StateVisitor &, fem::ExplicitSolver<3> &, fem::Solid<3> &);
+  template void visit_motion(base::StateVisitor &, fem::ExplicitSolver<2> &, fem::Solid<2> &);
+  template void visit_motion(base::StateVisitor &, fem::ExplicitSolver<3> &, fem::Solid<3> &);
 } // namespace apps

@@ -1,14 +1,14 @@
 #pragma once
 
 #include "apps/drivers/continuum/model.h"
-#include "dem/core/state.h"
+#include "base/state.h"
 #include "fem/explicit/explicit_solver.h"
 
 namespace apps
 {
   /**
    * The motion of a solid as a scene asks for it: densities, damping, safety and initial velocity.
-   * @param solid must outlive it. @param gravity acceleration of what falls [m/s^2]. @throws dem::InputError
+   * @param solid must outlive it. @param gravity acceleration of what falls [m/s^2]. @throws base::InputError
    */
   template <int dim>
   std::unique_ptr<fem::ExplicitSolver<dim>>
@@ -16,5 +16,5 @@ namespace apps
 
   /** All that a motion needs to go on to the same bits, histories of the points included. Columns hold this rank's part. */
   template <int dim>
-  void visit_motion(dem::StateVisitor &visitor, fem::ExplicitSolver<dim> &motion, fem::Solid<dim> &solid);
+  void visit_motion(base::StateVisitor &visitor, fem::ExplicitSolver<dim> &motion, fem::Solid<dim> &solid);
 } // namespace apps

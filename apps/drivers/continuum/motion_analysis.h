@@ -4,7 +4,7 @@
 #include "apps/drivers/continuum/motion.h"
 #include "apps/drivers/parts/duration.h"
 #include "apps/process/mpi_session.h"
-#include "dem/core/errors.h"
+#include "base/errors.h"
 
 #include <fmt/format.h>
 
@@ -72,7 +72,7 @@ namespace apps
 
     std::string linear_solver() const override { return ""; }
 
-    void visit_state(dem::StateVisitor &visitor) override
+    void visit_state(base::StateVisitor &visitor) override
     {
       visit_motion(visitor, solver, solid);
       visitor.scalar("steps", steps);
@@ -101,15 +101,15 @@ namespace apps
       return enough;
     }
 
-    /** How many steps of this length the motion takes. @throws dem::InputError for more than ever end */
+    /** How many steps of this length the motion takes. @throws base::InputError for more than ever end */
     std::int64_t count_steps(const double length) const
     {
       constexpr double most = 1e12;
       const double     n    = std::ceil(motion.end_time / length * (1 - 1e-12));
       if (!(n < most))
-        throw dem::InputError(fmt::format("Motion/End time = {}: would take {:.1e} steps of {:.1e} s. Check density, "
-                                          "moduli and sizes: all in SI units.",
-                                          motion.end_time, n, length));
+        throw base::InputError(fmt::format("Motion/End time = {}: would take {:.1e} steps of {:.1e} s. Check density, "
+                                           "moduli and sizes: all in SI units.",
+                                           motion.end_time, n, length));
       return std::max<std::int64_t>(1, static_cast<std::int64_t>(n));
     }
 

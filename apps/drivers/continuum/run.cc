@@ -42,14 +42,6 @@ namespace apps
         {
           throw StoppedShort(failure.what());
         }
-      catch (const dem::InputError &)
-        {
-          throw;
-        }
-      catch (const std::invalid_argument &refusal)
-        {
-          throw dem::InputError(refusal.what());
-        }
     }
   } // namespace
 
@@ -165,9 +157,9 @@ namespace apps
     auto         column  = static_cast<std::int64_t>(vertical_index);
     state.scalar("vertical_column", column);
     if (model.control.stop_fraction > 0 && column != static_cast<std::int64_t>(vertical_index))
-      throw dem::InputError("Output/Curve vertical = " + vertical +
-                            ": the run was begun with another column, which decides by Control/Stop fraction when it "
-                            "ends.");
+      throw base::InputError("Output/Curve vertical = " + vertical +
+                             ": the run was begun with another column, which decides by Control/Stop fraction when it "
+                             "ends.");
     state.scalar("peak", peak);
     state.scalar("was_stopped", stopped);
     state.scalar("snapshot_count", snapshot_count);

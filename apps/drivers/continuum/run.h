@@ -28,7 +28,7 @@ namespace apps
     /** Brings a prepared solid into equilibrium before the first step; its state then is the first row of the series. */
     using Settle = std::function<void(fem::Solid<dim> &, ContinuumAnalysis<dim> &)>;
 
-    /** @throws dem::InputError. start_mpi() must have been called. */
+    /** @throws base::InputError. start_mpi() must have been called. */
     ContinuumRun(const RunRequest     &request,
                  const ContinuumModel &model,
                  const Prepare        &prepare = {},
@@ -82,7 +82,7 @@ namespace apps
     std::unique_ptr<ContinuumAnalysis<dim>>   analysis;
     std::unique_ptr<ContinuumGauges<dim>>     gauges;
     std::optional<postprocess::PvdCollection> snapshots;      ///< first rank only, as is the next
-    dem::Column                               snapshot_times; ///< kept where a resumed run takes none
+    base::Column                              snapshot_times; ///< kept where a resumed run takes none
     std::filesystem::path                     location;       ///< where results grow
     SofteningWatch<dim>                       watch;
     std::string                               horizontal, vertical;

@@ -41,7 +41,7 @@ namespace apps
   }
 
   template <int dim>
-  void SofteningWatch<dim>::visit_state(dem::StateVisitor &visitor, fem::Solid<dim> &solid)
+  void SofteningWatch<dim>::visit_state(base::StateVisitor &visitor, fem::Solid<dim> &solid)
   {
     visitor.scalar("softening_force", last_force);
     visitor.scalar("softening_states", in_a_row);

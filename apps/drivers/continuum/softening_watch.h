@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dem/core/state.h"
+#include "base/state.h"
 #include "fem/solid/solid.h"
 
 #include <cstdint>
@@ -20,7 +20,7 @@ namespace apps
     bool softens_everywhere() const { return in_a_row >= enough; }
 
     /** @param solid with the histories of the last state */
-    void visit_state(dem::StateVisitor &visitor, fem::Solid<dim> &solid);
+    void visit_state(base::StateVisitor &visitor, fem::Solid<dim> &solid);
 
   private:
     static constexpr std::int64_t enough = 10;

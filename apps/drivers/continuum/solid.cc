@@ -39,9 +39,9 @@ namespace apps
                         const std::string              &hint)
     {
       if (std::find(known.begin(), known.end(), name) == known.end())
-        throw dem::InputError(place.text() + ": " + section + "/" + name + ": the mesh has no " + what +
-                              " of this name." + (known.empty() ? " " + hint : " " + did_you_mean(name, known)) +
-                              " It has: " + listed(known) + ".");
+        throw base::InputError(place.text() + ": " + section + "/" + name + ": the mesh has no " + what +
+                               " of this name." + (known.empty() ? " " + hint : " " + did_you_mean(name, known)) +
+                               " It has: " + listed(known) + ".");
     }
 
     template <int dim>
@@ -59,8 +59,8 @@ namespace apps
       for (const std::string &name : groups)
         if (std::none_of(model.materials.groups.begin(), model.materials.groups.end(),
                          [&](const auto &group) { return group->group == name; }))
-          throw dem::InputError("Materials: the group \"" + name +
-                                "\" of the mesh has no law. Add subsection Materials/" + name + ".");
+          throw base::InputError("Materials: the group \"" + name +
+                                 "\" of the mesh has no law. Add subsection Materials/" + name + ".");
     }
 
     template <int dim>
@@ -187,21 +187,14 @@ namespace apps
     options.thickness          = dim == 2 ? model.solid.thickness : 1.0;
     options.large_displacement = model.solid.large_displacement;
     options.mean_dilatation    = model.solid.mean_dilatation;
-    try
-      {
-        fem::Mesh<dim> mesh = make_mesh<dim>(model.mesh);
-        refuse_names(mesh, model);
-        auto solid = std::make_unique<fem::Solid<dim>>(std::move(mesh), options);
-        for (const auto &group : model.materials.groups)
-          solid->assign(group->group, group->make_points(options.plane));
-        solid->set_loads(make_loads<dim>(model));
-        refuse_wide_elements(*solid, model);
-        return solid;
-      }
-    catch (const std::invalid_argument &refusal)
-      {
-        throw dem::InputError(refusal.what());
-      }
+    fem::Mesh<dim> mesh        = make_mesh<dim>(model.mesh);
+    refuse_names(mesh, model);
+    auto solid = std::make_unique<fem::Solid<dim>>(std::move(mesh), options);
+    for (const auto &group : model.materials.groups)
+      solid->assign(group->group, group->make_points(options.plane));
+    solid->set_loads(make_loads<dim>(model));
+    refuse_wide_elements(*solid, model);
+    return solid;
   }
 
   template std::unique_ptr<fem::Solid<2>> make_solid(const ContinuumModel &);

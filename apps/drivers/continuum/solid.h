@@ -22,7 +22,7 @@ namespace apps
    *
    * Histories are virgin; a sequential analysis sets them next (fem::MaterialPoints::set_initial).
    * start_mpi() must have been called.
-   * @throws dem::InputError naming the place in the scene, or the mesh and what is wrong with it.
+   * @throws base::InputError naming the place in the scene, or the mesh and what is wrong with it.
    */
   template <int dim>
   std::unique_ptr<fem::Solid<dim>> make_solid(const ContinuumModel &model);

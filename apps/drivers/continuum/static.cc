@@ -46,8 +46,9 @@ namespace apps
       if (direction.norm() == 0)
         direction = to - from;
       if (direction.norm() == 0)
-        throw dem::InputError("Control/Direction = 0, 0, 0: the two points of the opening coincide, so that it must be "
-                              "given.");
+        throw base::InputError(
+          "Control/Direction = 0, 0, 0: the two points of the opening coincide, so that it must be "
+          "given.");
       direction /= direction.norm();
       fem::PathControl control;
       for (unsigned int c = 0; c < dim; ++c)
@@ -189,7 +190,7 @@ namespace apps
 
       fem::StaticSolver<dim> *static_solver() override { return &solver; }
 
-      void visit_state(dem::StateVisitor &visitor) override
+      void visit_state(base::StateVisitor &visitor) override
       {
         fem::StaticState saved = solver.state();
         visitor.scalar("time", saved.time);

@@ -6,7 +6,6 @@
 #include "apps/drivers/continuum/picture.h"
 #include "apps/drivers/continuum/snapshot.h"
 #include "apps/drivers/continuum/solid.h"
-#include "apps/drivers/parts/in_words_of_input.h"
 #include "apps/process/interrupt.h"
 #include "apps/results/run_work.h"
 #include "apps/scene/name_list.h"
@@ -41,28 +40,27 @@ namespace apps
         , body(what.particles, packing)
         , solid(make_solid<dim>(what.continuum))
         , motion(make_motion(*solid, what.continuum, what.particles.gravity.acceleration))
-        , participant(in_words_of_input([&] { return coupling::SolidParticipant<dim>(*solid, *motion); }))
-        , both(in_words_of_input([&] {
-          return coupling::ConcurrentMotion<dim>(
-            body.specimen(), *solid, *motion, participant, [this] { body.lead_next_step(); },
-            names_in(what.continuum.motion.rigid));
-        }))
+        , participant(*solid, *motion)
+        , both(
+            body.specimen(),
+            *solid,
+            *motion,
+            participant,
+            [this] { body.lead_next_step(); },
+            names_in(what.continuum.motion.rigid))
         , touching(what.continuum.contacts, both.contacts())
         , gauges(*solid, what.continuum)
       {
         both.set_largest_ratio(static_cast<int>(what.largest_ratio));
         for (const CouplingSection &coupling : model.couplings.couplings)
-          in_words_of_input([&] {
-            both.add_surface({coupling.name,
-                              coupling.boundaries(),
-                              coupling.contact,
-                              coupling.pressure,
-                              coupling.skin,
-                              coupling.particles(body.all_groups()),
-                              {coupling.bond.within, coupling.bond.links(what.particles.physics)},
-                              coupling.spreading});
-            return 0;
-          });
+          both.add_surface({coupling.name,
+                            coupling.boundaries(),
+                            coupling.contact,
+                            coupling.pressure,
+                            coupling.skin,
+                            coupling.particles(body.all_groups()),
+                            {coupling.bond.within, coupling.bond.links(what.particles.physics)},
+                            coupling.spreading});
         refuse_shared_couplings();
         model.validate_columns(columns(), told());
       }
@@ -273,7 +271,7 @@ namespace apps
       }
 
     private:
-      /** Two couplings of one face with one particle would push twice. @throws dem::InputError */
+      /** Two couplings of one face with one particle would push twice. @throws base::InputError */
       void refuse_shared_couplings() const
       {
         const auto &all = model.couplings.couplings;
@@ -283,10 +281,11 @@ namespace apps
               {
                 const std::optional<std::size_t> both_push = shared_particle(*one, *other);
                 if (both_push)
-                  throw dem::InputError(fmt::format("Couplings/{} and Couplings/{}: both are of particle {} and of the "
-                                                    "same boundary: it would be pushed twice. Give them different "
-                                                    "Groups or a different Boundary.",
-                                                    one->name, other->name, *both_push + 1));
+                  throw base::InputError(
+                    fmt::format("Couplings/{} and Couplings/{}: both are of particle {} and of the "
+                                "same boundary: it would be pushed twice. Give them different "
+                                "Groups or a different Boundary.",
+                                one->name, other->name, *both_push + 1));
               }
       }
 

@@ -25,10 +25,10 @@ namespace apps
   public:
     virtual ~CoupledBody() = default;
 
-    /** Before the first step. @throws dem::InputError for particles that lie in the solid, as well */
+    /** Before the first step. @throws base::InputError for particles that lie in the solid, as well */
     virtual StaticStart start() = 0;
 
-    /** At least one window, up to this time; fewer when interrupted. @throws StoppedShort, dem::NumericalError */
+    /** At least one window, up to this time; fewer when interrupted. @throws StoppedShort, base::NumericalError */
     virtual void advance_to(double time) = 0;
     /** So many windows. */
     virtual void advance(std::int64_t windows) = 0;
@@ -61,6 +61,6 @@ namespace apps
     virtual void visit_state(RunState &state) = 0;
   };
 
-  /** @param packing as ParticlesModel::packing() makes it. Both outlive the body. @throws dem::InputError */
+  /** @param packing as ParticlesModel::packing() makes it. Both outlive the body. @throws base::InputError */
   std::unique_ptr<CoupledBody> make_coupled_body(const CoupledModel &model, const dem::Packing &packing);
 } // namespace apps

@@ -43,10 +43,10 @@ namespace apps
       {
         constants.at(law->name())->check();
       }
-    catch (const dem::InputError &refusal)
+    catch (const base::InputError &refusal)
       {
         const Section &section = *coupling.find_section("Bond");
-        throw dem::InputError(section.place().text() + ": " + section.path() + "/" + refusal.what());
+        throw base::InputError(section.place().text() + ": " + section.path() + "/" + refusal.what());
       }
   }
 

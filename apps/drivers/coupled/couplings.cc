@@ -65,14 +65,14 @@ namespace apps
   {
     const Section &all = *root.find_section("Couplings");
     if (couplings.empty() && alone)
-      throw dem::InputError("Couplings: there is none. Name a surface of the solid that particles touch: subsection "
-                            "Couplings/NAME with set Boundary and set Effective modulus.");
+      throw base::InputError("Couplings: there is none. Name a surface of the solid that particles touch: subsection "
+                             "Couplings/NAME with set Boundary and set Effective modulus.");
     for (const CouplingSection &coupling : couplings)
       {
         const Section &section = *all.find_section(coupling.name);
         if (coupling.name.find_first_of(",\"") != std::string::npos)
-          throw dem::InputError(section.place().text() + ": Couplings/" + coupling.name +
-                                ": a name without commas and quotes, please: it is part of columns of series.csv.");
+          throw base::InputError(section.place().text() + ": Couplings/" + coupling.name +
+                                 ": a name without commas and quotes, please: it is part of columns of series.csv.");
         for (const std::string &group : names_in(coupling.group))
           groups.require(section, "Groups", group);
         coupling.bond.validate(section);

@@ -37,7 +37,7 @@ namespace apps
     std::list<CouplingSection> couplings;
 
     void declare(Section &root);
-    /** @param alone nothing else couples. @throws dem::InputError where nothing is coupled, or a group that is not there */
+    /** @param alone nothing else couples. @throws base::InputError where nothing is coupled, or a group that is not there */
     void validate(const Section &root, const GroupNames &groups, bool alone) const;
   };
 } // namespace apps

@@ -1,6 +1,6 @@
 #include "apps/drivers/coupled/laboratory.h"
 
-#include "apps/drivers/continuum/gauges.h"
+#include "apps/drivers/continuum/gauge_column.h"
 #include "apps/scene/nearest_name.h"
 
 #include <algorithm>

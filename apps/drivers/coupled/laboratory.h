@@ -23,7 +23,7 @@ namespace apps
     double      area = 0, length = 0; ///< [m^2], [m]
 
     void declare(Section &root);
-    /** @throws dem::InputError for a coupling or point that is not there */
+    /** @throws base::InputError for a coupling or point that is not there */
     void
     validate(const Section &root, const CouplingsSection &couplings, const LoadsSection &loads, int dimension) const;
     bool given() const { return !high.empty(); }

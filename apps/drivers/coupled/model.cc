@@ -42,7 +42,7 @@ namespace apps
     laboratory.validate(scene, couplings, continuum.loads, dimension());
     for (const CouplingSection &coupling : couplings.couplings)
       if (particles.walls.knows(coupling.name))
-        throw dem::InputError("Couplings/" + coupling.name + ": there is a wall of this name. Take another.");
+        throw base::InputError("Couplings/" + coupling.name + ": there is a wall of this name. Take another.");
   }
 
   namespace
@@ -64,8 +64,8 @@ namespace apps
     curve(columns, told);
     std::sort(names.begin(), names.end());
     if (const auto twice = std::adjacent_find(names.begin(), names.end()); twice != names.end())
-      throw dem::InputError("column " + *twice +
-                            " of series.csv would be there twice. Name a gauge or a coupling otherwise.");
+      throw base::InputError("column " + *twice +
+                             " of series.csv would be there twice. Name a gauge or a coupling otherwise.");
   }
 
   std::pair<std::string, std::string> CoupledModel::curve(const std::vector<postprocess::SeriesColumn> &columns,

@@ -21,13 +21,13 @@ namespace apps
     const Section    *root          = nullptr; ///< of the scene, which outlives the model
 
     void declare(Section &root);
-    /** @throws dem::InputError. */
+    /** @throws base::InputError. */
     void validate(const Section &root) const;
 
-    /** What can be said once the solid is made. @throws dem::InputError for a stop or a curve of a column that there is not */
+    /** What can be said once the solid is made. @throws base::InputError for a stop or a curve of a column that there is not */
     void validate_columns(const std::vector<postprocess::SeriesColumn> &columns,
                           const std::vector<postprocess::SeriesColumn> &told) const;
-    /** Columns of the curve. @throws dem::InputError */
+    /** Columns of the curve. @throws base::InputError */
     std::pair<std::string, std::string> curve(const std::vector<postprocess::SeriesColumn> &columns,
                                               const std::vector<postprocess::SeriesColumn> &told) const;
 

@@ -1,6 +1,6 @@
 #include "apps/drivers/coupled/report.h"
 
-#include "apps/drivers/continuum/gauges.h"
+#include "apps/drivers/continuum/gauge_column.h"
 #include "apps/drivers/parts/series_figures.h"
 #include "apps/process/progress.h"
 

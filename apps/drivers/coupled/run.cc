@@ -131,7 +131,7 @@ namespace apps
   void CoupledRun::list_together() const
   {
     std::vector<postprocess::PvdPart> parts;
-    const dem::Column                &times = solids->listed();
+    const base::Column               &times = solids->listed();
     for (std::size_t i = 0; i < times.size(); ++i)
       {
         const auto list = [&](const int part, const char *name, const char *folder, const char *extension) {

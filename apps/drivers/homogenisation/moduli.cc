@@ -2,7 +2,7 @@
 
 #include "apps/drivers/parts/specimen_packing.h"
 #include "apps/process/stopwatch.h"
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "dem/homogenisation/resisted_strains.h"
 
 #include <fmt/format.h>
@@ -23,19 +23,20 @@ namespace apps
     {
       const auto &m = packing.material;
       if (std::any_of(m.begin(), m.end(), [&](const std::int32_t number) { return number != m.front(); }))
-        throw dem::InputError(origin + ": its particles are of several materials, and all links get one modulus here. "
-                                       "Strain such a cell in a scene of kind quasi_static (Specimen/Body = cell).");
+        throw base::InputError(origin + ": its particles are of several materials, and all links get one modulus here. "
+                                        "Strain such a cell in a scene of kind quasi_static (Specimen/Body = cell).");
       if (!packing.periodic_cell)
-        throw dem::InputError(origin +
-                              ": not a periodic packing, so that its stiffness would depend on how its surface is "
-                              "held. Give one with a periodic cell, e.g. made by \"breccia pack\".");
+        throw base::InputError(origin +
+                               ": not a periodic packing, so that its stiffness would depend on how its surface is "
+                               "held. Give one with a periodic cell, e.g. made by \"breccia pack\".");
       const bool plane = lies_in_a_plane(packing);
       if (dimension == 3 && plane && packing.size() > 1)
-        throw dem::InputError(origin + ": all centres lie in one plane. For discs give their thickness (--thickness).");
+        throw base::InputError(origin +
+                               ": all centres lie in one plane. For discs give their thickness (--thickness).");
       if (dimension == 2 && !plane)
-        throw dem::InputError(origin +
-                              ": discs of a thickness are asked for, but the centres do not lie in one plane z. "
-                              "Leave the thickness out for spheres.");
+        throw base::InputError(origin +
+                               ": discs of a thickness are asked for, but the centres do not lie in one plane z. "
+                               "Leave the thickness out for spheres.");
     }
 
     /** Constants of a stiffness that resists so many strains. */
@@ -93,7 +94,7 @@ namespace apps
     const dem::RelaxedStiffness relaxed = relax(network, question.solver, answer.affine);
     answer.solver                       = relaxed.solver;
     if (!relaxed.solver.converged)
-      throw dem::NumericalError(fmt::format(
+      throw base::NumericalError(fmt::format(
         "homogenisation: residual {:.2e} after {} iterations, asked for {:.2e}. {} Raise the tolerance or the "
         "interaction ratio, or choose the direct solver.",
         relaxed.solver.residual, relaxed.solver.iterations, question.solver.tolerance,
@@ -110,7 +111,7 @@ namespace apps
   {
     const auto [smallest, largest] = std::minmax_element(packing.radius.begin(), packing.radius.end());
     if (*largest > *smallest * (1 + 1e-9))
-      throw dem::InputError(
+      throw base::InputError(
         fmt::format("{}: radii from {:.6g} to {:.6g} m; other seeds are made of equal spheres only. "
                     "Homogenise packings of your own one by one.",
                     origin, *smallest, *largest));

@@ -44,15 +44,15 @@ namespace apps
   /**
    * @param origin of the packing, for messages
    * A cell that does not resist every strain has an answer too: its stiffness, zero in those strains, without constants.
-   * @throws dem::InputError if the packing does not repeat, or lies in a plane while links are asked for in space;
-   *         dem::NumericalError if the residual asked for is not reached.
+   * @throws base::InputError if the packing does not repeat, or lies in a plane while links are asked for in space;
+   *         base::NumericalError if the residual asked for is not reached.
    */
   HomogenisationAnswer
   homogenise(const dem::Packing &packing, const HomogenisationQuestion &question, const std::string &origin);
 
   /**
    * Another packing like a given one: as many spheres of the same radius in a periodic cell, compacted anew.
-   * @param friction between the spheres while compacted @throws dem::InputError if the spheres are not equal
+   * @param friction between the spheres while compacted @throws base::InputError if the spheres are not equal
    */
   dem::Packing
   packing_like(const dem::Packing &packing, double friction, std::uint64_t seed, const std::string &origin);

@@ -240,7 +240,7 @@ namespace apps
   int HomogenisationScene::run(const RunRequest &request) const
   {
     if (request.resume)
-      throw dem::InputError("--resume: a homogenisation has no checkpoint. Run it again.");
+      throw base::InputError("--resume: a homogenisation has no checkpoint. Run it again.");
     const std::string               origin = source == SpecimenSection::Source::file ? file : "generator";
     const std::vector<dem::Packing> bodies = packings();
     std::vector<SweepPoint>         points;

@@ -2,7 +2,7 @@
 
 #include "apps/drivers/parts/energy_terms.h"
 #include "apps/process/interrupt.h"
-#include "dem/core/errors.h"
+#include "base/errors.h"
 
 #include <fmt/format.h>
 
@@ -22,9 +22,9 @@ namespace apps
     constexpr double limit = 1e12; // a year at thirty thousand steps a second
     const double     steps = what.end_time / body.time_step();
     if (!(steps < limit))
-      throw dem::InputError(fmt::format("Time/End time = {}: that would take {:.1e} steps of {:.1e} s. Check density, "
-                                        "moduli and sizes: all in SI units.",
-                                        what.end_time, steps, body.time_step()));
+      throw base::InputError(fmt::format("Time/End time = {}: that would take {:.1e} steps of {:.1e} s. Check density, "
+                                         "moduli and sizes: all in SI units.",
+                                         what.end_time, steps, body.time_step()));
   }
 
   StaticStart ParticlesBody::start()

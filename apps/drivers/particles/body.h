@@ -13,12 +13,12 @@ namespace apps
   class ParticlesBody
   {
   public:
-    /** @param packing as ParticlesModel::packing() makes it. @throws dem::InputError. */
+    /** @param packing as ParticlesModel::packing() makes it. @throws base::InputError. */
     ParticlesBody(const ParticlesModel &model, const dem::Packing &packing);
     ParticlesBody(const ParticlesBody &)            = delete;
     ParticlesBody &operator=(const ParticlesBody &) = delete;
 
-    /** Before the first step: the initial equilibrium, if the scene asks for one, and then initial velocities. @throws dem::InputError */
+    /** Before the first step: the initial equilibrium, if the scene asks for one, and then initial velocities. @throws base::InputError */
     StaticStart start();
 
     /** At least one step, up to this time; fewer when interrupted. */
@@ -38,7 +38,7 @@ namespace apps
     const Walls          &all_walls() const { return walls; }
     const ParticleGroups &all_groups() const { return groups; }
     /** A reader must have been made from the same model and packing. */
-    void visit_state(dem::StateVisitor &visitor) { body.visit_state(visitor); }
+    void visit_state(base::StateVisitor &visitor) { body.visit_state(visitor); }
 
   private:
     const ParticlesModel *model;

@@ -23,7 +23,7 @@ namespace apps
     std::list<GroupForce> forces;
 
     void declare(Section &root);
-    /** @throws dem::InputError. */
+    /** @throws base::InputError. */
     void validate(const Section &root, int dimension, const GroupNames &names) const;
   };
 

@@ -108,12 +108,12 @@ namespace apps
       const std::string &name = gauge.name();
       const auto fits = [](const unsigned char c) { return std::isalnum(c) || c == '_' || c == '-' || c == '.'; };
       if (!std::all_of(name.begin(), name.end(), fits))
-        throw dem::InputError(gauge.place().text() + ": " + gauge.path() +
-                              ": the name of a gauge is that of a column: letters, digits and . _ - only.");
+        throw base::InputError(gauge.place().text() + ": " + gauge.path() +
+                               ": the name of a gauge is that of a column: letters, digits and . _ - only.");
       if (name == "time" || name == "links" || name == "broken_links" || name == "contacts" ||
           name.rfind("energy_", 0) == 0)
-        throw dem::InputError(gauge.place().text() + ": " + gauge.path() +
-                              ": series.csv has a column of this name already. Choose another.");
+        throw base::InputError(gauge.place().text() + ": " + gauge.path() +
+                               ": series.csv has a column of this name already. Choose another.");
     }
   } // namespace
 

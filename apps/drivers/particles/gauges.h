@@ -44,7 +44,7 @@ namespace apps
     std::string group     = GroupNames::all, other, wall;
 
     void declare(Section &section);
-    /** @throws dem::InputError. */
+    /** @throws base::InputError. */
     void        validate(const Section                 &section,
                          const GroupNames              &names,
                          const PrescribedMotionSection &motion,
@@ -60,7 +60,7 @@ namespace apps
     std::list<GaugeSection> gauges;
 
     void declare(Section &root);
-    /** @throws dem::InputError. */
+    /** @throws base::InputError. */
     void validate(const Section                 &root,
                   const GroupNames              &names,
                   const PrescribedMotionSection &motion,

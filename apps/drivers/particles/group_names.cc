@@ -34,9 +34,9 @@ namespace apps
   {
     for (const auto &section : sections.sections())
       if (!knows(section->name()))
-        throw dem::InputError(fmt::format("{}: section \"{}\" must be named after a group, and there is none of that "
-                                          "name. {} Groups: {}.",
-                                          section->place().text(), section->path(),
-                                          did_you_mean(section->name(), names), fmt::join(names, ", ")));
+        throw base::InputError(fmt::format("{}: section \"{}\" must be named after a group, and there is none of that "
+                                           "name. {} Groups: {}.",
+                                           section->place().text(), section->path(),
+                                           did_you_mean(section->name(), names), fmt::join(names, ", ")));
   }
 } // namespace apps

@@ -21,7 +21,7 @@ namespace apps
     std::vector<std::string> names = {all};
 
     bool knows(const std::string &name) const;
-    /** @throws dem::InputError where the value of an entry, a name, is none of them */
+    /** @throws base::InputError where the value of an entry, a name, is none of them */
     void require(const Section &section, const std::string &entry, const std::string &name) const;
     /** The same for sub-sections that are named after groups. */
     void require_sections(const Section &sections) const;

@@ -75,9 +75,9 @@ namespace apps
       {
         const Section &section = *root.find_section("Groups")->find_section(group.name);
         if (names.knows(group.name))
-          throw dem::InputError(section.place().text() + ": " + section.path() +
-                                ": there is a group of this name already (all particles are \"all\", and each "
-                                "sub-section of More particles is a group). Choose another.");
+          throw base::InputError(section.place().text() + ": " + section.path() +
+                                 ": there is a group of this name already (all particles are \"all\", and each "
+                                 "sub-section of More particles is a group). Choose another.");
         group.validate(section, dimension);
         names.names.push_back(group.name);
       }
@@ -89,9 +89,9 @@ namespace apps
       {
         found[group.name] = group.find(packing, dimension);
         if (found[group.name].empty())
-          throw dem::InputError("Groups/" + group.name +
-                                ": no particle's centre lies in it. Check its place and size against the packing "
-                                "(metres).");
+          throw base::InputError("Groups/" + group.name +
+                                 ": no particle's centre lies in it. Check its place and size against the packing "
+                                 "(metres).");
       }
     auto &all = found[GroupNames::all];
     all.resize(packing.size());

@@ -33,7 +33,7 @@ namespace apps
     std::string file;
 
     void declare(Section &section);
-    /** @throws dem::InputError. */
+    /** @throws base::InputError. */
     void                     validate(const Section &section, int dimension) const;
     std::vector<std::size_t> find(const dem::Packing &packing, int dimension) const;
   };
@@ -44,9 +44,9 @@ namespace apps
     std::list<GroupSection> groups;
 
     void declare(Section &root);
-    /** @param names known already; those of this section are added. @throws dem::InputError. */
+    /** @param names known already; those of this section are added. @throws base::InputError. */
     void validate(const Section &root, int dimension, GroupNames &names) const;
-    /** Add the groups of this section, and that of all. @throws dem::InputError for a group without particles */
+    /** Add the groups of this section, and that of all. @throws base::InputError for a group without particles */
     void find(const dem::Packing &packing, int dimension, ParticleGroups &found) const;
   };
 

@@ -10,7 +10,7 @@ namespace apps
     std::list<MotionFormulas> velocities; ///< later ones win where groups overlap
 
     void declare(Section &root);
-    /** @throws dem::InputError. */
+    /** @throws base::InputError. */
     void validate(const Section &root, const dem::Physics &physics, const GroupNames &names) const;
     /** Set them, by the places of the particles, before the first step. */
     void give(dem::Specimen &specimen, const dem::Packing &packing, const ParticleGroups &groups) const;

@@ -37,14 +37,14 @@ namespace apps
     void declare_as_part(Section &root);
     /** How it goes on: sections Time, Gravity, Stop and Output. */
     void declare_course(Section &root);
-    /** @throws dem::InputError. */
+    /** @throws base::InputError. */
     void validate(const Section &root) const;
     /** The same but for the course. @return the names of its groups */
     GroupNames validate_as_part(const Section &root) const;
 
     /** Whether the law links particles from the start. @pre validated */
     bool bonded() const { return material.materials().bonds(physics)->bonds(); }
-    /** Particles and where the groups of them are. @throws dem::InputError, and as make_packing() */
+    /** Particles and where the groups of them are. @throws base::InputError, and as make_packing() */
     dem::Packing packing() const;
     /** @param packing as packing() makes it */
     ParticleGroups          groups_in(const dem::Packing &packing) const;
@@ -53,7 +53,7 @@ namespace apps
     /** Of series.csv; the first is the time. */
     std::vector<postprocess::SeriesColumn> columns() const;
     std::vector<std::string>               column_names() const;
-    /** Of the curve: what is over what. @throws dem::InputError. */
+    /** Of the curve: what is over what. @throws base::InputError. */
     std::string curve_horizontal() const;
     std::string curve_vertical() const;
   };

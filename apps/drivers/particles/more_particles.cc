@@ -73,8 +73,8 @@ namespace apps
       {
         const Section &section = *root.find_section("More particles")->find_section(one.name);
         if (names.knows(one.name))
-          throw dem::InputError(section.place().text() + ": " + section.path() +
-                                ": all particles are the group \"all\". Choose another name.");
+          throw base::InputError(section.place().text() + ": " + section.path() +
+                                 ": all particles are the group \"all\". Choose another name.");
         one.validate(section, dimension, materials);
         names.names.push_back(one.name);
       }

@@ -31,9 +31,9 @@ namespace apps
     std::list<AddedParticles> added;
 
     void declare(Section &root);
-    /** @param names takes theirs. @throws dem::InputError. */
+    /** @param names takes theirs. @throws base::InputError. */
     void validate(const Section &root, int dimension, const MaterialSection &materials, GroupNames &names) const;
-    /** Specimen and added particles together, loose ones last, with their materials. @throws dem::InputError, and as make_packing() */
+    /** Specimen and added particles together, loose ones last, with their materials. @throws base::InputError, and as make_packing() */
     dem::Packing compose(const SpecimenSection &specimen, const MaterialSection &materials, int dimension) const;
 
     std::size_t loose() const; ///< how many of the last particles are linked to nothing

@@ -68,7 +68,7 @@ namespace apps
               {
                 const auto [first, fresh] = taken.emplace(std::make_pair(i, c), motion.group);
                 if (!fresh)
-                  throw dem::InputError(
+                  throw base::InputError(
                     fmt::format("Motion/{}/{}: particle {} is in group {} as well, which prescribes "
                                 "the same. Make the groups apart, or leave it to one of them.",
                                 motion.group, component_names[c], i + 1, first->second));

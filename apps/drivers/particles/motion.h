@@ -23,7 +23,7 @@ namespace apps
     {
       return c < 3 ? velocity[static_cast<std::size_t>(c)] : spin[static_cast<std::size_t>(c - 3)];
     }
-    /** A component that particles of this physics do not have is refused. @throws dem::InputError. */
+    /** A component that particles of this physics do not have is refused. @throws base::InputError. */
     void validate(const Section &section, const dem::Physics &physics) const;
   };
 
@@ -33,7 +33,7 @@ namespace apps
     std::list<MotionFormulas> motions;
 
     void declare(Section &root);
-    /** @throws dem::InputError. */
+    /** @throws base::InputError. */
     void validate(const Section &root, const dem::Physics &physics, const GroupNames &names) const;
   };
 
@@ -41,7 +41,7 @@ namespace apps
   class PrescribedMotion
   {
   public:
-    /** @throws dem::InputError where two groups prescribe the same component of one particle. */
+    /** @throws base::InputError where two groups prescribe the same component of one particle. */
     PrescribedMotion(dem::Specimen &specimen, const PrescribedMotionSection &section, const ParticleGroups &groups);
 
     /** Velocities of the next step: those at its middle. */

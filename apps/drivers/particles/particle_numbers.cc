@@ -1,7 +1,7 @@
 #include "apps/drivers/particles/particle_numbers.h"
 
 #include "apps/scene/value_text.h"
-#include "dem/core/errors.h"
+#include "base/errors.h"
 
 #include <fmt/format.h>
 
@@ -16,7 +16,7 @@ namespace apps
   {
     std::ifstream in(file);
     if (!in)
-      throw dem::InputError(file + ": cannot be read.");
+      throw base::InputError(file + ": cannot be read.");
     std::map<std::size_t, int> first_line; // by number, from 0
     int                        number_of_line = 0;
     for (std::string line; std::getline(in, line);)
@@ -29,7 +29,7 @@ namespace apps
           {
             const auto number = integer_in(word);
             const auto refuse = [&](const std::string &why) {
-              throw dem::InputError(fmt::format("{}:{}: \"{}\" {}", file, number_of_line, word, why));
+              throw base::InputError(fmt::format("{}:{}: \"{}\" {}", file, number_of_line, word, why));
             };
             if (!number)
               refuse("is not a whole number.");
@@ -41,7 +41,7 @@ namespace apps
           }
       }
     if (first_line.empty())
-      throw dem::InputError(file + ": there is no particle number in it.");
+      throw base::InputError(file + ": there is no particle number in it.");
     std::vector<std::size_t> numbers;
     for (const auto &[number, line] : first_line)
       numbers.push_back(number);

@@ -30,7 +30,7 @@ namespace apps
     std::list<StopSection> stops;
 
     void declare(Section &root);
-    /** @throws dem::InputError for a column that the series does not have */
+    /** @throws base::InputError for a column that the series does not have */
     void validate(const Section &root, const std::vector<std::string> &columns) const;
     /** Name of the first condition that a row fulfils; "" if none does. @param row its first number is the time */
     std::string fulfilled(const std::vector<std::string> &columns, const std::vector<double> &row) const;

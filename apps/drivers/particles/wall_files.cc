@@ -1,6 +1,6 @@
 #include "apps/drivers/particles/wall_files.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "fem/mesh/gmsh_file.h"
 
 #include <fmt/format.h>
@@ -71,27 +71,27 @@ namespace apps
           if (!(words >> word))
             continue;
           if (number == 1 && word != "solid")
-            throw dem::InputError(file + ": is no STL file: it neither begins with \"solid\" nor has the length of a "
-                                         "binary one.");
+            throw base::InputError(file + ": is no STL file: it neither begins with \"solid\" nor has the length of a "
+                                          "binary one.");
           if (word == "vertex")
             {
               double x, y, z;
               if (!(words >> x >> y >> z) || corners == 3)
-                throw dem::InputError(
+                throw base::InputError(
                   fmt::format("{}:{}: \"{}\": expected \"vertex X Y Z\", three for each facet.", file, number, line));
               corner[corners++] = {x, y, z};
             }
           else if (word == "endloop")
             {
               if (corners != 3)
-                throw dem::InputError(
+                throw base::InputError(
                   fmt::format("{}:{}: a facet of {} corners; STL has three.", file, number, corners));
               add_triangle(mesh, corner);
               corners = 0;
             }
         }
       if (corners != 0)
-        throw dem::InputError(file + ": ends within a facet.");
+        throw base::InputError(file + ": ends within a facet.");
       return mesh;
     }
 
@@ -122,21 +122,10 @@ namespace apps
 
   dem::FacetMesh read_wall(const std::string &file, const double scale)
   {
-    dem::FacetMesh mesh;
-    try
-      {
-        mesh = std::filesystem::path(file).extension() == ".msh" ? gmsh_triangles(file) : stl_triangles(file);
-      }
-    catch (const dem::InputError &)
-      {
-        throw;
-      }
-    catch (const std::invalid_argument &error) // of the reader of meshes
-      {
-        throw dem::InputError(error.what());
-      }
+    dem::FacetMesh mesh =
+      std::filesystem::path(file).extension() == ".msh" ? gmsh_triangles(file) : stl_triangles(file);
     if (mesh.facet.empty())
-      throw dem::InputError(file + ": there is no triangle in it.");
+      throw base::InputError(file + ": there is no triangle in it.");
     for (Eigen::Vector3d &x : mesh.vertex)
       x *= scale;
     return mesh;

@@ -8,7 +8,7 @@ namespace apps
 {
   /**
    * Triangles of a file: STL (text or binary), or Gmsh (.msh) with triangles and quadrilaterals, which are split.
-   * @param scale by which its lengths are multiplied @throws dem::InputError naming the file and the place
+   * @param scale by which its lengths are multiplied @throws base::InputError naming the file and the place
    */
   dem::FacetMesh read_wall(const std::string &file, double scale);
 } // namespace apps

@@ -51,9 +51,9 @@ namespace apps
     double                largest_speed = 0, gain = 0.1;
 
     void declare(Section &section);
-    /** @throws dem::InputError. */
+    /** @throws base::InputError. */
     void validate(const Section &section, int dimension) const;
-    /** @throws dem::InputError for a file that holds no wall */
+    /** @throws base::InputError for a file that holds no wall */
     dem::FacetMesh mesh(int dimension) const;
     bool           is_plane() const { return shape == Shape::plane; }
 
@@ -72,7 +72,7 @@ namespace apps
     std::list<WallSection> walls;
 
     void declare(Section &root);
-    /** @throws dem::InputError. */
+    /** @throws base::InputError. */
     void                     validate(const Section &root, int dimension) const;
     bool                     knows(const std::string &name) const;
     std::vector<std::string> names() const;
@@ -82,7 +82,7 @@ namespace apps
   class Walls
   {
   public:
-    /** @throws dem::InputError naming the wall that cannot be */
+    /** @throws base::InputError naming the wall that cannot be */
     Walls(dem::Specimen &specimen, const WallsSection &section);
 
     /** Velocities of the next step (those at its middle) and forces of servos. */

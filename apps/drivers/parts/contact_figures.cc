@@ -58,7 +58,7 @@ namespace apps
                        peak_force);
   }
 
-  void ContactFigures::visit_state(dem::StateVisitor &visitor)
+  void ContactFigures::visit_state(base::StateVisitor &visitor)
   {
     visitor.scalar("peak_force", peak_force);
     visitor.scalar("peak_time", peak_time);

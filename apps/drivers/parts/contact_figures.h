@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/scene/section.h"
-#include "dem/core/state.h"
+#include "base/state.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -29,6 +29,6 @@ namespace apps
     /** peak_force, contact_time and first_contact, beside what is known of them. @pre touched() */
     void        put_into(nlohmann::json &figures, const ReferencesSection &known) const;
     std::string text() const; ///< @pre touched()
-    void        visit_state(dem::StateVisitor &visitor);
+    void        visit_state(base::StateVisitor &visitor);
   };
 } // namespace apps

@@ -1,7 +1,7 @@
 #include "apps/drivers/parts/drawn_curve.h"
 
 #include "apps/scene/nearest_name.h"
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "postprocess/drawn_unit.h"
 
 #include <algorithm>
@@ -65,8 +65,8 @@ namespace apps
                             const std::string              &otherwise)
   {
     if (!asked.empty() && std::find(columns.begin(), columns.end(), asked) == columns.end())
-      throw dem::InputError(std::string("Output/") + entry + " = " + asked + ": series.csv has no such column. " +
-                            did_you_mean(asked, columns));
+      throw base::InputError(std::string("Output/") + entry + " = " + asked + ": series.csv has no such column. " +
+                             did_you_mean(asked, columns));
     return asked.empty() ? otherwise : asked;
   }
 } // namespace apps

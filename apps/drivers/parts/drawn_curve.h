@@ -22,7 +22,7 @@ namespace apps
 
   /**
    * The column that an entry of section Output asks for.
-   * @param otherwise where the entry is empty. @throws dem::InputError where there is no such column
+   * @param otherwise where the entry is empty. @throws base::InputError where there is no such column
    */
   std::string chosen_column(const std::vector<std::string> &columns,
                             const char                     *entry,

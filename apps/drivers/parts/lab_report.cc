@@ -52,7 +52,7 @@ namespace apps
     }
   } // namespace
 
-  void LabNotes::visit_state(dem::StateVisitor &visitor)
+  void LabNotes::visit_state(base::StateVisitor &visitor)
   {
     visitor.scalar("young_modulus", figures.young_modulus);
     visitor.scalar("strength", figures.strength);
@@ -152,7 +152,7 @@ namespace apps
     return text;
   }
 
-  postprocess::PlotPanel panel_of(const UniaxialLoad load, const dem::Column &strain, const dem::Column &stress)
+  postprocess::PlotPanel panel_of(const UniaxialLoad load, const base::Column &strain, const base::Column &stress)
   {
     const double                   sign = load == UniaxialLoad::tension ? 1 : -1;
     postprocess::StressStrainCurve curve{name_of(load), {}, {}};

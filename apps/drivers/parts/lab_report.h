@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/scene/loading_section.h"
-#include "dem/core/column.h"
+#include "base/column.h"
 #include "dem/grips/grip_layers.h"
 #include "dem/loading/curve_figures.h"
 #include "dem/observation/crack.h"
@@ -23,7 +23,7 @@ namespace apps
     dem::Crack           crack;
     double               section = 0, gauge_length = 0; ///< [m^2], [m]; 0: a periodic cell, which has neither
 
-    void visit_state(dem::StateVisitor &visitor);
+    void visit_state(base::StateVisitor &visitor);
   };
 
   template <typename Result>
@@ -53,7 +53,7 @@ namespace apps
   /** One line for the terminal: strength, modulus, crack. */
   std::string text_of(const LabNotes &test);
   /** The curve of one test, upwards in compression as well. @param strain, stress tension positive [-], [Pa] */
-  postprocess::PlotPanel panel_of(UniaxialLoad load, const dem::Column &strain, const dem::Column &stress);
+  postprocess::PlotPanel panel_of(UniaxialLoad load, const base::Column &strain, const base::Column &stress);
   /** Lines for the terminal of what casts doubt. */
   std::string warning_lines(const std::vector<LabNotes> &tests);
   /** Section and gauge length, as long as there are grips. */

@@ -2,7 +2,7 @@
 
 #include "apps/process/interrupt.h"
 #include "apps/process/progress.h"
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "dem/neighbours/pieces.h"
 #include "dem/packing/overlaps.h"
 #include "dem/packing/tiling.h"
@@ -43,7 +43,7 @@ namespace apps
         return compact_with_progress(specimen.compaction()).packing;
       dem::Packing packing = postprocess::read_packing(specimen.file);
       if (!packing.periodic_cell)
-        throw dem::InputError(specimen.file + ": the packing is not periodic, and there is no cell without it.");
+        throw base::InputError(specimen.file + ": the packing is not periodic, and there is no cell without it.");
       return packing;
     }
 
@@ -75,7 +75,7 @@ namespace apps
         pieces.piece.size());
     }
 
-    /** The specimen with what becomes of its loose pieces. @throws dem::InputError if it has some and must not */
+    /** The specimen with what becomes of its loose pieces. @throws base::InputError if it has some and must not */
     dem::Packing in_one_piece(dem::Packing packing, const SpecimenSection &specimen)
     {
       const auto links = dem::find_pairs(packing.centre, packing.radius, specimen.interaction_ratio, 0.0, std::nullopt);
@@ -92,9 +92,9 @@ namespace apps
           fmt::print(stderr, "breccia: note: {}. The largest is the specimen.\n", finding);
           return largest_of(packing, pieces);
         default:
-          throw dem::InputError(finding +
-                                ". Raise the ratio, mend the packing, or set Specimen/Loose pieces to drop or "
-                                "keep.");
+          throw base::InputError(finding +
+                                 ". Raise the ratio, mend the packing, or set Specimen/Loose pieces to drop or "
+                                 "keep.");
         }
     }
 
@@ -108,7 +108,7 @@ namespace apps
       if (specimen.has_box())
         return cropped(packing, specimen.box_edges());
       if (packing.periodic_cell)
-        throw dem::InputError(
+        throw base::InputError(
           specimen.file +
           ": the packing is periodic, and a specimen has ends. Set Specimen/Box size: the packing is then "
           "repeated to fill the box and cropped to it.");

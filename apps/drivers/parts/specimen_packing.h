@@ -14,7 +14,7 @@ namespace apps
    * The particles that a scene asks for: generated or read, repeated and cropped to its box, each with its material where there
    * are several. Long generation shows progress; what the user should know about the packing goes to the standard error.
    *
-   * @throws dem::InputError; dem::CompactionCancelled when interrupted, dem::CompactionFailed.
+   * @throws base::InputError; dem::CompactionCancelled when interrupted, dem::CompactionFailed.
    */
   dem::Packing make_packing(const SpecimenSection &specimen, const MaterialSection &material, int dimension);
 
@@ -31,6 +31,6 @@ namespace apps
 
   /** A run's own copy in its folder, packing.h5, with which a resumed one goes on. @throws postprocess::OutputError */
   void keep_packing(const dem::Packing &packing, const std::filesystem::path &folder);
-  /** @throws dem::InputError when it is not there */
+  /** @throws base::InputError when it is not there */
   dem::Packing kept_packing(const std::filesystem::path &folder);
 } // namespace apps

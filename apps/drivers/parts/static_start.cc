@@ -57,7 +57,7 @@ namespace apps
     return json;
   }
 
-  void visit_state(dem::StateVisitor &visitor, StaticStart &found)
+  void visit_state(base::StateVisitor &visitor, StaticStart &found)
   {
     std::int64_t there = found.has_value();
     visitor.scalar("equilibrium", there);

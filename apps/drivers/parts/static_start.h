@@ -13,11 +13,11 @@ namespace apps
   /** What a static start found; nothing where none was asked for. */
   using StaticStart = std::optional<dem::InitialEquilibrium>;
 
-  /** Bring a specimen that is held as the scene says to its initial equilibrium, if one is asked for. @throws dem::InputError */
+  /** Bring a specimen that is held as the scene says to its initial equilibrium, if one is asked for. @throws base::InputError */
   StaticStart start_statically(dem::Specimen &specimen, const GravitySection &gravity);
 
   /** One line. */
   std::string    text_of(const dem::InitialEquilibrium &found);
   nlohmann::json json_of(const dem::InitialEquilibrium &found);
-  void           visit_state(dem::StateVisitor &visitor, StaticStart &found);
+  void           visit_state(base::StateVisitor &visitor, StaticStart &found);
 } // namespace apps

@@ -1,6 +1,6 @@
 #include "apps/drivers/paths/material_path.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "fem/points/driven_point.h"
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ namespace apps
       const auto               six = [&](const std::string &name, const char *unit, const double *values) {
         for (int i = 0; i < 6; ++i)
           {
-            names.push_back(fmt::format("{}_{} [{}]", name, fem::voigt_names[i], unit));
+            names.push_back(fmt::format("{}_{} [{}]", name, base::voigt_names[i], unit));
             row.push_back(values[i]);
           }
       };
@@ -61,7 +61,7 @@ namespace apps
         }
       catch (const fem::MaterialFailure &failure)
         {
-          throw dem::InputError(fmt::format("{}: row {}: {} {}", path.origin, row + 1, failure.what(), advice(path)));
+          throw base::InputError(fmt::format("{}: row {}: {} {}", path.origin, row + 1, failure.what(), advice(path)));
         }
     }
   } // namespace
@@ -79,9 +79,9 @@ namespace apps
           }
         return history;
       }
-    catch (const std::invalid_argument &refusal)
+    catch (const base::InputError &refusal)
       {
-        throw dem::InputError(std::string("material: ") + refusal.what());
+        throw base::InputError(std::string("material: ") + refusal.what());
       }
   }
 

@@ -28,7 +28,7 @@ namespace apps
 
   /**
    * Drive one point of a material along the path, straight from row to row.
-   * @throws dem::InputError for constants without meaning, and naming the row that could not be reached, and how far it could.
+   * @throws base::InputError for constants without meaning, and naming the row that could not be reached, and how far it could.
    */
   MaterialHistory drive(const fem::MaterialConstants &constants, const MaterialPath &path);
 } // namespace apps

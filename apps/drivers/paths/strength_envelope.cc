@@ -1,6 +1,6 @@
 #include "apps/drivers/paths/strength_envelope.h"
 
-#include "dem/core/errors.h"
+#include "base/errors.h"
 
 #include <fmt/format.h>
 
@@ -17,16 +17,16 @@ namespace apps
     /** A point on a proportional path: stress = factor * direction. */
     struct OnPath
     {
-      double     conjugate = 0; ///< direction . strain
-      double     factor    = 0; ///< [Pa]
-      fem::Voigt strain    = fem::Voigt::Zero();
-      Law::State state;
+      double      conjugate = 0; ///< direction . strain
+      double      factor    = 0; ///< [Pa]
+      base::Voigt strain    = base::Voigt::Zero();
+      Law::State  state;
     };
 
     class ProportionalPath
     {
     public:
-      ProportionalPath(const Law &law_, const fem::Voigt &along)
+      ProportionalPath(const Law &law_, const base::Voigt &along)
         : law(law_)
         , direction(along)
         , unit(1e-6 * law_.elastic_stiffness()(0, 0))
@@ -98,17 +98,17 @@ namespace apps
       }
 
     private:
-      const Law &law;
-      fem::Voigt direction;
-      double     unit; ///< [Pa], the stress of a strain of 1e-6
+      const Law  &law;
+      base::Voigt direction;
+      double      unit; ///< [Pa], the stress of a strain of 1e-6
     };
   } // namespace
 
   EnvelopePoint strength_towards(const Law &law, const double angle)
   {
-    fem::Voigt direction = fem::Voigt::Zero();
-    direction[0]         = std::cos(angle);
-    direction[1]         = std::sin(angle);
+    base::Voigt direction = base::Voigt::Zero();
+    direction[0]          = std::cos(angle);
+    direction[1]          = std::sin(angle);
     const ProportionalPath path(law, direction);
     double                 step = 2e-6; // a fiftieth of the strain at which concrete cracks
     OnPath                 start;
@@ -116,7 +116,7 @@ namespace apps
       {
         const auto found = path.pass_peak(start, step);
         if (!found)
-          throw dem::NumericalError(
+          throw base::NumericalError(
             fmt::format("strength at {:.2f} degrees: no peak was found.", angle * 180 / 3.14159265358979));
         if (round == 3)
           return {angle,

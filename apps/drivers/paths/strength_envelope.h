@@ -20,7 +20,7 @@ namespace apps
    *
    * The load factor and all strains are found so that the work-conjugate strain grows: thus the path passes the peak, near
    * which it is repeated in ever shorter steps.
-   * @throws dem::NumericalError if no peak is found.
+   * @throws base::NumericalError if no peak is found.
    */
   EnvelopePoint strength_towards(const fem::DamagePlasticConcrete &law, double angle);
 

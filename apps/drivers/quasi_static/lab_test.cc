@@ -55,7 +55,7 @@ namespace apps
     stress.push_back(s);
   }
 
-  void QuasiStaticResult::visit_state(dem::StateVisitor &visitor)
+  void QuasiStaticResult::visit_state(base::StateVisitor &visitor)
   {
     notes.name = name_of(load);
     notes.visit_state(visitor);

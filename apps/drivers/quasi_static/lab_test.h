@@ -29,12 +29,12 @@ namespace apps
     std::int64_t          strain_points = 0, opening_points = 0, relaxed_points = 0; ///< by what controlled them
     std::int64_t          solutions = 0, relaxation_steps = 0;
     dem::QuasiStaticPoint last;
-    dem::Column           strain, stress; ///< the curve, tension positive
+    base::Column          strain, stress; ///< the curve, tension positive
 
     /** The next point, with its strain over the gauge length and its stress. */
     void add(const dem::QuasiStaticPoint &point, double strain, double stress);
     /** Everything that a resumed run must still know of this test; of the last point its energies. */
-    void visit_state(dem::StateVisitor &visitor);
+    void visit_state(base::StateVisitor &visitor);
   };
 
   /** One quasi-static test of a run: its path, its rows of the series and its snapshots. */
@@ -45,7 +45,7 @@ namespace apps
     using Result = QuasiStaticResult;
     using Report = QuasiStaticReport;
 
-    /** Writes nothing. @param number of the test in the scene's list, from 0. @throws dem::InputError. */
+    /** Writes nothing. @param number of the test in the scene's list, from 0. @throws base::InputError. */
     QuasiStaticLabTest(const QuasiStaticModel &model, const dem::Packing &packing, std::size_t number);
     QuasiStaticLabTest(const QuasiStaticLabTest &)            = delete;
     QuasiStaticLabTest &operator=(const QuasiStaticLabTest &) = delete;

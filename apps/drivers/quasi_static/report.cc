@@ -62,7 +62,7 @@ namespace apps
     std::vector<postprocess::PlotPanel> panels;
     for (const QuasiStaticResult &r : results)
       {
-        dem::Column strain = {0}, stress = {0}; // the unloaded state
+        base::Column strain = {0}, stress = {0}; // the unloaded state
         strain.insert(strain.end(), r.strain.begin(), r.strain.end());
         stress.insert(stress.end(), r.stress.begin(), r.stress.end());
         panels.push_back(panel_of(r.load, strain, stress));

@@ -34,9 +34,9 @@ namespace apps
     dem::Packing                     packing() const; ///< of all tests. @throws as make_packing()
     bool                             is_cell() const { return source.body == SpecimenSection::Body::cell; }
     dem::QuasiStaticParameters       steps(UniaxialLoad load) const;
-    /** @throws dem::InputError when the packing cannot be gripped so */
+    /** @throws base::InputError when the packing cannot be gripped so */
     dem::GripLayers grip_layers(const dem::Packing &packing) const;
-    /** @throws dem::InputError when the packing cannot be gripped so, or has no links */
+    /** @throws base::InputError when the packing cannot be gripped so, or has no links */
     dem::LoadedNetwork load(const dem::Packing &packing) const;
   };
 

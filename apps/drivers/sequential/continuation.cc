@@ -11,20 +11,6 @@ namespace apps
 {
   namespace
   {
-    /** Arguments that a model cannot know to be wrong before there is a solid are the user's. */
-    template <typename Work>
-    void as_input_error(const Work &work)
-    {
-      try
-        {
-          work();
-        }
-      catch (const std::invalid_argument &refusal)
-        {
-          throw dem::InputError(refusal.what());
-        }
-    }
-
     template <int dim>
     TransferredState initialise(const ContinuumModel            &model,
                                 const coupling::ParticleField   &field,
@@ -33,11 +19,11 @@ namespace apps
     {
       TransferredState                       done;
       const std::unique_ptr<fem::Solid<dim>> solid = make_solid<dim>(model);
-      as_input_error([&] { done.report = coupling::transfer(field, options, *solid); });
-      const auto analysis  = make_static_analysis(*solid, model);
-      auto      &solver    = *analysis->static_solver();
-      done.settled         = coupling::equilibrate(*solid, solver, options.limits);
-      fem::Vector reaction = solver.internal_force();
+      done.report                                  = coupling::transfer(field, options, *solid);
+      const auto analysis                          = make_static_analysis(*solid, model);
+      auto      &solver                            = *analysis->static_solver();
+      done.settled                                 = coupling::equilibrate(*solid, solver, options.limits);
+      fem::Vector reaction                         = solver.internal_force();
       reaction -= solver.external_force();
       reaction.update_ghost_values();
       std::error_code error;
@@ -58,15 +44,13 @@ namespace apps
             const TransferObserver          &observe)
     {
       TransferredState done;
-      const auto       prepare = [&](fem::Solid<dim> &solid) {
-        as_input_error([&] { done.report = coupling::transfer(field, options, solid); });
-      };
-      const auto settle = [&](fem::Solid<dim> &solid, ContinuumAnalysis<dim> &analysis) {
+      const auto prepare = [&](fem::Solid<dim> &solid) { done.report = coupling::transfer(field, options, solid); };
+      const auto settle  = [&](fem::Solid<dim> &solid, ContinuumAnalysis<dim> &analysis) {
         try
           {
             done.settled = coupling::equilibrate(solid, *analysis.static_solver(), options.limits);
           }
-        catch (const dem::NumericalError &)
+        catch (const base::NumericalError &)
           {
             observe(done);
             throw;

@@ -20,7 +20,7 @@ namespace apps
 
   /**
    * Transfer a particle field to the solid of a model, bring it into equilibrium, and write the mesh as it then is to a folder.
-   * @throws dem::InputError past the limits of the transfer; dem::NumericalError without equilibrium
+   * @throws base::InputError past the limits of the transfer; base::NumericalError without equilibrium
    */
   TransferredState initialise_only(const ContinuumModel            &model,
                                    const coupling::ParticleField   &field,

@@ -200,11 +200,11 @@ namespace apps
       return result;
     }
 
-    void visit_state(dem::StateVisitor &visitor) override
+    void visit_state(base::StateVisitor &visitor) override
     {
       specimen.visit_state(visitor);
       test.visit_state(visitor);
-      dem::Column flat;
+      base::Column flat;
       for (const Sample &s : samples)
         {
           flat.insert(flat.end(), {s.strain, s.stress});

@@ -56,7 +56,7 @@ namespace apps
     /**
      * Do it, or read what was found before an interrupt: states/identification.json; mapping_law.prm and identified.png are written
      * beside them.
-     * @return false when interrupted, with a checkpoint left. @throws dem::InputError if the test says too little.
+     * @return false when interrupted, with a checkpoint left. @throws base::InputError if the test says too little.
      */
     bool complete(const dem::Packing &packing, const std::filesystem::path &folder, const std::string &deciding_text);
 

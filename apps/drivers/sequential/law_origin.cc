@@ -2,7 +2,7 @@
 
 #include "apps/drivers/sequential/transfer_section.h"
 #include "apps/scene/value_text.h"
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "postprocess/digest.h"
 
 #include <fmt/format.h>
@@ -38,7 +38,7 @@ namespace apps
       const auto    file = std::filesystem::path(entry.place.file).parent_path() / entry.value;
       std::ifstream stream(file, std::ios::binary);
       if (!stream)
-        throw dem::InputError(file.string() + ": cannot be read.");
+        throw base::InputError(file.string() + ": cannot be read.");
       const std::string content{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
       return fmt::format("{:x}", postprocess::Digest().add(content).value());
     }

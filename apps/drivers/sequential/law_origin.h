@@ -33,7 +33,7 @@ namespace apps
    */
   std::string doubt_about_law(const TransferSection &transfer, const LawOrigin &here);
 
-  /** Of the sections Specimen, Material or Materials, Regions and Physics in a section. @throws dem::InputError for an unreadable packing */
+  /** Of the sections Specimen, Material or Materials, Regions and Physics in a section. @throws base::InputError for an unreadable packing */
   std::string digest_of_particles(const Section &particles);
 
   /** Of the section of the law of one group of elements, but for its numerical constants. */

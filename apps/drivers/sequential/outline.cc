@@ -66,7 +66,7 @@ namespace apps
             ++count;
           }
       if (count == 0)
-        throw dem::InputError(file + ": no particle of this state was ever bonded; nothing to transfer.");
+        throw base::InputError(file + ": no particle of this state was ever bonded; nothing to transfer.");
       outline.mean_radius /= static_cast<double>(count);
       return outline;
     }
@@ -110,7 +110,7 @@ namespace apps
                        std::max(std::abs(particles.low[d] - solid.low[d]), std::abs(particles.high[d] - solid.high[d]));
           if (std::abs(mesh - body) <= tolerance && shift <= tolerance)
             continue;
-          throw dem::InputError(fmt::format(
+          throw base::InputError(fmt::format(
             "transfer: along {} {} reaches from {:.4g} to {:.4g} m and the mesh from {:.4g} to {:.4g} m: lengths "
             "and ends must agree within {:.2g} m (Transfer/Limits/Extents = {:.2g} of the length, and two "
             "particle radii). Give the mesh the extents of the particles.",
@@ -129,9 +129,10 @@ namespace apps
       const double         box   = size[(axis + 1) % 3] * size[(axis + 2) % 3];
       if (model.particles.physics.dimension == 3 && area > 0 &&
           (area < least * box || area > (1 + model.transfer.extents) * box))
-        throw dem::InputError(fmt::format("Particles/Uniaxial/Area = {:.4g}: across {} the box around the specimen has "
-                                          "{:.3g} m^2: expected a half of it at least, and not more.",
-                                          area, "xyz"[axis], box));
+        throw base::InputError(
+          fmt::format("Particles/Uniaxial/Area = {:.4g}: across {} the box around the specimen has "
+                      "{:.3g} m^2: expected a half of it at least, and not more.",
+                      area, "xyz"[axis], box));
     }
 
     bool near(const double value, const double wanted, const double tolerance)

@@ -20,7 +20,7 @@ namespace apps
     double section(int axis) const;                ///< mean across an axis [m^2]
   };
 
-  /** @throws dem::InputError for what a continuum run refuses. */
+  /** @throws base::InputError for what a continuum run refuses. */
   SolidOutline outline_of(const ContinuumModel &model);
 
   /** The particles that will be handed over, or one saved state of them. */
@@ -31,13 +31,13 @@ namespace apps
     double          mean_radius = 0;                   ///< [m]
   };
 
-  /** One of the packing; or one of each saved state, bonded particles only. @throws dem::InputError */
+  /** One of the packing; or one of each saved state, bonded particles only. @throws base::InputError */
   std::vector<ParticleOutline> outlines_of(const SequentialModel &model, const dem::Packing &packing);
 
   /**
    * What a study would compute that has no meaning: columns that the continuation does not write, particles and mesh of different
    * extents, a length or an area that are not the mesh's, an axis that is not the particles'.
-   * @param study section of the scene, for places @throws dem::InputError with the numbers
+   * @param study section of the scene, for places @throws base::InputError with the numbers
    */
   StudyUnits check_study(const SequentialModel              &model,
                          const Section                      &study,

@@ -30,7 +30,7 @@ namespace apps
       void                 advance() override {}
       double               done() const override { return 1; }
       ParticleOutcome      outcome() const override { return result; }
-      void                 visit_state(dem::StateVisitor &) override {}
+      void                 visit_state(base::StateVisitor &) override {}
 
     private:
       ParticleOutcome result;
@@ -66,7 +66,7 @@ namespace apps
         result.start         = equilibrium;
       }
 
-      void visit_state(dem::StateVisitor &visitor)
+      void visit_state(base::StateVisitor &visitor)
       {
         apps::visit_state(visitor, equilibrium);
         visitor.scalar("seconds", seconds);
@@ -131,7 +131,7 @@ namespace apps
         return result;
       }
 
-      void visit_state(dem::StateVisitor &visitor) override
+      void visit_state(base::StateVisitor &visitor) override
       {
         specimen.visit_state(visitor);
         test.visit_state(visitor);
@@ -187,7 +187,7 @@ namespace apps
         return result;
       }
 
-      void visit_state(dem::StateVisitor &visitor) override
+      void visit_state(base::StateVisitor &visitor) override
       {
         specimen.visit_state(visitor);
         test.visit_state(visitor);

@@ -33,16 +33,16 @@ namespace apps
     /** What moves; nullptr where a saved state is taken. */
     virtual const dem::Specimen *body() const = 0;
 
-    /** Before the first step: what advance() would do by itself. @throws dem::InputError if there is no equilibrium. */
-    virtual StaticStart     settle()                                = 0;
-    virtual bool            finished() const                        = 0;
-    virtual void            advance()                               = 0; ///< one sample further
-    virtual double          done() const                            = 0; ///< in [0, 1]
-    virtual ParticleOutcome outcome() const                         = 0;
-    virtual void            visit_state(dem::StateVisitor &visitor) = 0;
+    /** Before the first step: what advance() would do by itself. @throws base::InputError if there is no equilibrium. */
+    virtual StaticStart     settle()                                 = 0;
+    virtual bool            finished() const                         = 0;
+    virtual void            advance()                                = 0; ///< one sample further
+    virtual double          done() const                             = 0; ///< in [0, 1]
+    virtual ParticleOutcome outcome() const                          = 0;
+    virtual void            visit_state(base::StateVisitor &visitor) = 0;
   };
 
-  /** @param number from 0, below event.cases(). @throws dem::InputError. */
+  /** @param number from 0, below event.cases(). @throws base::InputError. */
   std::unique_ptr<ParticleCase>
   make_particle_case(const ParticleEventSection &event, const dem::Packing &packing, std::size_t number);
 

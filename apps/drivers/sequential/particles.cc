@@ -17,7 +17,7 @@ namespace apps
     constexpr double checkpoint_interval = 600; ///< the longest [s]
 
     /** The numbers of an outcome beside its state, in the order in which a checkpoint stores them. */
-    void visit_figures(dem::StateVisitor &visitor, ParticleOutcome &outcome)
+    void visit_figures(base::StateVisitor &visitor, ParticleOutcome &outcome)
     {
       visitor.scalar("severity", outcome.severity);
       visitor.scalar("absorbed", outcome.absorbed);
@@ -25,7 +25,7 @@ namespace apps
       visitor.scalar("seconds", outcome.seconds);
       visitor.scalar("balance_error", outcome.balance_error);
       apps::visit_state(visitor, outcome.start);
-      dem::Column strain(outcome.curve_strain.begin(), outcome.curve_strain.end()),
+      base::Column strain(outcome.curve_strain.begin(), outcome.curve_strain.end()),
         stress(outcome.curve_stress.begin(), outcome.curve_stress.end());
       visitor.column("curve_strain", strain);
       visitor.column("curve_stress", stress);

@@ -42,9 +42,9 @@ namespace apps
         {
           return work();
         }
-      catch (const dem::InputError &refusal)
+      catch (const base::InputError &refusal)
         {
-          throw dem::InputError(outcome.name + ": " + refusal.what());
+          throw base::InputError(outcome.name + ": " + refusal.what());
         }
     }
   } // namespace
@@ -172,7 +172,7 @@ namespace apps
                }) != exit_interrupted;
       }
     catch (
-      const dem::NumericalError &failure) // there is nothing to carry on: the study says so, and the other cases go on
+      const base::NumericalError &failure) // there is nothing to carry on: the study says so, and the other cases go on
       {
         postprocess::write_json(part.output_folder / "summary.json", {{"ended_by", no_equilibrium + failure.what()},
                                                                       {"cost", {{"wall_seconds", watch.seconds()}}}});

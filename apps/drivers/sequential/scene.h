@@ -65,7 +65,7 @@ namespace apps
 
     /**
      * What is known before anything runs: particles and solid fit each other and the study, and what there is to be doubted.
-     * @throws dem::InputError where they do not fit
+     * @throws base::InputError where they do not fit
      */
     SequentialGroundwork groundwork() const;
 

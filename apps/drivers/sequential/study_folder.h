@@ -9,7 +9,7 @@ namespace apps
   class StudyFolder
   {
   public:
-    /** Opens it and writes scene.prm. @throws postprocess::OutputError; dem::InputError as ResultFolder, and for input files that changed */
+    /** Opens it and writes scene.prm. @throws postprocess::OutputError; base::InputError as ResultFolder, and for input files that changed */
     explicit StudyFolder(const RunRequest &request);
 
     const std::filesystem::path &running() const { return folder.running(); }

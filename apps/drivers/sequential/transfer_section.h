@@ -18,7 +18,7 @@ namespace apps
     double                    extents = 0.1; ///< see Limits/Extents
 
     void declare(Section &root);
-    /** Rules between entries. @throws dem::InputError. */
+    /** Rules between entries. @throws base::InputError. */
     void validate(const Section &root) const;
 
     bool identifies() const; ///< the law is found by the run itself

@@ -4,7 +4,7 @@
 #include "apps/process/progress.h"
 #include "apps/process/stopwatch.h"
 #include "apps/results/warning.h"
-#include "dem/core/errors.h"
+#include "base/errors.h"
 #include "dem/observation/discrete_state.h"
 #include "postprocess/discrete_state_hdf5.h"
 #include "postprocess/specimen_picture.h"
@@ -22,13 +22,13 @@ namespace apps
     const dem::UniaxialParameters test  = loading.parameters(load);
     const double                  steps = std::ceil(test.stop_strain / std::abs(test.strain_rate) / time_step);
     if (!(steps < limit))
-      throw dem::InputError(fmt::format(
+      throw base::InputError(fmt::format(
         "Loading, {}: strain {} at {} 1/s would take {:.1e} steps of {:.1e} s. Check density, moduli, sizes and "
         "rates: all in SI units.",
         name_of(load), test.stop_strain, std::abs(test.strain_rate), steps, time_step));
     constexpr double fewest = 20; // below, the body has not begun to answer when the test is over
     if (steps < fewest)
-      throw dem::InputError(
+      throw base::InputError(
         fmt::format("Loading, {}: strain {} at {} 1/s would take {:.0f} steps of {:.1e} s, too few to "
                     "follow. Lower the rate, or check density, moduli and sizes: all in SI units.",
                     name_of(load), test.stop_strain, std::abs(test.strain_rate), steps, time_step));

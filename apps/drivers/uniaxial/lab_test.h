@@ -17,7 +17,7 @@ namespace apps
 
   /**
    * Steps to the stop strain of a test, the most it can take.
-   * @throws dem::InputError beyond what any computer can do: some value is then not in SI units.
+   * @throws base::InputError beyond what any computer can do: some value is then not in SI units.
    */
   std::int64_t most_steps(const UniaxialLoadingSection &loading, UniaxialLoad load, double time_step);
 
@@ -32,13 +32,13 @@ namespace apps
     /**
      * Link the specimen and grip it; writes nothing.
      * @param number of the test in the scene's list, from 0.
-     * @throws dem::InputError.
+     * @throws base::InputError.
      */
     UniaxialLabTest(const UniaxialModel &model, const dem::Packing &packing, std::size_t number);
     UniaxialLabTest(const UniaxialLabTest &)            = delete;
     UniaxialLabTest &operator=(const UniaxialLabTest &) = delete;
 
-    /** Find the initial equilibrium, if the scene asks for one; not of a test that goes on from a checkpoint. @throws dem::InputError */
+    /** Find the initial equilibrium, if the scene asks for one; not of a test that goes on from a checkpoint. @throws base::InputError */
     void settle();
     /** From now on snapshots go to this folder; without this call there are none. @throws postprocess::OutputError. */
     void open(const std::filesystem::path &folder);

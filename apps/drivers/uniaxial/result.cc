@@ -4,7 +4,7 @@ namespace apps
 {
   namespace
   {
-    void visit_counts(dem::StateVisitor &visitor, const std::string &when, dem::Counts &counts)
+    void visit_counts(base::StateVisitor &visitor, const std::string &when, dem::Counts &counts)
     {
       const auto count = [&](const char *what, std::size_t &value) {
         auto stored = static_cast<std::int64_t>(value);
@@ -17,7 +17,7 @@ namespace apps
       count("broken", counts.broken);
     }
 
-    void visit_energy(dem::StateVisitor &visitor, dem::EnergyAccount &energy)
+    void visit_energy(base::StateVisitor &visitor, dem::EnergyAccount &energy)
     {
       visitor.scalar("energy_initial", energy.initial);
       visitor.scalar("energy_external_work", energy.external_work);
@@ -31,7 +31,7 @@ namespace apps
     }
   } // namespace
 
-  void UniaxialResult::visit_state(dem::StateVisitor &visitor)
+  void UniaxialResult::visit_state(base::StateVisitor &visitor)
   {
     apps::visit_state(visitor, start);
     notes.name = name_of(load);

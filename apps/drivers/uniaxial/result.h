@@ -3,8 +3,8 @@
 #include "apps/drivers/parts/lab_report.h"
 #include "apps/drivers/parts/static_start.h"
 #include "apps/scene/loading_section.h"
-#include "dem/core/column.h"
-#include "dem/core/state.h"
+#include "base/column.h"
+#include "base/state.h"
 #include "dem/model/energy.h"
 #include "dem/specimen/specimen.h"
 
@@ -25,9 +25,9 @@ namespace apps
     std::int64_t       steps            = 0;
     double             link_updates     = 0; ///< sum over the steps of links and contacts
     double             stepping_seconds = 0; ///< wall clock, in steps only
-    dem::Column        strain, stress;       ///< the curve, tension positive; filled when the test has ended
+    base::Column       strain, stress;       ///< the curve, tension positive; filled when the test has ended
 
     /** Everything that a resumed run must still know of this test. */
-    void visit_state(dem::StateVisitor &visitor);
+    void visit_state(base::StateVisitor &visitor);
   };
 } // namespace apps

@@ -26,7 +26,7 @@ namespace fem
 
   DamagePlasticConcrete::DamagePlasticConcrete(const Parameters &parameters)
     : p(parameters)
-    , stiffness(isotropic_stiffness(p.bulk(), p.shear()))
+    , stiffness(base::isotropic_stiffness(p.bulk(), p.shear()))
     , compliance(stiffness.inverse())
     , return_mapping(p)
     , law(p.tensile_strength / p.young_modulus, p.softening_opening(), p.softening_curve())
@@ -37,7 +37,7 @@ namespace fem
       require_size(p.reference_size);
   }
 
-  Response<DamagePlasticState> DamagePlasticConcrete::evaluate(const Voigt         &strain,
+  Response<DamagePlasticState> DamagePlasticConcrete::evaluate(const base::Voigt   &strain,
                                                                const State         &committed,
                                                                const ElementExtent &element,
                                                                const bool           with_tangent) const
@@ -50,7 +50,7 @@ namespace fem
   }
 
   DamagePlasticConcrete::March
-  DamagePlasticConcrete::flow(const Voigt &strain, const State &committed, const bool with_tangent) const
+  DamagePlasticConcrete::flow(const base::Voigt &strain, const State &committed, const bool with_tangent) const
   {
     if (!strain.allFinite())
       throw MaterialFailure("damage-plastic concrete: the strain is not a finite number.");
@@ -73,23 +73,23 @@ namespace fem
     throw MaterialFailure(text.str());
   }
 
-  std::optional<DamagePlasticConcrete::March> DamagePlasticConcrete::march(const Voigt &strain,
-                                                                           const State &committed,
-                                                                           const int    substeps,
-                                                                           const bool   with_tangent) const
+  std::optional<DamagePlasticConcrete::March> DamagePlasticConcrete::march(const base::Voigt &strain,
+                                                                           const State       &committed,
+                                                                           const int          substeps,
+                                                                           const bool         with_tangent) const
   {
     March m;
-    m.plastic         = committed.plastic_strain;
-    m.elastic         = committed.strain - committed.plastic_strain;
-    m.kappa_p         = committed.kappa_p;
-    m.kappa_d         = committed.kappa_d;
-    m.substeps        = substeps;
-    const Voigt whole = strain - committed.strain;
+    m.plastic               = committed.plastic_strain;
+    m.elastic               = committed.strain - committed.plastic_strain;
+    m.kappa_p               = committed.kappa_p;
+    m.kappa_d               = committed.kappa_d;
+    m.substeps              = substeps;
+    const base::Voigt whole = strain - committed.strain;
     for (int k = 1; k <= substeps; ++k)
       {
         // The last part ends on the strain itself, not on the rounded sum of the parts.
-        const Voigt end       = k == substeps ? strain : Voigt(committed.strain + whole * (double(k) / substeps));
-        const Voigt increment = end - (m.elastic + m.plastic);
+        const base::Voigt end = k == substeps ? strain : base::Voigt(committed.strain + whole * (double(k) / substeps));
+        const base::Voigt increment = end - (m.elastic + m.plastic);
         if (!substep(m, increment, double(k) / substeps - m.fraction, with_tangent))
           return std::nullopt;
         m.fraction = double(k) / substeps;
@@ -97,12 +97,14 @@ namespace fem
     return m;
   }
 
-  bool
-  DamagePlasticConcrete::substep(March &m, const Voigt &increment, const double fraction, const bool with_tangent) const
+  bool DamagePlasticConcrete::substep(March             &m,
+                                      const base::Voigt &increment,
+                                      const double       fraction,
+                                      const bool         with_tangent) const
   {
     const double           fc      = p.compressive_strength;
-    const Voigt            trial_e = m.elastic + increment;
-    const Voigt            trial_s = stiffness * trial_e;
+    const base::Voigt      trial_e = m.elastic + increment;
+    const base::Voigt      trial_s = stiffness * trial_e;
     const StressInvariants inv(trial_s);
     const PlasticTrial     trial{inv.volumetric / fc, inv.deviatoric / fc, inv.lode, m.kappa_p};
     const auto             end = return_mapping(trial);
@@ -110,13 +112,13 @@ namespace fem
       return false;
 
     Eigen::Matrix<double, 4, 6> trial_by_strain = Eigen::Matrix<double, 4, 6>::Zero();
-    Stiffness                   d_trial_e;
+    base::Stiffness             d_trial_e;
     if (with_tangent)
       {
-        d_trial_e              = m.d_elastic + fraction * Stiffness::Identity();
+        d_trial_e              = m.d_elastic + fraction * base::Stiffness::Identity();
         const double two_g     = 2 * p.shear();
         const double over_rho  = inv.deviatoric > 0 ? two_g / inv.deviatoric : 0.0;
-        trial_by_strain.row(0) = p.bulk() / fc * voigt_identity().transpose() * d_trial_e;
+        trial_by_strain.row(0) = p.bulk() / fc * base::voigt_identity().transpose() * d_trial_e;
         trial_by_strain.row(1) = two_g / fc * inv.direction.transpose() * d_trial_e;
         trial_by_strain.row(2) = over_rho * inv.lode_direction.transpose() * d_trial_e;
         trial_by_strain.row(3) = m.d_kappa_p;
@@ -137,18 +139,18 @@ namespace fem
     if (with_tangent)
       {
         const Eigen::Matrix<double, 3, 6> d_end = end->sensitivity * trial_by_strain;
-        m.d_effective                           = fc * (voigt_identity() * d_end.row(0) + inv.direction * d_end.row(1));
+        m.d_effective = fc * (base::voigt_identity() * d_end.row(0) + inv.direction * d_end.row(1));
         if (inv.deviatoric > 0)
           {
-            const Stiffness d_direction = 2 * p.shear() / inv.deviatoric *
-                                          (deviatoric_projector() - inv.direction * inv.direction.transpose()) *
-                                          d_trial_e;
+            const base::Stiffness d_direction =
+              2 * p.shear() / inv.deviatoric *
+              (base::deviatoric_projector() - inv.direction * inv.direction.transpose()) * d_trial_e;
             m.d_effective += fc * end->y * d_direction;
           }
         m.d_elastic = compliance * m.d_effective;
         m.d_kappa_p = d_end.row(2);
       }
-    m.effective = fc * (end->x * voigt_identity() + end->y * inv.direction);
+    m.effective = fc * (end->x * base::voigt_identity() + end->y * inv.direction);
     m.elastic   = compliance * m.effective;
     m.plastic += trial_e - m.elastic;
     m.kappa_p = end->kappa;
@@ -182,7 +184,7 @@ namespace fem
     const auto [x_s, x_s_rate] = softening_ductility(p.softening, ratio);
 
     // Share of the volume change that comes after the peak, kappa_P = 1 being crossed by linear interpolation.
-    const double before  = trace(m.plastic);
+    const double before  = base::trace(m.plastic);
     const double gained  = end.kappa - trial.kappa;
     double       after   = volume;
     RowVoigt     d_after = RowVoigt::Zero(), d_volume, d_end_kappa;
@@ -206,8 +208,8 @@ namespace fem
           {
             after = before + volume; // the volume at the peak counts as zero if it was a contraction
             if (with_tangent)
-              d_after =
-                d_volume + m.fraction * voigt_identity().transpose() - voigt_identity().transpose() * m.d_elastic;
+              d_after = d_volume + m.fraction * base::voigt_identity().transpose() -
+                        base::voigt_identity().transpose() * m.d_elastic;
             if (after <= 0)
               return;
           }
@@ -224,7 +226,7 @@ namespace fem
 
   DamagePlasticConcrete::Damaged DamagePlasticConcrete::damage(const March         &m,
                                                                const double         driving,
-                                                               const Voigt         &strain,
+                                                               const base::Voigt   &strain,
                                                                const State         &committed,
                                                                const ElementExtent &element,
                                                                const bool           with_tangent) const
@@ -258,7 +260,8 @@ namespace fem
 
     if (s.damage > 0)
       {
-        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> elastic(strain_tensor(m.elastic), Eigen::EigenvaluesOnly);
+        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> elastic(base::strain_tensor(m.elastic),
+                                                                     Eigen::EigenvaluesOnly);
         s.crack_opening = s.size * (std::fmax(driving, 0.0) + s.damage * std::fmax(elastic.eigenvalues()[2], 0.0));
       }
     if (with_tangent)
@@ -272,7 +275,7 @@ namespace fem
   Dissipation DamagePlasticConcrete::dissipation(const State &from, const State &to) const
   {
     const auto undamaged_energy = [this](const State &s) {
-      const Voigt elastic = s.strain - s.plastic_strain;
+      const base::Voigt elastic = s.strain - s.plastic_strain;
       return 0.5 * elastic.dot(stiffness * elastic);
     };
     Dissipation d;
@@ -287,7 +290,7 @@ namespace fem
       return state.size;
     if (p.element_size > 0)
       return p.element_size;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> total(strain_tensor(state.strain));
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> total(base::strain_tensor(state.strain));
     double                                               size = element.along(total.eigenvectors().col(2));
     if (size <
         flat * element.mean_size) // a plane element that opens across its plane: the mesh divides the next direction

@@ -15,15 +15,15 @@ namespace fem
   /// History of a point of damage-plastic concrete. Strains [-], stresses [Pa].
   struct DamagePlasticState
   {
-    Voigt  plastic_strain = Voigt::Zero();
-    double kappa_p        = 0.0;
-    double kappa_d        = 0.0;
-    double damage         = 0.0;
-    double size           = 0.0;  ///< effective element size h [m], frozen at first damage; 0: not yet set
-    double localised_at   = -1.0; ///< kappa_D + omega f_t/E when h_ref was left; -1: not yet
-    double crack_opening  = 0.0;  ///< estimate h (kappa_D + omega <largest elastic strain>) [m]
-    Voigt  strain         = Voigt::Zero();
-    Voigt  stress         = Voigt::Zero();
+    base::Voigt plastic_strain = base::Voigt::Zero();
+    double      kappa_p        = 0.0;
+    double      kappa_d        = 0.0;
+    double      damage         = 0.0;
+    double      size           = 0.0;  ///< effective element size h [m], frozen at first damage; 0: not yet set
+    double      localised_at   = -1.0; ///< kappa_D + omega f_t/E when h_ref was left; -1: not yet
+    double      crack_opening  = 0.0;  ///< estimate h (kappa_D + omega <largest elastic strain>) [m]
+    base::Voigt strain         = base::Voigt::Zero();
+    base::Voigt stress         = base::Voigt::Zero();
   };
 
   /**
@@ -71,24 +71,26 @@ namespace fem
       column(PointQuantity{"stress", "Pa", "", Kind::stress, Role::other, Shown::nowhere}, s.stress.data());
     }
 
-    /// @throws std::invalid_argument on a parameter out of its range.
+    /// @throws base::InputError on a parameter out of its range.
     explicit DamagePlasticConcrete(const Parameters &parameters);
 
     /// @throws MaterialFailure if no admissible state is found with the finest division;
-    ///         std::invalid_argument if the element is larger than E w_f / f_t.
-    Response<State>
-    evaluate(const Voigt &strain, const State &committed, const ElementExtent &element, bool with_tangent = true) const;
+    ///         base::InputError if the element is larger than E w_f / f_t.
+    Response<State> evaluate(const base::Voigt   &strain,
+                             const State         &committed,
+                             const ElementExtent &element,
+                             bool                 with_tangent = true) const;
 
     /// History that answers the given stress to zero strain (doc/theory/damage-plastic-concrete.md, 5).
-    /// @throws std::invalid_argument on damage outside [0, 1] or an undamaged hardening outside [0, 1).
+    /// @throws base::InputError on damage outside [0, 1] or an undamaged hardening outside [0, 1).
     State initial_state(const InitialPointState &given, const ElementExtent &element) const;
 
-    const Stiffness &elastic_stiffness() const noexcept { return stiffness; }
+    const base::Stiffness &elastic_stiffness() const noexcept { return stiffness; }
 
     /// The elastic part [J/m^3].
-    double stored_energy(const Voigt &strain, const Voigt &stress, const State &state) const
+    double stored_energy(const base::Voigt &strain, const base::Voigt &stress, const State &state) const
     {
-      const Voigt elastic = strain - state.plastic_strain;
+      const base::Voigt elastic = strain - state.plastic_strain;
       return 0.5 * stress.dot(elastic);
     }
 
@@ -109,7 +111,7 @@ namespace fem
     {
       return p.element_size > 0 ? std::numeric_limits<double>::infinity() : law.largest_size();
     }
-    /// @throws std::invalid_argument for a wider element
+    /// @throws base::InputError for a wider element
     void require_size(double size) const;
 
     double averaging_length() const { return p.nonlocal_length; }
@@ -126,52 +128,53 @@ namespace fem
     /// Where a strain leads by plasticity alone, which does not know of damage; derivatives are with that strain.
     struct March
     {
-      Voigt  elastic, plastic; // strains
-      Voigt  effective;        // stress [Pa]
-      double kappa_p, kappa_d;
+      base::Voigt elastic, plastic; // strains
+      base::Voigt effective;        // stress [Pa]
+      double      kappa_p, kappa_d;
 
-      Stiffness                   d_elastic = Stiffness::Zero(), d_effective = Stiffness::Zero();
+      base::Stiffness             d_elastic = base::Stiffness::Zero(), d_effective = base::Stiffness::Zero();
       Eigen::Matrix<double, 1, 6> d_kappa_p = Eigen::Matrix<double, 1, 6>::Zero(),
                                   d_kappa_d = Eigen::Matrix<double, 1, 6>::Zero();
       double fraction                       = 0; // of the step done
       int    substeps                       = 1;
 
-      double driving() const { return kappa_d; }
-      Voigt  driving_by_strain() const { return d_kappa_d.transpose(); }
+      double      driving() const { return kappa_d; }
+      base::Voigt driving_by_strain() const { return d_kappa_d.transpose(); }
     };
 
     /// First half of evaluate(). @throws MaterialFailure
-    March flow(const Voigt &strain, const State &committed, bool with_tangent = true) const;
+    March flow(const base::Voigt &strain, const State &committed, bool with_tangent = true) const;
 
     /// Second half: damage by a driving variable, kappa_D of the point itself or an average over its neighbours.
     struct Damaged
     {
       Response<State> response; ///< its tangent is (1 - omega) d effective stress / d strain alone
-      Voigt           stress_by_driving = Voigt::Zero(); ///< [Pa], where the damage grows
+      base::Voigt     stress_by_driving = base::Voigt::Zero(); ///< [Pa], where the damage grows
     };
 
-    /// @throws std::invalid_argument as evaluate().
+    /// @throws base::InputError as evaluate().
     Damaged damage(const March         &flown,
                    double               driving,
-                   const Voigt         &strain,
+                   const base::Voigt   &strain,
                    const State         &committed,
                    const ElementExtent &element,
                    bool                 with_tangent = true) const;
 
   private:
-    std::optional<March> march(const Voigt &strain, const State &committed, int substeps, bool with_tangent) const;
-    bool                 substep(March &m, const Voigt &increment, double fraction, bool with_tangent) const;
-    void                 accumulate_damage(March                             &m,
-                                           const PlasticTrial                &trial,
-                                           const PlasticReturn               &end,
-                                           const StressInvariants            &invariants,
-                                           bool                               with_tangent,
-                                           const Eigen::Matrix<double, 4, 6> &trial_by_strain) const;
-    double               effective_size(const State &state, const ElementExtent &element) const;
+    std::optional<March>
+           march(const base::Voigt &strain, const State &committed, int substeps, bool with_tangent) const;
+    bool   substep(March &m, const base::Voigt &increment, double fraction, bool with_tangent) const;
+    void   accumulate_damage(March                             &m,
+                             const PlasticTrial                &trial,
+                             const PlasticReturn               &end,
+                             const StressInvariants            &invariants,
+                             bool                               with_tangent,
+                             const Eigen::Matrix<double, 4, 6> &trial_by_strain) const;
+    double effective_size(const State &state, const ElementExtent &element) const;
 
-    Parameters    p;
-    Stiffness     stiffness, compliance;
-    ReturnMapping return_mapping;
-    DamageLaw     law;
+    Parameters      p;
+    base::Stiffness stiffness, compliance;
+    ReturnMapping   return_mapping;
+    DamageLaw       law;
   };
 }

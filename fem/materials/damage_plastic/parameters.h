@@ -46,7 +46,7 @@ namespace fem
 
     double shear() const { return young_modulus / (2 * (1 + poisson_ratio)); }
 
-    /// @throws std::invalid_argument naming the first entry that breaks a rule.
+    /// @throws base::InputError naming the first entry that breaks a rule.
     void validate() const;
 
     /// Constants of the mesh and of the algorithm, which leave the material what it is.

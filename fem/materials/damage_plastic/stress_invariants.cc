@@ -13,11 +13,11 @@ namespace fem
     Eigen::Vector3d angles(const double theta) { return {theta, theta - 2 * pi / 3, theta + 2 * pi / 3}; }
   }
 
-  StressInvariants::StressInvariants(const Voigt &stress)
-    : volumetric(trace(stress) / 3)
+  StressInvariants::StressInvariants(const base::Voigt &stress)
+    : volumetric(base::trace(stress) / 3)
   {
-    const Voigt deviator = stress - volumetric * voigt_identity();
-    deviatoric           = std::sqrt(deviator.head<3>().squaredNorm() + 2 * deviator.tail<3>().squaredNorm());
+    const base::Voigt deviator = stress - volumetric * base::voigt_identity();
+    deviatoric                 = std::sqrt(deviator.head<3>().squaredNorm() + 2 * deviator.tail<3>().squaredNorm());
     if (!(deviatoric > 0))
       {
         lode = pi / 6;
@@ -28,13 +28,13 @@ namespace fem
     direction = deviator / deviatoric;
 
     // From principal values: the angle stays accurate at the meridians, where acos of the invariants loses half its digits.
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(stress_tensor(direction));
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(base::stress_tensor(direction));
     const Eigen::Vector3d                                m = eigen.eigenvalues().reverse();
     lode = std::atan2(std::sqrt(3.0) * (m[1] - m[2]), 2 * m[0] - m[1] - m[2]);
 
     const Eigen::Vector3d t = principal_lode_direction();
     const Eigen::Matrix3d v = eigen.eigenvectors().rowwise().reverse();
-    lode_direction          = stress_voigt(v * t.asDiagonal() * v.transpose());
+    lode_direction          = base::stress_voigt(v * t.asDiagonal() * v.transpose());
   }
 
   Eigen::Vector3d StressInvariants::principal_direction() const

@@ -8,7 +8,7 @@
 #include <sys/mman.h>
 #endif
 
-namespace dem
+namespace base
 {
   /**
    * Allocates at cache-line boundaries, so that eight doubles are always one aligned load; large columns on huge pages where the
@@ -46,4 +46,4 @@ namespace dem
 
   /** One quantity of all particles or links, contiguous. */
   using Column = std::vector<double, ColumnAllocator<double>>;
-} // namespace dem
+} // namespace base

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "dem/core/state.h"
+#include "base/state.h"
 
 #include <Eigen/Core>
 
-namespace dem
+namespace base
 {
   /** A list of vectors as one column, three numbers each. */
   inline void visit_vectors(StateVisitor &visitor, const std::string &name, std::vector<Eigen::Vector3d> &values)
@@ -17,4 +17,4 @@ namespace dem
     for (std::size_t i = 0; i < flat.size(); ++i)
       values[i / 3][static_cast<Eigen::Index>(i % 3)] = flat[i];
   }
-} // namespace dem
+} // namespace base

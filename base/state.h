@@ -1,12 +1,12 @@
 #pragma once
 
-#include "dem/core/column.h"
+#include "base/column.h"
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
-namespace dem
+namespace base
 {
   /**
  * Walks over everything that a run must remember to go on to the same bits.
@@ -23,4 +23,4 @@ namespace dem
     virtual void scalar(const std::string &name, double &value)                     = 0;
     virtual void scalar(const std::string &name, std::int64_t &value)               = 0;
   };
-} // namespace dem
+} // namespace base

@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace dem
+namespace base
 {
   /**
  * A mistake in what the user gave: a scene entry, a packing file, a combination of choices.
@@ -23,4 +23,4 @@ namespace dem
   public:
     using std::runtime_error::runtime_error;
   };
-} // namespace dem
+} // namespace base

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <Eigen/Dense>
+#include "base/matrix6.h"
 
-namespace fem
+namespace base
 {
   /// Six components in the order xx yy zz yz zx xy. Strains carry engineering shear (gamma = 2 eps), stresses do not.
-  using Voigt     = Eigen::Matrix<double, 6, 1>;
-  using Stiffness = Eigen::Matrix<double, 6, 6>;
+  using Voigt     = Vector6;
+  using Stiffness = Matrix6;
 
   inline constexpr const char *voigt_names[6] = {"xx", "yy", "zz", "yz", "zx", "xy"};
 
@@ -29,16 +29,18 @@ namespace fem
       .finished();
   }
 
-  /// Stress-like vector of a symmetric tensor.
-  inline Voigt stress_voigt(const Eigen::Matrix3d &t)
-  {
-    return (Voigt() << t(0, 0), t(1, 1), t(2, 2), t(1, 2), t(0, 2), t(0, 1)).finished();
-  }
-
-  /// Strain-like vector of a symmetric tensor.
+  /// Strain-like vector of the symmetric part of a tensor.
   inline Voigt strain_voigt(const Eigen::Matrix3d &t)
   {
-    return (Voigt() << t(0, 0), t(1, 1), t(2, 2), 2 * t(1, 2), 2 * t(0, 2), 2 * t(0, 1)).finished();
+    return (Voigt() << t(0, 0), t(1, 1), t(2, 2), t(1, 2) + t(2, 1), t(2, 0) + t(0, 2), t(0, 1) + t(1, 0)).finished();
+  }
+
+  /// Stress-like vector of the symmetric part of a tensor.
+  inline Voigt stress_voigt(const Eigen::Matrix3d &t)
+  {
+    Voigt s = strain_voigt(t);
+    s.tail<3>() *= 0.5;
+    return s;
   }
 
   /// Maps engineering strain to the (stress-like) deviator of its tensor.
