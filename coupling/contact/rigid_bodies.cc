@@ -3,7 +3,6 @@
 #include "base/errors.h"
 #include "coupling/contact/solid_parts.h"
 
-
 #include <algorithm>
 #include <set>
 #include <stdexcept>
