@@ -20,9 +20,9 @@ namespace coupling
     , motion(motion_)
     , participant(participant_)
     , particles(specimen_)
+    , lead(std::move(lead_))
     , body_contacts(solid_, participant_)
     , rigid_bodies(solid_, motion_, participant_, rigid)
-    , lead(std::move(lead_))
   {
   }
 

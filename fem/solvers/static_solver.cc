@@ -142,9 +142,9 @@ namespace fem
   {
     // Arnoldi's method for the inverse of the tangent, from a vector that favours no motion. What localises is weak: it is found
     // among the first few motions, as an end of the spectrum. For y = K^-1 x the tangent does the work x . y.
-    constexpr int    motions  = 16;
-    constexpr double rounding = 1e-9; // of the largest eigenvalue of the inverse
-    Eigen::MatrixXd  work     = Eigen::MatrixXd::Zero(motions, motions);
+    constexpr int    motions   = 16;
+    constexpr double rounding  = 1e-9; // of the largest eigenvalue of the inverse
+    Eigen::MatrixXd  projected = Eigen::MatrixXd::Zero(motions, motions);
     try
       {
         set_tangent();
@@ -163,17 +163,17 @@ namespace fem
             const double size = y.l2_norm();
             for (int k = 0; k <= found; ++k)
               {
-                work(k, found) = basis[k] * y;
-                y.add(-work(k, found), basis[k]);
+                projected(k, found) = basis[k] * y;
+                y.add(-projected(k, found), basis[k]);
               }
             length = y.l2_norm();
             if (length <= 1e-12 * size)
               length = 0;
             if (found + 1 < motions)
-              work(found + 1, found) = length;
+              projected(found + 1, found) = length;
             x = y;
           }
-        const Eigen::MatrixXd                                inverse = work.topLeftCorner(found, found);
+        const Eigen::MatrixXd                                inverse = projected.topLeftCorner(found, found);
         const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(0.5 * (inverse + inverse.transpose()),
                                                                    Eigen::EigenvaluesOnly);
         return found == 0 || modes.eigenvalues()[0] > -rounding * modes.eigenvalues().cwiseAbs().maxCoeff();

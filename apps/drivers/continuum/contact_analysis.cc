@@ -14,11 +14,11 @@ namespace apps
       using MotionAnalysis<dim>::motion;
 
     public:
-      ContactAnalysis(fem::Solid<dim> &solid, const ContinuumModel &what)
-        : MotionAnalysis<dim>(solid, what)
+      ContactAnalysis(fem::Solid<dim> &moved, const ContinuumModel &what)
+        : MotionAnalysis<dim>(moved, what)
         , model(what)
-        , participant(solid, solver)
-        , bodies(solid, solver, participant, names_in(what.motion.rigid))
+        , participant(moved, solver)
+        , bodies(moved, solver, participant, names_in(what.motion.rigid))
         , contacts(what.contacts, bodies.contacts())
       {
         this->count_steps(bodies.step());

@@ -11,8 +11,8 @@ namespace apps
       using MotionAnalysis<dim>::steps;
 
     public:
-      ExplicitAnalysis(fem::Solid<dim> &solid, const ContinuumModel &model)
-        : MotionAnalysis<dim>(solid, model)
+      ExplicitAnalysis(fem::Solid<dim> &moved, const ContinuumModel &model)
+        : MotionAnalysis<dim>(moved, model)
         , steps_in_all(this->count_steps(solver.step()))
         , length(model.motion.end_time / static_cast<double>(steps_in_all))
         , steps_per_sample(std::max<std::int64_t>(1, steps_in_all / model.output.samples))
