@@ -402,9 +402,10 @@ TEST_CASE("body contact: what shares one node only is one body", "[coupling]")
     mesh.create_triangulation({{0, 0}, {1, 0}, {0, 1}, {1, 1}, {2, 1}, {1, 2}, {2, 2}}, cells, dealii::SubCellData());
   };
   const auto still = [](const dealii::Point<2> &) { return dealii::Tensor<1, 2>(); };
-  CHECK_THROWS_WITH((Bodies<2>(fem::make_mesh_of_bodies<2>(hinged, fem::ElementFamily::hypercube, MPI_COMM_SELF), still,
-                               contact(dem::BodyContactForm::potential, 0))),
-                    Catch::Contains("there is only one body"));
+  CHECK_THROWS_WITH(
+    (Bodies<2>(fem::make_mesh<2>(hinged, fem::ElementFamily::hypercube, MPI_COMM_SELF, fem::Bodies::several), still,
+               contact(dem::BodyContactForm::potential, 0))),
+    Catch::Contains("there is only one body"));
 }
 
 TEST_CASE("body contact: a body that runs through another stops the run", "[coupling]")
