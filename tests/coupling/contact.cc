@@ -381,7 +381,7 @@ TEST_CASE("body contact: what cannot be is refused by name", "[coupling]")
     (Bodies<3>(parts<3>({{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, 0}, {{0.9, 0, 0}, {1.9, 1, 1}, {2, 2, 2}, 0}},
                         fem::ElementFamily::hypercube),
                still, law)),
-    Catch::Contains("Contacts/contact: at the start bodies lie in each other with 0.1 m^3. Move them apart"));
+    Catch::Contains("at the start bodies lie in each other with 0.1 m^3. Move them apart"));
   CHECK_THROWS_WITH(
     (Bodies<3>(parts<3>({{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, 0}}, fem::ElementFamily::hypercube), still, law)),
     Catch::Contains("there is only one body, and self-contact is off"));

@@ -89,9 +89,7 @@ namespace
   }
 } // namespace
 
-TEST_CASE("glued interface: a wave passes on to a bar of its own impedance, and comes back as the theory of bars says "
-          "from another",
-          "[coupling]")
+TEST_CASE("glued interface: a wave passes to a like bar, and returns from another by the theory of bars", "[coupling]")
 {
   // Of velocity (Z1 - Z2)/(Z1 + Z2), of energy its square: J. D. Achenbach, Wave Propagation in Elastic Solids (1973), 1.4.
   const Reflection same = reflection(1);
