@@ -12,9 +12,9 @@ namespace postprocess
 {
   namespace
   {
-    constexpr const char  *format_name    = "breccia checkpoint";
-    constexpr std::int64_t format_version = 1;
-    constexpr const char  *remedy         = " Start the run afresh with --restart.";
+    constexpr const char  *checkpoint_format  = "breccia checkpoint";
+    constexpr std::int64_t checkpoint_version = 1;
+    constexpr const char  *remedy             = " Start the run afresh with --restart.";
 
     /** The first line in which two texts differ, for a message. */
     std::string first_difference(const std::string &stored, const std::string &present)
@@ -84,8 +84,8 @@ namespace postprocess
   CheckpointWriter::CheckpointWriter(const std::filesystem::path &path, const std::string &scene)
     : self(std::make_unique<Implementation>(path))
   {
-    self->file.write_text("format", format_name);
-    self->file.write("format_version", &format_version, {});
+    self->file.write_text("format", checkpoint_format);
+    self->file.write("format_version", &checkpoint_version, {});
     self->file.write_text("scene", scene);
   }
 
@@ -132,12 +132,12 @@ namespace postprocess
     void check_format() const
     {
       std::int64_t version = 0;
-      if (!file.has("format") || file.read_text("format") != format_name)
+      if (!file.has("format") || file.read_text("format") != checkpoint_format)
         throw base::InputError(path + ": is not a checkpoint.");
       file.read("format_version", &version);
-      if (version != format_version)
+      if (version != checkpoint_version)
         refuse("checkpoint format " + std::to_string(version) + ", this program reads format " +
-               std::to_string(format_version) + ".");
+               std::to_string(checkpoint_version) + ".");
     }
 
     void check_scene(const std::string &scene) const

@@ -7,9 +7,9 @@ namespace postprocess
 {
   namespace
   {
-    constexpr std::int64_t format_version = 1;
-    constexpr const char  *format_name    = "breccia discrete state";
-    constexpr int          voigt[6][2]    = {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
+    constexpr std::int64_t state_version = 1;
+    constexpr const char  *state_format  = "breccia discrete state";
+    constexpr int          voigt[6][2]   = {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
 
     /** Rows of an array with as many columns as asked for. */
     std::size_t
@@ -118,8 +118,8 @@ namespace postprocess
   {
     hdf5::OutputFile   file(path);
     const std::int64_t dimension = state.dimension;
-    file.write_text("format", format_name);
-    file.write("format_version", &format_version, {});
+    file.write_text("format", state_format);
+    file.write("format_version", &state_version, {});
     file.write_text("units", "m, s, Pa");
     file.write("dimension", &dimension, {});
     file.write("time", &state.time, {});
@@ -132,13 +132,13 @@ namespace postprocess
   {
     const hdf5::InputFile file(path);
     const std::string     origin = path.string();
-    if (!file.has("format") || file.read_text("format") != format_name)
-      throw base::InputError(origin + ": is not a discrete state (its \"format\" must be \"" + format_name + "\").");
+    if (!file.has("format") || file.read_text("format") != state_format)
+      throw base::InputError(origin + ": is not a discrete state (its \"format\" must be \"" + state_format + "\").");
     std::int64_t version = 0, dimension = 0;
     file.read("format_version", &version);
-    if (version != format_version)
+    if (version != state_version)
       throw base::InputError(origin + ": discrete state of format " + std::to_string(version) +
-                             ", this program reads format " + std::to_string(format_version) + ".");
+                             ", this program reads format " + std::to_string(state_version) + ".");
     dem::DiscreteState state;
     file.read("dimension", &dimension);
     state.dimension = static_cast<int>(dimension);

@@ -12,7 +12,7 @@ namespace postprocess
   {
     static_assert(sizeof(Eigen::Vector3d) == 3 * sizeof(double), "centres are stored row by row without gaps");
 
-    constexpr std::int64_t format_version = 1;
+    constexpr std::int64_t packing_version = 1;
 
     std::string as_text(const hdf5::Shape &shape)
     {
@@ -48,12 +48,12 @@ namespace postprocess
 
     void check_version(const hdf5::InputFile &file, const std::string &origin)
     {
-      std::int64_t version = format_version; // files of other programs need not have it
+      std::int64_t version = packing_version; // files of other programs need not have it
       if (file.has("format_version"))
         file.read("format_version", &version);
-      if (version != format_version)
+      if (version != packing_version)
         throw base::InputError(origin + ": packing format " + std::to_string(version) + ", this program reads format " +
-                               std::to_string(format_version) + ".");
+                               std::to_string(packing_version) + ".");
     }
   } // namespace
 
@@ -98,7 +98,7 @@ namespace postprocess
   {
     hdf5::OutputFile file(path);
     file.write_text("format", "breccia packing");
-    file.write("format_version", &format_version, {});
+    file.write("format_version", &packing_version, {});
     file.write_text("units", "m");
     file.write("centre", packing.size() > 0 ? packing.centre.front().data() : nullptr, {packing.size(), 3});
     file.write("radius", packing.radius.data(), {packing.radius.size()});

@@ -14,14 +14,14 @@ namespace postprocess
   {
     std::string header_line(const std::vector<SeriesColumn> &columns)
     {
-      std::string line;
+      std::string header;
       for (const SeriesColumn &column : columns)
         {
-          line += (line.empty() ? "" : ",") + column.name;
+          header += (header.empty() ? "" : ",") + column.name;
           if (!column.unit.empty())
-            line += " [" + column.unit + "]";
+            header += " [" + column.unit + "]";
         }
-      return line + "\n";
+      return header + "\n";
     }
 
     /** Length of the header and the first rows of a series, once it is sure that they are there. */

@@ -26,8 +26,8 @@ namespace postprocess
       check_length("write_vtk_links", "shear_stress", links.shear_stress.size(), n);
       check_length("write_vtk_links", "normal_strain", links.normal_strain.size(), n);
       check_length("write_vtk_links", "damage", links.damage.size(), n);
-      if (!links.law.empty())
-        check_length("write_vtk_links", "law", links.law.size(), n);
+      if (!links.pair.empty())
+        check_length("write_vtk_links", "pair", links.pair.size(), n);
       if (!images.empty())
         check_length("write_vtk_links", "images", images.size(), n);
       check_length("write_vtk_links", "radius of particles", particles.radius.size(), particles.position.size());
@@ -148,8 +148,8 @@ namespace postprocess
     values.add("broken", broken_flags(links));
     if (more > 0)
       values.add("surface", joined(std::vector<std::int32_t>(links.kind.size(), -1), glue.surface));
-    if (!links.law.empty())
-      values.add("material_pair", joined(links.law, std::vector<std::int32_t>(more, -1)));
+    if (!links.pair.empty())
+      values.add("material_pair", joined(links.pair, std::vector<std::int32_t>(more, -1)));
     if (!images.empty())
       values.add("to_image", joined(image_flags(images), std::vector<std::int32_t>(more, 0)));
     for (std::size_t c = 0; c < links.quantities.size(); ++c)

@@ -18,7 +18,7 @@ namespace apps
 {
   namespace
   {
-    struct Row
+    struct ModuliRow
     {
       std::string study, solver;
       std::size_t particles = 0, links = 0;
@@ -52,17 +52,17 @@ namespace apps
       return (a - exact).norm() / exact.norm();
     }
 
-    Row solve(const dem::ElasticNetwork &network,
-              const dem::SolverMethod    method,
-              const double               tolerance,
-              dem::MacroscopicStiffness &stiffness)
+    ModuliRow solve(const dem::ElasticNetwork &network,
+                    const dem::SolverMethod    method,
+                    const double               tolerance,
+                    dem::MacroscopicStiffness &stiffness)
     {
       dem::SolverParameters solver;
       solver.method        = method;
       solver.tolerance     = tolerance;
       const double start   = processor_seconds();
       const auto   relaxed = dem::relaxed_stiffness(network, solver);
-      Row          row;
+      ModuliRow    row;
       row.cost       = processor_seconds() - start;
       row.iterations = relaxed.solver.iterations;
       row.residual   = relaxed.solver.residual;
@@ -71,7 +71,7 @@ namespace apps
     }
 
     /** The six load cases shaken to rest; the stiffness from the mean stress of the links, as a particle code would. */
-    Row relax(const dem::ElasticNetwork &network, const double tolerance, dem::MacroscopicStiffness &stiffness)
+    ModuliRow relax(const dem::ElasticNetwork &network, const double tolerance, dem::MacroscopicStiffness &stiffness)
     {
       const double                 start = processor_seconds();
       const dem::StiffnessOperator K(network, {});
@@ -89,7 +89,7 @@ namespace apps
       const auto report =
         dem::relax_dynamically(K, b, x, K.link_force_norm(dem::Fields(x.size(), 0.0), strain), parameters);
       stiffness = K.energy_product(x, strain) / network.volume;
-      Row row;
+      ModuliRow row;
       row.cost       = processor_seconds() - start;
       row.iterations = report.iterations;
       row.residual   = report.largest_residual();
@@ -101,10 +101,10 @@ namespace apps
      * neither damage nor slide. Its kinematics are finite: the odd part of both signs would be free of that to first order, but
      * costs twice; at this strain it is 1e-6 of the stress.
      */
-    Row shake(const dem::Packing        &packing,
-              const HomogeniseBench     &bench,
-              const double               tolerance,
-              dem::MacroscopicStiffness &stiffness)
+    ModuliRow shake(const dem::Packing        &packing,
+                    const HomogeniseBench     &bench,
+                    const double               tolerance,
+                    dem::MacroscopicStiffness &stiffness)
     {
       constexpr double        strain = 1e-6;
       dem::SpecimenParameters s;
@@ -114,7 +114,7 @@ namespace apps
       s.interaction_ratio                                        = bench.interaction_ratio;
       s.damping                                                  = 0.2;
       const dem::LinkMaterials links                             = dem::elastic_links(1, bench.shear_ratio);
-      Row                      row;
+      ModuliRow                row;
       const double             start = processor_seconds();
       for (int c = 0; c < 6; ++c)
         {
@@ -137,14 +137,14 @@ namespace apps
       return row;
     }
 
-    void announce(const Row &row)
+    void announce(const ModuliRow &row)
     {
       fmt::print("{:<8} {:>6} particles  {:<10} tolerance {:.0e}  {:>6} iterations  {:>9.4f} s  error {:.2e}\n",
                  row.study, row.particles, row.solver, row.tolerance, row.iterations, row.cost, row.error);
       std::fflush(stdout);
     }
 
-    void study_solvers(const HomogeniseBench &bench, std::vector<Row> &rows)
+    void study_solvers(const HomogeniseBench &bench, std::vector<ModuliRow> &rows)
     {
       for (const int particles : bench.particles)
         {
@@ -152,7 +152,7 @@ namespace apps
           const dem::ElasticNetwork network = network_of(spheres, bench);
           dem::MacroscopicStiffness exact, stiffness;
           solve(network, dem::SolverMethod::direct, 1e-13, exact);
-          const auto add = [&](Row row, const char *solver, const double tolerance) {
+          const auto add = [&](ModuliRow row, const char *solver, const double tolerance) {
             row.study     = "solver";
             row.solver    = solver;
             row.tolerance = tolerance;
@@ -172,12 +172,12 @@ namespace apps
         }
     }
 
-    void study_seeds(const HomogeniseBench &bench, std::vector<Row> &rows)
+    void study_seeds(const HomogeniseBench &bench, std::vector<ModuliRow> &rows)
     {
       for (const int particles : bench.seed_particles)
         {
           std::vector<double> young;
-          Row                 row;
+          ModuliRow           row;
           row.study     = "seeds";
           row.solver    = "iterative";
           row.tolerance = 1e-10;
@@ -185,7 +185,7 @@ namespace apps
             {
               const dem::ElasticNetwork network = network_of(packing(bench, particles, seed), bench);
               dem::MacroscopicStiffness stiffness;
-              const Row                 one = solve(network, dem::SolverMethod::iterative, 1e-10, stiffness);
+              const ModuliRow           one = solve(network, dem::SolverMethod::iterative, 1e-10, stiffness);
               row.cost += one.cost / bench.seeds;
               row.iterations = one.iterations;
               row.residual   = std::max(row.residual, one.residual);
@@ -200,12 +200,12 @@ namespace apps
         }
     }
 
-    void write(const BenchResults &results, const std::vector<Row> &rows)
+    void write(const BenchResults &results, const std::vector<ModuliRow> &rows)
     {
       std::string csv = "study,solver,particles,links,tolerance,iterations,residual,cost [s],error [-]\n";
       std::string md = "| Study | Solver | Particles | Links | Tolerance | Iterations | Residual | Cost [s] | Error |\n"
                        "|---|---|---|---|---|---|---|---|---|\n";
-      for (const Row &r : rows)
+      for (const ModuliRow &r : rows)
         {
           csv += fmt::format("{},{},{},{},{},{},{},{},{}\n", r.study, r.solver, r.particles, r.links, r.tolerance,
                              r.iterations, r.residual, r.cost, r.error);
@@ -216,10 +216,10 @@ namespace apps
     }
 
     /** The scatter over seeds of cells as large, as a level: a tighter solution than that is no better for the material. */
-    void add_scatter(postprocess::PlotPanel &panel, const std::size_t particles, const std::vector<Row> &rows)
+    void add_scatter(postprocess::PlotPanel &panel, const std::size_t particles, const std::vector<ModuliRow> &rows)
     {
-      const Row *of_seeds = nullptr;
-      for (const Row &r : rows)
+      const ModuliRow *of_seeds = nullptr;
+      for (const ModuliRow &r : rows)
         if (r.study == "seeds" && r.particles <= particles && (!of_seeds || r.particles > of_seeds->particles))
           of_seeds = &r;
       if (!of_seeds)
@@ -239,7 +239,7 @@ namespace apps
     }
 
     /** A panel per size of cell: error over cost of each solver, and the scatter of such cells as a level to stay below. */
-    std::vector<postprocess::PlotPanel> panels_of(const HomogeniseBench &bench, const std::vector<Row> &rows)
+    std::vector<postprocess::PlotPanel> panels_of(const HomogeniseBench &bench, const std::vector<ModuliRow> &rows)
     {
       std::vector<postprocess::PlotPanel> panels;
       const auto                          panel_of = [](const std::string &title, const std::string &y) {
@@ -258,7 +258,7 @@ namespace apps
             {
               postprocess::PlotSeries series;
               series.name = solver;
-              for (const Row &r : rows)
+              for (const ModuliRow &r : rows)
                 if (r.study == "solver" && r.solver == solver && r.particles == static_cast<std::size_t>(particles))
                   {
                     series.x.push_back(r.cost);
@@ -271,7 +271,7 @@ namespace apps
         }
       postprocess::PlotPanel  scatter = panel_of("one cell for the material", "Standard deviation of E over seeds");
       postprocess::PlotSeries series;
-      for (const Row &r : rows)
+      for (const ModuliRow &r : rows)
         if (r.study == "seeds")
           {
             series.x.push_back(r.cost);
@@ -292,8 +292,8 @@ namespace apps
         bench.seed_particles = {64, 125};
         bench.seeds          = 3;
       }
-    const BenchResults results(bench.folder, "homogenise");
-    std::vector<Row>   rows;
+    const BenchResults     results(bench.folder, "homogenise");
+    std::vector<ModuliRow> rows;
     study_solvers(bench, rows);
     study_seeds(bench, rows);
     write(results, rows);

@@ -18,7 +18,7 @@ namespace apps
   {
     constexpr double strain_step = 5e-6, strain_per_sample = 1e-7, stop_fraction = 0.8, stop_strain = 1e-3;
 
-    struct Row
+    struct RateRow
     {
       double               rate = 0; ///< [1/s]; 0: quasi-static
       dem::UniaxialFigures figures;
@@ -45,7 +45,7 @@ namespace apps
       return model;
     }
 
-    Row follow(const UniaxialModel &model, const dem::Packing &packing)
+    RateRow follow(const UniaxialModel &model, const dem::Packing &packing)
     {
       QuasiStaticModel still;
       still.source             = model.source;
@@ -61,7 +61,7 @@ namespace apps
       QuasiStaticLabTest test(still, packing, 0);
       while (!test.finished())
         test.advance();
-      Row row;
+      RateRow row;
       row.figures       = test.result.notes.figures;
       row.balance_error = test.result.worst_balance_error;
       row.steps         = test.result.solutions;
@@ -69,14 +69,14 @@ namespace apps
       return row;
     }
 
-    Row pull(UniaxialModel model, const dem::Packing &packing, const double rate)
+    RateRow pull(UniaxialModel model, const dem::Packing &packing, const double rate)
     {
       model.loading.tension.rate = rate;
       const double    start      = processor_seconds();
       UniaxialLabTest test(model, packing, 0);
       while (!test.finished())
         test.advance();
-      Row row;
+      RateRow row;
       row.rate          = rate;
       row.figures       = test.result.notes.figures;
       row.balance_error = test.result.worst_balance_error;
@@ -85,7 +85,7 @@ namespace apps
       return row;
     }
 
-    void announce(const Row &row, const Row &still)
+    void announce(const RateRow &row, const RateRow &still)
     {
       fmt::print("{:<22} strength {:.4f} MPa ({:+.2f} %) at {:.3e}, E {:.3f} GPa, {} {}, {:.2f} s, balance {:.1e}\n",
                  row.rate > 0 ? fmt::format("dynamic, {} 1/s", row.rate) : "quasi-static", 1e-6 * row.figures.strength,
@@ -95,15 +95,15 @@ namespace apps
       std::fflush(stdout);
     }
 
-    void write(const BenchResults &results, const std::vector<Row> &rows)
+    void write(const BenchResults &results, const std::vector<RateRow> &rows)
     {
-      const Row  &still = rows.front();
+      const RateRow &still = rows.front();
       std::string csv = "rate [1/s],strength [Pa],over_static [-],strain_at_peak [-],young_modulus [Pa],steps,cost [s],"
                         "balance_error [-]\n";
       std::string md =
         "| Rate [1/s] | Strength [MPa] | Over the static one | Strain at peak | E [GPa] | Steps | Cost [s] | "
         "Energy balance |\n|---|---|---|---|---|---|---|---|\n";
-      for (const Row &r : rows)
+      for (const RateRow &r : rows)
         {
           const double ratio = r.figures.strength / still.figures.strength;
           csv += fmt::format("{},{},{},{},{},{},{},{}\n", r.rate, r.figures.strength, ratio, r.figures.strain_at_peak,
@@ -116,7 +116,7 @@ namespace apps
       results.write(csv, md);
     }
 
-    std::vector<postprocess::PlotPanel> panels_of(const std::vector<Row> &rows)
+    std::vector<postprocess::PlotPanel> panels_of(const std::vector<RateRow> &rows)
     {
       postprocess::PlotPanel strength, cost;
       strength.title   = "strength over the rate";
@@ -131,7 +131,7 @@ namespace apps
       dynamic.name = "dynamic";
       still.name   = "quasi-static";
       still.style  = postprocess::PlotSeries::Style::line;
-      for (const Row &r : rows)
+      for (const RateRow &r : rows)
         if (r.rate > 0)
           {
             dynamic.x.push_back(r.rate);
@@ -161,7 +161,7 @@ namespace apps
     const dem::Packing  packing = make_packing(model.source, model.material, model.specimen.physics.dimension);
     fmt::print("{} particles\n", packing.size());
 
-    std::vector<Row> rows = {follow(model, packing)};
+    std::vector<RateRow> rows = {follow(model, packing)};
     announce(rows.back(), rows.front());
     for (const double rate : bench.rates)
       {

@@ -22,7 +22,7 @@ namespace apps
 {
   namespace
   {
-    struct Row
+    struct SequentialRow
     {
       SceneVariant variant; ///< one way of transferring
       std::string  instant;
@@ -84,19 +84,19 @@ namespace apps
     }
 
     /** The continuation of one instant by one variant, as far as it comes. */
-    Row measure(const SequentialBench                     &bench,
-                const SceneVariant                        &variant,
-                const ParticleCases                       &particles,
-                const std::size_t                          instant,
-                const std::filesystem::path               &folder,
-                const std::optional<coupling::MappingLaw> &identified)
+    SequentialRow measure(const SequentialBench                     &bench,
+                          const SceneVariant                        &variant,
+                          const ParticleCases                       &particles,
+                          const std::size_t                          instant,
+                          const std::filesystem::path               &folder,
+                          const std::optional<coupling::MappingLaw> &identified)
     {
       std::vector<std::string> overrides = bench.overrides;
       overrides.emplace_back("Continuum/Output/Snapshots=0");
       const CheckedScene     scene   = variant.of(bench.scene, overrides);
       const SequentialModel &model   = sequential(scene);
       const ParticleOutcome &outcome = particles.outcomes()[instant], &all = *particles.reference();
-      Row                    row{variant, outcome.name, outcome.severity, std::nan(""), std::nan("")};
+      SequentialRow          row{variant, outcome.name, outcome.severity, std::nan(""), std::nan("")};
       const double           done = std::abs(outcome.severity / all.curve_strain.back());
       row.seconds_saved           = (1 - done) * all.seconds;
       RunRequest request          = request_of(scene);
@@ -136,17 +136,17 @@ namespace apps
       return row;
     }
 
-    std::string csv_of(const std::vector<Row> &rows)
+    std::string csv_of(const std::vector<SequentialRow> &rows)
     {
       std::string text = "study,variant,instant,strain,error,error_near,near_reaches [strains of the "
                          "transfer],continuum_seconds [s],particle_seconds_saved [s]\n";
-      for (const Row &r : rows)
+      for (const SequentialRow &r : rows)
         text += fmt::format("{},{},{},{},{},{},{},{},{}\n", r.variant.study, r.variant.value, r.instant, r.strain,
                             r.error, r.near, r.reaches, r.seconds, r.seconds_saved);
       return text;
     }
 
-    std::string table_of(const std::vector<Row> &rows)
+    std::string table_of(const std::vector<SequentialRow> &rows)
     {
       std::string text =
         "# When a transfer pays\n\nError: mean |stress of the continuation - stress of the all-particle run| over the "
@@ -154,16 +154,16 @@ namespace apps
         "continuation came, in such strains: up to.\n\n"
         "| study | variant | handed over at | error | near | up to | continuum s | particle s saved |\n"
         "|---|---|---|---|---|---|---|---|\n";
-      for (const Row &r : rows)
+      for (const SequentialRow &r : rows)
         text += fmt::format("| {} | {} | {} | {:.3f} | {:.3f} | {:.2f} | {:.2f} | {:.2f} |\n", r.variant.study,
                             r.variant.value, r.instant, r.error, r.near, r.reaches, r.seconds, r.seconds_saved);
       return text;
     }
 
-    std::vector<postprocess::PlotPanel> panels_of(const std::vector<Row> &rows)
+    std::vector<postprocess::PlotPanel> panels_of(const std::vector<SequentialRow> &rows)
     {
       std::map<std::string, postprocess::PlotPanel> over_instant, over_cost;
-      for (const Row &r : rows)
+      for (const SequentialRow &r : rows)
         for (auto *panels : {&over_instant, &over_cost})
           {
             postprocess::PlotPanel &panel = (*panels)[r.variant.study];
@@ -210,10 +210,10 @@ namespace apps
           return exit_interrupted;
         identified = identification.result().found.law;
       }
-    std::vector<Row>          rows;
-    const auto                instants = model.particles.instants_asked();
-    std::size_t               number   = 0;
-    std::vector<SceneVariant> variants = variants_of(model.particles.specimen.generator.radius, bench.quick);
+    std::vector<SequentialRow> rows;
+    const auto                 instants = model.particles.instants_asked();
+    std::size_t                number   = 0;
+    std::vector<SceneVariant>  variants = variants_of(model.particles.specimen.generator.radius, bench.quick);
     for (SceneVariant &variant : lengths_of(model, bench.quick))
       variants.push_back(std::move(variant));
     for (const SceneVariant &variant : variants)

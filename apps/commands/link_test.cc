@@ -32,7 +32,7 @@ namespace apps
       return std::find(table.names.begin(), table.names.end(), name) != table.names.end();
     }
 
-    LinkPath read_path(const std::string &file)
+    LinkPath read_link_path(const std::string &file)
     {
       const postprocess::CsvTable table = postprocess::read_csv_table(file);
       if (table.rows() == 0)
@@ -69,7 +69,7 @@ namespace apps
     int link_test(const LinkTestOptions &options)
     {
       const dem::LinkLawKind &law  = law_named(options.law);
-      const LinkPath          path = read_path(options.path);
+      const LinkPath          path = read_link_path(options.path);
       Section                 block;
       LawBlock                entries(block);
       const auto              constants = law.constants();

@@ -26,7 +26,7 @@ namespace apps
       std::vector<std::string> constants;
     };
 
-    MaterialPath read_path(const std::string &file)
+    MaterialPath read_material_path(const std::string &file)
     {
       const postprocess::CsvTable table = postprocess::read_csv_table(file);
       if (table.rows() == 0)
@@ -73,7 +73,7 @@ namespace apps
     int point_test(const PointTestOptions &options)
     {
       const auto         constants = material_named(options.material).constants();
-      const MaterialPath path      = read_path(options.path);
+      const MaterialPath path      = read_material_path(options.path);
       Section            entries;
       constants->visit(ConstantEntries{entries});
       assign(entries, read_overrides(options.constants), "command line");

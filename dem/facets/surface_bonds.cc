@@ -109,8 +109,8 @@ namespace dem
       {
         links.first[b]  = static_cast<std::int32_t>(b);
         links.second[b] = static_cast<std::int32_t>(n + b);
-        if (links.several_laws)
-          links.law[b] = material_pair(bodies.material[b], bodies.material[b]);
+        if (links.several_pairs)
+          links.pair[b] = material_pair(bodies.material[b], bodies.material[b]);
         NewLink fresh; // its second end has no radius: it ends on the face
         fresh.distance     = (bodies.position_of(n + b) - bodies.position_of(b)).norm();
         fresh.first_radius = bodies.radius_of(b);
@@ -120,7 +120,7 @@ namespace dem
         links.reference_length[b] = law->reference_length(fresh);
         links.area[b]             = fresh.area;
         std::fill(row.begin(), row.end(), 0.0);
-        law->begin(links.law_of(b), fresh, row.data());
+        law->begin(links.pair_of(b), fresh, row.data());
         links.set_history(b, row);
         // By the difference of the radii the contact point is where it shall be: at the anchor.
         bodies.pose[record_size * (n + b) + 6] = fresh.first_radius - fresh.distance;

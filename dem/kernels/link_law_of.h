@@ -82,8 +82,8 @@ namespace dem
         Law::put(all[l], &table[record * l]);
     }
 
-    const Constants &constants(const std::size_t law) const { return all[law]; }
-    const double    *record_of(const std::size_t law) const { return &table[record * law]; }
+    const Constants &constants(const std::size_t pair) const { return all[pair]; }
+    const double    *record_of(const std::size_t pair) const { return &table[record * pair]; }
 
     const char *name() const override { return Law::name; }
     std::size_t pairs() const override { return all.size(); }
@@ -115,41 +115,41 @@ namespace dem
     }
 
     double reference_length(const NewLink &link) const override { return Law::reference_length(link); }
-    void   begin(const std::size_t law, const NewLink &link, double *history) const override
+    void   begin(const std::size_t pair, const NewLink &link, double *history) const override
     {
-      Law::begin(all[law], link, history);
+      Law::begin(all[pair], link, history);
     }
 
-    LinkStiffnesses stiffness(const std::size_t law, const LinkGeometry &link, const double *history) const override
+    LinkStiffnesses stiffness(const std::size_t pair, const LinkGeometry &link, const double *history) const override
     {
-      return with_state(history, [&](const auto &state) { return Law::stiffness(all[law], link, state); });
+      return with_state(history, [&](const auto &state) { return Law::stiffness(all[pair], link, state); });
     }
     LinkStiffnesses
-    damaged_stiffness(const std::size_t law, const LinkGeometry &link, const double *history) const override
+    damaged_stiffness(const std::size_t pair, const LinkGeometry &link, const double *history) const override
     {
-      return with_state(history, [&](const auto &state) { return Law::damaged_stiffness(all[law], link, state); });
+      return with_state(history, [&](const auto &state) { return Law::damaged_stiffness(all[pair], link, state); });
     }
-    LinkPhase phase(const std::size_t law, const LinkGeometry &link, const double *history) const override
+    LinkPhase phase(const std::size_t pair, const LinkGeometry &link, const double *history) const override
     {
-      return with_state(history, [&](const auto &state) { return Law::phase(all[law], link, state); });
+      return with_state(history, [&](const auto &state) { return Law::phase(all[pair], link, state); });
     }
-    double stored(const std::size_t law, const LinkGeometry &link, const double *history) const override
+    double stored(const std::size_t pair, const LinkGeometry &link, const double *history) const override
     {
-      return with_state(history, [&](const auto &state) { return Law::stored(all[law], link, state); });
+      return with_state(history, [&](const auto &state) { return Law::stored(all[pair], link, state); });
     }
-    double damage_dissipation(const std::size_t law, const LinkGeometry &link, const double *history) const override
+    double damage_dissipation(const std::size_t pair, const LinkGeometry &link, const double *history) const override
     {
-      return with_state(history, [&](const auto &state) { return Law::damage_dissipation(all[law], link, state); });
+      return with_state(history, [&](const auto &state) { return Law::damage_dissipation(all[pair], link, state); });
     }
-    LinkLoss damage(const std::size_t law, const LinkGeometry &link, const double *history) const override
+    LinkLoss damage(const std::size_t pair, const LinkGeometry &link, const double *history) const override
     {
-      return with_state(history, [&](const auto &state) { return Law::damage(all[law], link, state); });
+      return with_state(history, [&](const auto &state) { return Law::damage(all[pair], link, state); });
     }
-    double damaging_strain(const std::size_t law, const double *history) const override
+    double damaging_strain(const std::size_t pair, const double *history) const override
     {
-      return with_state(history, [&](const auto &state) { return Law::damaging_strain(all[law], state); });
+      return with_state(history, [&](const auto &state) { return Law::damaging_strain(all[pair], state); });
     }
-    LinkExertion exertion(const std::size_t      law,
+    LinkExertion exertion(const std::size_t      pair,
                           const LinkGeometry    &link,
                           const Eigen::Vector3d &direction,
                           const Eigen::Vector3d &force,
@@ -157,16 +157,17 @@ namespace dem
     {
       const double normal = force.dot(direction), shear = (force - normal * direction).norm();
       return with_state(history,
-                        [&](const auto &state) { return Law::exertion(all[law], link, state, normal, shear); });
+                        [&](const auto &state) { return Law::exertion(all[pair], link, state, normal, shear); });
     }
 
-    LinkAnswer update(const std::size_t law, const LinkStep &step, const double *before, double *history) const override
+    LinkAnswer
+    update(const std::size_t pair, const LinkStep &step, const double *before, double *history) const override
     {
       require_space();
       SpaceState                  state  = state_of<3>(before);
       const LinkMotion<double, 3> motion = motion_of(step, state);
       LinkWork<double>            work;
-      const auto                  answer = Law::update(all[law], motion, state, work);
+      const auto                  answer = Law::update(all[pair], motion, state, work);
       LinkAnswer                  result;
       result.force    = answer.normal * step.direction + vector(answer.shear);
       result.friction = work.friction;
@@ -179,14 +180,14 @@ namespace dem
       return result;
     }
 
-    base::Matrix6 tangent(const std::size_t law,
+    base::Matrix6 tangent(const std::size_t pair,
                           const LinkStep   &step,
                           const double     *before,
                           const double     *history,
                           const LinkTangent kind) const override
     {
       require_space();
-      return Law::tangent(all[law], step, state_of<3>(before), state_of<3>(history), kind);
+      return Law::tangent(all[pair], step, state_of<3>(before), state_of<3>(history), kind);
     }
 
   private:

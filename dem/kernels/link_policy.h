@@ -13,16 +13,16 @@ namespace dem::link_update
   template <typename Law_, int dimension_, bool rotations_, Mixture mixture_, bool periodic_>
   struct Policy
   {
-    using Law                          = Law_;
-    static constexpr int  dimension    = dimension_;
-    static constexpr bool rotations    = rotations_;
-    static constexpr bool equal_radii  = mixture_ == Mixture::equal;
-    static constexpr bool several_laws = mixture_ == Mixture::materials;
-    static constexpr bool periodic     = periodic_;
-    static constexpr int  across       = dimension == 3 ? 3 : 1; ///< components of a vector across the link
-    static constexpr bool moment       = Law::moment && rotations;
-    static constexpr bool first_order  = is_first_order_shear<Law>;
-    static constexpr bool may_rest     = moment && dimension == 3 && has_resting_shear<Law>(0);
+    using Law                           = Law_;
+    static constexpr int  dimension     = dimension_;
+    static constexpr bool rotations     = rotations_;
+    static constexpr bool equal_radii   = mixture_ == Mixture::equal;
+    static constexpr bool several_pairs = mixture_ == Mixture::materials;
+    static constexpr bool periodic      = periodic_;
+    static constexpr int  across        = dimension == 3 ? 3 : 1; ///< components of a vector across the link
+    static constexpr bool moment        = Law::moment && rotations;
+    static constexpr bool first_order   = is_first_order_shear<Law>;
+    static constexpr bool may_rest      = moment && dimension == 3 && has_resting_shear<Law>(0);
 
     template <typename T>
     using State = typename Law::template State<T, across>;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dem/core/simd.h"
+#include "dem/core/streaming.h"
 #include "dem/core/vector.h"
 #include "dem/kernels/half_records.h"
 #include "dem/kernels/link_update_types.h"
@@ -8,21 +9,25 @@
 /** What the link pass writes for the particles. @tparam P see dem/kernels/link_policy.h */
 namespace dem::link_update
 {
-  /** Eight packs, one per quantity, as the records of eight links. */
-  BRECCIA_KERNEL void put_records(Pack (&out)[8], double *record)
+  /** Eight packs, one per quantity, as the records of eight links. @param streams see put() */
+  BRECCIA_KERNEL void put_records(Pack (&out)[8], double *record, const bool streams)
   {
     transpose(out);
     for (int lane = 0; lane < pack_size; ++lane)
-      store(out[lane], record + record_size * lane);
+      put(out[lane], record + record_size * lane, streams);
   }
 
   /**
    * Force on the first end, half branch x force, eccentricity: what a particle needs of its link, as records.
+   * @param streams see put()
    * @return the force, z only in space
    */
   template <typename P, typename Frame>
-  BRECCIA_KERNEL Vec<Pack, 3>
-  put_force(const Frame &frame, const LinkForce<Pack, P::across> &answer, const Pack &eccentric, double *record)
+  BRECCIA_KERNEL Vec<Pack, 3> put_force(const Frame                      &frame,
+                                        const LinkForce<Pack, P::across> &answer,
+                                        const Pack                       &eccentric,
+                                        double                           *record,
+                                        const bool                        streams)
   {
     Pack out[8];
     for (auto &o : out)
@@ -49,7 +54,7 @@ namespace dem::link_update
     if constexpr (!P::equal_radii)
       out[6] = eccentric;
     const Vec<Pack, 3> force = {{out[0], out[1], out[2]}};
-    put_records(out, record);
+    put_records(out, record, streams);
     return force;
   }
 

@@ -37,7 +37,7 @@ namespace dem::link_update
     Pack c[Law::records][pack_size];
     for (int lane = 0; lane < pack_size; ++lane)
       {
-        const double *record = laws.record_of(static_cast<std::size_t>(links.law[l + lane]));
+        const double *record = laws.record_of(static_cast<std::size_t>(links.pair[l + lane]));
         for (int r = 0; r < Law::records; ++r)
           c[r][lane] = load(record + pack_size * r);
       }
@@ -96,7 +96,7 @@ namespace dem::link_update
   {
     const auto answer = P::Law::update(law, motion, state, sums.work);
     store_history<P>(history, l, before, state, rests);
-    const Vec<Pack, 3> force = put_force<P>(frame, answer, eccentric, &links.force[record_size * l]);
+    const Vec<Pack, 3> force = put_force<P>(frame, answer, eccentric, &links.force[record_size * l], links.streams);
     if constexpr (P::moment)
       put_moment<P>(frame, answer, &links.moment[half_record_size * l]);
     if constexpr (P::periodic)
@@ -191,12 +191,14 @@ namespace dem::link_update
     for (std::size_t l = begin; l < end; l += pack_size)
       {
         prefetch_second_ends(links, particles, l + prefetch_distance);
-        if constexpr (P::several_laws)
+        if constexpr (P::several_pairs)
           update_pack<P>(links, history, particles, gather_constants(laws, links, l), signs, l, sums);
         else
           update_pack<P>(links, history, particles, only, signs, l, sums);
       }
 
+    if (links.streams)
+      finish_streaming();
     LinkBlockAccount &account = links.accounts[block];
     account.friction += stdx::reduce(sums.work.friction);
     account.damage += stdx::reduce(sums.work.damage);

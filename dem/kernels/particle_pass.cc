@@ -1,5 +1,6 @@
 #include "dem/kernels/particle_pass.h"
 
+#include "dem/core/streaming.h"
 #include "dem/kernels/half_records.h"
 #include "dem/kernels/kinematics.h"
 
@@ -136,6 +137,7 @@ namespace dem
                                   const Lanes      &lanes,
                                   const Lengths    &step,
                                   const Pack       &damping,
+                                  const bool        streams,
                                   Sums             &sums)
     {
       const std::size_t at           = record_size * i;
@@ -156,9 +158,9 @@ namespace dem
       const Pack pose =
         load(&p.pose[at]) * lanes.keep_pose + moved * (lanes.translates + Pack(stretch) * lanes.rotates);
       store(pose, &p.pose[at]);
-      store(moved, &p.motion[at]);
       store(next, &p.velocity[at]);
-      store(force, &p.force[at]);
+      put(moved, &p.motion[at], streams);
+      put(force, &p.force[at], streams);
 
       sums.fastest = stdx::max(sums.fastest, displacement * displacement * lanes.translates);
       sums.kinetic = sums.kinetic + Pack(0.5) * mass * velocity * next;
@@ -215,8 +217,10 @@ namespace dem
               if constexpr (pushed)
                 force += load(&particles.pushed[record_size * i]);
               integrate<damped, surroundings == Surroundings::periodic, pushed>(particles, i, force, lanes, lengths,
-                                                                                coefficient, sums);
+                                                                                coefficient, bonds.streams, sums);
             }
+          if (bonds.streams)
+            finish_streaming();
           accounts[b] = {stdx::reduce(sums.damping_before), stdx::reduce(sums.damping_after),
                          stdx::reduce(sums.kinetic),        stdx::reduce(sums.pushing_before),
                          stdx::reduce(sums.pushing_after),  stdx::reduce(sums.fastest)};

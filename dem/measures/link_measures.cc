@@ -47,7 +47,7 @@ namespace dem
     place.length    = seen.length;
     place.reference = links.reference_length[link];
     place.area      = links.area[link];
-    number          = links.law_of(link);
+    pair            = links.pair_of(link);
     links.get_history(link, row);
   }
 
@@ -58,7 +58,7 @@ namespace dem
                    const LinkSet         &links,
                    const LinkView        &link,
                    const std::size_t      l,
-                   const base::Column          &moves,
+                   const base::Column    &moves,
                    const Eigen::Vector3d &of_cell)
     {
       const std::int32_t J = links.first[l], K = links.second[l];

@@ -51,20 +51,20 @@ namespace dem
     const double       *history() const { return row.data(); }
 
     /** What the law says of the link that was read last; see LinkLaw. */
-    double          stored() const { return law.stored(number, place, row.data()); }
-    double          damage_dissipation() const { return law.damage_dissipation(number, place, row.data()); }
-    LinkLoss        damage() const { return law.damage(number, place, row.data()); }
-    LinkPhase       phase() const { return law.phase(number, place, row.data()); }
-    LinkStiffnesses stiffness() const { return law.stiffness(number, place, row.data()); }
+    double          stored() const { return law.stored(pair, place, row.data()); }
+    double          damage_dissipation() const { return law.damage_dissipation(pair, place, row.data()); }
+    LinkLoss        damage() const { return law.damage(pair, place, row.data()); }
+    LinkPhase       phase() const { return law.phase(pair, place, row.data()); }
+    LinkStiffnesses stiffness() const { return law.stiffness(pair, place, row.data()); }
     /** The largest that it can have: closed, if that makes a difference. */
     LinkStiffnesses closed_stiffness() const
     {
       LinkGeometry closed = place;
       closed.strain       = -1;
-      return law.stiffness(number, closed, row.data());
+      return law.stiffness(pair, closed, row.data());
     }
-    LinkStiffnesses damaged_stiffness() const { return law.damaged_stiffness(number, place, row.data()); }
-    LinkExertion    exertion() const { return law.exertion(number, place, seen.direction, seen.force, row.data()); }
+    LinkStiffnesses damaged_stiffness() const { return law.damaged_stiffness(pair, place, row.data()); }
+    LinkExertion    exertion() const { return law.exertion(pair, place, seen.direction, seen.force, row.data()); }
 
   private:
     const Particles    &particles;
@@ -72,7 +72,7 @@ namespace dem
     const LinkLaw      &law;
     LinkView            seen;
     LinkGeometry        place;
-    std::size_t         number = 0; ///< of the pair of materials
+    std::size_t         pair = 0; ///< of materials
     std::vector<double> row;
   };
 

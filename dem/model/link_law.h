@@ -111,7 +111,7 @@ namespace dem
    * The law of all links of one kind (bonds, or contacts) in one specimen: its constants for every pair of materials, the pass that
    * updates the links, and all that is asked of single ones. Chosen once per scene; the pass knows it at compile time.
    *
-   * A link's history is a row of numbers, in the order of columns(); `law` is the number of the pair of materials that it joins.
+   * A link's history is a row of numbers, in the order of columns(); `pair` is the number of the pair of materials that it joins.
    */
   class LinkLaw
   {
@@ -136,36 +136,36 @@ namespace dem
     /** Length that strains are measured against [m]. */
     virtual double reference_length(const NewLink &link) const = 0;
     /** History of a new link. */
-    virtual void begin(std::size_t law, const NewLink &link, double *history) const = 0;
+    virtual void begin(std::size_t pair, const NewLink &link, double *history) const = 0;
 
-    virtual LinkStiffnesses stiffness(std::size_t law, const LinkGeometry &link, const double *history) const = 0;
+    virtual LinkStiffnesses stiffness(std::size_t pair, const LinkGeometry &link, const double *history) const = 0;
     /** The same as it is damaged now (secant); a closed link as a whole one. */
-    virtual LinkStiffnesses damaged_stiffness(std::size_t law, const LinkGeometry &link, const double *history) const
+    virtual LinkStiffnesses damaged_stiffness(std::size_t pair, const LinkGeometry &link, const double *history) const
     {
-      return stiffness(law, link, history);
+      return stiffness(pair, link, history);
     }
-    virtual LinkPhase phase(std::size_t law, const LinkGeometry &link, const double *history) const = 0;
+    virtual LinkPhase phase(std::size_t pair, const LinkGeometry &link, const double *history) const = 0;
     /** Energy stored [J]. */
-    virtual double stored(std::size_t law, const LinkGeometry &link, const double *history) const = 0;
+    virtual double stored(std::size_t pair, const LinkGeometry &link, const double *history) const = 0;
     /** Energy dissipated by damage since the start, where a closed form of the history tells it; otherwise the pass sums it up [J]. */
     virtual double   damage_dissipation(std::size_t, const LinkGeometry &, const double *) const { return 0.0; }
-    virtual LinkLoss damage(std::size_t law, const LinkGeometry &link, const double *history) const = 0;
+    virtual LinkLoss damage(std::size_t pair, const LinkGeometry &link, const double *history) const = 0;
     /** Normal strain past which the link damages further; infinite for a law that opening does not damage. */
-    virtual double damaging_strain(std::size_t law, const double *history) const = 0;
+    virtual double damaging_strain(std::size_t pair, const double *history) const = 0;
     /** @param force on the first end [N] */
-    virtual LinkExertion exertion(std::size_t            law,
+    virtual LinkExertion exertion(std::size_t            pair,
                                   const LinkGeometry    &link,
                                   const Eigen::Vector3d &direction,
                                   const Eigen::Vector3d &force,
                                   const double          *history) const = 0;
 
     /** One link, one step: history in and out. */
-    virtual LinkAnswer update(std::size_t law, const LinkStep &step, const double *before, double *history) const = 0;
+    virtual LinkAnswer update(std::size_t pair, const LinkStep &step, const double *before, double *history) const = 0;
     /**
      * Linearisation of the last update, in global axes: d (force over area, moment) / d (strain vector eps_N n + eps_T, relative
      * rotation of the ends) [Pa], [N m].
      */
     virtual base::Matrix6 tangent(
-      std::size_t law, const LinkStep &step, const double *before, const double *history, LinkTangent kind) const = 0;
+      std::size_t pair, const LinkStep &step, const double *before, const double *history, LinkTangent kind) const = 0;
   };
 } // namespace dem

@@ -1,5 +1,6 @@
 #include "dem/model/links.h"
 
+#include "dem/core/streaming.h"
 #include "dem/model/materials.h"
 
 #include <algorithm>
@@ -20,29 +21,29 @@ namespace dem
     for (const base::Column &column : history)
       doubles += column.capacity();
     std::size_t integers = 0;
-    for (const auto *column : {&first, &second, &image, &law, &noted, &own_begin, &other_begin, &others})
+    for (const auto *column : {&first, &second, &image, &pair, &noted, &own_begin, &other_begin, &others})
       integers += column->capacity();
     return doubles * sizeof(double) + integers * sizeof(std::int32_t) + accounts.capacity() * sizeof(LinkBlockAccount);
   }
 
   void LinkSet::shape_for(const LinkLaw &links_law, const bool in_cell, const bool several_materials)
   {
-    periodic     = in_cell;
-    several_laws = several_materials;
-    has_moment   = links_law.has_moment();
-    logs_breaks  = links_law.breaks_in_place();
-    quantities   = links_law.columns();
+    periodic      = in_cell;
+    several_pairs = several_materials;
+    has_moment    = links_law.has_moment();
+    logs_breaks   = links_law.breaks_in_place();
+    quantities    = links_law.columns();
     history.resize(quantities.size());
   }
 
   LinkSet LinkSet::empty_like() const
   {
     LinkSet other;
-    other.periodic     = periodic;
-    other.several_laws = several_laws;
-    other.has_moment   = has_moment;
-    other.logs_breaks  = logs_breaks;
-    other.quantities   = quantities;
+    other.periodic      = periodic;
+    other.several_pairs = several_pairs;
+    other.has_moment    = has_moment;
+    other.logs_breaks   = logs_breaks;
+    other.quantities    = quantities;
     other.history.resize(quantities.size());
     return other;
   }
@@ -61,10 +62,10 @@ namespace dem
         std::fill(image.begin() + n, image.end(), 0);
         stress_moments.assign(stress_record * std::max<std::size_t>(lines / links_per_block, 1), 0.0);
       }
-    if (several_laws)
+    if (several_pairs)
       {
-        law.resize(lines);
-        std::fill(law.begin() + n, law.end(), 0);
+        pair.resize(lines);
+        std::fill(pair.begin() + n, pair.end(), 0);
       }
     if (logs_breaks)
       {
@@ -84,6 +85,7 @@ namespace dem
     if (has_moment)
       moment.assign(half_record_size * lines, 0.0);
     accounts.resize(std::max<std::size_t>(lines / links_per_block, 1));
+    streams = sizeof(double) * force.size() > last_level_cache();
   }
 
   void LinkSet::tabulate(const std::size_t particles)
@@ -112,8 +114,8 @@ namespace dem
     second[to] = source.second[from];
     if (periodic)
       image[to] = source.image[from];
-    if (several_laws)
-      law[to] = source.law[from];
+    if (several_pairs)
+      pair[to] = source.pair[from];
     if (logs_breaks)
       noted[to] = source.noted[from];
     reference_length[to] = source.reference_length[from];
@@ -197,8 +199,8 @@ namespace dem
         links.second[l]          = K;
         if (links.periodic)
           links.image[l] = particles.cell.enter(shift);
-        if (links.several_laws)
-          links.law[l] = material_pair(particles.material[J], particles.material[K]);
+        if (links.several_pairs)
+          links.pair[l] = material_pair(particles.material[J], particles.material[K]);
         NewLink fresh;
         fresh.distance      = branch_of(particles, links, l).norm();
         fresh.first_radius  = particles.radius_of(J);
@@ -209,7 +211,7 @@ namespace dem
         links.reference_length[l] = law.reference_length(fresh);
         links.area[l]             = fresh.area;
         std::fill(row.begin(), row.end(), 0.0);
-        law.begin(links.law_of(l), fresh, row.data());
+        law.begin(links.pair_of(l), fresh, row.data());
         links.set_history(l, row);
       }
     links.tabulate(particles.count);
@@ -226,8 +228,8 @@ namespace dem
     visitor.column(name + "/second", second);
     if (periodic)
       visitor.column(name + "/image", image);
-    if (several_laws)
-      visitor.column(name + "/law", law);
+    if (several_pairs)
+      visitor.column(name + "/pair", pair);
     visitor.column(name + "/reference_length", reference_length);
     visitor.column(name + "/area", area);
     if (logs_breaks)

@@ -33,19 +33,20 @@ namespace dem
  */
   struct LinkSet
   {
-    std::size_t count        = 0; ///< lines in use, deleted ones included
-    std::size_t alive        = 0;
-    bool        periodic     = false; ///< links reach to images of particles, and their share of stress is summed up
-    bool        several_laws = false; ///< particles are of several materials, and each link knows the law of its pair
-    bool        has_moment   = false; ///< they carry moments
-    bool        logs_breaks  = false; ///< broken ones may stay: `noted` tells which the crack log has
+    std::size_t count    = 0; ///< lines in use, deleted ones included
+    std::size_t alive    = 0;
+    bool        periodic = false; ///< links reach to images of particles, and their share of stress is summed up
+    bool several_pairs = false; ///< particles are of several materials, and each link knows which pair of them it joins
+    bool has_moment    = false; ///< they carry moments
+    bool streams       = false; ///< too many for the caches: force records are written past them
+    bool logs_breaks   = false; ///< broken ones may stay: `noted` tells which the crack log has
 
     std::vector<LinkQuantity> quantities; ///< what the columns of the history are, as the law declares them
 
     std::vector<std::int32_t> first,
       second;                        ///< particle numbers in the order of Particles, first < second (<= if periodic)
     std::vector<std::int32_t> image; ///< of the second end, number in the cell's table; only if periodic
-    std::vector<std::int32_t> law;   ///< number of the pair of materials; only with several
+    std::vector<std::int32_t> pair;  ///< number of the pair of materials; only with several
     std::vector<std::int32_t> noted; ///< 1: broken, and in the crack log; only where broken links may stay
     base::Column              reference_length; ///< L0 [m]
     base::Column              area;             ///< A [m^2]; 0: deleted
@@ -67,7 +68,8 @@ namespace dem
     bool is_broken(const std::size_t link) const { return logs_breaks && noted[link] != 0; }
     /** How many of the living are such. */
     std::size_t broken() const;
-    std::size_t law_of(const std::size_t link) const { return several_laws ? law[link] : 0; } ///< number in the table
+    /** Number of the pair of materials that a link joins. */
+    std::size_t pair_of(const std::size_t link) const { return several_pairs ? pair[link] : 0; }
     std::size_t bytes() const;
 
     /** Take the columns that links of the law need. */

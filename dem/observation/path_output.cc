@@ -90,7 +90,7 @@ namespace dem
         const double          normal = f.dot(link.direction), shear = (f - normal * link.direction).norm();
         out.ends.push_back({static_cast<std::size_t>(link.first), static_cast<std::size_t>(link.second)});
         if (!loaded.network.material.empty())
-          out.law.push_back(link.law);
+          out.pair.push_back(link.pair);
         out.kind.push_back(links.is_exhausted(l) ? LinkOutput::broken : LinkOutput::cohesive);
         out.normal_force.push_back(normal);
         out.shear_force.push_back(shear);

@@ -137,8 +137,8 @@ namespace dem
           reader.read(l);
           if (law.waits() && reader.phase() == LinkPhase::apart)
             continue;
-          if (links.several_laws)
-            out.law.push_back(links.law[l]);
+          if (links.several_pairs)
+            out.pair.push_back(links.pair[l]);
           const LinkView &view     = reader.view();
           const bool      cohesive = law.bonds() && !links.is_broken(l);
           const double normal = view.force.dot(view.direction), shear = (view.force - normal * view.direction).norm();
@@ -179,8 +179,8 @@ namespace dem
                             static_cast<std::size_t>(self->particles.number[self->crack_log[i + 1]])});
         out.kind.push_back(LinkOutput::broken);
         if (self->bond_law->several())
-          out.law.push_back(material_pair(self->particles.material[self->crack_log[i]],
-                                          self->particles.material[self->crack_log[i + 1]]));
+          out.pair.push_back(material_pair(self->particles.material[self->crack_log[i]],
+                                           self->particles.material[self->crack_log[i + 1]]));
         out.damage.push_back(1.0);
         out.strength_damage.push_back(1.0);
         const double         *geometry = &self->crack_geometry[record_size * (i / 2)];

@@ -90,7 +90,7 @@ namespace dem
     std::vector<double>
       strength_damage;              ///< lost part of the strength, (6.6) of Stransky (2018); broken and contacts: 1
     std::vector<double> dissipated; ///< by the link's damage so far [J]; zero where shear damages (then only summed up)
-    std::vector<std::int32_t> law;  ///< number of the pair of materials of each; empty: there is one
+    std::vector<std::int32_t> pair; ///< number of the pair of materials of each; empty: there is one
     std::vector<LinkLoad>     load; ///< force and geometry at t_n; of a broken link its last geometry without force
 
     /** What the law of the bonds shows of what it remembers, in its own names; zero for contacts of another law and broken links. */

@@ -63,7 +63,7 @@ namespace dem
     void visit_state(base::StateVisitor &visitor);
 
   private:
-    std::size_t   pair_of(const std::size_t link) const { return loaded->network.links[link].law; }
+    std::size_t   pair_of(const std::size_t link) const { return loaded->network.links[link].pair; }
     const double *row(const std::vector<double> &of, const std::size_t link) const
     {
       return of.data() + columns * link;

@@ -189,11 +189,11 @@ namespace dem
     std::vector<double> history(law->columns().size());
     ElasticNetwork      network = network_of(packing, p, [&](ElasticLink &link) {
       if (materials.several())
-        link.law = material_pair(material[link.first], material[link.second]);
+        link.pair = material_pair(material[link.first], material[link.second]);
       std::fill(history.begin(), history.end(), 0.0);
-      law->begin(link.law, link.made, history.data());
+      law->begin(link.pair, link.made, history.data());
       link.reference = law->reference_length(link.made);
-      put_stiffness(link, law->stiffness(link.law, geometry_of(link), history.data()));
+      put_stiffness(link, law->stiffness(link.pair, geometry_of(link), history.data()));
     });
     if (materials.several())
       network.material = material;

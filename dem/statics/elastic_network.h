@@ -30,7 +30,7 @@ namespace dem
     Eigen::Matrix3d stiffness;             ///< C, symmetric [N/m]
     /** Moment over relative rotation phi_K - phi_J, symmetric [N m]; zero where the law has no moment. */
     Eigen::Matrix3d turning = Eigen::Matrix3d::Zero();
-    std::int32_t    law     = 0; ///< number of the pair of materials
+    std::int32_t    pair    = 0; ///< number of the pair of materials
     NewLink         made;        ///< as the law saw it when it was made
   };
 

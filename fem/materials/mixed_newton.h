@@ -45,8 +45,8 @@ namespace fem
       else
         return !((strain - committed.strain).cwiseAbs().maxCoeff() <= reach);
     };
-    using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1>;
-    using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
+    using OpenVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1>;
+    using OpenMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
     std::array<int, 6> open{};
     int                n      = 0;
     base::Voigt        strain = guess;
@@ -57,7 +57,7 @@ namespace fem
         strain[i] = target.value[i];
 
     const auto residual = [&](const Response<typename Law::State> &response) {
-      Vector r(n);
+      OpenVector r(n);
       for (int i = 0; i < n; ++i)
         r[i] = response.stress[open[i]] - target.value[open[i]];
       return r;
@@ -67,16 +67,16 @@ namespace fem
         if (too_far(strain))
           return std::nullopt;
         MixedSolution<Law> now{strain, law.evaluate(strain, committed, element)};
-        Vector             r = residual(now.response);
+        OpenVector         r = residual(now.response);
         for (int iteration = 0; iteration < most_iterations; ++iteration)
           {
             if (!(r.norm() > 1e-12 * stress_unit))
               return now;
-            Matrix k(n, n);
+            OpenMatrix k(n, n);
             for (int i = 0; i < n; ++i)
               for (int j = 0; j < n; ++j)
                 k(i, j) = now.response.tangent(open[i], open[j]);
-            const Vector step = k.fullPivLu().solve(-r);
+            const OpenVector step = k.fullPivLu().solve(-r);
 
             bool improved = false;
             for (double a = 1; a > 1e-4 && !improved; a /= 2)
@@ -86,8 +86,8 @@ namespace fem
                   next[open[i]] += a * step[i];
                 if (too_far(next))
                   continue;
-                const auto   tried  = law.evaluate(next, committed, element);
-                const Vector r_next = residual(tried);
+                const auto       tried  = law.evaluate(next, committed, element);
+                const OpenVector r_next = residual(tried);
                 if (r_next.norm() < r.norm())
                   {
                     now.strain   = next;

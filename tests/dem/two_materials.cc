@@ -69,11 +69,11 @@ TEST_CASE("every link and contact answers with the modulus of the pair that it j
     {
       specimen.advance(50);
       const dem::LinkOutput links = specimen.links();
-      REQUIRE(links.law.size() == links.ends.size());
+      REQUIRE(links.pair.size() == links.ends.size());
       for (std::size_t l = 0; l < links.ends.size(); ++l)
         {
           const std::int32_t sum = packing.material[links.ends[l][0]] + packing.material[links.ends[l][1]];
-          REQUIRE(links.law[l] == sum); // 0-0: 0, 1-0: 1, 1-1: 2
+          REQUIRE(links.pair[l] == sum); // 0-0: 0, 1-0: 1, 1-1: 2
           if (links.kind[l] == dem::LinkOutput::broken || std::abs(links.normal_strain[l]) < 1e-6)
             continue;
           const double intact = links.normal_strain[l] > 0 ? 1 - links.damage[l] : 1.0;

@@ -100,7 +100,7 @@ TEST_CASE("VTK files of several materials say of what particles and links are", 
   for (int i = 0; i < 50; ++i)
     particles.material.push_back(i % 3);
   for (int l = 0; l < 49; ++l)
-    links.law.push_back(l % 6);
+    links.pair.push_back(l % 6);
   write_vtk_particles(folder / "p.vtp", particles, 0);
   write_vtk_links(folder / "l.vtp", links, particles, 0);
   for (int i = 0; i < 50; ++i)
@@ -108,7 +108,7 @@ TEST_CASE("VTK files of several materials say of what particles and links are", 
       REQUIRE(open(folder / "p.vtp")->GetPointData()->GetArray(name)->GetTuple1(i) == i % 3);
   for (int l = 0; l < 49; ++l)
     REQUIRE(open(folder / "l.vtp")->GetCellData()->GetArray("material_pair")->GetTuple1(l) == l % 6);
-  links.law.pop_back();
+  links.pair.pop_back();
   REQUIRE_THROWS_AS(write_vtk_links(folder / "l.vtp", links, particles, 0), std::invalid_argument);
 }
 
@@ -206,7 +206,7 @@ TEST_CASE("arrays carry the units that are declared for them", "[postprocess]")
   auto                particles = numbered_particles(5);
   auto                links     = numbered_links(5);
   particles.material            = {0, 1, 0, 1, 0};
-  links.law                     = {0, 1, 2, 1};
+  links.pair                    = {0, 1, 2, 1};
   links.glue                    = {{0}, {0}, {{1, 2, 3}}, {{0, 0, 0}}, {0}, {1}, {1}, {1}, {1}, {0}, {0}};
   write_vtk_particles(folder / "p.vtp", particles, 0);
   write_vtk_links(folder / "l.vtp", links, particles, 0, std::vector<dem::LinkImage>(4));

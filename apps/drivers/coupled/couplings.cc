@@ -48,8 +48,8 @@ namespace apps
   std::vector<std::size_t> CouplingSection::particles(const ParticleGroups &groups) const
   {
     std::set<std::size_t> members;
-    for (const std::string &name : names_in(group))
-      members.insert(groups.at(name).begin(), groups.at(name).end());
+    for (const std::string &named : names_in(group))
+      members.insert(groups.at(named).begin(), groups.at(named).end());
     return {members.begin(), members.end()};
   }
 

@@ -4,6 +4,7 @@
 #include "dem/homogenisation/relaxed_stiffness.h"
 #include "dem/model/packing.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -40,6 +41,17 @@ namespace apps
     dem::SolverReport                    solver;
     double                               seconds = 0; ///< from the packing to all three answers
   };
+
+  /** One of the three answers by its name. */
+  struct HomogenisationWay
+  {
+    const char    *name, *meaning;
+    FoundStiffness HomogenisationAnswer::*found;
+  };
+  inline constexpr std::array<HomogenisationWay, 3> homogenisation_ways = {
+    {{"statistics", "closed form, no preferred direction", &HomogenisationAnswer::statistics},
+     {"affine", "actual links, upper bound", &HomogenisationAnswer::affine},
+     {"relaxed", "in equilibrium, the answer", &HomogenisationAnswer::relaxed}}};
 
   /**
    * @param origin of the packing, for messages

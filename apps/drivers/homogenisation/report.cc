@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -13,17 +12,6 @@ namespace apps
 {
   namespace
   {
-    struct Way
-    {
-      const char    *name, *meaning;
-      FoundStiffness HomogenisationAnswer::*found;
-    };
-
-    const std::array<Way, 3> ways = {
-      Way{"statistics", "closed form, no preferred direction", &HomogenisationAnswer::statistics},
-      Way{"affine", "actual links, upper bound", &HomogenisationAnswer::affine},
-      Way{"relaxed", "in equilibrium, the answer", &HomogenisationAnswer::relaxed}};
-
     nlohmann::json matrix(const dem::MacroscopicStiffness &D)
     {
       nlohmann::json rows = nlohmann::json::array();
@@ -50,7 +38,7 @@ namespace apps
     }
 
     /** A row of the table: numbers, or that there are none. */
-    std::string row_of(const HomogenisationAnswer &answer, const Way &way)
+    std::string row_of(const HomogenisationAnswer &answer, const HomogenisationWay &way)
     {
       const std::optional<dem::ElasticConstants> &c       = (answer.*way.found).constants,
                                                  &relaxed = answer.relaxed.constants;
@@ -94,7 +82,7 @@ namespace apps
                   question.links.interaction_ratio, answer.density.density());
     text += fmt::format("\n  {:<12} {:>12} {:>10} {:>12}\n", "", answer.dimension == 3 ? "E [GPa]" : "E2 [GPa]",
                         answer.dimension == 3 ? "nu" : "nu2", "over relaxed");
-    for (const Way &way : ways)
+    for (const HomogenisationWay &way : homogenisation_ways)
       text += row_of(answer, way);
     if (const auto &m = answer.isotropy)
       text +=
@@ -114,7 +102,7 @@ namespace apps
     if (answers.size() < 2)
       return "";
     std::string text = fmt::format("\n  over {} packings, mean and standard deviation\n", answers.size());
-    for (const Way &way : ways)
+    for (const HomogenisationWay &way : homogenisation_ways)
       {
         const std::vector<double> found = constants_of(answers, way.found, &dem::ElasticConstants::young);
         const auto                E     = sample_figure(found);
@@ -132,7 +120,7 @@ namespace apps
   nlohmann::json json_of(const HomogenisationAnswer &answer)
   {
     nlohmann::json json;
-    for (const Way &way : ways)
+    for (const HomogenisationWay &way : homogenisation_ways)
       {
         const FoundStiffness &f = answer.*way.found;
         json[way.name]          = {{"E", nullptr}, {"nu", nullptr}, {"stiffness", matrix(f.stiffness)}};
@@ -165,7 +153,7 @@ namespace apps
   {
     nlohmann::json json;
     json["packings"] = answers.size();
-    for (const Way &way : ways)
+    for (const HomogenisationWay &way : homogenisation_ways)
       for (const auto &[name, figure] :
            {std::pair{"E", &dem::ElasticConstants::young}, std::pair{"nu", &dem::ElasticConstants::poisson}})
         {

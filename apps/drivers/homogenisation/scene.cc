@@ -55,25 +55,16 @@ namespace apps
       }
     };
 
-    struct Way
-    {
-      const char    *name;
-      FoundStiffness HomogenisationAnswer::*found;
-    };
-    const Way ways[] = {{"statistics", &HomogenisationAnswer::statistics},
-                        {"affine", &HomogenisationAnswer::affine},
-                        {"relaxed", &HomogenisationAnswer::relaxed}};
-
     std::string csv_of(const std::vector<SweepPoint> &points)
     {
       std::string text = "interaction_ratio,shear_ratio";
-      for (const Way &way : ways)
+      for (const HomogenisationWay &way : homogenisation_ways)
         text += fmt::format(",{0}_E [Pa],{0}_E_deviation [Pa],{0}_nu,{0}_nu_deviation", way.name);
       text += '\n';
       for (const SweepPoint &p : points)
         {
           text += fmt::format("{},{}", p.interaction_ratio, p.shear_ratio);
-          for (const Way &way : ways)
+          for (const HomogenisationWay &way : homogenisation_ways)
             {
               const auto E  = p.figure(way.found, &dem::ElasticConstants::young);
               const auto nu = p.figure(way.found, &dem::ElasticConstants::poisson);
@@ -105,7 +96,7 @@ namespace apps
           std::size_t  next  = first;
           while (next < points.size() && points[next].interaction_ratio == ratio)
             ++next;
-          for (const Way &way : {ways[0], ways[2]})
+          for (const HomogenisationWay &way : {homogenisation_ways[0], homogenisation_ways[2]})
             {
               postprocess::PlotSeries E, nu;
               E.name   = fmt::format("{} {}", way.name, ratio);

@@ -114,8 +114,8 @@ namespace apps
     const auto held  = [this] { return control == Control::force; };
     declare_components(s, "Velocity", velocity, "m/s", "By time t; empty: none");
     declare_components(s, "Spin", spin, "rad/s", "By time t, about Centre; empty: none");
-    for (const char *name : motion_names)
-      s.find_entry(name)->only_if(moved, "Control = motion");
+    for (const char *entry : motion_names)
+      s.find_entry(entry)->only_if(moved, "Control = motion");
     s.vector("Centre", centre, "m", Range(), Need::optional)
       .means("That it spins about; moves with it")
       .only_if(moved, "Control = motion");
@@ -154,9 +154,9 @@ namespace apps
           section.refuse("Force", "a wall is pressed as a whole: a formula of t alone.");
         return;
       }
-    for (const char *name : motion_names)
-      if (varies_in_space(section.find_entry(name)->value))
-        section.refuse(name, "a wall moves as a rigid body: a formula of t alone.");
+    for (const char *entry : motion_names)
+      if (varies_in_space(section.find_entry(entry)->value))
+        section.refuse(entry, "a wall moves as a rigid body: a formula of t alone.");
     if (shape == Shape::plane && any_given(spin))
       section.refuse("Spin x", "an unbounded plane does not spin. Take a plate.");
   }

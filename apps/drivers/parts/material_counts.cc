@@ -9,7 +9,7 @@ namespace apps
 {
   MaterialCounts::MaterialCounts(std::vector<std::string>         scene_names,
                                  const std::vector<std::int32_t> &material,
-                                 const std::vector<std::int32_t> &law)
+                                 const std::vector<std::int32_t> &pair)
     : names(std::move(scene_names))
     , particles(names.size(), 0)
     , links(names.size() * (names.size() + 1) / 2, 0)
@@ -21,13 +21,13 @@ namespace apps
       }
     for (const std::int32_t number : material)
       ++particles.at(static_cast<std::size_t>(number));
-    for (const std::int32_t number : law)
+    for (const std::int32_t number : pair)
       ++links.at(static_cast<std::size_t>(number));
   }
 
   MaterialCounts::MaterialCounts(std::vector<std::string> scene_names, const dem::Specimen &specimen)
     : MaterialCounts(scene_names.size() > 1 ?
-                       MaterialCounts(std::move(scene_names), specimen.particles().material, specimen.links().law) :
+                       MaterialCounts(std::move(scene_names), specimen.particles().material, specimen.links().pair) :
                        MaterialCounts())
   {
   }

@@ -17,10 +17,10 @@ namespace apps
     std::vector<std::size_t> particles, links; ///< of each material; of each pair, numbered as by dem::material_pair
 
     MaterialCounts() = default;
-    /** @param material of each particle  @param law of each link */
+    /** @param material of each particle  @param pair of each link */
     MaterialCounts(std::vector<std::string>         scene_names,
                    const std::vector<std::int32_t> &material,
-                   const std::vector<std::int32_t> &law);
+                   const std::vector<std::int32_t> &pair);
     /** Of a specimen as it now is, with the names of its packing's materials. */
     MaterialCounts(std::vector<std::string> scene_names, const dem::Specimen &specimen);
 

@@ -26,10 +26,10 @@ namespace apps
 
   MaterialCounts materials_in(const dem::ElasticNetwork &network, const std::vector<std::string> &names)
   {
-    std::vector<std::int32_t> law;
+    std::vector<std::int32_t> pairs;
     for (const dem::ElasticLink &link : network.links)
-      law.push_back(link.law);
-    return MaterialCounts(names, network.material, law);
+      pairs.push_back(link.pair);
+    return MaterialCounts(names, network.material, pairs);
   }
 
   void QuasiStaticResult::add(const dem::QuasiStaticPoint &point, const double e, const double s)
