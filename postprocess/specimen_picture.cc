@@ -224,10 +224,26 @@ namespace postprocess
       return {pair, other};
     }
 
-    std::vector<CrackSegment>
-    find_cracks(const dem::ParticleOutput &particles, const dem::LinkOutput &links, const View &view)
+    /** @param normal of the crack, from one side to the other @param middle of its faces on paper @param radius of the smaller side */
+    void add_crack(std::vector<CrackSegment> &cracks,
+                   const View                &view,
+                   const Eigen::Vector3d     &normal,
+                   const double               opening,
+                   const Eigen::Vector2d     &middle,
+                   const double               radius)
     {
-      std::vector<CrackSegment> cracks;
+      const Eigen::Vector2d across = view.projected(normal);
+      if (opening <= 0 || across.norm() < 0.1) // closed, or seen from the front
+        return;
+      const Eigen::Vector2d along = Eigen::Vector2d(-across.y(), across.x()).normalized() * 2 * radius;
+      cracks.push_back({middle - along / 2, along, opening});
+    }
+
+    void add_cracks_of_links(std::vector<CrackSegment> &cracks,
+                             const dem::ParticleOutput &particles,
+                             const dem::LinkOutput     &links,
+                             const View                &view)
+    {
       for (std::size_t l = 0; l < links.ends.size(); ++l)
         {
           const bool has_crack = links.kind[l] == dem::LinkOutput::broken ||
@@ -238,17 +254,40 @@ namespace postprocess
             {
               if (!view.shows(pair.place[0]) || !view.shows(pair.place[1]))
                 continue;
-              const Eigen::Vector3d normal  = (pair.place[1] - pair.place[0]).normalized();
-              const double          opening = normal.dot(pair.displacement[1] - pair.displacement[0]);
-              const Eigen::Vector2d across  = view.projected(normal);
-              if (opening <= 0 || across.norm() < 0.1) // closed, or seen from the front
-                continue;
-              const Eigen::Vector2d along = Eigen::Vector2d(-across.y(), across.x()).normalized() * 2 * pair.radius;
-              const Eigen::Vector2d ends =
-                view.on_paper(pair.place[0], pair.displacement[0]) + view.on_paper(pair.place[1], pair.displacement[1]);
-              cracks.push_back({(ends - along) / 2, along, opening});
+              const Eigen::Vector3d normal = (pair.place[1] - pair.place[0]).normalized();
+              add_crack(cracks, view, normal, normal.dot(pair.displacement[1] - pair.displacement[0]),
+                        0.5 * (view.on_paper(pair.place[0], pair.displacement[0]) +
+                               view.on_paper(pair.place[1], pair.displacement[1])),
+                        pair.radius);
             }
         }
+    }
+
+    /** Between particles and the surfaces that they were glued to. */
+    void add_cracks_of_glue(std::vector<CrackSegment> &cracks,
+                            const dem::ParticleOutput &particles,
+                            const dem::GlueOutput     &glue,
+                            const View                &view)
+    {
+      for (std::size_t g = 0; g < glue.particle.size(); ++g)
+        {
+          if (!glue.torn[g] && !(glue.damage[g] > 0))
+            continue;
+          const std::size_t     i      = glue.particle[g];
+          const Eigen::Vector3d at     = glue.anchor[g] - glue.moved[g];
+          const Eigen::Vector3d normal = (at - view.origin(i)).normalized();
+          if (view.shows(view.origin(i)))
+            add_crack(cracks, view, normal, normal.dot(glue.moved[g] - particles.displacement[i]),
+                      view.on_paper(at, glue.moved[g]), particles.radius[i]);
+        }
+    }
+
+    std::vector<CrackSegment>
+    find_cracks(const dem::ParticleOutput &particles, const dem::LinkOutput &links, const View &view)
+    {
+      std::vector<CrackSegment> cracks;
+      add_cracks_of_links(cracks, particles, links, view);
+      add_cracks_of_glue(cracks, particles, links.glue, view);
       return cracks;
     }
 
@@ -312,11 +351,11 @@ namespace postprocess
         draw_materials(job, particles, view, shown, slab.materials, scale);
         if (!cracks.empty())
           {
-          const double wide  = wide_opening(cracks);
-          job.data["cracks"] = crack_rows(cracks, wide, scale);
-          job.script += ", 'cracks' using 1:2:3:4:5 with vectors nohead lw 2.5 lc rgb variable notitle, " +
-                        std::string("NaN with lines lw 2.5 lc rgb '#c1272d' title 'crack faces, full red from ") +
-                        length_text(wide) + "'";
+            const double wide  = wide_opening(cracks);
+            job.data["cracks"] = crack_rows(cracks, wide, scale);
+            job.script += ", 'cracks' using 1:2:3:4:5 with vectors nohead lw 2.5 lc rgb variable notitle, " +
+                          std::string("NaN with lines lw 2.5 lc rgb '#c1272d' title 'crack faces, full red from ") +
+                          length_text(wide) + "'";
           }
         draw_with_gnuplot(path, job);
         return {};

@@ -286,6 +286,11 @@ TEST_CASE("An interrupted or killed coupled run goes on to the same bits, in fli
   goes_on_to_the_same_bits(
     folder, {{"run", "x.prm", "-s", "Time/End time=0.02", "-s", "Time/Step factor=0.1"}, awaited, reproducible_part},
     {SIGINT, SIGKILL});
+  folder.file("x.prm", often(hanging()));
+  std::filesystem::remove_all(folder / "whole");
+  goes_on_to_the_same_bits(
+    folder, {{"run", "x.prm", "-s", "Time/End time=0.05", "-s", "Time/Step factor=0.05"}, awaited, reproducible_part},
+    {SIGINT, SIGKILL});
 }
 
 TEST_CASE("What cannot be coupled is refused by name", "[apps][coupled]")

@@ -186,6 +186,21 @@ TEST_CASE("only a link that has opened is drawn as a crack", "[postprocess]")
   REQUIRE(picture("closed.png", link) == picture("none.png", {}));
 }
 
+TEST_CASE("glue that was torn and has opened is drawn as a crack", "[postprocess]")
+{
+  const ScratchFolder folder;
+  const auto          particles = postprocess_tests::numbered_particles(3); // the second has moved along x
+  const auto          picture   = [&](const std::string &name, const double side, const int torn) {
+    dem::LinkOutput links;
+    links.glue = {{1}, {0}, {{1 + side * 0.4, 0.25, 0.5}}, {{0, 0, 0}}, {torn}, {0}, {0}, {0}, {0}, {0}, {0}};
+    REQUIRE(picture_of_specimen(folder / name, particles, links, "title") == "");
+    return content_of(folder / name);
+  };
+  const std::string whole = picture("whole.png", -1, 0);
+  CHECK(picture("open.png", -1, 1) != whole);
+  CHECK(picture("closed.png", 1, 1) == whole);
+}
+
 TEST_CASE("a link to a periodic image shows no crack where only the cell lies between", "[postprocess]")
 {
   const ScratchFolder folder;
