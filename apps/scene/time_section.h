@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/scene/expression.h"
 #include "apps/scene/section.h"
 
 namespace apps
@@ -11,8 +12,15 @@ namespace apps
     double step_factor = 0.8;
     // 0.3: the value of the published uniaxial tests; stress waves decay within a few crossings, and the damping force
     // stays a few per cent of the load (Stransky, 2018).
-    double damping = 0.3;
+    double     damping = 0.3;
+    Expression damping_in_time; ///< of t alone; where it is given it goes before
 
     void declare(Section &root);
+    /** For kinds of scene whose damping may change on the way: the formula as well. @pre declare() */
+    void declare_by_time(Section &root);
+    /** @throws base::InputError for a formula of place. */
+    void validate_by_time(const Section &root) const;
+    /** Damping at a time [s]. @throws base::InputError for a formula that leaves [0, 1) */
+    double damping_at(double time) const;
   };
 } // namespace apps

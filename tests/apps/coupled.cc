@@ -8,6 +8,8 @@
 
 #include <cmath>
 #include <csignal>
+#include <iomanip>
+#include <sstream>
 
 using namespace apps_tests;
 using Catch::Contains;
@@ -163,6 +165,45 @@ TEST_CASE("Balls at rest weigh on a slab what they weigh, and the slab's support
   CHECK(found.summary["energy"]["balance_error"].get<double>() < 1e-3);
 }
 
+namespace
+{
+  /** 216 grains of 11 to 14.5 mm, apart from each other, above the slab of gravel_on_slab.prm. @return the sum of their radii cubed [m^3] */
+  double pour(std::ostream &packing)
+  {
+    const double cell  = 0.2 / 6;
+    double       cubes = 0, place = 0;
+    const auto   next = [&place] { return place = std::fmod(place + 0.6180339887498949, 1.0); };
+    for (int k = 0; k < 6; ++k)
+      for (int i = 0; i < 6; ++i)
+        for (int j = 0; j < 6; ++j)
+          {
+            const double r = 0.011 + 0.0035 * next(), play = cell / 2 - r;
+            packing << (i + 0.5) * cell + play * (2 * next() - 1) << ' ' << (j + 0.5) * cell + play * (2 * next() - 1)
+                    << ' ' << 0.032 + (k + 0.5) * cell + play * (2 * next() - 1) << ' ' << r << '\n';
+            cubes += r * r * r;
+          }
+    return cubes;
+  }
+} // namespace
+
+TEST_CASE("Poured gravel that has come to rest weighs on slab and bin what it weighs", "[apps][coupled][slow]")
+{
+  const ScratchFolder folder;
+  std::ostringstream  grains;
+  grains << std::setprecision(12);
+  const double weight = pour(grains) * 2600 * 4.0 / 3 * M_PI * 9.81;
+  folder.file("grains.txt", grains.str());
+  const Results found =
+    results_of(folder, places::sources() + "/apps/scenes/gravel_on_slab.prm",
+               {"Particles/Specimen/File=" + (folder.path() / "grains.txt").string(),
+                "Continuum/Mesh/Box/Divisions x=8", "Continuum/Mesh/Box/Divisions y=8",
+                "Continuum/Mesh/Box/Divisions z=2", "Time/End time=1.9", "Time/Damping in time=t < 0.8 ? 0.2 : 0.5"});
+  const double on_slab = found.series.column("slab_force_z").back(), on_bin = found.series.column("bin").back();
+  CHECK(on_slab < -0.9 * weight);
+  CHECK(on_slab + on_bin == Approx(-weight).epsilon(1e-6));
+  CHECK(found.summary["energy"]["balance_error"].get<double>() < 2e-3);
+}
+
 TEST_CASE("Couplings act between named boundaries and named groups, each with its own contact", "[apps][coupled]")
 {
   // Two balls that glide over the same face: one over a smooth coupling, one over a rough one that makes it roll.
@@ -301,6 +342,8 @@ TEST_CASE("What cannot be coupled is refused by name", "[apps][coupled]")
     is_refused(folder, "x.prm", changes, words);
   };
   refused({"Couplings/block/Boundary=lid"}, "lid");
+  refused({"Time/Damping in time=0.1*x"}, "a formula of t alone");
+  refused({"Time/Damping in time=1 - t"}, "damping lies in [0, 1)");
   refused({"Continuum/Model/Analysis=static"}, "Analysis");
   refused({"Particles/Physics/Dimension=2", "Particles/Specimen/Thickness=1"}, "Dimension");
   refused({"Particles/More particles/ball/Centre=0.03, 0.062, 0.105"}, "block: particle 1");

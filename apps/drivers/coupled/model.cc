@@ -37,6 +37,7 @@ namespace apps
     if (particles.physics.dimension != continuum.solid.dimension)
       solid.find_section("Model")->refuse("Dimension", "must be that of the particles (Particles/Physics/Dimension).");
     const GroupNames groups = particles.validate_as_part(body);
+    particles.time.validate_by_time(scene);
     particles.gravity.validate(scene, dimension());
     couplings.validate(scene, groups, continuum.contacts.empty());
     laboratory.validate(scene, couplings, continuum.loads, dimension());

@@ -44,6 +44,8 @@ namespace apps
     if (walls.varies())
       walls.lead_next_step();
     forces.apply();
+    if (model->time.damping_in_time.given())
+      body.set_damping(model->time.damping_at(body.time()));
   }
 
   void ParticlesBody::advance_to(const double time)

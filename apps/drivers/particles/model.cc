@@ -55,6 +55,7 @@ namespace apps
   void ParticlesModel::declare_course(Section &root)
   {
     time.declare(root);
+    time.declare_by_time(root);
     root.find_section("Time")
       ->number("End time", end_time, "s", Range::positive(), Need::required)
       .means("When the run ends, unless a stop condition ends it before");
@@ -66,6 +67,7 @@ namespace apps
   void ParticlesModel::validate(const Section &root) const
   {
     validate_as_part(root);
+    time.validate_by_time(root);
     gravity.validate(root, physics.dimension);
     stops.validate(root, column_names());
     curve_horizontal();
@@ -117,7 +119,7 @@ namespace apps
     made.thickness         = source.thickness;
     made.loose             = more.loose();
     made.step_factor       = time.step_factor;
-    made.damping           = time.damping;
+    made.damping           = time.damping_at(0);
     made.gravity           = gravity.vector();
     return made;
   }
