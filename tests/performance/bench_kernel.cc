@@ -124,14 +124,14 @@ namespace
   /**
    * Bytes that a link update moves between memory and core when no column stays in a cache, for a link's share of particles.
    *
-   * Link: read two ends, L0, A, kappa, omega, three shears; write the shears; write the force record (a written line is read first),
-   * read it at both ends. Particle: read both records of the pass, then pose and velocity read and written, motion and force
-   * written (and read first), inverse mass, mass, inertia, tables read.
+   * Link: read two ends, L0, A, kappa, omega, three shears; write the shears; write the force record (past the caches: it is not read
+   * first), read it at both ends. Particle: read both records of the pass, then pose and velocity read and written, motion and force
+   * written (likewise), inverse mass, mass, inertia, tables read.
    */
   double bytes_per_update(const double links_per_particle)
   {
-    const double link     = 2 * 4 + 4 * 8 + 3 * 8 + 3 * 8 + 2 * 64 + 2 * 64 + 4;
-    const double particle = 2 * 64 + 2 * (64 + 64) + 2 * (64 + 64) + 64 + 2 * 8 + 2 * 4;
+    const double link     = 2 * 4 + 4 * 8 + 3 * 8 + 3 * 8 + 64 + 2 * 64 + 4;
+    const double particle = 2 * 64 + 2 * (64 + 64) + 2 * 64 + 64 + 2 * 8 + 2 * 4;
     return link + particle / links_per_particle;
   }
 
