@@ -49,6 +49,16 @@ namespace apps
           add("sub-cycling", ratio, other, std::string("Time/Largest ratio=") + ratio);
           all.back().changes.push_back("Time/Step factor=0.005");
         }
+      for (const char *ratio : {"1", "2", "5"}) // of a solid whose own step is short
+        {
+          add("solid sub-cycled", ratio, other, std::string("Time/Largest ratio=") + ratio);
+          all.back().changes.insert(all.back().changes.end(), {"Continuum/Motion/Safety=0.1", "Time/Step factor=0.3"});
+        }
+      for (const char *spreading : {"none", "automatic", "footprint"})
+        {
+          add("spreading", spreading, other, "Couplings/" + coupling + "/Contact=point");
+          all.back().changes.push_back("Couplings/" + coupling + "/Spreading=" + spreading);
+        }
       for (const char *skin : {"1e-4", "2e-5", "5e-6"})
         add("skin [m]", skin, other, "Couplings/" + coupling + "/Skin thickness=" + skin);
       for (const int n : meshes)

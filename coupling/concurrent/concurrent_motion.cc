@@ -44,18 +44,41 @@ namespace coupling
   {
     constexpr double rounding = 1e-12;
     const double     of_solid = solid_step(), of_particles = particle_step();
-    // Sub-cycled, a contact alone is stable up to lambda T^2 = 2 (doc/theory/surface-coupling.md, 2).
-    const double calm    = stiffest > 0 ? std::min(of_solid, 1.2 / std::sqrt(stiffest)) : of_solid;
-    const double most    = std::clamp(std::floor(calm / of_particles), 1.0, static_cast<double>(largest_ratio));
-    const double longest = most > 1 ? std::min(calm, most * of_particles) : std::min(of_solid, of_particles);
-    WindowSteps  steps;
-    steps.particles = static_cast<int>(most);
-    steps.window    = rest / std::max(1.0, std::ceil(rest / longest * (1 - rounding)));
+    // Sub-cycled, a contact alone is stable up to lambda T^2 = 2 for the side that takes the long step
+    // (doc/theory/surface-coupling.md, 2). Particles' own step has lambda T^2 <= 2 f^2, f their step factor.
+    constexpr double calm_phase = 1.2;
+    const double     calm       = stiffest > 0 ? std::min(of_solid, calm_phase / std::sqrt(stiffest)) : of_solid;
+    const double     calm_particles =
+      of_particles * std::min(1.0, calm_phase / (std::sqrt(2.0) * specimen.parameters().step_factor));
+    const auto parts = [&](const double longer, const double shorter) {
+      return static_cast<int>(std::clamp(std::floor(longer / shorter), 1.0, static_cast<double>(largest_ratio)));
+    };
+    WindowSteps steps;
+    steps.particles      = parts(calm, of_particles);
+    steps.solid          = parts(calm_particles, of_solid);
+    const double longest = steps.particles > 1 ? std::min(calm, steps.particles * of_particles) :
+                           steps.solid > 1     ? std::min(calm_particles, steps.solid * of_solid) :
+                                                 std::min(of_solid, of_particles);
+    steps.window         = rest / std::max(1.0, std::ceil(rest / longest * (1 - rounding)));
     return steps;
   }
 
   template <int dim>
   WindowSteps ConcurrentMotion<dim>::advance(const double rest)
+  {
+    look();
+    const WindowSteps steps = next_window(rest);
+    if (steps.particles > 1)
+      sub_cycle_particles(steps);
+    else if (steps.solid > 1 || after_glide())
+      return sub_cycle_solid(steps);
+    else
+      move_together(steps);
+    return steps;
+  }
+
+  template <int dim>
+  void ConcurrentMotion<dim>::look()
   {
     double added = 0;
     for (const auto &c : couplings)
@@ -63,44 +86,77 @@ namespace coupling
     specimen.find_surface_forces();
     for (const auto &c : couplings)
       added += c->added_eigenvalue();
-    stiffest                = std::max(stiffest, added);
-    const WindowSteps steps = next_window(rest);
-    if (steps.particles > 1)
+    stiffest = std::max(stiffest, added);
+  }
+
+  template <int dim>
+  void ConcurrentMotion<dim>::sub_cycle_particles(const WindowSteps &steps)
+  {
+    // Nodes go on as they came: the solid then feels the forces of this very window, which at most takes energy. Those of the
+    // window before, for which nothing would have to be guessed, feed whatever they act on.
+    for (const auto &c : couplings)
+      c->motion_to_dem_as_before(last_solid_step);
+    move_particles(steps);
+    move_solid(steps.window, 0);
+  }
+
+  template <int dim>
+  WindowSteps ConcurrentMotion<dim>::sub_cycle_solid(WindowSteps steps)
+  {
+    // The same with sides exchanged: particles glide on as they came.
+    const double step = steps.window / steps.solid;
+    specimen.set_time_step(steps.window);
+    if (lead)
+      lead();
+    specimen.begin_glide();
+    for (int taken = 0; taken < steps.solid; ++taken)
       {
-        // Nodes go on as they came: the solid then feels the forces of this very window, which at most takes energy. Those of the
-        // window before, for which nothing would have to be guessed, feed whatever they act on.
-        for (const auto &c : couplings)
-          c->motion_to_dem_as_before(last_solid_step);
-        move_particles(steps);
-        move_solid(steps);
+        if (taken > 0)
+          look();
+        if (taken > 0 && (specimen.longest_step() < steps.window || solid_step() < step))
+          steps.solid = taken; // what has come into contact asks for shorter steps
+        else
+          {
+            const double kick = kick_of(step, last_solid_step);
+            move_solid(step, 1);
+            for (const auto &c : couplings)
+              c->motion_to_dem(step);
+            specimen.glide(step, kick);
+            for (const auto &c : couplings)
+              c->settle();
+          }
       }
-    else
-      {
-        move_solid(steps);
-        for (const auto &c : couplings)
-          c->motion_to_dem(steps.window);
-        move_particles(steps);
-        for (const auto &c : couplings)
-          c->settle();
-      }
-    body_contacts.find();
+    specimen.finish_glide();
+    steps.window       = steps.solid * step;
+    last_particle_step = steps.window;
     return steps;
   }
 
   template <int dim>
-  void ConcurrentMotion<dim>::move_solid(const WindowSteps &steps)
+  void ConcurrentMotion<dim>::move_together(const WindowSteps &steps)
   {
     // Leapfrog: forces act over half the step before and half the step after. Both sides get the same impulse.
-    const double of_particles = kick_of(steps.window, last_particle_step),
-                 of_solid     = kick_of(steps.window, last_solid_step);
+    move_solid(steps.window, kick_of(steps.window, last_particle_step) / kick_of(steps.window, last_solid_step));
     for (const auto &c : couplings)
-      c->forces_to_fem(of_solid, steps.particles > 1 ? 0.0 : of_particles / of_solid);
-    body_contacts.push(of_solid);
-    rigid_bodies.lead(last_solid_step > 0 ? of_solid : 0.5 * steps.window, steps.window);
-    participant.advance(steps.window, 1);
+      c->motion_to_dem(steps.window);
+    move_particles(steps);
+    for (const auto &c : couplings)
+      c->settle();
+  }
+
+  template <int dim>
+  void ConcurrentMotion<dim>::move_solid(const double step, const double share)
+  {
+    const double kick = kick_of(step, last_solid_step);
+    for (const auto &c : couplings)
+      c->forces_to_fem(kick, share);
+    body_contacts.push(kick);
+    rigid_bodies.lead(last_solid_step > 0 ? kick : 0.5 * step, step);
+    participant.advance(step, 1);
     for (const auto &c : couplings)
       c->solid_has_moved();
-    last_solid_step = steps.window;
+    last_solid_step = step;
+    body_contacts.find();
   }
 
   template <int dim>

@@ -11,11 +11,12 @@
 
 namespace coupling
 {
-  /** A step of the solid, and how many of the particles it holds. */
+  /** A time in which both sides move on, and how many steps of either it holds: one at least of the two takes a single one. */
   struct WindowSteps
   {
     double window    = 0; ///< [s]
     int    particles = 1;
+    int    solid     = 1;
   };
 
   /**
@@ -23,8 +24,8 @@ namespace coupling
    * solid's motion to the particles, and their forces back.
    *
    * Synchronous by default: both sides feel the force of where both are at t_n, and move with it; momentum is kept and the power of both
-   * sides is equal to rounding. Sub-cycled, particles take several steps in one of the solid: nodes move on through them as in the step before,
-   * and the solid then feels their mean force. Momentum is kept, energy to first order in the step.
+   * sides is equal to rounding. Sub-cycled, the side whose stable step is the shorter one takes several steps in one of the other, which moves
+   * on through them as it came, and then feels their mean force. Momentum is kept, energy to first order in the longer step.
    */
   template <int dim>
   class ConcurrentMotion
@@ -49,7 +50,7 @@ namespace coupling
     SolidContacts<dim>       &contacts() { return body_contacts; }
     const SolidContacts<dim> &contacts() const { return body_contacts; }
 
-    /** Steps of the particles in one of the solid, at most. 1: none. */
+    /** Steps of either side in one of the other, at most. 1: both take the same. */
     void set_largest_ratio(int ratio) { largest_ratio = ratio; }
 
     /**
@@ -69,7 +70,16 @@ namespace coupling
     void visit_state(base::StateVisitor &visitor);
 
   private:
-    void move_solid(const WindowSteps &steps);
+    /** Whether the forces of surfaces have reached the particles for less time than their own step lasted. */
+    bool after_glide() const { return last_solid_step < last_particle_step; }
+    /** Forces of surfaces where everything is now, and how stiff they have become. */
+    void look();
+    void sub_cycle_particles(const WindowSteps &steps);
+    /** @return what was taken, less where new contacts ask for shorter steps */
+    WindowSteps sub_cycle_solid(WindowSteps steps);
+    void        move_together(const WindowSteps &steps);
+    /** @param share of the forces of t_n */
+    void move_solid(double step, double share);
     void move_particles(const WindowSteps &steps);
 
     dem::Specimen                                     &specimen;

@@ -65,6 +65,7 @@ namespace dem
     /** From the particle to the anchor, and the force on the particle, at t_n [m], [N]. */
     Eigen::Vector3d branch(std::size_t bond) const;
     Eigen::Vector3d force(std::size_t bond) const;
+    Eigen::Vector3d couple_on_particle(std::size_t bond) const; ///< [N m]
 
     /** Add all bonds to those that an observer sees. */
     void show(GlueOutput &out, const Particles &particles, const Surface &surface) const;
@@ -88,7 +89,6 @@ namespace dem
     /** To the corners of the facets. */
     void share_out(const Surface &surface);
 
-    Eigen::Vector3d couple_on_particle(std::size_t bond) const;
     Eigen::Vector3d couple_on_anchor(std::size_t bond) const;
     Eigen::Vector3d moment(std::size_t bond) const;
     template <typename Quantity>

@@ -44,6 +44,12 @@ namespace dem
     std::int32_t                sunk = -1, sunk_into = 0;
   };
 
+  Eigen::Vector3d SurfaceContact::moment() const
+  {
+    const Eigen::Vector3d branch = distance * direction, sheared = force - push;
+    return branch.cross(sheared);
+  }
+
   std::size_t SurfaceContacts::add(const SurfaceParameters &parameters,
                                    const int                dimension,
                                    const bool               friction,
@@ -485,7 +491,7 @@ namespace dem
         const double normal = contact.stiffness, shear = contact.area(shape, radius) * surface.contact.shear / radius;
         double      *sum             = &records[record_size * static_cast<std::size_t>(contact.particle)];
         const Eigen::Vector3d branch = contact.distance * contact.direction, sheared = contact.force - contact.push;
-        const Eigen::Vector3d moment = branch.cross(sheared); // pressure points to the centre
+        const Eigen::Vector3d moment = contact.moment();
         for (int c = 0; c < 3; ++c)
           {
             sum[c] += contact.force[c];
@@ -500,6 +506,15 @@ namespace dem
         const double along = contact.direction.dot(surface.servo.direction), squared = along * along;
         surface.along += squared * normal + (surface.servo.direction.squaredNorm() - squared) * shear;
         ++surface.touching;
+      }
+  }
+
+  void SurfaceContacts::rest()
+  {
+    for (Surface &surface : all)
+      {
+        std::fill(surface.motion.begin(), surface.motion.end(), Eigen::Vector3d::Zero());
+        surface.turn.setZero();
       }
   }
 

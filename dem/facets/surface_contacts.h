@@ -31,11 +31,22 @@ namespace dem
     double          stiffness;                ///< across the surface [N/m]
     double          spring;                   ///< stored by it [J]
 
+    /** On the particle, about its centre: pressure points to it [N m]. */
+    Eigen::Vector3d moment() const;
     /** Of the link that it is like [m^2]. @param radius of its particle */
     double area(const ParticleShape &shape, const double radius) const
     {
       return share * shape.link_area(radius, radius);
     }
+  };
+
+  /** Of all contacts with surfaces [J]. */
+  struct SurfaceEnergies
+  {
+    double stored   = 0;
+    double friction = 0; ///< dissipated since the start
+    double damage   = 0; ///< dissipated in glue since the start
+    double released = 0; ///< still stored in shear where contacts ended, and in torn bonds, since the start
   };
 
   /**
@@ -75,6 +86,17 @@ namespace dem
     /** @throws base::InputError for a particle behind a surface or in it by more than half its radius */
     void check_start(const Particles &particles);
     bool touching() const { return !contacts.empty() || holding(); }
+    /** Call use(surface, particle, force, moment) for all that acts on particles now, in order. */
+    template <typename Use>
+    void each_push(const Use &use) const
+    {
+      for (const SurfaceContact &contact : contacts)
+        use(contact.surface, contact.particle, contact.force, contact.moment());
+      for (const SurfaceBonds &glue : glues)
+        for (std::size_t b = 0; b < glue.count(); ++b)
+          if (glue.is_alive(b))
+            use(glue.surface(), glue.particle_of(b), glue.force(b), glue.couple_on_particle(b));
+    }
 
     /** Records of force (3) [N] | moment (3) [N m] | 0 0 on each particle; empty as long as none has been touched. */
     const base::Column &on_particles() const { return records; }
@@ -90,13 +112,15 @@ namespace dem
     void collect_impulses(double kick);
     /** Particles or vertices have been put elsewhere. */
     void forget_places() { near.forget(), found = false; }
+    /** No vertex has moved since forces were last found. */
+    void rest();
+    /** Particles have moved on without their surfaces. @param largest_particle displacement [m] */
+    void particles_moved(const double largest_particle) { moved(largest_particle, 0), found = false; }
 
     /** Enter the work of surfaces on particles over the half step that led here in their accounts. @return its sum [J] */
-    double add_work_of_last_motion();
-    double stored(const ParticleShape &shape, const Particles &particles) const; ///< in contacts [J]
-    double friction() const;                                                     ///< dissipated since the start [J]
-    double damage() const;   ///< dissipated in glue since the start [J]
-    double released() const; ///< still stored in shear where contacts ended, and in torn bonds, since the start [J]
+    double          add_work_of_last_motion();
+    double          stored(const ParticleShape &shape, const Particles &particles) const; ///< in contacts [J]
+    SurfaceEnergies energies(const ParticleShape &shape, const Particles &particles) const;
 
     /** Sum of kappa_c over contacts, for the stable step of each particle [N/m]; empty: none touches. */
     std::vector<double> stiffness_seen(const Particles &particles, const ParticleShape &shape, bool rotations) const;
@@ -118,9 +142,12 @@ namespace dem
     template <typename Use>
     void for_parts(const SurfaceContact &contact, const Use &use);
 
-    bool holding() const;
-    void clear_forces();
-    void find_bonds(const Particles &particles);
+    double friction() const;
+    double damage() const;
+    double released() const;
+    bool   holding() const;
+    void   clear_forces();
+    void   find_bonds(const Particles &particles);
     /** Contacts of a particle with a surface that it was glued to, or is from now on. */
     void let_meet(std::size_t surface, std::int32_t particle, bool meets, std::size_t particles);
     void find_contacts(const Particles &particles, const ParticleShape &shape);

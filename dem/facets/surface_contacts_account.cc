@@ -114,6 +114,11 @@ namespace dem
     return sum;
   }
 
+  SurfaceEnergies SurfaceContacts::energies(const ParticleShape &shape, const Particles &particles) const
+  {
+    return {stored(shape, particles), friction(), damage(), released()};
+  }
+
   double SurfaceContacts::friction() const
   {
     double sum = slid;

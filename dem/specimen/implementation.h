@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dem/contacts/contact_search.h"
+#include "dem/facets/glide_pushes.h"
 #include "dem/facets/surface_contacts.h"
 #include "dem/integrators/stable_step.h"
 #include "dem/kernels/particle_pass.h"
@@ -51,6 +52,17 @@ namespace dem
     std::array<double, 6> change; ///< [m/s, rad/s]
   };
 
+  /** Particles on their way through a step of theirs in which surfaces take several. */
+  struct Gliding
+  {
+    bool         under_way = false;
+    base::Column pose, motion, velocity; ///< of the particles when they began
+    double       glided = 0;             ///< since then [s]
+    double       looked = 0;             ///< of this, when forces were last found [s]
+    GlidePushes  pushes;
+    double       work_now = 0, work_after = 0; ///< of surfaces, until and since the beginning [J]
+  };
+
   /** What a specimen holds, and how it takes a step; specimen.h says what it is for. */
   struct Specimen::Implementation
   {
@@ -71,10 +83,13 @@ namespace dem
     std::vector<HeldGrip>             grips;
     std::vector<std::int32_t>         slot; ///< of each packing number in the particles' order
 
-    std::int64_t              step_count = 0;
-    double                    time = 0, time_step = 0;
-    double                    last_step    = 0; ///< the one that led here [s]
-    double                    longest_step = 0; ///< that the present stiffness allows, with the factor [s]
+    std::int64_t    step_count = 0;
+    double          time = 0, time_step = 0;
+    double          last_step    = 0; ///< the one that led here [s]
+    double          longest_step = 0; ///< that the present stiffness allows, with the factor [s]
+    Gliding         gliding;
+    base::Column    unseen;       ///< after a glide: motion of particles since surfaces last looked; otherwise empty
+    SurfaceEnergies before_glide; ///< at t_n, where surfaces have looked since
     std::vector<VelocityKick> kicks;
     double                    initial = 0, work_before = 0, work_now = 0,
            work_after             = 0; ///< by grips and from outside: before t_n's half step, it, the half after
@@ -108,10 +123,11 @@ namespace dem
     double step_of_lone_particles() const;
     /** Particles' kinetic energy with the velocities as they are [J]. */
     double       kinetic_of_velocities() const;
-    Surroundings surroundings() const
+    Surroundings surroundings() const { return surroundings(surfaces.touching()); }
+    Surroundings surroundings(const bool touched) const
     {
       return parameters.physics.periodic  ? Surroundings::periodic :
-             surfaces.touching()          ? Surroundings::touched :
+             touched                      ? Surroundings::touched :
              !particles.pushed.empty()    ? Surroundings::pushed :
              parameters.gravity.isZero(0) ? Surroundings::free :
                                             Surroundings::weight;
@@ -132,6 +148,23 @@ namespace dem
     void sum_pulls();
     /** One leap-frog step: links, contacts, break tests, particles, accounts, new contacts. */
     void step();
+    /** Its parts: forces of links; motion by them and by forces of surfaces; what follows once all has moved. */
+    void       find_link_forces();
+    StepHalves next_halves() const { return {0.5 * (step_count == 0 ? time_step : last_step), 0.5 * time_step}; }
+    void       move_particles(const StepHalves &halves, const base::Column &of_surfaces, bool touched);
+    void       end_step();
+    /** The particles let surfaces take several steps in one of theirs: see Specimen::glide(). */
+    void   begin_glide();
+    void   glide(double step, double kick);
+    void   finish_glide();
+    double place_gliding(double since);
+    void   keep_unseen();
+    void   visit_glide(base::StateVisitor &visitor);
+    /** At t_n, as all others. */
+    SurfaceEnergies surface_energies() const
+    {
+      return unseen.empty() ? surfaces.energies(shape, particles) : before_glide;
+    }
     /** Stress moment of all links and contacts as the link passes have left it. */
     void sum_stress();
     /** Sum up what blocks, kicks, grips and cell say of the step, in their order. */
@@ -161,7 +194,7 @@ namespace dem
     /** Move the surfaces, and take up what they have done in the halves of this step. */
     void advance_surfaces(const StepHalves &halves);
     /** A particle that passes its radius in a step may pass a surface unseen. @throws base::NumericalError naming it */
-    void   refuse_too_fast(double displacement_of_surfaces) const;
+    void   refuse_too_fast(double largest_of_particles, double largest_of_surfaces) const;
     double smallest_radius = 0; ///< [m], once there are surfaces
     /** NaN and infinity spread to velocities within a step. */
     void check_numbers() const;

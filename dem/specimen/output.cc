@@ -21,25 +21,26 @@ namespace dem
 
   EnergyAccount Specimen::energy() const
   {
-    EnergyAccount e;
-    const auto   &s = *self;
-    e.external_work = s.work_before + s.work_now;
-    e.gravity       = s.step_count == 0 ? 0.0 : s.weight_work() - s.weight_at_start;
-    e.initial       = s.initial;
+    EnergyAccount         e;
+    const auto           &s           = *self;
+    const SurfaceEnergies of_surfaces = s.surface_energies();
+    e.external_work                   = s.work_before + s.work_now;
+    e.gravity                         = s.step_count == 0 ? 0.0 : s.weight_work() - s.weight_at_start;
+    e.initial                         = s.initial;
     if (s.step_count == 0)
       {
         e.kinetic = s.kinetic_of_velocities();
-        e.initial = e.kinetic + s.stored_at_start + elastic_energy(s.particles, s.contacts, *s.contact_law) +
-                    s.surfaces.stored(s.shape, s.particles);
+        e.initial =
+          e.kinetic + s.stored_at_start + elastic_energy(s.particles, s.contacts, *s.contact_law) + of_surfaces.stored;
       }
     else
       for (const auto &block : s.accounts)
         e.kinetic += block.kinetic;
     e.elastic = elastic_energy(s.particles, s.bonds, *s.bond_law) +
-                elastic_energy(s.particles, s.contacts, *s.contact_law) + s.surfaces.stored(s.shape, s.particles);
-    e.damage   = damage_dissipation(s.particles, s.bonds, *s.bond_law) + s.broken_damage + s.surfaces.damage();
-    e.friction = plastic_dissipation(s.bonds) + plastic_dissipation(s.contacts) + s.surfaces.friction();
-    e.released = s.released + released_in_place(s.bonds) + s.surfaces.released();
+                elastic_energy(s.particles, s.contacts, *s.contact_law) + of_surfaces.stored;
+    e.damage   = damage_dissipation(s.particles, s.bonds, *s.bond_law) + s.broken_damage + of_surfaces.damage;
+    e.friction = plastic_dissipation(s.bonds) + plastic_dissipation(s.contacts) + of_surfaces.friction;
+    e.released = s.released + released_in_place(s.bonds) + of_surfaces.released;
     e.damping  = s.damped_before + s.damped_now;
     return e;
   }

@@ -403,6 +403,7 @@ namespace dem
         visitor.column(name + "/own_rates", s.grips[g].own_rates);
       }
     visit_kicks(visitor, s.kicks);
+    s.visit_glide(visitor);
     s.surfaces.visit_state(visitor);
     base::Column kinetic(s.accounts.size());
     for (std::size_t b = 0; b < kinetic.size(); ++b)

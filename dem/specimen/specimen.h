@@ -217,6 +217,15 @@ namespace dem
    * he can say how his vertices move on: at t_n both sides then feel the same force, and move with it.
    */
     void find_surface_forces();
+    /**
+   * Let surfaces take several steps in one of the particles (doc/theory/surface-coupling.md, 2): these glide on with the velocities that
+   * they have while surfaces move, and what contacts give to them on the way is summed up, which their own step, as long as all of that,
+   * then takes as its mean. Between begin_glide() and finish_glide() comes, once or more, find_surface_forces() and glide().
+   * @param step [s] @param kick time that forces push for in it [s]
+   */
+    void begin_glide();
+    void glide(double step, double kick);
+    void finish_glide();
     /** The surface as it is: its vertices, and the forces on it at t_n and all that it has taken. */
     const Surface           &surface(std::size_t number) const;
     std::size_t              surfaces() const;

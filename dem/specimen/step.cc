@@ -20,6 +20,19 @@ namespace dem
 
   void Specimen::Implementation::step()
   {
+    find_link_forces();
+    if (!surfaces.empty())
+      find_surface_forces();
+    const StepHalves halves = next_halves();
+    move_particles(halves, surfaces.on_particles(), surfaces.touching());
+    if (!surfaces.empty())
+      advance_surfaces(halves);
+    unseen.clear();
+    end_step();
+  }
+
+  void Specimen::Implementation::find_link_forces()
+  {
     bond_pass(bonds, particles, *bond_law);
     if (contacts.alive > 0)
       contact_pass(contacts, particles, *contact_law);
@@ -27,16 +40,21 @@ namespace dem
       sum_stress();
     settle_events(bonds, *bond_law);
     settle_events(contacts, *contact_law);
-    if (!surfaces.empty())
-      find_surface_forces();
-    if (surfaces.touching() && particles.pushed.empty())
+  }
+
+  void Specimen::Implementation::move_particles(const StepHalves   &halves,
+                                                const base::Column &of_surfaces,
+                                                const bool          touched)
+  {
+    if (touched && particles.pushed.empty())
       particles.pushed.assign(record_size * particles.count, 0.0);
-    const StepHalves halves{0.5 * (step_count == 0 ? time_step : last_step), 0.5 * time_step};
-    select_particle_pass(contacts.alive > 0, parameters.damping > 0, equal_radii, moments(), surroundings())(
-      particles, bonds, &contacts, surfaces.on_particles(), halves, parameters.damping, parameters.gravity, accounts);
+    select_particle_pass(contacts.alive > 0, parameters.damping > 0, equal_radii, moments(), surroundings(touched))(
+      particles, bonds, &contacts, of_surfaces, halves, parameters.damping, parameters.gravity, accounts);
     account(halves);
-    if (!surfaces.empty())
-      advance_surfaces(halves);
+  }
+
+  void Specimen::Implementation::end_step()
+  {
     if (parameters.physics.periodic)
       particles.cell.advance(time_step);
     ++step_count;

@@ -1,6 +1,7 @@
 // Walls and other surfaces of a specimen: how they are added and led, and what they do in a step.
 
 #include "base/errors.h"
+#include "dem/specimen/glide.h"
 #include "dem/specimen/implementation.h"
 
 #include <algorithm>
@@ -30,13 +31,52 @@ namespace dem
             throw base::InputError(too_fast(p, i, distance));
         }
     }
+
+    /** Shows surfaces a motion of particles other than that of the last step, as long as it lives. */
+    class UnseenMotion
+    {
+    public:
+      /** @param motion to show; nullptr or empty: that of the last step */
+      UnseenMotion(Particles &all, base::Column *motion)
+        : particles(all)
+        , unseen(motion && !motion->empty() ? motion : nullptr)
+      {
+        if (!unseen)
+          return;
+        pose = particles.pose;
+        for (std::size_t i = 0; i < particles.count; ++i)
+          set_arm_turn(&particles.pose[record_size * i], &(*unseen)[record_size * i]);
+        std::swap(particles.motion, *unseen);
+      }
+      UnseenMotion(const UnseenMotion &)            = delete;
+      UnseenMotion &operator=(const UnseenMotion &) = delete;
+      ~UnseenMotion()
+      {
+        if (!unseen)
+          return;
+        std::swap(particles.motion, *unseen);
+        std::swap(particles.pose, pose);
+      }
+
+    private:
+      Particles    &particles;
+      base::Column *unseen;
+      base::Column  pose;
+    };
   } // namespace
 
   void Specimen::Implementation::find_surface_forces()
   {
+    const bool glides = gliding.under_way && gliding.looked < gliding.glided;
+    if (glides) // forces that were found before have worked until here, and new ones from half of the way on
+      gliding.pushes.add_work(surfaces, particles.motion);
+    const UnseenMotion shown(particles, gliding.under_way ? nullptr : &unseen);
     for (const std::int32_t i : surfaces.find_forces(particles, shape))
       longest_step = std::min(longest_step, parameters.step_factor * stable(i));
     time_step = std::min(time_step, longest_step);
+    if (glides)
+      gliding.pushes.add_work(surfaces, particles.motion);
+    gliding.looked = gliding.glided;
   }
 
   double Specimen::Implementation::begin_surfaces()
@@ -57,13 +97,13 @@ namespace dem
     work_now += surfaces.add_work_of_last_motion();
     const double of_vertices = surfaces.advance(time_step);
     work_after += surfaces.add_work_of_last_motion();
-    refuse_too_fast(of_vertices);
+    refuse_too_fast(largest_displacement(), of_vertices);
     surfaces.moved(largest_displacement(), of_vertices);
   }
 
-  void Specimen::Implementation::refuse_too_fast(const double of_surfaces) const
+  void Specimen::Implementation::refuse_too_fast(const double of_particles, const double of_surfaces) const
   {
-    if (largest_displacement() + of_surfaces < smallest_radius)
+    if (of_particles + of_surfaces < smallest_radius)
       return;
     for (std::size_t i = 0; i < particles.count; ++i)
       {
@@ -165,13 +205,17 @@ namespace dem
 
   void Specimen::find_surface_forces()
   {
-    if (self->step_count == 0)
+    if (self->step_count == 0 && !self->gliding.under_way)
       {
         self->surfaces.check_start(self->particles);
         check_speeds(self->particles, self->time_step);
       }
     self->find_surface_forces();
   }
+
+  void Specimen::begin_glide() { self->begin_glide(); }
+  void Specimen::glide(const double step, const double kick) { self->glide(step, kick); }
+  void Specimen::finish_glide() { self->finish_glide(); }
 
   const Surface &Specimen::surface(const std::size_t number) const { return self->surfaces.surfaces().at(number); }
   std::size_t    Specimen::surfaces() const { return self->surfaces.surfaces().size(); }

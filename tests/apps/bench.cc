@@ -209,6 +209,10 @@ TEST_CASE("bench surface: errors of an impact fall with the elements", "[apps][s
   REQUIRE(force["mesh"].size() == 2);
   CHECK(force["mesh"][1] < force["mesh"][0]);
   CHECK(force["sub-cycling"].size() == 3);
+  CHECK(force["solid sub-cycled"].size() == 3);
+  REQUIRE(force["spreading"].size() == 3);
+  CHECK(force["spreading"][1] == force["spreading"][2]); // the ball is larger than the smallest face
+  CHECK(force["spreading"][1] != force["spreading"][0]);
   CHECK(force["point"].size() == 2);
   CHECK(std::filesystem::file_size(folder / "bench/surface.png") > 0);
 }

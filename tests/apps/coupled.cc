@@ -87,6 +87,10 @@ subsection Output
 end
 )";
 
+  /** Where the ball's step is three times that of the block. */
+  const std::vector<std::string> solid_sub_cycled = {"Time/Largest ratio=10", "Time/Step factor=0.4",
+                                                     "Couplings/block/Energy limit=1"};
+
   std::string reproducible_part(const std::filesystem::path &results)
   {
     return listing_of(results / "solid") + listing_of(results / "particles_particles") +
@@ -300,14 +304,37 @@ TEST_CASE("A coupled run is the same to the last bit with any number of threads"
 {
   const ScratchFolder folder;
   folder.file("x.prm", collision);
-  std::string first;
-  for (const char *threads : {"1", "2"})
+  for (const std::vector<std::string> &changes : {std::vector<std::string>(), solid_sub_cycled})
     {
-      REQUIRE(run(folder.path(), {"run", "x.prm", "-o", "results", "--threads", threads}).status == 0);
-      const std::string now = reproducible_part(folder / "results");
-      CHECK((first.empty() || now == first));
-      first = now;
+      std::string first;
+      for (const char *threads : {"1", "2"})
+        {
+          std::vector<std::string> words = {"run", "x.prm", "-o", "results", "--threads", threads};
+          for (const std::string &change : changes)
+            words.insert(words.end(), {"-s", change});
+          REQUIRE(run(folder.path(), words).status == 0);
+          const std::string now = reproducible_part(folder / "results");
+          CHECK((first.empty() || now == first));
+          first = now;
+        }
     }
+}
+
+TEST_CASE("A coupled run tells which side is sub-cycled, and what that takes of the energy", "[apps][coupled]")
+{
+  const ScratchFolder folder;
+  folder.file("x.prm", collision);
+  const Outcome told = outcome_of(folder, "check", "x.prm", solid_sub_cycled);
+  CHECK_THAT(told.out, Contains("3 steps of the solid, 1 of the particles"));
+  const Results found  = results_of(folder, "x.prm", solid_sub_cycled);
+  const auto   &series = found.series;
+  const double  energy = series.column("energy_particles_initial").back(), made = series.column("block_made").back();
+  CHECK(made < 0);
+  CHECK(made > -0.12 * energy);
+  CHECK(std::fabs(series.column("energy_residual").back() + made) < 1e-3 * energy); // nothing else is missing
+  for (const char *axis : {"momentum_x", "momentum_y", "momentum_z"})
+    CHECK(std::fabs(series.column(axis).back() - series.column(axis).front()) <
+          1e-12 * std::fabs(series.column("momentum_z").front()));
 }
 
 TEST_CASE("An interrupted or killed coupled run goes on to the same bits, in flight and in contact",
@@ -327,6 +354,17 @@ TEST_CASE("An interrupted or killed coupled run goes on to the same bits, in fli
   goes_on_to_the_same_bits(
     folder, {{"run", "x.prm", "-s", "Time/End time=0.02", "-s", "Time/Step factor=0.1"}, awaited, reproducible_part},
     {SIGINT, SIGKILL});
+  for (const std::string &scene : {two_balls_on_a_held_block("0.1199", 200) + gravity("-9.81"), hanging()})
+    {
+      folder.file("x.prm", often(scene)); // the block sub-cycled, and glued balls
+      std::filesystem::remove_all(folder / "whole");
+      goes_on_to_the_same_bits(folder,
+                               {{"run", "x.prm", "-s", "Time/End time=0.02", "-s", "Time/Step factor=0.4", "-s",
+                                 "Time/Largest ratio=5", "-s", "Couplings/block/Energy limit=1"},
+                                awaited,
+                                reproducible_part},
+                               {SIGINT, SIGKILL});
+    }
   folder.file("x.prm", often(hanging()));
   std::filesystem::remove_all(folder / "whole");
   goes_on_to_the_same_bits(

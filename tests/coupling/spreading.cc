@@ -146,6 +146,56 @@ namespace
   };
 } // namespace
 
+namespace
+{
+  /** Largest error of the load on nodes in the middle of a face, under a layer that lies turned by an angle about its normal. */
+  double error_of_turned_layer(const double faces_in_a_ball, const double angle)
+  {
+    constexpr unsigned int elements = 12;
+    const double face = side / elements, ball = face / faces_in_a_ball, radius = 0.5 * ball, middle = 0.5 * side;
+    dem::Packing packing;
+    const int    reach = static_cast<int>(side / ball) + 2;
+    for (int i = -reach; i <= reach; ++i)
+      for (int j = -reach; j <= reach; ++j)
+        {
+          const double a = (i + 0.37) * ball, b = (j + 0.21) * ball,
+                       x = middle + std::cos(angle) * a - std::sin(angle) * b,
+                       y = middle + std::sin(angle) * a + std::cos(angle) * b;
+          if (std::min({x, y, side - x, side - y}) > 0)
+            packing.centre.emplace_back(x, y, side + radius * (1 - 1e-3));
+        }
+    packing.radius.assign(packing.centre.size(), radius * (1 - 1e-9));
+    Block<3>                            block(elements, stands);
+    dem::Specimen                       specimen(packing, cluster::bonded(1.0), rough());
+    coupling::SurfaceCouplingParameters top{"top", {"5"}, rough()};
+    top.spreading = coupling::Spreading::footprint;
+    coupling::SurfaceCoupling<3> surface(specimen, block.solid, *block.participant, top);
+    specimen.find_surface_forces();
+    surface.forces_to_fem(1, 1);
+    const double one  = specimen.wall_contacts()[packing.size() / 2].force.norm() * (face * face) / (ball * ball);
+    double       most = 0;
+    for (std::size_t c = 0; c < block.participant->carriers(); ++c)
+      {
+        const Vector3d x = block.participant->position(c);
+        if (x.z() < side - 1e-9 || std::min({x.x(), x.y(), side - x.x(), side - x.y()}) < 2 * ball + face)
+          continue;
+        most =
+          std::max(most, std::fabs(-block.motion->external_force()[block.participant->displacements(c)[2]] / one - 1));
+      }
+    return most;
+  }
+} // namespace
+
+TEST_CASE("spreading: a layer turned by 30 degrees on the faces loads them evenly from two ball sizes on", "[coupling]")
+{
+  const double angle = M_PI / 6;
+  CHECK(error_of_turned_layer(1, angle) < 0.025);
+  CHECK(error_of_turned_layer(2, angle) < 0.01);
+  CHECK(error_of_turned_layer(3, angle) < 0.01);
+  for (const double faces : {1.0, 2.0, 3.0})
+    CHECK(error_of_turned_layer(faces, 0) < 1e-9);
+}
+
 TEST_CASE("spreading: a collision over an edge keeps momenta and power, sub-cycled or not, and energy to a thousandth",
           "[coupling]")
 {

@@ -203,7 +203,7 @@ namespace apps
       CoupledSteps   steps() const override
       {
         const coupling::WindowSteps next = both.next_window(model.particles.end_time);
-        return {next.window, both.solid_step(), both.particle_step(), next.particles};
+        return {next.window, both.solid_step(), both.particle_step(), next.particles, next.solid};
       }
       std::size_t           elements() const override { return solid->mesh().triangulation->n_global_active_cells(); }
       std::size_t           unknowns() const override { return solid->dofs().n_dofs(); }

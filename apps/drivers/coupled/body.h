@@ -16,7 +16,8 @@ namespace apps
   struct CoupledSteps
   {
     double window = 0, solid = 0, particles = 0; ///< what is taken; what either side could take alone [s]
-    int    particle_steps = 1;                   ///< in one of the solid
+    int    particle_steps = 1;                   ///< in what is taken
+    int    solid_steps    = 1;                   ///< likewise
   };
 
   /** A solid and particles that touch, as a run drives and records them; whatever the dimension. */

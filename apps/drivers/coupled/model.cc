@@ -21,9 +21,9 @@ namespace apps
     scene.find_section("Time")
       ->integer("Largest ratio", largest_ratio, "", Range::between(1, 100), Need::optional)
       .means(
-        "Steps that particles may take in one of the solid, where their stable step is the shorter one. 1: both take "
-        "the same, which keeps energy to rounding; more saves time and costs energy in proportion to the step of the "
-        "solid");
+        "Steps that either side may take in one of the other, where its stable step is the shorter one by two or more. "
+        "1: both take the same, which keeps energy to rounding; more saves time and costs energy in proportion to the "
+        "longer step");
     laboratory.declare(scene);
     references.declare(scene);
   }

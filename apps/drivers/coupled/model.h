@@ -17,7 +17,7 @@ namespace apps
     CouplingsSection  couplings;
     LaboratorySection laboratory;
     ReferencesSection references;
-    std::int64_t      largest_ratio = 1;       ///< of steps of the particles in one of the solid
+    std::int64_t      largest_ratio = 1;       ///< of steps of either side in one of the other
     const Section    *root          = nullptr; ///< of the scene, which outlives the model
 
     void declare(Section &root);

@@ -33,7 +33,8 @@ namespace apps
                           coupling.boundary.empty() ? "all of the boundary" : coupling.boundary);
     text += fmt::format("  steps        solid {:.4g} s, particles {:.4g} s: ratio {:.3g}\n", steps.solid,
                         steps.particles, steps.solid / steps.particles);
-    text += fmt::format("  window       {:.4g} s: one step of the solid, {} of the particles\n", steps.window,
+    text += fmt::format("  window       {:.4g} s: {} of the solid, {} of the particles\n", steps.window,
+                        steps.solid_steps == 1 ? "one step" : fmt::format("{} steps", steps.solid_steps),
                         steps.particle_steps);
     if (start)
       text += fmt::format("  start        {}\n", text_of(*start));
