@@ -57,7 +57,8 @@ namespace dem
         mass += of_particle;
       const Eigen::Vector3d height  = cell.base.inverse().rowwise().norm().cwiseInverse();
       const double          modulus = stiffness.diagonal().head(3).maxCoeff();
-      return height.head(dimension).maxCoeff() / std::sqrt(modulus * cell.volume / mass);
+      const double          highest = dimension == 3 ? height.maxCoeff() : height.head<2>().maxCoeff();
+      return highest / std::sqrt(modulus * cell.volume / mass);
     }
   } // namespace
 

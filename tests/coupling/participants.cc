@@ -127,8 +127,8 @@ TEST_CASE("participants take up the momentum of forces from outside, window by w
       Participant &p      = made->participant();
       const double window = 3.7 * p.stable_step();
       p.advance(window, 4); // the first kick is of another length
-      Vector3d expected = momentum(p), last = Vector3d::Zero();
-      double   scale = 0;
+      Vector3d expected = momentum(p);
+      double   scale    = 0;
       for (int k = 0; k < 50; ++k)
         {
           const Vector3d sum = push(p, k);
