@@ -6,8 +6,9 @@ namespace coupling
 {
   Momentum momentum_of(const Participant &participant)
   {
-    Momentum sum;
-    for (std::size_t i = 0; i < participant.carriers(); ++i)
+    Momentum          sum;
+    const std::size_t carriers = participant.carriers();
+    for (std::size_t i = 0; i < carriers; ++i)
       {
         const Eigen::Vector3d carried = participant.mass(i) * participant.velocity(i);
         sum.linear += carried;

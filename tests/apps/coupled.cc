@@ -282,7 +282,10 @@ TEST_CASE("What is glued to a face hangs from it until the strength of the glue,
   const Results torn = results_of(folder, "x.prm", weak);
   CHECK(torn.series.column("block_glued").back() == 0);
   CHECK(torn.series.column("block_torn").back() == 2);
+  CHECK(found.series.column("broken_links").back() == 0);
+  CHECK(torn.series.column("broken_links").back() == 2); // there is no other bond
   CHECK(torn.summary["figures"]["torn_off"]["block"] == 2);
+  CHECK(torn.summary["figures"]["broken_links"] == 2);
   CHECK(torn.series.column("block_force_z").back() == 0);
   const auto refused = [&](const std::string &change, const char *words) {
     const Outcome outcome = outcome_of(folder, "check", "x.prm", {change});

@@ -154,7 +154,8 @@ namespace apps
         add(touching.forces());
         add(model.laboratory.read(columns(), values));
         const dem::Counts counts = specimen.counts();
-        add(std::initializer_list<double>{static_cast<double>(counts.links), static_cast<double>(counts.broken),
+        add(std::initializer_list<double>{static_cast<double>(counts.links),
+                                          static_cast<double>(counts.broken) + static_cast<double>(torn_glue()),
                                           static_cast<double>(counts.contacts + counts.wall_contacts)});
         double made     = touching.energies().made();
         auto   coupling = model.couplings.couplings.begin();
@@ -349,11 +350,21 @@ namespace apps
           }
       }
 
+      /** Of all couplings, since the start. */
+      std::int64_t torn_glue() const
+      {
+        std::int64_t torn = 0;
+        for (const auto &coupled : both.surfaces())
+          torn += body.specimen().surface(coupled->surface()).torn;
+        return torn;
+      }
+
       /** Of all. */
       coupling::Momentum momentum() const
       {
-        coupling::Momentum sum = coupling::momentum_of(participant);
-        for (std::size_t i = 0; i < body.specimen().counts().particles; ++i)
+        coupling::Momentum sum   = coupling::momentum_of(participant);
+        const std::size_t  count = body.specimen().counts().particles; // counting all is no work for every particle
+        for (std::size_t i = 0; i < count; ++i)
           {
             const dem::ParticleState p = body.specimen().particle(i);
             sum.linear += p.mass * p.velocity;

@@ -9,6 +9,8 @@
 
 #include <omp.h>
 
+#include <cstdint>
+
 namespace apps
 {
   MotionReport CoupledReport::common() const
@@ -24,7 +26,7 @@ namespace apps
       found[column.name] = figure_of(series, column.name, column.unit);
     if (model.laboratory.given())
       found.update(figures_of({notes()}));
-    found["broken_links"] = body.particles().specimen().counts().broken;
+    found["broken_links"] = static_cast<std::int64_t>(series.column("broken_links").back());
     for (const CouplingSection &coupling : model.couplings.couplings)
       if (coupling.bond.given())
         found["torn_off"][coupling.name] = series.column(column_name(coupling.name) + "_torn").back();
