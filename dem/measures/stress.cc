@@ -1,5 +1,7 @@
 #include "dem/measures/stress.h"
 
+#include "base/number_text.h"
+
 #include <stdexcept>
 #include <string>
 
@@ -24,7 +26,7 @@ namespace dem
   Eigen::Matrix3d stress_of(const Eigen::Matrix3d &moment, const double volume)
   {
     if (!(volume > 0))
-      throw std::invalid_argument("mean stress: volume = " + std::to_string(volume) + " m^3: must be above zero.");
+      throw std::invalid_argument("mean stress: volume = " + base::number_text(volume) + " m^3: must be above zero.");
     return moment / volume;
   }
 

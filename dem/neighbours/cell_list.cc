@@ -1,6 +1,7 @@
 #include "dem/neighbours/cell_list.h"
 
 #include "base/errors.h"
+#include "base/number_text.h"
 #include "dem/neighbours/tie.h"
 
 #include <Eigen/Dense>
@@ -369,8 +370,8 @@ namespace dem
       if (query.centre.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
         throw std::invalid_argument("find_pairs: more than 2^31 - 1 particles.");
       if (!std::isfinite(query.factor) || query.factor < 0 || !std::isfinite(query.skin) || query.skin < 0)
-        throw std::invalid_argument("find_pairs: factor = " + std::to_string(query.factor) + ", skin = " +
-                                    std::to_string(query.skin) + ": both must be finite and not negative.");
+        throw std::invalid_argument("find_pairs: factor = " + base::number_text(query.factor) + ", skin = " +
+                                    base::number_text(query.skin) + ": both must be finite and not negative.");
       for (std::size_t i = 0; i < query.centre.size(); ++i)
         if (!finite(query.centre[i]) || !std::isfinite(query.radius[i]) || query.radius[i] <= 0)
           throw base::NumericalError("neighbour search: the centre or radius of particle " + std::to_string(i + 1) +
@@ -402,7 +403,7 @@ namespace dem
     for (int d = 0; d < 3 && cell; ++d)
       {
         if (std::isnan((*cell)[d]) || (*cell)[d] <= 0)
-          throw std::invalid_argument("find_pairs: cell edge " + std::to_string((*cell)[d]) + " is not above zero.");
+          throw std::invalid_argument("find_pairs: cell edge " + base::number_text((*cell)[d]) + " is not above zero.");
         frame.repeats[d] = std::isfinite((*cell)[d]);
         if (frame.repeats[d])
           frame.base(d, d) = (*cell)[d];

@@ -1,6 +1,7 @@
 #include "dem/observation/discrete_state.h"
 
 #include "base/errors.h"
+#include "base/number_text.h"
 
 #include <cmath>
 #include <sstream>
@@ -101,7 +102,7 @@ namespace dem
     require("link direction", state.damage.links.size(), state.damage.ends.size());
     require("link contact", state.damage.contact.size(), state.damage.ends.size());
     if (!within(state.time, 1e15))
-      throw base::InputError(origin + ": time = " + std::to_string(state.time) + ": must be a finite number [s].");
+      throw base::InputError(origin + ": time = " + base::number_text(state.time) + ": must be a finite number [s].");
     for (std::size_t i = 0; i < n; ++i)
       check_particle(state, i, origin);
     for (std::size_t l = 0; l < state.damage.ends.size(); ++l)

@@ -1,6 +1,7 @@
 #include "dem/packing/lattice.h"
 
 #include "base/errors.h"
+#include "base/number_text.h"
 
 #include <cmath>
 #include <limits>
@@ -41,7 +42,7 @@ namespace dem
     const UnitCell unit   = unit_cell(lattice);
     const bool     planar = unit.edge[2] == 0;
     if (!std::isfinite(radius) || radius <= 0)
-      throw base::InputError("lattice: radius = " + std::to_string(radius) +
+      throw base::InputError("lattice: radius = " + base::number_text(radius) +
                              ": must be a finite length above zero [m].");
     for (int d = 0; d < 3; ++d)
       if (cells[d] < 1 || (d == 2 && planar && cells[d] != 1))

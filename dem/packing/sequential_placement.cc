@@ -1,6 +1,7 @@
 #include "dem/packing/sequential_placement.h"
 
 #include "base/errors.h"
+#include "base/number_text.h"
 #include "dem/core/uniform_random.h"
 
 #include <algorithm>
@@ -102,9 +103,9 @@ namespace dem
   {
     constexpr int most_draws = 100000;
     if (!(edges.minCoeff() >= 2 * radius))
-      throw base::InputError("random placement: a sphere of diameter " + std::to_string(2 * radius) +
+      throw base::InputError("random placement: a sphere of diameter " + base::number_text(2 * radius) +
                              " m overlaps its own image in a periodic cell of edge " +
-                             std::to_string(edges.minCoeff()) + " m.");
+                             base::number_text(edges.minCoeff()) + " m.");
     UniformRandom random(seed);
     GrowingCells  cells(edges, 2 * radius, count);
     Packing       packing;

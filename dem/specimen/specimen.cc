@@ -1,6 +1,7 @@
 #include "dem/specimen/specimen.h"
 
 #include "base/errors.h"
+#include "base/number_text.h"
 #include "dem/contacts/particle_pairs.h"
 #include "dem/measures/bulk_volume.h"
 #include "dem/neighbours/tie.h"
@@ -135,7 +136,7 @@ namespace dem
     longest_step = time_step = parameters.step_factor * (bond_law->bonds() ? stable() : step_of_lone_particles());
     if (!std::isfinite(time_step))
       throw base::InputError(
-        "Interaction ratio = " + std::to_string(p.interaction_ratio) +
+        "Interaction ratio = " + base::number_text(p.interaction_ratio) +
         ": no two particles are near enough to be linked, nothing holds the specimen together. Raise "
         "the ratio or check the packing.");
     if (parameters.physics.contacts)

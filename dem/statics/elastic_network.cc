@@ -1,6 +1,7 @@
 #include "dem/statics/elastic_network.h"
 
 #include "base/errors.h"
+#include "base/number_text.h"
 #include "dem/kernels/first_order_shear.h"
 #include "dem/model/particles.h"
 #include "dem/neighbours/cell_list.h"
@@ -19,7 +20,7 @@ namespace dem
     void require(const bool holds, const char *entry, const double value, const char *rule)
     {
       if (!holds)
-        throw base::InputError(std::string(entry) + " = " + std::to_string(value) + ": " + rule);
+        throw base::InputError(std::string(entry) + " = " + base::number_text(value) + ": " + rule);
     }
 
     void check_links(const NetworkParameters &p)
@@ -108,7 +109,7 @@ namespace dem
                            const Finish                     &finish)
     {
       if (pairs.empty())
-        throw base::InputError("Interaction ratio = " + std::to_string(p.interaction_ratio) +
+        throw base::InputError("Interaction ratio = " + base::number_text(p.interaction_ratio) +
                                ": no two particles are near enough to be linked. Raise it, or take a denser packing.");
       ElasticNetwork network;
       network.dimension = p.dimension;

@@ -1,6 +1,7 @@
 #include "fem/explicit/explicit_solver.h"
 
 #include "base/errors.h"
+#include "base/number_text.h"
 #include "fem/solid/element_kernel.h"
 
 #include <Eigen/Eigenvalues>
@@ -38,10 +39,10 @@ namespace fem
       if (options.density.count(entry.first) == 0 || !(options.density.at(entry.first) > 0))
         throw base::InputError("Density of material " + entry.first + ": must be given and positive [kg/m^3].");
     if (!(options.safety > 0 && options.safety <= 1))
-      throw base::InputError("Safety = " + std::to_string(options.safety) +
+      throw base::InputError("Safety = " + base::number_text(options.safety) +
                              ": must lie in (0, 1], the step over the critical one.");
     if (!(options.damping >= 0))
-      throw base::InputError("Damping = " + std::to_string(options.damping) + " 1/s: must not be negative.");
+      throw base::InputError("Damping = " + base::number_text(options.damping) + " 1/s: must not be negative.");
     lump_mass();
     find_weight();
     find_step();
@@ -374,7 +375,7 @@ namespace fem
     account.damped += Utilities::MPI::sum(damped, comm);
     account.kinetic = Utilities::MPI::sum(kinetic, comm);
     if (!std::isfinite(account.kinetic) || !std::isfinite(account.internal))
-      throw MaterialFailure("explicit step at time " + std::to_string(current_time) +
+      throw MaterialFailure("explicit step at time " + base::number_text(current_time) +
                             " s: the motion is no longer a number. Lower the step.");
   }
 

@@ -1,6 +1,7 @@
 #include "fem/solid/solid.h"
 
 #include "base/errors.h"
+#include "base/number_text.h"
 #include "fem/solid/block_builder.h"
 #include "fem/solid/element_sweep.h"
 #include "fem/solid/nonlocal_coupling.h"
@@ -27,7 +28,7 @@ namespace fem
     if (options.degree < 1 || options.degree > 2)
       throw base::InputError("Degree = " + std::to_string(options.degree) + ": must be 1 or 2.");
     if (dim == 2 && !(options.thickness > 0))
-      throw base::InputError("Thickness = " + std::to_string(options.thickness) + " m: must be positive.");
+      throw base::InputError("Thickness = " + base::number_text(options.thickness) + " m: must be positive.");
     if (options.large_displacement && options.mean_dilatation)
       throw base::InputError("Mean dilatation: is a small-strain form. Switch it off with large displacements.");
     if (dim == 2 && options.plane == Plane::stress && options.mean_dilatation)

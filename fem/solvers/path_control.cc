@@ -1,5 +1,6 @@
 // Static steps whose load parameter is an unknown: indirect displacement control and arc length.
 #include "base/errors.h"
+#include "base/number_text.h"
 #include "fem/solvers/static_solver.h"
 
 #include <deal.II/base/mpi.h>
@@ -143,7 +144,7 @@ namespace fem
         trial.u.update_ghost_values();
       }
     report.reason = "no equilibrium after " + std::to_string(options.iterations) + " iterations (unbalanced " +
-                    std::to_string(report.residual) + ").";
+                    base::number_text(report.residual) + ").";
     return report;
   }
 

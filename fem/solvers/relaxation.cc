@@ -1,4 +1,5 @@
 // Static steps where no equilibrium lies near: dampers give way until there is one.
+#include "base/number_text.h"
 #include "fem/mesh/extent.h"
 #include "fem/solvers/static_solver.h"
 
@@ -94,14 +95,14 @@ namespace fem
         r -= start;
         if (r.linfty_norm() > runaway * extent_of(solid.mesh()).diagonal())
           {
-            total.reason = "the solid falls apart: it has moved by " + std::to_string(r.linfty_norm()) + " m.";
+            total.reason = "the solid falls apart: it has moved by " + base::number_text(r.linfty_norm()) + " m.";
             return total;
           }
         if (report.iterations <= easy_iterations)
           share *= softer;
       }
     total.reason = "the relaxation found no rest in " + std::to_string(most_steps) + " damped steps (unbalanced " +
-                   std::to_string(total.residual) + ").";
+                   base::number_text(total.residual) + ").";
     return total;
   }
 

@@ -1,5 +1,7 @@
 #include "fem/solvers/static_solver.h"
 
+#include "base/number_text.h"
+
 #include <Eigen/Eigenvalues>
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
@@ -283,7 +285,7 @@ namespace fem
           update_with_line_search(trial, d, r.l2_norm());
       }
     report.reason = "no equilibrium after " + std::to_string(options.iterations) + " iterations (unbalanced " +
-                    std::to_string(report.residual) + ").";
+                    base::number_text(report.residual) + ").";
     return report;
   }
 

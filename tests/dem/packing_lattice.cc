@@ -51,6 +51,10 @@ TEST_CASE("a lattice without sense is refused", "[dem][packing]")
 {
   using Catch::Contains;
   REQUIRE_THROWS_WITH(dem::make_lattice(dem::Lattice::simple_cubic, 0.0, {{1, 1, 1}}), Contains("radius"));
+  // A number as it was typed, neither in 300 digits nor, of a millimetre's size and below, as zero.
+  REQUIRE_THROWS_WITH(dem::make_lattice(dem::Lattice::simple_cubic, -1e300, {{1, 1, 1}}),
+                      Contains("radius = -1e+300:"));
+  REQUIRE_THROWS_WITH(dem::make_lattice(dem::Lattice::simple_cubic, -1e-9, {{1, 1, 1}}), Contains("radius = -1e-09:"));
   REQUIRE_THROWS_WITH(dem::make_lattice(dem::Lattice::simple_cubic, 1.0, {{1, 0, 1}}), Contains("1 x 0 x 1"));
   REQUIRE_THROWS_AS(dem::make_lattice(dem::Lattice::square, 1.0, {{1, 1, 2}}), base::InputError);
 }

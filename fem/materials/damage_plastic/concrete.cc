@@ -1,5 +1,6 @@
 #include "fem/materials/damage_plastic/concrete.h"
 
+#include "base/number_text.h"
 #include "fem/materials/damage_plastic/stress_invariants.h"
 #include "fem/materials/refuse.h"
 
@@ -59,7 +60,7 @@ namespace fem
     if (p.largest_increment > 0 && largest > p.largest_increment)
       {
         if (largest > 1e6 * p.largest_increment)
-          throw MaterialFailure("damage-plastic concrete: strain increment of " + std::to_string(largest) +
+          throw MaterialFailure("damage-plastic concrete: strain increment of " + base::number_text(largest) +
                                 " in one step.");
         first = static_cast<int>(std::ceil(largest / p.largest_increment));
       }
