@@ -35,3 +35,30 @@ TEST_CASE("check says how long a cell and a sequential scene take, and never les
       CHECK_THAT(outcome.out, Contains("duration     roughly ") && !Contains("roughly -"));
     }
 }
+
+TEST_CASE("check counts what a run writes: a million snapshots take longer than the few steps between them", "[apps]")
+{
+  const ScratchFolder folder;
+  for (const char *scene : {"bouncing_sphere.prm", "beam_and_spheres.prm"})
+    {
+      const Outcome outcome =
+        run(folder.path(), {"check", places::sources() + "/apps/scenes/" + scene, "-s", "Time/End time=1e-3", "-s",
+                            "Output/Samples=1000000", "-s", "Output/Snapshots=1000000"});
+      INFO(outcome.out << outcome.err);
+      CHECK(outcome.status == 0);
+      CHECK_THAT(outcome.out,
+                 Contains("duration     roughly ") && !Contains(" s, on this machine")); // a minute or more
+    }
+}
+
+TEST_CASE("check says the longest duration of a run that a stop condition may end", "[apps]")
+{
+  const ScratchFolder folder;
+  for (const char *scene : {"bonded_beam.prm", "snap_back.prm"})
+    {
+      const Outcome outcome = run(folder.path(), {"check", places::sources() + "/apps/scenes/" + scene});
+      INFO(outcome.out << outcome.err);
+      CHECK(outcome.status == 0);
+      CHECK_THAT(outcome.out, Contains("duration     at most "));
+    }
+}

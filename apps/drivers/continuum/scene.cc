@@ -4,6 +4,7 @@
 #include "apps/drivers/continuum/run.h"
 #include "apps/drivers/continuum/solid.h"
 #include "apps/drivers/parts/duration.h"
+#include "apps/drivers/parts/run_forecast.h"
 #include "apps/process/mpi_session.h"
 
 #include <fmt/format.h>
@@ -43,7 +44,8 @@ namespace apps
         }
       try
         {
-          text += duration_line(set_up_seconds + expected_seconds<dim>(model, states));
+          const bool may_stop = model.is_static() && model.control.stop_fraction > 0;
+          text += stoppable_duration_line(set_up_seconds + expected_seconds<dim>(model, states), may_stop);
         }
       catch (const std::runtime_error &failure)
         {

@@ -3,12 +3,49 @@
 #include "apps/drivers/coupled/run.h"
 #include "apps/drivers/parts/duration.h"
 #include "apps/drivers/parts/material_counts.h"
+#include "apps/drivers/parts/run_forecast.h"
+#include "apps/drivers/parts/specimen_snapshots.h"
 #include "apps/process/mpi_session.h"
+#include "postprocess/pvd.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace apps
 {
+  namespace
+  {
+    double seconds_per_window(CoupledBody &body)
+    {
+      return seconds_per_unit([&](const std::int64_t count) {
+        const std::int64_t before = body.windows();
+        body.advance(count);
+        return body.windows() - before;
+      });
+    }
+
+    /** Those taken and those to come, as long as they are now: contact shortens them. */
+    double windows_of(const CoupledBody &body, const double end_time)
+    {
+      return static_cast<double>(body.windows()) + std::max(0.0, end_time - body.time()) / body.steps().window;
+    }
+
+    double writing_seconds(CoupledBody &body, const OutputSection &output)
+    {
+      if (output.snapshots == 0)
+        return 0;
+      return static_cast<double>(std::min(output.snapshots, output.samples)) *
+             seconds_to_write([&](const std::filesystem::path &folder) {
+               SpecimenSnapshots taken;
+               taken.open(folder, "particles", true);
+               taken.take(body.particles().specimen());
+               const postprocess::PvdCollection solids(folder, "solid", ".vtu");
+               body.write_solid(folder, solids.size());
+             });
+    }
+  } // namespace
+
   std::string CoupledScene::forecast() const
   {
     start_mpi();
@@ -19,7 +56,6 @@ namespace apps
     const double       set_up_seconds = set_up.seconds();
     const auto        &specimen       = body->particles().specimen();
     const CoupledSteps steps          = body->steps();
-    const double       windows        = model.particles.end_time / steps.window;
     std::string        text;
     text += fmt::format("  elements     {}\n  unknowns     {}\n", body->elements(), body->unknowns());
     text += fmt::format("  particles    {}\n  links        {}\n", specimen.counts().particles, specimen.counts().links);
@@ -38,20 +74,19 @@ namespace apps
                         steps.particle_steps);
     if (start)
       text += fmt::format("  start        {}\n", text_of(*start));
-    text += fmt::format("  windows      {:.0f}{}\n", windows,
-                        model.particles.stops.stops.empty() ? "" : ", fewer where a stop condition comes first");
+    const char *fewer = model.particles.stops.stops.empty() ? "" : ", fewer where a stop condition comes first";
     try
       {
-        const double cost = seconds_per_unit([&](const std::int64_t count) {
-          const std::int64_t before = body->windows();
-          body->advance(count);
-          return body->windows() - before;
-        });
-        text += duration_line(set_up_seconds + windows * cost);
+        const double cost    = seconds_per_window(*body);
+        const double windows = windows_of(*body, model.particles.end_time);
+        const double seconds = set_up_seconds + windows * cost + writing_seconds(*body, model.particles.output);
+        text += fmt::format("  windows      {:.0f}{}\n", windows, fewer);
+        text += stoppable_duration_line(seconds, *fewer != 0);
       }
     catch (const std::runtime_error &failure)
       {
-        text += fmt::format("  warning      the first steps fail: {}\n", failure.what());
+        text += fmt::format("  windows      {:.0f}{}\n  warning      the first steps fail: {}\n",
+                            windows_of(*body, model.particles.end_time), fewer, failure.what());
       }
     return text;
   }

@@ -3,8 +3,12 @@
 #include "apps/drivers/particles/run.h"
 #include "apps/drivers/parts/duration.h"
 #include "apps/drivers/parts/material_counts.h"
+#include "apps/drivers/parts/run_forecast.h"
+#include "apps/drivers/parts/specimen_snapshots.h"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace apps
 {
@@ -33,7 +37,15 @@ namespace apps
     text += fmt::format("  steps        {:.0f}{}\n", steps,
                         model.stops.stops.empty() ? "" : ", fewer where a stop condition comes first");
     const double cost = seconds_per_step(specimen, [&](const std::int64_t count) { body.advance(count); });
-    return text + duration_line(set_up_seconds + steps * cost);
+    const double writing =
+      model.output.snapshots == 0 ? 0.0 : seconds_to_write([&](const std::filesystem::path &folder) {
+        SpecimenSnapshots snapshots;
+        snapshots.open(folder, "particles", !model.walls.walls.empty());
+        snapshots.take(specimen);
+      });
+    const double seconds = set_up_seconds + steps * cost +
+                           static_cast<double>(std::min(model.output.snapshots, model.output.samples)) * writing;
+    return text + stoppable_duration_line(seconds, !model.stops.stops.empty());
   }
 
   int ParticlesScene::run(const RunRequest &request) const { return ParticlesRun(request, model).execute(); }
