@@ -130,7 +130,7 @@ TEST_CASE("Packings that cannot be made or told apart are refused", "[apps][S14]
     arguments.insert(arguments.end(), moduli.begin(), moduli.end());
     refused(folder, arguments, message);
   };
-  homogenise("near.txt", "1e9", "Interaction ratio = 1000000000");
+  homogenise("near.txt", "1e9", "Interaction ratio = 1e+09");
   homogenise("cell.txt", "1.5", "cell.txt: particle 2: centre = (1e+12, 0.6, 0.6): more than 1e9 radii");
   folder.file("cell.txt", "# periodic_cell 1 1 1\n0.2 0.2 0.2 0.2\n200.6 0.6 0.6 0.2\n");
   homogenise("cell.txt", "1.5", "particle 2: centre = (200.6, 0.6, 0.6): more than 60 periodic cells");
