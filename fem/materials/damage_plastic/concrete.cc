@@ -15,6 +15,8 @@ namespace fem
     constexpr double nearly_damaged = 1 - 1e-6; // stands for full damage in an initial state
     constexpr int    finest         = 64;       // times the number of parts asked for
     constexpr double flat           = 1e-6;     // extent over size of an element across its plane
+    // Beyond it nothing is left of a point but rounding, and a solver that may go there takes an absurd equilibrium for one.
+    constexpr double largest_strain = 10;
 
     /// Ductility of softening x_s from the ratio of negative to total plastic volume, and its slope.
     std::pair<double, double> softening_ductility(const double a_s, const double ratio)
@@ -64,6 +66,8 @@ namespace fem
                                 " in one step.");
         first = static_cast<int>(std::ceil(largest / p.largest_increment));
       }
+    if (strain.cwiseAbs().maxCoeff() > largest_strain)
+      throw MaterialFailure("damage-plastic concrete: a strain of more than 1000 %: nothing holds together there.");
     for (int parts = first; parts <= finest * first; parts *= 2)
       if (const auto done = march(strain, committed, parts, with_tangent))
         return *done;
