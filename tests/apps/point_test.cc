@@ -253,6 +253,7 @@ TEST_CASE("point-test refuses a bad path, constant or material with its place", 
   const std::string far = refused("strain_xx\n1e-4\n1e6\n", with(m1, "Largest increment=2e-4"),
                                   "row 2: damage-plastic concrete: strain increment of");
   CHECK_THAT(far, Contains("All components are given in strain") && !Contains("stresses"));
+  refused("strain_xx\n11\n", m1, "a strain of more than 1000 %");
   refused("strain_xx\n1e300\n", with(m1, "Largest increment=2e-4"),
           "strain increment of 1e+300 in one step"); // not in 301 digits
 }
