@@ -37,12 +37,7 @@ namespace dem
       return below <= rounding * radius ? 1.0 : above / (above + below);
     }
 
-    /** Points that are the same contact, the deepest first. */
-    struct Cluster
-    {
-      std::vector<const NearPoint *> points;
-      double                         share = 1;
-    };
+    using Cluster = ZoneRoom::Cluster;
 
     /** Of the same contact, in a hollow; others weigh nothing. */
     bool weighs(const Cluster &cluster, const NearPoint &point, const double radius)
@@ -74,7 +69,7 @@ namespace dem
      * Shares of two clusters whose caps overlap, though neither lies in the other's: together 1 + s, where s grows from 0 as they part
      * to 1; of what is not whole they share as points of one cluster do.
      */
-    void part_caps(std::vector<Cluster> &clusters, const double radius)
+    void part_caps(Recycled<Cluster> &clusters, const double radius)
     {
       for (std::size_t b = 1; b < clusters.size(); ++b)
         for (std::size_t a = 0; a < b; ++a)
@@ -90,11 +85,12 @@ namespace dem
           }
     }
 
-    ContactZone zone_of(const Cluster &cluster, const Eigen::Vector3d &centre, const double radius)
+    void add_zone(ZoneRoom &room, const Cluster &cluster, const Eigen::Vector3d &centre, const double radius)
     {
-      const auto         &points = cluster.points;
-      std::vector<double> weight(points.size(), 1.0);
-      double              sum = 0;
+      const auto          &points = cluster.points;
+      std::vector<double> &weight = room.weight;
+      double               sum    = 0;
+      weight.assign(points.size(), 1.0);
       for (std::size_t k = 0; k < points.size(); ++k)
         {
           for (std::size_t j = 0; j < points.size(); ++j)
@@ -108,7 +104,14 @@ namespace dem
           sum = weight.front() = 1;
         }
       const NearPoint &deepest = *points.front();
-      ContactZone      zone{{0, 0, 0}, deepest.distance, 0, deepest.direction, cluster.share, deepest.facet, {}};
+      ContactZone     &zone    = room.zones.add();
+      zone.place.setZero();
+      zone.distance  = deepest.distance;
+      zone.overlap   = 0;
+      zone.direction = deepest.direction;
+      zone.share     = cluster.share;
+      zone.facet     = deepest.facet;
+      zone.parts.clear();
       for (std::size_t k = 0; k < points.size(); ++k)
         if (weight[k] > 0)
           {
@@ -126,23 +129,22 @@ namespace dem
           zone.distance                = branch.norm();
           zone.direction               = branch / zone.distance;
         }
-      return zone;
     }
   } // namespace
 
-  std::vector<ContactZone>
-  contact_zones(std::vector<NearPoint> &near, const Eigen::Vector3d &centre, const double radius)
+  void contact_zones(std::vector<NearPoint> &near, const Eigen::Vector3d &centre, const double radius, ZoneRoom &room)
   {
     std::sort(near.begin(), near.end(), [](const NearPoint &a, const NearPoint &b) {
       return a.distance != b.distance ? a.distance < b.distance : a.facet < b.facet;
     });
-    std::vector<Cluster> clusters;
+    room.clusters.clear();
+    room.zones.clear();
     for (std::size_t k = 0; k < near.size(); ++k)
       {
         prefer_inside(near, k, radius);
         const NearPoint &point = near[k];
         bool             known = false;
-        for (Cluster &cluster : clusters)
+        for (Cluster &cluster : room.clusters)
           {
             const NearPoint &deepest = *cluster.points.front();
             const double     apart   = angle_between(deepest.direction, point.direction),
@@ -156,12 +158,14 @@ namespace dem
               }
           }
         if (!known)
-          clusters.push_back({{&point}, 1});
+          {
+            Cluster &cluster = room.clusters.add();
+            cluster.points.assign(1, &point);
+            cluster.share = 1;
+          }
       }
-    part_caps(clusters, radius);
-    std::vector<ContactZone> zones;
-    for (const Cluster &cluster : clusters)
-      zones.push_back(zone_of(cluster, centre, radius));
-    return zones;
+    part_caps(room.clusters, radius);
+    for (const Cluster &cluster : room.clusters)
+      add_zone(room, cluster, centre, radius);
   }
 } // namespace dem

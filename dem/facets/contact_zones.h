@@ -1,5 +1,6 @@
 #pragma once
 
+#include "dem/core/recycled.h"
 #include "dem/facets/facet_mesh.h"
 
 #include <cstdint>
@@ -35,6 +36,21 @@ namespace dem
     std::vector<Part> parts;
   };
 
+  /** What contact_zones() finds, and its memory for the next time. */
+  struct ZoneRoom
+  {
+    /** Points that are the same contact, the deepest first. */
+    struct Cluster
+    {
+      std::vector<const NearPoint *> points;
+      double                         share;
+    };
+
+    Recycled<ContactZone> zones;
+    Recycled<Cluster>     clusters;
+    std::vector<double>   weight; ///< of the points of one cluster
+  };
+
   /**
    * Sorts nearest points into zones (doc/theory/facets.md, 2).
    *
@@ -44,7 +60,7 @@ namespace dem
    * heights above each other's planes, which vanish where either begins or ends to be, so that place and force are continuous. Points
    * outside the cap are zones of their own, grown from nothing while the caps part.
    *
-   * @param near within the radius; is sorted
+   * @param near within the radius; is sorted @param room whose zones are found
    */
-  std::vector<ContactZone> contact_zones(std::vector<NearPoint> &near, const Eigen::Vector3d &centre, double radius);
+  void contact_zones(std::vector<NearPoint> &near, const Eigen::Vector3d &centre, double radius, ZoneRoom &room);
 } // namespace dem

@@ -201,6 +201,90 @@ namespace dem
           }
     }
 
+    /** Where a sphere stands, and the square under it. */
+    struct Ground
+    {
+      Ground(const FacetMesh &mesh_, const std::vector<Vector3d> &place_, const ContactZone &zone_, const double radius)
+        : mesh(mesh_)
+        , place(place_)
+        , zone(zone_)
+        , tangents(zone_.place, zone_.direction, mesh_.corners == 2)
+        , half(radius)
+        , square(square_of(radius))
+      {
+      }
+      Facet  facet(const std::int32_t number) const { return {mesh, place, number, tangents, half}; }
+      double share(const Facet &of) const { return share_of(of, zone.direction); }
+      double whole() const { return 4 * half * half; }
+
+      const FacetMesh             &mesh;
+      const std::vector<Vector3d> &place;
+      const ContactZone           &zone;
+      Tangents                     tangents;
+      double                       half;
+      Polygon                      square;
+    };
+
+    bool stands_on_one(const Ground &ground)
+    {
+      const Facet deepest = ground.facet(ground.zone.facet);
+      return ground.zone.parts.size() == 1 && ground.share(deepest) == 1 && holds(deepest, ground.square);
+    }
+
+    /**
+     * What of the facets is in the square, from facet to facet over shared corners: what lies behind a plate is not under the sphere.
+     * @param each_around (facet, use): calls use(other) for those that share a corner with it
+     */
+    template <typename EachAround>
+    std::vector<Covered> covered(const Ground &ground, const EachAround &each_around)
+    {
+      std::vector<Covered>      under;
+      std::vector<std::int32_t> seen{ground.zone.facet}, open{ground.zone.facet};
+      while (!open.empty())
+        {
+          const Facet facet = ground.facet(open.back());
+          open.pop_back();
+          const double share = ground.share(facet);
+          Polygon      part  = facet.outline;
+          if (share > 0)
+            cut(part, ground.square);
+          const Area inside = share > 0 ? area_of(part) : Area();
+          if (inside.size > 0)
+            under.push_back({facet, part, share, inside});
+          else if (facet.number != ground.zone.facet)
+            continue;
+          each_around(facet.number, [&](const std::int32_t other) {
+            const auto at = std::lower_bound(seen.begin(), seen.end(), other);
+            if (at != seen.end() && *at == other)
+              return;
+            seen.insert(at, other);
+            open.push_back(other);
+          });
+        }
+      return under;
+    }
+
+    double counted_area(const std::vector<Covered> &under)
+    {
+      double area = 0;
+      for (const Covered &each : under)
+        area += each.counted.size;
+      return area;
+    }
+
+    /** @return what counts of the square: all of it inside a surface, what is symmetric elsewhere */
+    double count(std::vector<Covered> &under, const double whole)
+    {
+      const double area        = counted_area(under);
+      const bool   all_upright = std::all_of(under.begin(), under.end(), [](const Covered &c) { return c.share == 1; });
+      if (all_upright && area >= (1 - rounding) * whole)
+        return area;
+      for (Covered &each : under)
+        each.counted = {};
+      count_symmetric(under);
+      return counted_area(under);
+    }
+
     /** Axes that turn with a facet. */
     Eigen::Matrix3d axes_of(const FacetMesh &mesh, const std::vector<Vector3d> &place, const std::int32_t facet)
     {
@@ -224,6 +308,48 @@ namespace dem
             return;
           }
       weights.push_back({vertex, weight});
+    }
+
+    /** Weights of the vertices under the square. @param spread part of the whole */
+    void add_spread(std::vector<VertexWeight>  &weights,
+                    const FacetMesh            &mesh,
+                    const std::vector<Covered> &under,
+                    const double                spread,
+                    const double                area)
+    {
+      for (const Covered &each : under)
+        if (each.counted.size > 0)
+          {
+            const auto shape = each.facet.shape(each.counted.moment / each.counted.size);
+            for (std::size_t c = 0; c < static_cast<std::size_t>(mesh.corners); ++c)
+              add(weights, mesh.facet[static_cast<std::size_t>(each.facet.number)][c],
+                  spread * each.counted.size / area * shape[c]);
+          }
+    }
+
+    /** What is not spread stays at the point of the contact. @return where that was in the undeformed surface */
+    Vector3d
+    add_point(std::vector<VertexWeight> &weights, const FacetMesh &mesh, const ContactZone &zone, const double spread)
+    {
+      Vector3d then = Vector3d::Zero();
+      for (const ContactZone::Part &part : zone.parts)
+        for (std::size_t c = 0; c < static_cast<std::size_t>(mesh.corners); ++c)
+          if (part.weight[c] != 0)
+            {
+              const std::int32_t vertex = mesh.facet[static_cast<std::size_t>(part.facet)][c];
+              then += part.weight[c] * mesh.vertex[static_cast<std::size_t>(vertex)];
+              if (spread < 1)
+                add(weights, vertex, (1 - spread) * part.weight[c]);
+            }
+      return then;
+    }
+
+    Vector3d mean(const std::vector<VertexWeight> &weights, const std::vector<Vector3d> &place)
+    {
+      Vector3d sum = Vector3d::Zero();
+      for (const VertexWeight &each : weights)
+        sum += each.weight * place[static_cast<std::size_t>(each.vertex)];
+      return sum;
     }
   } // namespace
 
@@ -249,86 +375,24 @@ namespace dem
                          const double                 radius,
                          SpreadContact               &found) const
   {
-    const Tangents tangents(zone.place, zone.direction, mesh.corners == 2);
-    const Polygon  square = square_of(radius);
-    const double   whole  = 4 * radius * radius;
-    const Facet    deepest(mesh, place, zone.facet, tangents, radius);
-    if (zone.parts.size() == 1 && share_of(deepest, zone.direction) == 1 && holds(deepest, square))
+    const Ground ground(mesh, place, zone, radius);
+    if (stands_on_one(ground))
       return false;
-
-    // From facet to facet over shared corners: what lies behind a plate is not under the sphere.
-    std::vector<Covered>      under;
-    std::vector<std::int32_t> seen{zone.facet}, open{zone.facet};
-    double                    area        = 0;
-    bool                      all_upright = true;
-    while (!open.empty())
-      {
-        const Facet facet(mesh, place, open.back(), tangents, radius);
-        open.pop_back();
-        const double share = share_of(facet, zone.direction);
-        Polygon      part  = facet.outline;
-        if (share > 0)
-          cut(part, square);
-        const Area inside = share > 0 ? area_of(part) : Area();
-        if (inside.size > 0)
-          {
-            all_upright = all_upright && share == 1;
-            area += inside.size;
-            under.push_back({facet, part, share, {}});
-            under.back().counted = inside;
-          }
-        else if (facet.number != zone.facet)
-          continue;
-        for (int c = 0; c < mesh.corners; ++c)
-          {
-            const auto vertex =
-              static_cast<std::size_t>(mesh.facet[static_cast<std::size_t>(facet.number)][static_cast<std::size_t>(c)]);
-            for (std::size_t k = from[vertex]; k < from[vertex + 1]; ++k)
-              if (const auto at = std::lower_bound(seen.begin(), seen.end(), around[k]);
-                  at == seen.end() || *at != around[k])
-                {
-                  seen.insert(at, around[k]);
-                  open.push_back(around[k]);
-                }
-          }
-      }
-    if (!all_upright || area < (1 - rounding) * whole)
-      {
-        for (Covered &each : under)
-          each.counted = {};
-        count_symmetric(under);
-        area = 0;
-        for (const Covered &each : under)
-          area += each.counted.size;
-      }
-
-    const double spread = std::min(area / (smallest_part * whole), 1.0);
-    found.weights.clear();
-    for (const Covered &each : under)
-      if (each.counted.size > 0)
-        {
-          const auto shape = each.facet.shape(each.counted.moment / each.counted.size);
-          for (std::size_t c = 0; c < static_cast<std::size_t>(mesh.corners); ++c)
-            add(found.weights, mesh.facet[static_cast<std::size_t>(each.facet.number)][c],
-                spread * each.counted.size / area * shape[c]);
-        }
-    // Heights of the mean surface above the point of the contact: what it was in the undeformed surface is its shape.
-    Vector3d point_then = Vector3d::Zero(), mean_then = Vector3d::Zero();
-    for (const ContactZone::Part &part : zone.parts)
+    std::vector<Covered> under = covered(ground, [&](const std::int32_t facet, const auto &use) {
       for (std::size_t c = 0; c < static_cast<std::size_t>(mesh.corners); ++c)
-        if (part.weight[c] != 0)
-          {
-            const std::int32_t vertex = mesh.facet[static_cast<std::size_t>(part.facet)][c];
-            point_then += part.weight[c] * mesh.vertex[static_cast<std::size_t>(vertex)];
-            if (spread < 1)
-              add(found.weights, vertex, (1 - spread) * part.weight[c]);
-          }
-    found.place.setZero();
-    for (const VertexWeight &each : found.weights)
-      {
-        found.place += each.weight * place[static_cast<std::size_t>(each.vertex)];
-        mean_then += each.weight * mesh.vertex[static_cast<std::size_t>(each.vertex)];
-      }
+        {
+          const auto vertex = static_cast<std::size_t>(mesh.facet[static_cast<std::size_t>(facet)][c]);
+          for (std::size_t k = from[vertex]; k < from[vertex + 1]; ++k)
+            use(around[k]);
+        }
+    });
+    const double area = count(under, ground.whole()), spread = std::min(area / (smallest_part * ground.whole()), 1.0);
+    found.weights.clear();
+    add_spread(found.weights, mesh, under, spread, area);
+    const Vector3d point_then = add_point(found.weights, mesh, zone, spread);
+    found.place               = mean(found.weights, place);
+    // Heights of the mean surface above the point of the contact: what it was in the undeformed surface is its shape.
+    const Vector3d mean_then = mean(found.weights, mesh.vertex);
     const Vector3d across_then =
       axes_of(mesh, mesh.vertex, zone.facet) * axes_of(mesh, place, zone.facet).transpose() * zone.direction;
     found.overlap =

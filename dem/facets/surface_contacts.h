@@ -136,7 +136,9 @@ namespace dem
     void visit_state(base::StateVisitor &visitor);
 
   private:
+    struct Room;
     struct Block;
+    using Known = std::vector<SurfaceContact>::const_iterator;
 
     /** Call use(surface, vertex, weight) for every vertex that has part in a contact. */
     template <typename Use>
@@ -152,6 +154,11 @@ namespace dem
     void let_meet(std::size_t surface, std::int32_t particle, bool meets, std::size_t particles);
     void find_contacts(const Particles &particles, const ParticleShape &shape);
     void touch(const Particles &particles, const ParticleShape &shape, std::size_t listed, Block &block) const;
+    /** All contacts of the blocks, in order. @throws base::NumericalError for a particle that has sunk in */
+    std::vector<SurfaceContact> gathered(const std::vector<Block> &blocks, const Particles &particles);
+    /** The fresh contacts of a particle with a surface, with what those before become. */
+    void
+    go_on(const Particles &particles, const ParticleShape &shape, Known before, Known before_end, Block &block) const;
     /** A contact of the block with what it was before: slip, shear, forces on its vertices. */
     void   follow(const Particles         &particles,
                   const ParticleShape     &shape,

@@ -23,7 +23,9 @@ namespace
         if (branch.norm() < radius)
           near.push_back({static_cast<std::int32_t>(f), point, branch.norm(), branch.normalized()});
       }
-    return dem::contact_zones(near, centre, radius);
+    dem::ZoneRoom room;
+    dem::contact_zones(near, centre, radius, room);
+    return {room.zones.begin(), room.zones.end()};
   }
 
   /** Frictionless push of all zones, per stiffness [m]. */

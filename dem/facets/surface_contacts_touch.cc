@@ -1,0 +1,352 @@
+// Where particles touch surfaces, how hard, and with what history.
+
+#include "base/errors.h"
+#include "dem/facets/surface_contacts.h"
+#include "dem/kernels/kinematics.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <sstream>
+
+namespace dem
+{
+  namespace
+  {
+    /** Particles that one thread looks at in a row. */
+    constexpr std::size_t particles_per_piece = 32;
+    /** Vertices of most contacts: a triangle's. */
+    constexpr std::size_t corners_of_most = 3;
+
+    Vec<double, 3>  plain(const Eigen::Vector3d &v) { return {{v[0], v[1], v[2]}}; }
+    Eigen::Vector3d vector(const Vec<double, 3> &v) { return {v[0], v[1], v[2]}; }
+
+    Eigen::Vector3d record(const base::Column &column, const std::int32_t particle, const int from)
+    {
+      return Eigen::Vector3d(
+        &column[record_size * static_cast<std::size_t>(particle) + static_cast<std::size_t>(from)]);
+    }
+
+    [[noreturn]] void refuse_sunk(const Particles &p, const std::int32_t i, const Surface &surface)
+    {
+      std::ostringstream message;
+      message << "particle " << p.number[static_cast<std::size_t>(i)] + 1 << " has sunk into wall " << surface.name
+              << " by its radius. Raise the wall's Effective modulus, or lower the load or Time/Step factor.";
+      throw base::NumericalError(message.str());
+    }
+  } // namespace
+
+  /** Memory that a thread uses again for every particle. */
+  struct SurfaceContacts::Room
+  {
+    std::vector<NearPoint>      near;
+    ZoneRoom                    zones;
+    SpreadContact               spread;
+    std::vector<SurfaceContact> fresh; ///< of one particle and surface, without history
+    std::vector<char>           taken; ///< which of those before go on in one of them
+  };
+
+  struct SurfaceContacts::Block
+  {
+    Room                       *room = nullptr; ///< of the thread
+    std::vector<SurfaceContact> contacts;
+    std::vector<VertexPart>     parts;
+    std::int32_t                sunk = -1, sunk_into = 0;
+  };
+
+  void SurfaceContacts::find_contacts(const Particles &particles, const ParticleShape &shape)
+  {
+    std::vector<std::size_t> active;
+    for (std::size_t k = 0; k < near.particles().size(); ++k)
+      if (near.within_reach(k))
+        active.push_back(k);
+    std::vector<Block> blocks((active.size() + particles_per_piece - 1) / particles_per_piece);
+    const auto         pieces = static_cast<std::ptrdiff_t>(blocks.size());
+#pragma omp parallel if (pieces > 1)
+    {
+      Room room;
+#pragma omp for schedule(static)
+      for (std::ptrdiff_t b = 0; b < pieces; ++b)
+        {
+          Block            &block = blocks[static_cast<std::size_t>(b)];
+          const std::size_t from  = static_cast<std::size_t>(b) * particles_per_piece,
+                            to    = std::min(from + particles_per_piece, active.size());
+          block.room              = &room;
+          block.contacts.reserve(to - from);
+          block.parts.reserve(corners_of_most * (to - from));
+          for (std::size_t k = from; k < to; ++k)
+            touch(particles, shape, active[k], block);
+        }
+    }
+    settle(gathered(blocks, particles), particles, shape);
+  }
+
+  std::vector<SurfaceContact> SurfaceContacts::gathered(const std::vector<Block> &blocks, const Particles &particles)
+  {
+    std::size_t count = 0, parts = 0;
+    for (const Block &block : blocks)
+      {
+        if (block.sunk >= 0)
+          refuse_sunk(particles, block.sunk, all[static_cast<std::size_t>(block.sunk_into)]);
+        count += block.contacts.size();
+        parts += block.parts.size();
+      }
+    std::vector<SurfaceContact> now;
+    now.reserve(count);
+    vertex_parts.clear();
+    vertex_parts.reserve(parts);
+    for (const Block &block : blocks)
+      {
+        const auto shift = static_cast<std::int32_t>(vertex_parts.size());
+        for (const SurfaceContact &contact : block.contacts)
+          {
+            now.push_back(contact);
+            now.back().parts_begin += shift;
+            now.back().parts_end += shift;
+          }
+        vertex_parts.insert(vertex_parts.end(), block.parts.begin(), block.parts.end());
+      }
+    return now;
+  }
+
+  namespace
+  {
+    /** Nearest points within reach of the facets of one surface; false where the centre is on or behind one. */
+    bool points_within(const Surface          &surface,
+                       const NearFacets       &lists,
+                       const NearFacet        *from,
+                       const NearFacet        *to,
+                       const Eigen::Vector3d  &centre,
+                       const double            radius,
+                       std::vector<NearPoint> &points)
+    {
+      const double look = surface.look(radius);
+      points.clear();
+      for (; from != to; ++from)
+        {
+          if (!lists.within_reach(*from))
+            continue;
+          const auto            facet  = static_cast<std::size_t>(from->facet);
+          const FacetPoint      point  = closest_on_facet(surface.mesh, surface.place, facet, centre);
+          const Eigen::Vector3d branch = point.place - centre;
+          const double          distance =
+            surface.mesh.is_plane() ? surface.mesh.normal.dot(centre - surface.place[0]) : branch.norm();
+          if (distance >= look)
+            continue;
+          if (!(distance > 1e-9 * radius))
+            return false;
+          points.push_back({from->facet, point, distance,
+                            surface.mesh.is_plane() ? Eigen::Vector3d(-surface.mesh.normal) : branch / distance});
+        }
+      return true;
+    }
+  } // namespace
+
+  void SurfaceContacts::touch(const Particles     &particles,
+                              const ParticleShape &shape,
+                              const std::size_t    listed,
+                              Block               &block) const
+  {
+    const std::int32_t    i      = near.particles()[listed];
+    const Eigen::Vector3d centre = particles.position_of(static_cast<std::size_t>(i));
+    const double          radius = particles.radius_of(static_cast<std::size_t>(i));
+    auto                  before = std::lower_bound(contacts.begin(), contacts.end(), i,
+                                                    [](const SurfaceContact &c, const std::int32_t p) { return c.particle < p; });
+    for (const NearFacet *from = near.begin(listed), *end = near.end(listed); from != end;)
+      {
+        const std::int32_t s  = from->surface;
+        const NearFacet   *to = from;
+        while (to != end && to->surface == s)
+          ++to;
+        const Surface &surface = all[static_cast<std::size_t>(s)];
+        const bool     outside = points_within(surface, near, from, to, centre, radius, block.room->near);
+        from                   = to;
+        if (!outside)
+          {
+            block.sunk      = i;
+            block.sunk_into = s;
+            return;
+          }
+        if (block.room->near.empty())
+          continue;
+        while (before != contacts.end() && before->particle == i && before->surface < s)
+          ++before;
+        auto before_end = before;
+        while (before_end != contacts.end() && before_end->particle == i && before_end->surface == s)
+          ++before_end;
+        block.room->fresh.clear();
+        if (surface.skin > 0)
+          add_patch(surface, shape, radius, centre, block);
+        else
+          add_zones(surface, shape, radius, centre, block);
+        for (SurfaceContact &now : block.room->fresh)
+          {
+            now.particle = i;
+            now.surface  = s;
+          }
+        go_on(particles, shape, before, before_end, block);
+      }
+  }
+
+  void SurfaceContacts::go_on(const Particles     &particles,
+                              const ParticleShape &shape,
+                              const Known          before,
+                              const Known          before_end,
+                              Block               &block) const
+  {
+    std::vector<char> &taken = block.room->taken;
+    taken.assign(static_cast<std::size_t>(before_end - before), 0);
+    for (SurfaceContact &now : block.room->fresh)
+      {
+        // History goes with the zone that lies nearest to where it was: over edges, from facet to facet.
+        const SurfaceContact *same = nullptr;
+        double                most = 0.5; // within 60 degrees
+        for (auto old = before; old != before_end; ++old)
+          if (!taken[static_cast<std::size_t>(old - before)] && old->direction.dot(now.direction) > most)
+            {
+              most = old->direction.dot(now.direction);
+              same = &*old;
+            }
+        if (same)
+          taken[static_cast<std::size_t>(same - &*before)] = 1;
+        follow(particles, shape, same, now, block.parts);
+        block.contacts.push_back(now);
+      }
+  }
+
+  void SurfaceContacts::add_zones(const Surface         &surface,
+                                  const ParticleShape   &shape,
+                                  const double           radius,
+                                  const Eigen::Vector3d &centre,
+                                  Block                 &block) const
+  {
+    const auto   corners = static_cast<std::size_t>(surface.mesh.corners);
+    const double look    = surface.look(radius);
+    contact_zones(block.room->near, centre, look, block.room->zones);
+    for (ContactZone &zone : block.room->zones.zones)
+      {
+        zone.overlap -= look - radius;
+        const bool spread = surface.footprint.given() &&
+                            surface.footprint.spread(surface.mesh, surface.place, zone, radius, block.room->spread);
+        if (spread)
+          {
+            zone.overlap   = block.room->spread.overlap;
+            zone.place     = block.room->spread.place;
+            zone.distance  = (zone.place - centre).norm();
+            zone.direction = (zone.place - centre) / zone.distance;
+          }
+        if (!(zone.overlap > 0)) // looked for further than it reaches
+          continue;
+        SurfaceContact now{};
+        now.facet       = zone.facet;
+        now.place       = zone.place;
+        now.direction   = zone.direction;
+        now.distance    = zone.distance;
+        now.share       = zone.share;
+        now.overlap     = zone.overlap;
+        now.stiffness   = now.area(shape, radius) * surface.contact.normal / radius;
+        now.pressing    = now.stiffness * now.overlap;
+        now.push        = -now.pressing * now.direction;
+        now.spring      = 0.5 * now.pressing * now.overlap;
+        now.parts_begin = static_cast<std::int32_t>(block.parts.size());
+        const auto add  = [&](const std::int32_t vertex, const double weight) {
+          if (weight != 0)
+            block.parts.push_back({vertex, weight, -weight * now.push, weight * now.stiffness});
+        };
+        if (spread)
+          for (const VertexWeight &part : block.room->spread.weights)
+            add(part.vertex, part.weight);
+        else
+          for (const ContactZone::Part &part : zone.parts)
+            for (std::size_t c = 0; c < corners; ++c)
+              add(surface.mesh.facet[static_cast<std::size_t>(part.facet)][c], part.weight[c]);
+        now.parts_end = static_cast<std::int32_t>(block.parts.size());
+        block.room->fresh.push_back(now);
+      }
+  }
+
+  void SurfaceContacts::add_patch(const Surface         &surface,
+                                  const ParticleShape   &shape,
+                                  const double           radius,
+                                  const Eigen::Vector3d &centre,
+                                  Block                 &block) const
+  {
+    SurfaceContact now{};
+    now.parts_begin          = static_cast<std::int32_t>(block.parts.size());
+    const double       thick = surface.mesh.corners == 2 ? shape.link_area(radius, radius) / (2 * radius) : 1.0;
+    const PressedPatch patch = press(surface, block.room->near, centre, radius, thick, block.parts);
+    if (!patch.touches())
+      return;
+    now.facet     = patch.facet;
+    now.place     = patch.place;
+    now.distance  = (patch.place - centre).norm();
+    now.direction = (patch.place - centre) / now.distance;
+    now.share     = patch.stiffness * radius / (shape.link_area(radius, radius) * surface.contact.normal);
+    now.overlap   = patch.deepest;
+    now.stiffness = patch.stiffness;
+    now.pressing  = patch.total;
+    now.push      = patch.push;
+    now.spring    = patch.spring;
+    now.parts_end = static_cast<std::int32_t>(block.parts.size());
+    block.room->fresh.push_back(now);
+  }
+
+  void SurfaceContacts::follow(const Particles         &particles,
+                               const ParticleShape     &shape,
+                               const SurfaceContact    *before,
+                               SurfaceContact          &now,
+                               std::vector<VertexPart> &parts_of_now) const
+  {
+    const std::int32_t    i       = now.particle;
+    const Surface        &surface = all[static_cast<std::size_t>(now.surface)];
+    const double          radius  = particles.radius_of(static_cast<std::size_t>(i));
+    const Eigen::Vector3d moved = record(particles.motion, i, 0), turn = record(particles.motion, i, 3),
+                          arm_turn = record(particles.pose, i, 3);
+    Eigen::Vector3d carried_along  = Eigen::Vector3d::Zero();
+    for (std::int32_t k = now.parts_begin; k < now.parts_end; ++k)
+      carried_along += parts_of_now[static_cast<std::size_t>(k)].weight *
+                       surface.motion[static_cast<std::size_t>(parts_of_now[static_cast<std::size_t>(k)].vertex)];
+    // As of a link from the sphere, with all of its length as arm, to the point of the surface (doc/theory/facets.md, 3).
+    const Eigen::Vector3d branch = now.distance * now.direction, opening = carried_along - moved,
+                          middle = branch - 0.5 * opening, slip = opening - arm_turn.cross(middle);
+    const Vec<double, 3> n1 = plain(now.direction);
+    Vec<double, 3>       n0 = n1, shear = {{0, 0, 0}};
+    Eigen::Vector3d      mean = now.direction;
+    if (before)
+      {
+        const Vec<double, 3> mean_turn = plain(0.5 * (turn + surface.turn_of(static_cast<std::size_t>(now.facet))));
+        const auto           c         = rotation_coefficients(dot(mean_turn, mean_turn));
+        n0                             = rotate(c, mean_turn, plain(before->direction));
+        shear                          = rotate(c, mean_turn, plain(before->shear));
+        mean                           = (now.direction + before->direction).normalized();
+      }
+    const Eigen::Vector3d across = slip - mean.dot(slip) * mean;
+    const Vec<double, 3>  added  = (1 / radius) * transport(plain(mean), n1, plain(across));
+    const double          area   = now.area(shape, radius);
+    double                lost   = 0;
+    if (before && surface.skin > 0)
+      {
+        // A patch that grows pulls no more for that, and what is gone of it takes its pull along: shear can only lose energy.
+        const double grown = now.share / before->share, spring = 0.5 * area * radius * surface.contact.shear;
+        const double was = spring / grown * dot(shear, shear);
+        if (grown > 1)
+          shear = (1 / grown) * shear;
+        lost = was - spring * dot(shear, shear);
+      }
+    shear = carried(n0, n1, shear, added);
+
+    // The overlap that presses as much at a point.
+    const double     strain = -now.pressing / (area * surface.contact.normal);
+    LinkWork<double> work;
+    const auto answer = linear_contact_force<LinearContactConstants, double, 3>(surface.contact, strain, area, radius,
+                                                                                added, shear, work);
+    now.shear         = vector(shear);
+    now.force         = now.push + vector(answer.shear);
+    now.dissipated    = work.friction + lost;
+    for (std::int32_t k = now.parts_begin; k < now.parts_end; ++k)
+      {
+        VertexPart &part = parts_of_now[static_cast<std::size_t>(k)];
+        part.force -= part.weight * vector(answer.shear);
+      }
+  }
+} // namespace dem
