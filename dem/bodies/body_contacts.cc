@@ -23,18 +23,6 @@ namespace dem
 
     std::size_t index(const std::int32_t i) { return static_cast<std::size_t>(i); }
 
-    /** Whether the boxes around two simplices meet. */
-    bool may_overlap(const BodyMesh &mesh, const BodySimplex &first, const BodySimplex &second)
-    {
-      const auto box = [&mesh](const BodySimplex &of) {
-        Eigen::AlignedBox3d around;
-        for (int c = 0; c < mesh.corners; ++c)
-          around.extend(mesh.place[index(of.vertex[c])]);
-        return around;
-      };
-      return box(first).intersects(box(second));
-    }
-
     /** A vector of one tangent plane turned with it to another. */
     Vector3d turned(const Vector3d &v, const Vector3d &from, const Vector3d &to)
     {
@@ -83,12 +71,11 @@ namespace dem
 #pragma omp for schedule(dynamic, 16) nowait
       for (std::int64_t p = 0; p < count; ++p)
         {
-          const NearSimplices &pair  = candidates[static_cast<std::size_t>(p)];
-          const BodySimplex   &first = bodies.simplices[index(pair.first)],
-                            &second  = bodies.simplices[index(pair.second)];
-          if (!may_overlap(bodies, first, second))
+          const NearSimplices &pair = candidates[static_cast<std::size_t>(p)];
+          if (!near.meet(pair))
             continue;
-          const OverlapForce found = overlap_force(bodies, first, second, law.form, law.stiffness, room);
+          const OverlapForce found = overlap_force(bodies, bodies.simplices[index(pair.first)],
+                                                   bodies.simplices[index(pair.second)], law.form, law.stiffness, room);
           if (found.volume > 0 || found.stiffness > 0 || found.inside_out)
             own.emplace_back(pair, found);
         }

@@ -95,13 +95,12 @@ namespace dem
       });
     }
 
-    std::vector<Box> boxes_of(const BodyMesh &mesh)
+    Box box_of(const BodyMesh &mesh, const std::size_t simplex)
     {
-      std::vector<Box> boxes(mesh.simplices.size());
-      for (std::size_t s = 0; s < boxes.size(); ++s)
-        for (int c = 0; c < mesh.corners; ++c)
-          boxes[s].extend(mesh.place[static_cast<std::size_t>(mesh.simplices[s].vertex[c])]);
-      return boxes;
+      Box box;
+      for (int c = 0; c < mesh.corners; ++c)
+        box.extend(mesh.place[static_cast<std::size_t>(mesh.simplices[simplex].vertex[c])]);
+      return box;
     }
 
     Box grown(const Box &box, const double by)
@@ -122,14 +121,15 @@ namespace dem
 
   void NearBodies::search(const BodyMesh &mesh)
   {
-    std::vector<Box> boxes = boxes_of(mesh);
+    boxes.resize(mesh.simplices.size());
     reach.assign(mesh.place.size(), std::numeric_limits<double>::infinity());
     std::vector<Box>                       around(mesh.bodies.size());
     std::vector<std::vector<std::int32_t>> of_body(mesh.bodies.size());
     for (std::size_t s = 0; s < boxes.size(); ++s)
       {
-        const double by = growth * boxes[s].sizes().maxCoeff();
-        boxes[s]        = grown(boxes[s], by);
+        const Box    box = box_of(mesh, s);
+        const double by  = growth * box.sizes().maxCoeff();
+        boxes[s]         = grown(box, by);
         for (int c = 0; c < mesh.corners; ++c)
           {
             double &least = reach[static_cast<std::size_t>(mesh.simplices[s].vertex[c])];
@@ -167,14 +167,26 @@ namespace dem
             });
         }
     std::sort(pairs.begin(), pairs.end());
+    list_simplices();
     reference = mesh.place;
     ++search_count;
+  }
+
+  void NearBodies::list_simplices()
+  {
+    listed.clear();
+    for (const NearSimplices &pair : pairs)
+      listed.insert(listed.end(), {pair.first, pair.second});
+    std::sort(listed.begin(), listed.end());
+    listed.erase(std::unique(listed.begin(), listed.end()), listed.end());
   }
 
   const std::vector<NearSimplices> &NearBodies::look(const BodyMesh &mesh)
   {
     if (!good(mesh))
       search(mesh);
+    for (const std::int32_t s : listed)
+      boxes[static_cast<std::size_t>(s)] = box_of(mesh, static_cast<std::size_t>(s));
     return pairs;
   }
 } // namespace dem

@@ -2,6 +2,8 @@
 
 #include "dem/bodies/body_mesh.h"
 
+#include <Eigen/Geometry>
+
 namespace dem
 {
   /** Two simplices that may overlap, by their numbers in the mesh. */
@@ -28,18 +30,28 @@ namespace dem
 
     /** Pairs that may overlap where all vertices are now: first of the lower body, ascending. */
     const std::vector<NearSimplices> &look(const BodyMesh &mesh);
+    /** Whether the boxes around a pair of the list meet where their vertices were when it was looked at. */
+    bool meet(const NearSimplices &pair) const
+    {
+      return boxes[static_cast<std::size_t>(pair.first)].intersects(boxes[static_cast<std::size_t>(pair.second)]);
+    }
     /** Places have changed otherwise than by steps. */
     void         forget() { reference.clear(); }
     std::int64_t searches() const { return search_count; }
 
   private:
+    using Box = Eigen::AlignedBox3d;
+
     bool good(const BodyMesh &mesh) const;
     void search(const BodyMesh &mesh);
+    void list_simplices();
 
     bool                         same;
     std::vector<Eigen::Vector3d> reference; ///< places when the list was made
     std::vector<double>          reach;     ///< of each vertex, from there [m]
     std::vector<NearSimplices>   pairs;
+    std::vector<std::int32_t>    listed; ///< simplices of the pairs, ascending
+    std::vector<Box>             boxes;  ///< around all simplices; those of the listed are up to date
     std::int64_t                 search_count = 0;
   };
 } // namespace dem
