@@ -1,4 +1,5 @@
 #include "base/errors.h"
+#include "fem/mesh/ball_mesh.h"
 #include "fem/mesh/shapes.h"
 
 #include <deal.II/grid/grid_generator.h>
@@ -65,6 +66,8 @@ namespace fem
     {
       if (!(ball.radius > 0) || !(ball.fineness >= 1))
         throw base::InputError("ball " + ball.name + ": its radius must be positive, and its fineness at least 1.");
+      if (ball.divisions == 0 || ball.divisions % 2 != 0)
+        throw base::InputError("ball " + ball.name + ": its divisions must be even, and at least 2.");
     }
 
     void
@@ -96,40 +99,6 @@ namespace fem
                 refuse(ball.name, box.name);
             }
         }
-    }
-
-    /**
-     * The unit ball onto itself, so that elements become finer towards one side: a Moebius transformation (translation of hyperbolic
-     * space), which keeps angles. @param shift where the centre goes
-     */
-    template <int dim>
-    Point<dim> moved_towards(const Point<dim> &x, const Tensor<1, dim> &shift)
-    {
-      const double squares = shift * shift, along = 2 * (shift * Tensor<1, dim>(x)), square = x.square();
-      return Point<dim>(((1 - squares) * Tensor<1, dim>(x) + (square + along + 1) * shift) /
-                        (squares * square + along + 1));
-    }
-
-    template <int dim>
-    void make_ball(const NamedBall &ball, Triangulation<dim> &part)
-    {
-      Triangulation<dim> curved;
-      GridGenerator::hyper_ball(curved);
-      curved.refine_global(ball.refinements);
-      curved.set_all_manifold_ids(numbers::flat_manifold_id); // its nodes lie where they lie now
-      GridGenerator::flatten_triangulation(curved, part);
-      Tensor<1, dim> shift;
-      Point<dim>     centre;
-      for (unsigned int d = 0; d < dim; ++d)
-        {
-          shift[d]  = ball.towards[d];
-          centre[d] = ball.centre[d];
-        }
-      if (shift.norm() > 0)
-        shift *= (ball.fineness - 1) / (ball.fineness + 1) / shift.norm();
-      GridTools::transform(
-        [&](const Point<dim> &x) { return Point<dim>(centre + ball.radius * Tensor<1, dim>(moved_towards(x, shift))); },
-        part);
     }
 
     /// Elements of all bodies, side by side: no vertex is shared.

@@ -35,11 +35,11 @@ namespace fem
   struct NamedBall
   {
     std::string           name, material = "solid";
-    std::array<double, 3> centre{};        ///< [m]
-    double                radius      = 1; ///< [m]
-    unsigned int          refinements = 3; ///< each halves the elements of a mesh of 7 blocks, in the plane of 5
-    std::array<double, 3> towards{};       ///< side on which elements are finest, of any length
-    double                fineness = 1;    ///< how much smaller they are there than in an even mesh
+    std::array<double, 3> centre{};      ///< [m]
+    double                radius    = 1; ///< [m]
+    unsigned int          divisions = 8; ///< elements around a quarter of the circumference, even
+    std::array<double, 3> towards{};     ///< side on which elements are finest, of any length
+    double                fineness = 1;  ///< how much smaller they are there than elsewhere
   };
 
   /// Several bodies, which share no node even where they touch.

@@ -4,6 +4,8 @@
 #include <catch2/catch.hpp>
 #include <deal.II/grid/tria.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 
 TEST_CASE("a round bar has the volume and the end faces of a cylinder at every refinement, blocks and simplices",
@@ -91,4 +93,95 @@ TEST_CASE("boxes that overlap, have no extent or share a name are refused by nam
   b.name = "b";
   b.size = {1, 0, 1};
   CHECK_THROWS_WITH(made(), Catch::Contains("box b: its size"));
+}
+
+namespace
+{
+  fem::Mesh<3> ball_mesh(const fem::NamedBall &ball)
+  {
+    fem::BodiesShape shape;
+    shape.balls = {ball};
+    fem::ShapeOptions options;
+    options.communicator = MPI_COMM_SELF;
+    return fem::make_shape<3>(shape, options);
+  }
+
+  fem::NamedBall ball_towards_y(const double fineness)
+  {
+    fem::NamedBall ball;
+    ball.name     = "one";
+    ball.centre   = {1, 2, -3};
+    ball.radius   = 0.5;
+    ball.towards  = {0, 3, 0};
+    ball.fineness = fineness;
+    return ball;
+  }
+}
+
+TEST_CASE(
+  "a ball has its volume whatever its elements, and its nodes lie on the sphere to the square of their distance",
+  "[fem]")
+{
+  const double pi = 3.14159265358979323846;
+  double       off[2];
+  for (const unsigned int divisions : {4u, 8u})
+    for (const double fineness : {1.0, 3.0, 40.0})
+      {
+        fem::NamedBall ball = ball_towards_y(fineness);
+        ball.divisions      = divisions;
+        const auto mesh     = ball_mesh(ball);
+        double     volume = 0, &farthest = off[divisions / 8];
+        farthest = 0;
+        for (const auto &cell : mesh.triangulation->active_cell_iterators())
+          {
+            volume += cell->measure();
+            for (const auto &face : cell->face_iterators())
+              if (face->at_boundary())
+                {
+                  REQUIRE(face->boundary_id() == mesh.boundary("one"));
+                  for (const unsigned int v : face->vertex_indices())
+                    farthest = std::max(farthest, std::fabs(face->vertex(v).distance({1, 2, -3}) - ball.radius));
+                }
+          }
+        CAPTURE(divisions, fineness);
+        CHECK(volume == Approx(4.0 / 3.0 * pi * 0.125).epsilon(1e-8));
+        CHECK(farthest < 0.026 * ball.radius); // a sixth of the square of their distance, at four of them
+      }
+  CHECK(std::log2(off[0] / off[1]) == Approx(2).margin(0.1));
+}
+
+TEST_CASE("elements of a ball are finer towards one side by as much as wanted, and elsewhere as they were", "[fem]")
+{
+  std::map<double, double> finest, coarsest;
+  for (const double fineness : {1.0, 2.0, 5.0, 100.0})
+    {
+      const auto             mesh = ball_mesh(ball_towards_y(fineness));
+      const dealii::Point<3> pole(1, 2.5, -3), far(1, 1.5, -3);
+      const auto             edge_at = [&](const dealii::Point<3> &place) {
+        for (const auto &cell : mesh.triangulation->active_cell_iterators())
+          for (const auto &face : cell->face_iterators())
+            if (face->at_boundary())
+              for (const unsigned int v : face->vertex_indices())
+                if (face->vertex(v).distance(place) < 0.005)
+                  return face->vertex(0).distance(face->vertex(1));
+        return 0.0;
+      };
+      finest[fineness]   = edge_at(pole);
+      coarsest[fineness] = edge_at(far);
+      CAPTURE(fineness);
+      CHECK(finest[fineness] == Approx(finest[1] / fineness).epsilon(0.03));
+      CHECK(coarsest[fineness] == Approx(coarsest[1]).epsilon(1e-3));
+    }
+}
+
+TEST_CASE("a ball without radius, of an odd number of elements, or coarser towards one side is refused by name",
+          "[fem]")
+{
+  fem::NamedBall none = ball_towards_y(2), odd = none, coarser = none;
+  none.radius      = 0;
+  odd.divisions    = 5;
+  coarser.fineness = 0.5;
+  CHECK_THROWS_WITH(ball_mesh(none), Catch::Contains("ball one") && Catch::Contains("radius"));
+  CHECK_THROWS_WITH(ball_mesh(odd), Catch::Contains("ball one") && Catch::Contains("even"));
+  CHECK_THROWS_WITH(ball_mesh(coarser), Catch::Contains("ball one") && Catch::Contains("fineness"));
 }

@@ -108,7 +108,7 @@ subsection Mesh
     subsection ball
       set Centre      = 0.1, 0.1, 0.0902
       set Radius      = 0.04
-      set Refinements = 1
+      set Divisions   = 2
       set Towards     = 0, 0, -1
       set Fineness    = 1.5
       set Material    = stone

@@ -57,26 +57,27 @@ namespace apps
   {
     name = s.name();
     s.vector("Centre", centre, "m", Range(), Need::optional).means("Of the ball, in two dimensions of the disc");
-    s.number("Radius", radius, "m", Range::positive(), Need::required).means("Of the ball");
-    s.integer("Refinements", refinements, "", Range::between(0, 8), Need::optional)
-      .means("Each halves the elements of a mesh of 7 blocks, in two dimensions of 5");
+    s.number("Radius", radius, "m", Range::positive(), Need::required)
+      .means("Of the ball; nodes lie a little outside, so that with plane faces the volume is the ball's");
+    s.integer("Divisions", divisions, "", Range::between(2, 512), Need::optional)
+      .means("Elements around a quarter of the circumference, where they are not finer; an even number");
     s.vector("Towards", towards, "-", Range(), Need::optional)
       .means("Direction from the centre in which elements are finest; 0, 0, 0: nowhere");
     s.number("Fineness", fineness, "-", Range::between(1, 1000), Need::optional)
-      .means("How much smaller elements are there than in an even mesh; on the other side they are as much larger");
+      .means("How much smaller elements are there than elsewhere");
     s.text("Material", material, Need::optional).means("Name of its section in Materials");
   }
 
   fem::NamedBall BallSection::ball() const
   {
     fem::NamedBall made;
-    made.name        = name;
-    made.material    = material;
-    made.centre      = centre;
-    made.radius      = radius;
-    made.refinements = whole(refinements);
-    made.towards     = towards;
-    made.fineness    = fineness;
+    made.name      = name;
+    made.material  = material;
+    made.centre    = centre;
+    made.radius    = radius;
+    made.divisions = whole(divisions);
+    made.towards   = towards;
+    made.fineness  = fineness;
     return made;
   }
 
@@ -208,6 +209,9 @@ namespace apps
       mesh.refuse("Source", "there is no body. Give each a section Mesh/Boxes/NAME or Mesh/Balls/NAME.");
     for (const BoxSection &box : boxes)
       require_edges(*mesh.find_section("Boxes")->find_section(box.name), box.size, dimension);
+    for (const BallSection &ball : balls)
+      if (ball.divisions % 2 != 0)
+        mesh.find_section("Balls")->find_section(ball.name)->refuse("Divisions", "must be even.");
   }
 
   template <int dim>

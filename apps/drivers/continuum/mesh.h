@@ -30,7 +30,7 @@ namespace apps
     std::string           name, material = "solid";
     std::array<double, 3> centre{}, towards{};
     double                radius = 0, fineness = 1;
-    std::int64_t          refinements = 3;
+    std::int64_t          divisions = 8;
 
     void           declare(Section &section);
     fem::NamedBall ball() const;
