@@ -110,7 +110,7 @@ subsection Mesh
       set Radius      = 0.04
       set Divisions   = 2
       set Towards     = 0, 0, -1
-      set Fineness    = 1.5
+      set Fineness    = 8
       set Material    = stone
     end
   end
