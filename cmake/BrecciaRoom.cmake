@@ -13,8 +13,8 @@ function(breccia_share_precompiled target from)
   endif()
 endfunction()
 
-# Sources that are compiled together read their headers once between them: half of the time of a clean build. Off: a change of
-# one source compiles that one alone, and each must include what it uses. Never for NATIVE rooms, where sums are
+# Sources that are compiled together read their headers once between them: a clean build takes about three quarters of the time
+# (857 against 1197 processor seconds). Off: a change of one source compiles that one alone, and each must include what it uses. Never for NATIVE rooms, where sums are
 # contracted to fused operations and their bits would hang on what the compiler sees at once.
 option(BRECCIA_UNITY "Compile several sources of a library together" ON)
 function(breccia_unite target)
