@@ -143,8 +143,7 @@ TEST_CASE("a ball that is led over an edge and over a corner at the same distanc
   for (const bool corner : {false, true})
     {
       dem::Specimen ball(balls({start}, R), loose(), contact());
-      const auto    block =
-        dem::box({-1, corner ? 0 : -1, -1}, {0, corner ? 1 : 1, 0}, {true, true, true, true, true, true});
+      const auto    block = dem::box({-1, corner ? 0.0 : -1.0, -1}, {0, 1, 0}, {true, true, true, true, true, true});
       ball.add_surface(wall(block));
       Led          led(ball, 0);
       const double way   = corner ? 0.0 : start.y();

@@ -84,7 +84,7 @@ TEST_CASE("boxes that overlap, have no extent or share a name are refused by nam
   options.communicator     = MPI_COMM_SELF;
   const fem::NamedBox a    = {"a", "solid", {0, 0, 0}, {1, 1, 1}, {1, 1, 1}};
   fem::NamedBox       b    = {"b", "solid", {0.5, 0.5, 0.5}, {1, 1, 1}, {1, 1, 1}};
-  const auto          made = [&] { return fem::make_shape<3>(fem::BodiesShape{{a, b}}, options); };
+  const auto          made = [&] { return fem::make_shape<3>(fem::BodiesShape{{a, b}, {}}, options); };
   CHECK_THROWS_WITH(made(), Catch::Contains("boxes a and b overlap"));
   b.corner = {1, 0, 0};
   CHECK_NOTHROW(made());
