@@ -2,8 +2,8 @@
 
 #include "postprocess/atomic_file.h"
 #include "postprocess/errors.h"
-#include "postprocess/file_descriptor.h"
 #include "postprocess/numeric_text.h"
+#include "postprocess/scratch_folder.h"
 
 #include <fcntl.h>
 #include <spawn.h>
@@ -23,36 +23,6 @@ namespace postprocess
   namespace
   {
     namespace fs = std::filesystem;
-
-    /** A folder of its own, removed with all it holds at the end of the scope. */
-    class ScratchFolder
-    {
-    public:
-      ScratchFolder()
-      {
-        std::string pattern = (fs::temp_directory_path() / "breccia-plot-XXXXXX").string();
-        if (::mkdtemp(pattern.data()) == nullptr)
-          throw OutputError(pattern + ": the folder cannot be made: " + system_reason() + ".");
-        folder = pattern;
-      }
-      ~ScratchFolder()
-      {
-        std::error_code ignored;
-        fs::remove_all(folder, ignored);
-      }
-      ScratchFolder(const ScratchFolder &)            = delete;
-      ScratchFolder &operator=(const ScratchFolder &) = delete;
-
-      void write(const std::string &name, const std::string &text) const
-      {
-        FileDescriptor(folder / name, O_WRONLY | O_CREAT | O_EXCL).write(text);
-      }
-      fs::path operator/(const std::string &name) const { return folder / name; }
-      fs::path path() const { return folder; }
-
-    private:
-      fs::path folder;
-    };
 
     std::function<bool()> &drawing_is_to_stop()
     {
@@ -119,7 +89,7 @@ namespace postprocess
 
   void draw_with_gnuplot(const fs::path &destination, const GnuplotJob &job)
   {
-    const ScratchFolder folder;
+    const ScratchFolder folder("plot");
     for (const auto &[name, text] : job.data)
       folder.write(name, text);
     folder.write("script", "set encoding utf8\nset terminal pngcairo enhanced font 'sans,11' size " +

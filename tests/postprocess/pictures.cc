@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
 using namespace postprocess;
 using Catch::Matchers::Contains;
@@ -34,7 +35,16 @@ namespace
     return {number(16), number(20)};
   }
 
-  PlotPanel simple_panel() { return {"title", "x [m]", "y [Pa]", false, false, {{"s", {1, 2, 3}, {1, 4, 9}, {}}}}; }
+  PlotSeries points(const std::string &name, const std::vector<double> &x, const std::vector<double> &y)
+  {
+    PlotSeries made;
+    made.name = name;
+    made.x    = x;
+    made.y    = y;
+    return made;
+  }
+
+  PlotPanel simple_panel() { return {"title", "x [m]", "y [Pa]", false, false, {points("s", {1, 2, 3}, {1, 4, 9})}}; }
 
   /** Sets an environment variable for the length of a scope. */
   class Environment
@@ -42,14 +52,22 @@ namespace
   public:
     Environment(const std::string &name_, const std::string &value)
       : name(name_)
-      , previous(::getenv(name.c_str()))
     {
+      if (const char *before = ::getenv(name.c_str()))
+        previous = before;
       ::setenv(name.c_str(), value.c_str(), 1);
     }
-    ~Environment() { ::setenv(name.c_str(), previous.c_str(), 1); }
+    ~Environment()
+    {
+      if (previous)
+        ::setenv(name.c_str(), previous->c_str(), 1);
+      else
+        ::unsetenv(name.c_str());
+    }
 
   private:
-    std::string name, previous;
+    std::string                name;
+    std::optional<std::string> previous;
   };
 } // namespace
 
@@ -59,7 +77,7 @@ TEST_CASE("a plot of any points is drawn: one, equal, not finite, on logarithmic
   const ScratchFolder folder;
   PlotPanel           panel = simple_panel();
   SECTION("three") {}
-  SECTION("one point") { panel.series = {{"", {1}, {1}, {}}}; }
+  SECTION("one point") { panel.series = {points("", {1}, {1})}; }
   SECTION("all equal") { panel.series[0].y = {0, 0, 0}; }
   SECTION("not finite") { panel.series[0].y = {1, nan, 9}; }
   SECTION("zero on logarithmic axes")
@@ -73,7 +91,7 @@ TEST_CASE("a plot of any points is drawn: one, equal, not finite, on logarithmic
     panel.title = panel.series[0].name = "it's \"100 %\" _{x}^2 \\ @ & ~\n$`";
   }
   SECTION("peak") { panel.series[0].mark_peak = true; }
-  SECTION("an empty series beside a full one") { panel.series.push_back({"none", {}, {}, {}}); }
+  SECTION("an empty series beside a full one") { panel.series.push_back(points("none", {}, {})); }
   REQUIRE(plot(folder / "curve.png", {panel}) == "");
   REQUIRE(size_of_png(folder / "curve.png").first > 400);
   REQUIRE(files_in(folder.path) == 1);
@@ -110,6 +128,11 @@ TEST_CASE("a plot that cannot be drawn says why, keeps the earlier picture, and 
     REQUIRE(plot(path, {simple_panel()}) ==
             path.string() + ": not drawn: gnuplot is not installed (Debian package gnuplot-nox)");
   }
+  SECTION("there is no folder for temporary files")
+  {
+    const Environment nowhere("TMPDIR", (folder / "nowhere").string());
+    REQUIRE_THAT(plot(path, {simple_panel()}), Contains("no folder for temporary files (TMPDIR)"));
+  }
   SECTION("gnuplot fails")
   {
     std::filesystem::create_directory(folder / "bin");
@@ -121,12 +144,12 @@ TEST_CASE("a plot that cannot be drawn says why, keeps the earlier picture, and 
   SECTION("nothing to draw")
   {
     REQUIRE_THAT(plot(path, {}), Contains("there is no point to draw"));
-    REQUIRE_THAT(plot(path, {{"t", "x", "y", false, true, {{"s", {1, 2}, {0, -1}, {}}}}}),
+    REQUIRE_THAT(plot(path, {{"t", "x", "y", false, true, {points("s", {1, 2}, {0, -1})}}}),
                  Contains("no point to draw"));
   }
   SECTION("columns of unequal length")
   {
-    REQUIRE_THAT(plot(path, {{"t", "x", "y", false, false, {{"s", {1}, {}, {}}}}}), Contains("differ in length"));
+    REQUIRE_THAT(plot(path, {{"t", "x", "y", false, false, {points("s", {1}, {})}}}), Contains("differ in length"));
   }
   SECTION("unwritable place")
   {

@@ -2,38 +2,37 @@
 
 #include "apps/drivers/parts/duration.h"
 #include "apps/process/progress.h"
+#include "postprocess/errors.h"
+#include "postprocess/scratch_folder.h"
 
 #include <fmt/format.h>
 
-#include <cstdlib>
-#include <filesystem>
 #include <string>
-#include <system_error>
 
 namespace apps
 {
   /**
-   * Seconds of writing once what a run writes again and again; 0 where there is no folder for a trial.
+   * Seconds of writing once what a run writes again and again; 0 where it cannot be tried.
    * @param write into a folder that is thrown away
    */
   template <typename Write>
   double seconds_to_write(const Write &write)
-  {
-    namespace fs        = std::filesystem;
-    std::string pattern = (fs::temp_directory_path() / "breccia-forecast-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) == nullptr)
-      return 0;
-    struct Folder
+  try
     {
-      fs::path place;
-      ~Folder()
-      {
-        std::error_code ignored;
-        fs::remove_all(place, ignored);
-      }
-    } const folder{pattern};
+      const postprocess::ScratchFolder folder("forecast");
+      return seconds_of([&] { write(folder.path()); });
+    }
+  catch (const postprocess::OutputError &)
+    {
+      return 0;
+    }
+
+  /** Seconds of doing once what a run does again and again. */
+  template <typename Work>
+  double seconds_of(const Work &work)
+  {
     const Stopwatch watch;
-    write(folder.place);
+    work();
     return watch.seconds();
   }
 
