@@ -51,6 +51,9 @@ namespace apps
     char       **given   = words;
     if (session())
       return;
+    // Where nobody has launched us, Open MPI looks for an ssh by which it could launch others, and gives up without one.
+    if (launched_ranks() == 1)
+      ::setenv("OMPI_MCA_plm", "isolated", 0);
     // PETSc, which deal.II starts too, sets the handlers of signals to the system's own.
     std::array<struct sigaction, 2> handlers;
     sigaction(SIGINT, nullptr, &handlers[0]);

@@ -180,16 +180,18 @@ TEST_CASE("A run lists the files that it left, and no picture that could not be 
   const ScratchFolder folder;
   folder.file("packing.txt", pair_packing());
   folder.file("x.prm", scene_with_file());
+  folder.file("bar.prm", impact_scene());
   const Outcome drawn = run(folder.path(), {"run", "x.prm", "-o", "drawn"});
   CHECK_THAT(drawn.out, Contains("summary.json") && Contains("series.csv") && Contains("curve.png") &&
                           Contains("tension_crack.png") && Contains("tension_particles.pvd"));
 
   const std::string path = ::getenv("PATH");
-  ::setenv("PATH", folder.path().c_str(), 1); // where there is no gnuplot
+  ::setenv("PATH", folder.path().c_str(), 1); // where there is no gnuplot, nor the ssh that MPI looks for
   const Outcome bare  = run(folder.path(), {"run", "x.prm", "-o", "bare"}),
-                again = run(folder.path(), {"run", "x.prm", "-o", "drawn"});
+                again = run(folder.path(), {"run", "x.prm", "-o", "drawn"}),
+                solid = run(folder.path(), {"run", "bar.prm", "-o", "bar"});
   ::setenv("PATH", path.c_str(), 1);
-  for (const Outcome &outcome : {bare, again}) // the second finds pictures of an earlier run in its folder
+  for (const Outcome &outcome : {bare, again, solid}) // the second finds pictures of an earlier run in its folder
     {
       CHECK(outcome.status == 0);
       CHECK_THAT(outcome.err, Contains("no curve.png") && Contains("gnuplot is not installed"));
