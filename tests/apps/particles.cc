@@ -268,7 +268,8 @@ TEST_CASE("A run of particles that is interrupted or killed goes on to the same 
   const ScratchFolder folder;
   goes_on_to_the_same_bits(folder,
                            {{"run", shipped("bonded_beam.prm"), "-s", "Time/Step factor=0.1", "-s",
-                             "Output/Checkpoint interval=0.01", "-s", "Output/Samples=200"},
+                             "Time/Damping in time=0.1 + 0.4 * sin(1e4 * t)^2", "-s", "Output/Checkpoint interval=0.01",
+                             "-s", "Output/Samples=200"},
                             {"particles_links/particles_links_000002.vtp", "checkpoint.h5"},
                             reproducible_part},
                            {SIGINT, SIGKILL});
