@@ -1,4 +1,5 @@
 // What `breccia check` says of the time that a run will take.
+#include "apps/drivers/particles/piled_up.h"
 #include "apps/drivers/parts/duration.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scenes.h"
@@ -8,9 +9,34 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cstdlib>
+#include <optional>
+#include <string>
+#include <vector>
 
 using namespace apps_tests;
 using Catch::Contains;
+
+namespace
+{
+  /** What check says of shipped scenes, each with these words behind it. */
+  std::vector<std::string> forecasts_of(const std::vector<std::string> &scenes,
+                                        const std::vector<std::string> &words = {})
+  {
+    const ScratchFolder      folder;
+    std::vector<std::string> said;
+    for (const std::string &scene : scenes)
+      {
+        std::vector<std::string> command = {"check", places::sources() + "/apps/scenes/" + scene};
+        command.insert(command.end(), words.begin(), words.end());
+        const Outcome outcome = run(folder.path(), command);
+        INFO(scene << "\n" << outcome.out << outcome.err);
+        CHECK(outcome.status == 0);
+        said.push_back(outcome.out);
+      }
+    return said;
+  }
+} // namespace
 
 TEST_CASE("Work that ends before enough of it is measured has the cost of what was done", "[apps]")
 {
@@ -26,39 +52,61 @@ TEST_CASE("Work that ends before enough of it is measured has the cost of what w
 
 TEST_CASE("check says how long a cell and a sequential scene take, and never less than nothing", "[apps][slow]")
 {
-  const ScratchFolder folder;
-  for (const char *scene : {"periodic_cell.prm", "transfer_compression.prm"})
-    {
-      const Outcome outcome = run(folder.path(), {"check", places::sources() + "/apps/scenes/" + scene});
-      INFO(outcome.out << outcome.err);
-      CHECK(outcome.status == 0);
-      CHECK_THAT(outcome.out, Contains("duration     roughly ") && !Contains("roughly -"));
-    }
+  for (const std::string &said : forecasts_of({"periodic_cell.prm", "transfer_compression.prm"}))
+    CHECK_THAT(said, Contains("duration     roughly ") && !Contains("roughly -"));
 }
 
 TEST_CASE("check counts what a run writes: a million snapshots take longer than the few steps between them", "[apps]")
 {
-  const ScratchFolder folder;
-  for (const char *scene : {"bouncing_sphere.prm", "beam_and_spheres.prm"})
-    {
-      const Outcome outcome =
-        run(folder.path(), {"check", places::sources() + "/apps/scenes/" + scene, "-s", "Time/End time=1e-3", "-s",
-                            "Output/Samples=1000000", "-s", "Output/Snapshots=1000000"});
-      INFO(outcome.out << outcome.err);
-      CHECK(outcome.status == 0);
-      CHECK_THAT(outcome.out,
-                 Contains("duration     roughly ") && !Contains(" s, on this machine")); // a minute or more
-    }
+  for (const std::string &said :
+       forecasts_of({"bouncing_sphere.prm", "beam_and_spheres.prm"},
+                    {"-s", "Time/End time=1e-3", "-s", "Output/Samples=1000000", "-s", "Output/Snapshots=1000000"}))
+    CHECK_THAT(said, Contains("duration     roughly ") && !Contains(" s, on this machine")); // a minute or more
 }
 
 TEST_CASE("check says the longest duration of a run that a stop condition may end", "[apps]")
 {
-  const ScratchFolder folder;
-  for (const char *scene : {"bonded_beam.prm", "snap_back.prm"})
+  for (const std::string &said : forecasts_of({"bonded_beam.prm", "snap_back.prm"}))
+    CHECK_THAT(said, Contains("duration     at most "));
+}
+
+TEST_CASE("check forecasts without a folder for temporary files", "[apps]")
+{
+  const char                      *variable = "TMPDIR";
+  const char                      *before   = std::getenv(variable);
+  const std::optional<std::string> kept     = before ? std::optional<std::string>(before) : std::nullopt;
+  const ScratchFolder              folder;
+  ::setenv(variable, (folder / "nowhere").c_str(), 1);
+  const Outcome outcome = run(folder.path(), {"check", places::sources() + "/apps/scenes/bouncing_sphere.prm"});
+  if (kept)
+    ::setenv(variable, kept->c_str(), 1);
+  else
+    ::unsetenv(variable);
+  INFO(outcome.err);
+  CHECK(outcome.status == 0);
+  CHECK_THAT(outcome.out, Contains("duration     roughly "));
+}
+
+TEST_CASE("Particles piled up for a forecast touch their neighbours and a box, and apart nothing", "[apps]")
+{
+  dem::LinearContactParameters contact;
+  contact.effective_modulus = 1e7;
+  for (const int dimension : {2, 3})
     {
-      const Outcome outcome = run(folder.path(), {"check", places::sources() + "/apps/scenes/" + scene});
-      INFO(outcome.out << outcome.err);
-      CHECK(outcome.status == 0);
-      CHECK_THAT(outcome.out, Contains("duration     at most "));
+      dem::SpecimenParameters p;
+      p.physics.dimension = dimension;
+      p.thickness         = dimension == 2 ? 0.01 : 0;
+      p.density           = 2500;
+      p.interaction_ratio = 1;
+      const apps::LatticeOfParticles lattice{p, contact, dimension == 2 ? 36u : 216u, 0.005, contact};
+      dem::Specimen                  pile = lattice.piled_up(), apart = lattice.apart();
+      pile.advance(1);
+      apart.advance(1);
+      const dem::Counts touching = pile.counts(), free = apart.counts();
+      CHECK(touching.particles == lattice.number);
+      CHECK(touching.contacts == (dimension == 2 ? 2 * 6 * 5 : 3 * 36 * 5));
+      CHECK(touching.wall_contacts >= (dimension == 2 ? 16u : 136u)); // below and on all sides
+      CHECK(free.particles == lattice.number);
+      CHECK(free.contacts + free.wall_contacts == 0);
     }
 }

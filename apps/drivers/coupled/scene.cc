@@ -1,6 +1,7 @@
 #include "apps/drivers/coupled/scene.h"
 
 #include "apps/drivers/coupled/run.h"
+#include "apps/drivers/particles/piled_up.h"
 #include "apps/drivers/parts/duration.h"
 #include "apps/drivers/parts/material_counts.h"
 #include "apps/drivers/parts/run_forecast.h"
@@ -11,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace apps
 {
@@ -31,18 +33,27 @@ namespace apps
       return static_cast<double>(body.windows()) + std::max(0.0, end_time - body.time()) / body.steps().window;
     }
 
+    std::optional<dem::LinearContactParameters> surface_contact(const CoupledModel &model)
+    {
+      if (model.couplings.couplings.empty())
+        return std::nullopt;
+      return model.couplings.couplings.front().contact;
+    }
+
+    /** Rows of the series, and snapshots. */
     double writing_seconds(CoupledBody &body, const OutputSection &output)
     {
+      const double rows = static_cast<double>(output.samples) * seconds_of([&] { body.row(); });
       if (output.snapshots == 0)
-        return 0;
-      return static_cast<double>(std::min(output.snapshots, output.samples)) *
-             seconds_to_write([&](const std::filesystem::path &folder) {
-               SpecimenSnapshots taken;
-               taken.open(folder, "particles", true);
-               taken.take(body.particles().specimen());
-               const postprocess::PvdCollection solids(folder, "solid", ".vtu");
-               body.write_solid(folder, solids.size());
-             });
+        return rows;
+      return rows + static_cast<double>(std::min(output.snapshots, output.samples)) *
+                      seconds_to_write([&](const std::filesystem::path &folder) {
+                        SpecimenSnapshots taken;
+                        taken.open(folder, "particles", true);
+                        taken.take(body.particles().specimen());
+                        const postprocess::PvdCollection solids(folder, "solid", ".vtu");
+                        body.write_solid(folder, solids.size());
+                      });
     }
   } // namespace
 
@@ -77,7 +88,9 @@ namespace apps
     const char *fewer = model.particles.stops.stops.empty() ? "" : ", fewer where a stop condition comes first";
     try
       {
-        const double cost    = seconds_per_window(*body);
+        const double cost =
+          seconds_per_window(*body) +
+          body->steps().particle_steps * dearer_step_when_piled_up(model.particles, specimen, surface_contact(model));
         const double windows = windows_of(*body, model.particles.end_time);
         const double seconds = set_up_seconds + windows * cost + writing_seconds(*body, model.particles.output);
         text += fmt::format("  windows      {:.0f}{}\n", windows, fewer);

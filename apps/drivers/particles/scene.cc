@@ -1,5 +1,6 @@
 #include "apps/drivers/particles/scene.h"
 
+#include "apps/drivers/particles/piled_up.h"
 #include "apps/drivers/particles/run.h"
 #include "apps/drivers/parts/duration.h"
 #include "apps/drivers/parts/material_counts.h"
@@ -9,9 +10,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace apps
 {
+  namespace
+  {
+    std::optional<dem::LinearContactParameters> ground_of(const ParticlesModel &model)
+    {
+      if (model.walls.walls.empty())
+        return std::nullopt;
+      return model.walls.walls.front().contact;
+    }
+  } // namespace
+
   std::string ParticlesScene::forecast() const
   {
     const Stopwatch    set_up;
@@ -36,15 +48,17 @@ namespace apps
       text += fmt::format("  start        {}\n", text_of(*start));
     text += fmt::format("  steps        {:.0f}{}\n", steps,
                         model.stops.stops.empty() ? "" : ", fewer where a stop condition comes first");
-    const double cost = seconds_per_step(specimen, [&](const std::int64_t count) { body.advance(count); });
-    const double writing =
+    const double step = seconds_per_step(specimen, [&](const std::int64_t count) { body.advance(count); }) +
+                        dearer_step_when_piled_up(model, specimen, ground_of(model));
+    const double row = seconds_of([&] { body.row(); });
+    const double snapshot =
       model.output.snapshots == 0 ? 0.0 : seconds_to_write([&](const std::filesystem::path &folder) {
         SpecimenSnapshots snapshots;
         snapshots.open(folder, "particles", !model.walls.walls.empty());
         snapshots.take(specimen);
       });
-    const double seconds = set_up_seconds + steps * cost +
-                           static_cast<double>(std::min(model.output.snapshots, model.output.samples)) * writing;
+    const double seconds = set_up_seconds + steps * step + static_cast<double>(model.output.samples) * row +
+                           static_cast<double>(std::min(model.output.snapshots, model.output.samples)) * snapshot;
     return text + stoppable_duration_line(seconds, !model.stops.stops.empty());
   }
 
