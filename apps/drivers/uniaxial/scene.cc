@@ -4,7 +4,9 @@
 #include "apps/drivers/parts/lab_run.h"
 #include "apps/drivers/parts/link_failure.h"
 #include "apps/drivers/parts/material_counts.h"
+#include "apps/drivers/parts/run_forecast.h"
 #include "apps/drivers/parts/specimen_packing.h"
+#include "apps/drivers/parts/specimen_snapshots.h"
 #include "apps/drivers/parts/static_start.h"
 #include "apps/drivers/uniaxial/report.h"
 #include "apps/process/exit_status.h"
@@ -69,6 +71,22 @@ namespace apps
         strain_of_failure(*asked.material.materials().bonds_in_space(asked.specimen.physics), packing, test));
     }
 
+    /** Rows and snapshots of a test that goes to its stop strain. */
+    double writing_seconds_of_test(const dem::Specimen &body, const OutputSection &output)
+    {
+      const double row      = seconds_of([&] {
+        body.energy();
+        body.mean_damage();
+      });
+      const double snapshot = output.snapshots == 0 ? 0.0 : seconds_to_write([&](const std::filesystem::path &folder) {
+        SpecimenSnapshots taken;
+        taken.open(folder, "test");
+        taken.take(body);
+      });
+      return static_cast<double>(output.samples) * row +
+             static_cast<double>(std::min(output.snapshots, output.samples)) * snapshot;
+    }
+
     std::string megabytes(const std::size_t bytes)
     {
       return fmt::format("{:.1f} MB", 1e-6 * static_cast<double>(bytes));
@@ -92,7 +110,7 @@ namespace apps
     text += fmt::format("               {:.4g} s would be critical: sharp, by the largest eigenvalue\n",
                         body.critical_step());
     text += fmt::format("  memory       {} for particles and links\n", megabytes(body.bytes()));
-    double steps = 0, expected = 0;
+    double steps = 0, expected = 0, parts = 0; // parts of the way to the stop strain, of all tests
     for (const UniaxialLoad load : asked.loading.tests)
       {
         // Refuses what a run would refuse.
@@ -104,13 +122,17 @@ namespace apps
         if (load == asked.loading.tests.front())
           if (const StaticStart start = start_statically(fresh, asked.gravity))
             text += fmt::format("  start        {}\n", text_of(*start));
+        const double part = expected_end(asked, packing, load) / asked.loading.parameters(load).stop_strain;
         steps += static_cast<double>(most);
-        expected +=
-          static_cast<double>(most) * expected_end(asked, packing, load) / asked.loading.parameters(load).stop_strain;
+        expected += static_cast<double>(most) * part;
+        parts += part;
         text += fmt::format("  {:<12} at most {} steps\n", name_of(load), most);
       }
-    const double cost = seconds_per_step(body, [&](const std::int64_t count) { body.advance(count); });
-    return text + duration_line(set_up_seconds + expected * cost, set_up_seconds + steps * cost);
+    const double cost    = seconds_per_step(body, [&](const std::int64_t count) { body.advance(count); });
+    const double writing = writing_seconds_of_test(body, asked.output);
+    const double tests   = static_cast<double>(asked.loading.tests.size());
+    return text + duration_line(set_up_seconds + expected * cost + parts * writing,
+                                set_up_seconds + steps * cost + tests * writing);
   }
 
   int UniaxialScene::run(const RunRequest &request) const
