@@ -1,5 +1,6 @@
 #include "coupling/concurrent/concurrent_motion.h"
 
+#include "base/errors.h"
 #include "coupling/contact/contact_motion.h"
 #include "coupling/participants/window.h"
 
@@ -34,9 +35,27 @@ namespace coupling
   }
 
   template <int dim>
+  const VolumeCoupling<dim> &ConcurrentMotion<dim>::add_volume(const VolumeCouplingParameters &parameters)
+  {
+    handshakes.push_back(std::make_unique<VolumeCoupling<dim>>(specimen, solid, motion, participant, parameters));
+    const auto &added = handshakes.back()->particles();
+    corrected.insert(corrected.end(), added.begin(), added.end());
+    auto sorted = corrected;
+    std::sort(sorted.begin(), sorted.end());
+    const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+    if (twice != sorted.end())
+      throw base::InputError("coupling " + parameters.name + ": particle " + std::to_string(*twice + 1) +
+                             " takes part in another one already. Move them further apart.");
+    return *handshakes.back();
+  }
+
+  template <int dim>
   double ConcurrentMotion<dim>::solid_step() const
   {
-    return step_with_contacts(motion, stiffest + body_contacts.stiffest());
+    double slaves = 0;
+    for (const auto &h : handshakes)
+      slaves += h->added_eigenvalue();
+    return step_with_contacts(motion, stiffest + slaves + body_contacts.stiffest());
   }
 
   template <int dim>
@@ -55,7 +74,7 @@ namespace coupling
     };
     WindowSteps steps;
     steps.particles      = parts(calm, of_particles);
-    steps.solid          = parts(calm_particles, of_solid);
+    steps.solid          = handshakes.empty() ? parts(calm_particles, of_solid) : 1;
     const double longest = steps.particles > 1 ? std::min(calm, steps.particles * of_particles) :
                            steps.solid > 1     ? std::min(calm_particles, steps.solid * of_solid) :
                                                  std::min(of_solid, of_particles);
@@ -68,7 +87,9 @@ namespace coupling
   {
     look();
     const WindowSteps steps = next_window(rest);
-    if (steps.particles > 1)
+    if (!handshakes.empty())
+      handshake(steps);
+    else if (steps.particles > 1)
       sub_cycle_particles(steps);
     else if (steps.solid > 1 || after_glide())
       return sub_cycle_solid(steps);
@@ -145,18 +166,73 @@ namespace coupling
   }
 
   template <int dim>
-  void ConcurrentMotion<dim>::move_solid(const double step, const double share)
+  void ConcurrentMotion<dim>::handshake(const WindowSteps &steps)
+  {
+    // Surfaces want to know where the solid goes before particles move on; in a window of one step that is known by then.
+    bool solid_waits = true;
+    if (steps.particles == 1)
+      push_solid(steps.window, kick_of(steps.window, last_particle_step) / kick_of(steps.window, last_solid_step));
+    else
+      for (const auto &c : couplings)
+        c->motion_to_dem_as_before(last_solid_step);
+    for (const auto &h : handshakes)
+      h->begin(steps.window);
+    walk_window(particles, steps.window, steps.particles, [&](const double step) {
+      specimen.set_time_step(step);
+      if (lead)
+        lead();
+      specimen.advance(corrected, [&](dem::StepCorrection &correction) {
+        std::size_t first = 0;
+        for (const auto &h : handshakes)
+          {
+            h->correct(correction, first);
+            first += h->particles().size();
+          }
+        if (step < steps.window)
+          return;
+        step_solid(steps.window);
+        solid_waits = false;
+        for (const auto &c : couplings)
+          c->motion_to_dem(steps.window);
+      });
+      last_particle_step = step;
+    });
+    if (steps.particles > 1)
+      push_solid(steps.window, 0);
+    if (solid_waits)
+      step_solid(steps.window);
+    if (steps.particles == 1)
+      for (const auto &c : couplings)
+        c->settle();
+  }
+
+  template <int dim>
+  void ConcurrentMotion<dim>::push_solid(const double step, const double share)
   {
     const double kick = kick_of(step, last_solid_step);
     for (const auto &c : couplings)
       c->forces_to_fem(kick, share);
     body_contacts.push(kick);
     rigid_bodies.lead(last_solid_step > 0 ? kick : 0.5 * step, step);
+  }
+
+  template <int dim>
+  void ConcurrentMotion<dim>::step_solid(const double step)
+  {
+    for (const auto &h : handshakes)
+      h->finish();
     participant.advance(step, 1);
     for (const auto &c : couplings)
       c->solid_has_moved();
     last_solid_step = step;
     body_contacts.find();
+  }
+
+  template <int dim>
+  void ConcurrentMotion<dim>::move_solid(const double step, const double share)
+  {
+    push_solid(step, share);
+    step_solid(step);
   }
 
   template <int dim>
@@ -179,6 +255,8 @@ namespace coupling
     visitor.scalar("last_solid_step", last_solid_step);
     for (const auto &c : couplings)
       c->visit_state(visitor);
+    for (const auto &h : handshakes)
+      h->visit_state(visitor);
     body_contacts.visit_state(visitor);
     rigid_bodies.visit_state(visitor);
   }

@@ -4,6 +4,7 @@
 #include "coupling/contact/solid_contacts.h"
 #include "coupling/participants/particle_participant.h"
 #include "coupling/surface/surface_coupling.h"
+#include "coupling/volume/volume_coupling.h"
 
 #include <functional>
 #include <memory>
@@ -46,6 +47,10 @@ namespace coupling
     const SurfaceCoupling<dim>                               &add_surface(const SurfaceCouplingParameters &parameters);
     const std::vector<std::unique_ptr<SurfaceCoupling<dim>>> &surfaces() const { return couplings; }
 
+    /** Before the first window, after every grip. @throws as VolumeCoupling, base::InputError where two share nodes or particles */
+    const VolumeCoupling<dim>                               &add_volume(const VolumeCouplingParameters &parameters);
+    const std::vector<std::unique_ptr<VolumeCoupling<dim>>> &volumes() const { return handshakes; }
+
     /** Between bodies of the solid; added to before the first window. */
     SolidContacts<dim>       &contacts() { return body_contacts; }
     const SolidContacts<dim> &contacts() const { return body_contacts; }
@@ -80,7 +85,12 @@ namespace coupling
     void        move_together(const WindowSteps &steps);
     /** @param share of the forces of t_n */
     void move_solid(double step, double share);
+    /** Its parts: what pushes in the step, handshakes apart; and the step itself. */
+    void push_solid(double step, double share);
+    void step_solid(double step);
     void move_particles(const WindowSteps &steps);
+    /** The same where particles and solid fill the same space: both at once where the window is a single step. */
+    void handshake(const WindowSteps &steps);
 
     dem::Specimen                                     &specimen;
     const fem::Solid<dim>                             &solid;
@@ -89,6 +99,8 @@ namespace coupling
     ParticleParticipant                                particles;
     std::function<void()>                              lead;
     std::vector<std::unique_ptr<SurfaceCoupling<dim>>> couplings;
+    std::vector<std::unique_ptr<VolumeCoupling<dim>>>  handshakes;
+    std::vector<std::size_t>                           corrected; ///< particles of the handshakes, one after the other
     SolidContacts<dim>                                 body_contacts;
     RigidBodies<dim>                                   rigid_bodies;
     int                                                largest_ratio = 1;

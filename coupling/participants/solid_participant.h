@@ -38,6 +38,8 @@ namespace coupling
 
     /** The node of a first displacement. @pre it is one */
     std::size_t carrier_of(dealii::types::global_dof_index first) const;
+    /** Undeformed [m]. */
+    const Eigen::Vector3d &place(std::size_t carrier) const { return nodes.at(carrier).place; }
     /** The displacements of a node, by component. */
     const std::array<dealii::types::global_dof_index, dim> &displacements(std::size_t carrier) const;
 

@@ -82,8 +82,8 @@ namespace dem
             const double length = s.n.norm(), eccentric = p.radius_of(s.J) - p.radius_of(s.K),
                          stiffness = links.area[l] / links.reference_length[l];
             s.n /= length;
-            s.arm_J = 0.5 * (length + eccentric);
-            s.arm_K = 0.5 * (length - eccentric);
+            s.arm_J     = 0.5 * (length + eccentric);
+            s.arm_K     = 0.5 * (length - eccentric);
             s.k_N       = moduli.normal * stiffness;
             s.k_T       = moduli.shear * stiffness;
             s.k_bending = moduli.bending;

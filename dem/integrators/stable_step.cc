@@ -30,14 +30,14 @@ namespace dem
         const std::int32_t J = links.first[l], K = links.second[l], i = from_first ? J : K;
         const double       eccentric = (p.radius_of(J) - p.radius_of(K)) * (from_first ? 1 : -1),
                      arm             = 0.5 * (branch_of(p, links, l).norm() + eccentric),
-                     lever           = rotations ? p.mass[i] * arm * arm / p.inertia[i] : 0.0;
+                     lever           = rotations && p.inertia[i] > 0 ? p.mass[i] * arm * arm / p.inertia[i] : 0.0;
         reader.read(l, Geometry::present);
         const LinkStiffnesses s = reader.closed_stiffness();
         const double seen = links.area[l] / links.reference_length[l] * std::max(s.normal, s.shear * (1.0 + lever));
         if (!has_moment)
           return seen;
-        const double turning = p.mass[i] / p.inertia[i],
-                     across  = links.area[l] / links.reference_length[l] * s.shear * (1.0 + lever) + s.bending * turning;
+        const double turning = p.inertia[i] > 0 ? p.mass[i] / p.inertia[i] : 0.0,
+                     across = links.area[l] / links.reference_length[l] * s.shear * (1.0 + lever) + s.bending * turning;
         return std::max({seen, across, s.twist * turning});
       }
 
@@ -49,8 +49,7 @@ namespace dem
     };
 
     /** Sum of kappa_c over one particle's links [N/m]. */
-    double
-    stiffness_around(const Particles &p, const LawfulLinks &of, const bool rotations, const std::int32_t i)
+    double stiffness_around(const Particles &p, const LawfulLinks &of, const bool rotations, const std::int32_t i)
     {
       const LinkSet &links = of.links;
       StiffnessSeen  seen(p, of, rotations);
@@ -84,9 +83,21 @@ namespace dem
       }
     double smallest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < particles.count; ++i)
-      if (sum[i] > 0)
+      if (sum[i] > 0 && particles.mass[i] > 0) // without mass: somebody else moves it
         smallest = std::min(smallest, 2.0 * particles.mass[i] / sum[i]);
     return std::sqrt(smallest);
+  }
+
+  double stiffness_around(const Particles                &particles,
+                          const std::vector<LawfulLinks> &all,
+                          const bool                      rotations,
+                          const std::int32_t              particle,
+                          const double                    of_surfaces)
+  {
+    double sum = of_surfaces;
+    for (const LawfulLinks &of : all)
+      sum += stiffness_around(particles, of, rotations, particle);
+    return sum;
   }
 
   double stable_step_of(const Particles                &particles,
@@ -95,9 +106,9 @@ namespace dem
                         const std::int32_t              particle,
                         const double                    of_surfaces)
   {
-    double sum = of_surfaces;
-    for (const LawfulLinks &of : all)
-      sum += stiffness_around(particles, of, rotations, particle);
-    return std::sqrt(2.0 * particles.mass[particle] / sum);
+    if (!(particles.mass[particle] > 0))
+      return std::numeric_limits<double>::infinity();
+    return std::sqrt(2.0 * particles.mass[particle] /
+                     stiffness_around(particles, all, rotations, particle, of_surfaces));
   }
 } // namespace dem

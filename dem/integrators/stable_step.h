@@ -31,6 +31,13 @@ namespace dem
                      bool                            rotations,
                      const std::vector<double>      &of_surfaces = {});
 
+  /** Sum of kappa_c over one particle's links, as the bound has it [N/m], in time proportional to their number. */
+  double stiffness_around(const Particles                &particles,
+                          const std::vector<LawfulLinks> &links,
+                          bool                            rotations,
+                          std::int32_t                    particle,
+                          double                          of_surfaces = 0);
+
   /** The same bound of one particle alone [s], in time proportional to its links. @pre something acts on it */
   double stable_step_of(const Particles                &particles,
                         const std::vector<LawfulLinks> &links,

@@ -52,6 +52,13 @@ namespace dem
     std::array<double, 6> change; ///< [m/s, rad/s]
   };
 
+  /** Who corrects a step, and of which particles. */
+  struct StepPartner
+  {
+    const std::vector<std::size_t>              *particles = nullptr; ///< by packing number; nullptr: there is none
+    const std::function<void(StepCorrection &)> *correct   = nullptr;
+  };
+
   /** Particles on their way through a step of theirs in which surfaces take several. */
   struct Gliding
   {
@@ -82,6 +89,8 @@ namespace dem
     std::vector<ParticleBlockAccount> accounts;
     std::vector<HeldGrip>             grips;
     std::vector<std::int32_t>         slot; ///< of each packing number in the particles' order
+    std::vector<std::pair<std::int32_t, std::size_t>>
+      led_by; ///< of each particle that was left to somebody else the grip and its member; -1: it was not; empty: none was
 
     std::int64_t    step_count = 0;
     double          time = 0, time_step = 0;
@@ -146,13 +155,22 @@ namespace dem
     void start_from_equilibrium(InitialEquilibrium &found);
     /** Sum up what the links and the weight do to each grip's particles. */
     void sum_pulls();
-    /** One leap-frog step: links, contacts, break tests, particles, accounts, new contacts. */
-    void step();
+    /** One leap-frog step: links, contacts, break tests, particles, accounts, new contacts. @param correct may be empty: nobody does */
+    void step(const StepPartner &partner = {});
     /** Its parts: forces of links; motion by them and by forces of surfaces; what follows once all has moved. */
     void       find_link_forces();
     StepHalves next_halves() const { return {0.5 * (step_count == 0 ? time_step : last_step), 0.5 * time_step}; }
-    void       move_particles(const StepHalves &halves, const base::Column &of_surfaces, bool touched);
-    void       end_step();
+    void       move_particles(const StepHalves   &halves,
+                              const base::Column &of_surfaces,
+                              bool                touched,
+                              const StepPartner  &partner = {});
+    /** Of the particles that the partner may correct, six of each; empty: there is none. */
+    base::Column velocities_of(const StepPartner &partner) const;
+    /** Another rate of what a grip prescribes of a particle that was left to somebody else. @return whether one does */
+    bool set_held_rate(std::size_t particle, std::size_t component, double before, double now);
+    /** Let the partner correct what the particles have just done. @return work of his at t_n's half step, and at the half after [J] */
+    std::array<double, 2> let_correct(const StepHalves &halves, const StepPartner &partner, const base::Column &before);
+    void                  end_step();
     /** The particles let surfaces take several steps in one of theirs: see Specimen::glide(). */
     void   begin_glide();
     void   glide(double step, double kick);

@@ -11,6 +11,17 @@
 
 namespace dem
 {
+  namespace
+  {
+    std::array<bool, 6> held_axes(const double *inverse_mass)
+    {
+      std::array<bool, 6> held{};
+      for (std::size_t c = 0; c < held.size(); ++c)
+        held[c] = !(inverse_mass[c] > 0);
+      return held;
+    }
+  } // namespace
+
   double Specimen::longest_step() const { return self->longest_step; }
 
   void Specimen::set_time_step(const double step)
@@ -35,7 +46,13 @@ namespace dem
     return {p.position_of(i),   Eigen::Vector3d(&p.motion[record_size * i]),
             Eigen::Vector3d(v), Eigen::Vector3d(v + 3),
             p.radius_of(i),     p.mass[i],
-            p.inertia[i]};
+            p.inertia[i],       held_axes(&p.inverse_mass[record_size * i])};
+  }
+
+  double Specimen::stiffness_around(const std::size_t number) const
+  {
+    return dem::stiffness_around(self->particles, self->all_links(), self->parameters.physics.rotations,
+                                 self->slot.at(number));
   }
 
   void Specimen::add_force(const std::size_t particle, const Eigen::Vector3d &force, const Eigen::Vector3d &couple)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/column.h"
 #include "base/mandel.h"
 #include "base/state.h"
 #include "dem/facets/glue_output.h"
@@ -46,14 +47,29 @@ namespace dem
     Eigen::Vector3d          spin       = {0, 0, 0}; ///< [rad/s], of the prescribed rotations
   };
 
+  /**
+   * Particles in a step that is not over: by themselves they have moved on, and others may still correct that, as if impulses had acted on
+   * them at t_n. Six numbers of each: along x, y, z and about them.
+   */
+  struct StepCorrection
+  {
+    double                   half_before = 0, half_after = 0; ///< of the steps that meet at t_n [s]
+    std::vector<std::size_t> particles;                       ///< by their number in the packing
+    base::Column             force;                           ///< of links, contacts, weight and push at t_n [N, N m]
+    base::Column             before;                          ///< velocities half a step before t_n [m/s, rad/s]
+    base::Column
+      velocity; ///< half a step after: what is changed here is corrected, and moves the particle with it [m/s, rad/s]
+  };
+
   /** One particle as it is now. */
   struct ParticleState
   {
-    Eigen::Vector3d position;       ///< [m]
-    Eigen::Vector3d moved;          ///< in the last step, with the cell: forces belong to where it came from [m]
-    Eigen::Vector3d velocity, spin; ///< half a step back [m/s, rad/s]; in a periodic cell about its motion
-    double          radius;         ///< [m]
-    double          mass, inertia;  ///< [kg, kg m^2]
+    Eigen::Vector3d     position;       ///< [m]
+    Eigen::Vector3d     moved;          ///< in the last step, with the cell: forces belong to where it came from [m]
+    Eigen::Vector3d     velocity, spin; ///< half a step back [m/s, rad/s]; in a periodic cell about its motion
+    double              radius;         ///< [m]
+    double              mass, inertia;  ///< [kg, kg m^2]
+    std::array<bool, 6> held;           ///< along x, y, z and about them: prescribed or not modelled
   };
 
   /** One particle as an observer sees it; tensors are row-major. Order: the packing's. */
@@ -154,6 +170,14 @@ namespace dem
     /** The same, asking after each step whether to go on. */
     void advance(std::int64_t steps, const std::function<bool()> &go_on);
 
+    /**
+   * Take a step and let somebody else correct it before it is over: contacts, walls and the energy account know only the corrected one.
+   * The work of a correction is external work. Of a particle that was left to
+   * somebody else (leave()) a correction says how it moves; nothing comes of one of what another grip prescribes.
+   * @param particles that may be corrected, by packing number @throws base::InputError in a periodic cell
+   */
+    void advance(const std::vector<std::size_t> &particles, const std::function<void(StepCorrection &)> &correct);
+
     const SpecimenParameters &parameters() const;
 
     std::int64_t steps() const;     ///< taken since the start
@@ -167,6 +191,19 @@ namespace dem
     double critical_step() const; ///< sharp: 2/sqrt(largest eigenvalue) by Lanczos, of the undamaged elastic system [s]
     Counts counts() const;
     std::size_t bytes() const; ///< memory held by particles, links and contacts
+
+    /**
+   * Before the first step: leave a part of everything to somebody else who fills the same space; several calls multiply. Bonds keep, of
+   * their area, the weight of their contact point.
+   * @param of_bonds weight of a place [m], in (0, 1] @param of_masses weight of each particle's mass, by packing number, likewise
+   * @throws base::InputError for another weight, once there was a step, and in a periodic cell
+   */
+    void share(const std::function<double(const Eigen::Vector3d &)> &of_bonds, const std::vector<double> &of_masses);
+    /**
+   * Before the first step: leave particles to somebody else who moves them and has their mass. Bonds between two of them go, unless they
+   * are to stay. They rest until a correction of a step says how they move (StepCorrection). @throws base::InputError once there was a step, and in a periodic cell
+   */
+    void leave(const std::vector<std::size_t> &particles, bool keep_bonds_between);
 
     /** Prescribe motion of a group from now on. @return its number for reaction(). @throws base::InputError in a periodic cell */
     std::size_t add_grip(const Grip &grip);
@@ -263,8 +300,9 @@ namespace dem
     /** Set velocities (by packing number) before the first step; they count as initial energy. In a periodic cell: about its motion. */
     void set_velocity(std::size_t particle, const Eigen::Vector3d &velocity, const Eigen::Vector3d &spin);
 
-    EnergyAccount   energy() const;                           ///< at t_n of the last step
-    ParticleState   particle(std::size_t number) const;       ///< by packing number
+    EnergyAccount   energy() const;                               ///< at t_n of the last step
+    ParticleState   particle(std::size_t number) const;           ///< by packing number
+    double          stiffness_around(std::size_t particle) const; ///< of its links and contacts, as (5.1) has it [N/m]
     Eigen::Vector3d displacement(std::size_t particle) const; ///< of a particle, by packing number, since the start [m]
     double          mean_damage() const; ///< of the links made at the start, broken ones count as 1 [-]
     ParticleOutput  particles() const;

@@ -19,13 +19,13 @@ namespace dem
     constexpr double idle_lines_allowed = 0.05;
   } // namespace
 
-  void Specimen::Implementation::step()
+  void Specimen::Implementation::step(const StepPartner &partner)
   {
     find_link_forces();
     if (!surfaces.empty())
       find_surface_forces();
     const StepHalves halves = next_halves();
-    move_particles(halves, surfaces.on_particles(), surfaces.touching());
+    move_particles(halves, surfaces.on_particles(), surfaces.touching(), partner);
     if (!surfaces.empty())
       advance_surfaces(halves);
     unseen.clear();
@@ -45,13 +45,20 @@ namespace dem
 
   void Specimen::Implementation::move_particles(const StepHalves   &halves,
                                                 const base::Column &of_surfaces,
-                                                const bool          touched)
+                                                const bool          touched,
+                                                const StepPartner  &partner)
   {
     if (touched && particles.pushed.empty())
       particles.pushed.assign(record_size * particles.count, 0.0);
+    const base::Column before = velocities_of(partner);
     select_particle_pass(contacts.alive > 0, parameters.damping > 0, equal_radii, moments(), surroundings(touched))(
       particles, bonds, &contacts, of_surfaces, halves, parameters.damping, parameters.gravity, accounts);
+    if (!partner.particles)
+      return account(halves);
+    const auto work = let_correct(halves, partner, before);
     account(halves);
+    work_now += work[0];
+    work_after += work[1];
   }
 
   void Specimen::Implementation::end_step()

@@ -8,6 +8,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/fe/fe_values.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace fem
@@ -53,10 +54,43 @@ namespace fem
 
   namespace
   {
+    /// What counts of an element at its points; empty: all of it. @pre `values` knows where they are
+    template <int dim>
+    std::vector<double> shares_of(const SolidOptions &options, const FEValues<dim> &values)
+    {
+      std::vector<double> shares;
+      if (!options.share)
+        return shares;
+      for (const auto &place : values.get_quadrature_points())
+        shares.push_back(share_at(options, place));
+      return std::any_of(shares.begin(), shares.end(), [](const double s) { return s != 1; }) ? shares :
+                                                                                                std::vector<double>{};
+    }
+
+    /// Where only a part of the element counts: sums over the rows of the consistent mass, which keep its centre.
+    template <int dim>
+    void mass_of_shares(const FEValues<dim>       &values,
+                        const double               density,
+                        const std::vector<double> &shares,
+                        std::vector<double>       &mass)
+    {
+      for (unsigned int i = 0; i < mass.size(); ++i)
+        {
+          mass[i] = 0;
+          for (unsigned int q = 0; q < shares.size(); ++q)
+            mass[i] += shares[q] * density * values.shape_value(i, q) * values.JxW(q);
+        }
+    }
+
     /// Diagonal of the consistent mass scaled to the element's mass, component by component.
     template <int dim>
-    void element_mass(const FEValues<dim> &values, const double density, std::vector<double> &mass)
+    void element_mass(const FEValues<dim>       &values,
+                      const double               density,
+                      const std::vector<double> &shares,
+                      std::vector<double>       &mass)
     {
+      if (!shares.empty())
+        return mass_of_shares(values, density, shares, mass);
       const auto &fe    = values.get_fe();
       double      whole = 0, diagonal = 0;
       for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
@@ -86,9 +120,10 @@ namespace fem
   template <int dim>
   void ExplicitSolver<dim>::lump_mass()
   {
-    const auto         &fe = solid.dofs().get_fe();
-    FEValues<dim>       values(solid.mapping(), fe, solid.quadrature(), update_values | update_JxW_values);
-    std::vector<double> mass(fe.n_dofs_per_cell());
+    const auto                          &fe = solid.dofs().get_fe();
+    FEValues<dim>                        values(solid.mapping(), fe, solid.quadrature(),
+                                                update_values | update_JxW_values | update_quadrature_points);
+    std::vector<double>                  mass(fe.n_dofs_per_cell());
     std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
     const auto                           density   = density_by_id(solid, options);
     const double                         thickness = dim == 2 ? solid.options().thickness : 1.0;
@@ -96,13 +131,19 @@ namespace fem
       if (cell->is_locally_owned())
         {
           values.reinit(cell);
-          element_mass(values, thickness * density.at(cell->material_id()), mass);
+          element_mass(values, thickness * density.at(cell->material_id()), shares_of(solid.options(), values), mass);
           cell->get_dof_indices(indices);
           for (unsigned int i = 0; i < mass.size(); ++i)
             lumped[indices[i]] += mass[i];
         }
     lumped.compress(VectorOperation::add);
     lumped.update_ghost_values();
+  }
+
+  template <int dim>
+  double ExplicitSolver<dim>::density(const types::material_id id) const
+  {
+    return density_by_id(solid, options).at(id);
   }
 
   template <int dim>
@@ -126,9 +167,10 @@ namespace fem
   template <int dim>
   void ExplicitSolver<dim>::find_step()
   {
-    const auto        &fe = solid.dofs().get_fe();
-    const unsigned int n  = fe.n_dofs_per_cell();
-    FEValues<dim> values(solid.mapping(), fe, solid.quadrature(), update_values | update_gradients | update_JxW_values);
+    const auto         &fe = solid.dofs().get_fe();
+    const unsigned int  n  = fe.n_dofs_per_cell();
+    FEValues<dim>       values(solid.mapping(), fe, solid.quadrature(),
+                               update_values | update_gradients | update_JxW_values | update_quadrature_points);
     ElementKernel<dim>  kernel(fe, solid.quadrature().size(), false, solid.options().mean_dilatation);
     std::vector<double> mass(n);
     const auto          density = density_by_id(solid, options);
@@ -146,12 +188,21 @@ namespace fem
           for (unsigned int w = 1; w < cell->n_vertices(); ++w)
             for (unsigned int d = 0; d < dim; ++d)
               shape.push_back(std::llround((cell->vertex(w)[d] - cell->vertex(0)[d]) / unit));
+          if (solid.options().share)
+            {
+              values.reinit(cell);
+              for (const double share : shares_of(solid.options(), values))
+                shape.push_back(std::llround(share * 1e9));
+            }
           const auto found = known.find(shape);
           if (found != known.end())
             continue;
           values.reinit(cell);
-          element_mass(values, density.at(cell->material_id()), mass);
+          const auto shares = shares_of(solid.options(), values);
+          element_mass(values, density.at(cell->material_id()), shares, mass);
           kernel.reinit(values, Eigen::VectorXd::Zero(n));
+          for (unsigned int q = 0; q < shares.size(); ++q)
+            kernel.share(q, shares[q]);
           Eigen::MatrixXd k = Eigen::MatrixXd::Zero(n, n);
           for (unsigned int q = 0; q < solid.quadrature().size(); ++q)
             {
@@ -226,6 +277,16 @@ namespace fem
   }
 
   template <int dim>
+  void ExplicitSolver<dim>::add_mass(const types::global_dof_index dof, const double mass)
+  {
+    const unsigned int i = local(dof);
+    if (weight.size() > 0)
+      weight.local_element(i) *= 1 + mass / lumped.local_element(i);
+    lumped.local_element(i) += mass;
+    lumped.update_ghost_values();
+  }
+
+  template <int dim>
   void ExplicitSolver<dim>::add_force(const types::global_dof_index dof, const double force)
   {
     const unsigned int i = local(dof);
@@ -296,32 +357,60 @@ namespace fem
   }
 
   template <int dim>
+  void ExplicitSolver<dim>::find_forces_of_start()
+  {
+    internal_force_at(u, f_int);
+    find_external_force();
+    mean = v;
+  }
+
+  template <int dim>
+  double ExplicitSolver<dim>::kick_of(const double length) const
+  {
+    return started ? 0.5 * (last_length + length) : 0.5 * length; // the first starts from the velocity at time zero
+  }
+
+  template <int dim>
+  double ExplicitSolver<dim>::next_velocity(const unsigned int i, const double length, const double kick) const
+  {
+    if (!held[i])
+      return kicked(i, v.local_element(i), kick);
+    const auto own = outside.driven.find(i);
+    return own != outside.driven.end() ? own->second : (target.local_element(i) - u.local_element(i)) / length;
+  }
+
+  template <int dim>
+  void ExplicitSolver<dim>::predict(const double length, Vector &velocity)
+  {
+    if (!started)
+      find_forces_of_start();
+    const double kick = kick_of(length);
+    solid.prescribed(current_time + length, target);
+    for (unsigned int i = 0; i < u.locally_owned_size(); ++i)
+      velocity.local_element(i) = next_velocity(i, length, kick);
+  }
+
+  template <int dim>
+  double ExplicitSolver<dim>::force_for_velocity(const types::global_dof_index dof, const double length) const
+  {
+    const unsigned int i    = local(dof);
+    const double       kick = kick_of(length);
+    return held[i] ? 0.0 : lumped.local_element(i) * (1 + 0.5 * options.damping * kick) / kick;
+  }
+
+  template <int dim>
   void ExplicitSolver<dim>::advance(const double length)
   {
     if (!started)
-      {
-        internal_force_at(u, f_int);
-        find_external_force();
-        mean = v;
-      }
-    const double kick =
-      started ? 0.5 * (last_length + length) : 0.5 * length; // the first starts from the velocity at time zero
+      find_forces_of_start();
+    const double kick = kick_of(length);
     solid.prescribed(current_time + length, target);
     double pushed = 0; // kinetic energy that the supports give to their own nodes
     for (unsigned int i = 0; i < u.locally_owned_size(); ++i)
       {
-        const double old        = v.local_element(i);
-        double       now        = 0;
-        bool         in_account = started; // whether the account has the old velocity
-        if (!held[i])
-          now = kicked(i, old, kick);
-        else if (const auto own = outside.driven.find(i); own != outside.driven.end())
-          {
-            now        = own->second;
-            in_account = true; // as energy of the start, where it had one
-          }
-        else
-          now = (target.local_element(i) - u.local_element(i)) / length;
+        const double old = v.local_element(i), now = next_velocity(i, length, kick);
+        // Whether the account has the old velocity: of what is driven as energy of the start, where it had one.
+        const bool in_account  = started || outside.driven.count(i) > 0;
         v.local_element(i)     = now;
         moved.local_element(i) = length * now;
         u.local_element(i) += moved.local_element(i);

@@ -74,10 +74,14 @@ namespace fem
     const Vector         &displacement() const { return u; }
     const Vector         &velocity() const { return v; } ///< half a step back
     const Vector         &mass() const { return lumped; }
+    double                density(dealii::types::material_id id) const; ///< [kg/m^3]
     const Vector         &internal_force() const { return f_int; }
     const Vector         &external_force() const { return f_ext; }
     const ExplicitEnergy &energy() const { return account; }
     double                largest_element_eigenvalue() const { return 4 / (step_limit * step_limit); } ///< [1/s^2]
+
+    /// Before the first step: mass of something that rides on a locally owned displacement [kg].
+    void add_mass(dealii::types::global_dof_index dof, double mass);
 
     /**
      * Push a locally owned displacement from outside [N], in every step until clear_forces(). Several add up; their work is external
@@ -85,6 +89,11 @@ namespace fem
      */
     void add_force(dealii::types::global_dof_index dof, double force);
     void clear_forces();
+
+    /// Velocities after a step of this length [s], if nothing more than now pushes [m/s].
+    void predict(double length, Vector &velocity);
+    /// Force that makes a locally owned displacement this much faster in that step [N/(m/s)]; 0: what is prescribed.
+    double force_for_velocity(dealii::types::global_dof_index dof, double length) const;
 
     /**
      * Change the velocity of a locally owned displacement at once [m/s], unless it is prescribed. The energy that this gives or takes
@@ -108,12 +117,15 @@ namespace fem
     void restore(const ExplicitState &saved);
 
   private:
-    void         lump_mass();
-    void         find_weight();
-    void         find_step();
-    double       kicked(unsigned int i, double old, double kick) const; ///< velocity after a kick by the present forces
-    void         keep_account(double length, double pushed);
-    void         find_external_force();
+    void   lump_mass();
+    void   find_weight();
+    void   find_step();
+    double kicked(unsigned int i, double old, double kick) const; ///< velocity after a kick by the present forces
+    void   find_forces_of_start();
+    double next_velocity(unsigned int i, double length, double kick) const; ///< @pre `target` is that of the step's end
+    double kick_of(double length) const; ///< time that forces push for in a step of this length [s]
+    void   keep_account(double length, double pushed);
+    void   find_external_force();
     unsigned int local(dealii::types::global_dof_index dof) const;
 
     Solid<dim>       &solid;

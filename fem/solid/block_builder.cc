@@ -9,7 +9,11 @@ namespace fem
   template <int dim, typename Number>
   BlockBuilder<dim, Number>::BlockBuilder(const Solid<dim> &solid)
     : fe(solid.dofs().get_fe())
-    , values(solid.mapping(), fe.base_element(0), solid.quadrature(), update_gradients | update_JxW_values)
+    , options(solid.options())
+    , values(solid.mapping(),
+             fe.base_element(0),
+             solid.quadrature(),
+             update_gradients | update_JxW_values | update_quadrature_points)
     , nodes(fe.n_dofs_per_cell() / dim)
     , n_points(solid.quadrature().size())
     , trilinear(dim == 3 && solid.mesh().family == ElementFamily::hypercube && fe.degree == 1)
@@ -84,6 +88,22 @@ namespace fem
   }
 
   template <int dim, typename Number>
+  bool BlockBuilder<dim, Number>::share_volumes(const typename Triangulation<dim>::cell_iterator &cell)
+  {
+    if (!options.share)
+      return true;
+    bool whole = true;
+    values.reinit(cell);
+    for (unsigned int q = 0; q < n_points; ++q)
+      {
+        const double share = share_at(options, values.quadrature_point(q));
+        whole              = whole && share == 1;
+        volume[q] *= share;
+      }
+    return whole;
+  }
+
+  template <int dim, typename Number>
   void BlockBuilder<dim, Number>::store_jacobians(ElementBlocksOf<Number> &e, const std::size_t lane) const
   {
     constexpr std::size_t lanes  = ElementBlocksOf<Number>::lanes;
@@ -103,8 +123,9 @@ namespace fem
     constexpr std::size_t lanes = ElementBlocksOf<Number>::lanes;
     for (unsigned int q = 0; q < n_points; ++q)
       {
-        const std::size_t at         = (e.n_blocks - 1) * n_points + q;
-        e.weights[at * lanes + lane] = static_cast<Number>(thickness * values.JxW(q));
+        const std::size_t at = (e.n_blocks - 1) * n_points + q;
+        e.weights[at * lanes + lane] =
+          static_cast<Number>(thickness * values.JxW(q) * share_at(options, values.quadrature_point(q)));
         for (unsigned int a = 0; a < nodes; ++a)
           for (unsigned int d = 0; d < dim; ++d)
             e.gradients[((at * nodes + a) * dim + d) * lanes + lane] = static_cast<Number>(values.shape_grad(a, q)[d]);
@@ -119,7 +140,7 @@ namespace fem
     std::size_t lane     = 0;
     auto        geometry = BlockGeometry::gradients;
     if (trilinear)
-      geometry = find_jacobians(cell) ? BlockGeometry::parallelepiped : BlockGeometry::trilinear;
+      geometry = find_jacobians(cell) && share_volumes(cell) ? BlockGeometry::parallelepiped : BlockGeometry::trilinear;
     else
       values.reinit(cell);
     ElementBlocksOf<Number> &e = block_for(material, geometry, lane);

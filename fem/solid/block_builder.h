@@ -32,10 +32,14 @@ namespace fem
     /// Inverse Jacobians and volumes at the 8 points of a hexahedron. @return whether all Jacobians are one.
     bool find_jacobians(const typename dealii::Triangulation<dim>::cell_iterator &cell);
 
+    /// Lets only what counts of the points' volumes count. @return whether all of it does. @pre find_jacobians()
+    bool share_volumes(const typename dealii::Triangulation<dim>::cell_iterator &cell);
+
     void store_jacobians(ElementBlocksOf<Number> &e, std::size_t lane) const;
     void store_gradients(ElementBlocksOf<Number> &e, std::size_t lane) const;
 
     const dealii::FiniteElement<dim>    &fe;
+    const SolidOptions                  &options;
     dealii::FEValues<dim>                values;
     const unsigned int                   nodes, n_points;
     const bool                           trilinear;

@@ -35,6 +35,9 @@ namespace fem
     /// Takes the shape gradients of the element at hand and its displacements.
     void reinit(const dealii::FEValues<dim> &values, const Eigen::VectorXd &displacement);
 
+    /// Lets only a part of a point's volume count, until the next reinit().
+    void share(const unsigned int point, const double part) { weights[point] *= part; }
+
     /// Strain at a point.
     base::Voigt strain(unsigned int point);
 

@@ -7,7 +7,11 @@ namespace fem
   template <int dim>
   ElementSweep<dim>::ElementSweep(const Solid<dim> &body, const UpdateFlags more)
     : solid(body)
-    , values(body.mapping(), body.dofs().get_fe(), body.quadrature(), update_gradients | update_JxW_values | more)
+    , values(body.mapping(),
+             body.dofs().get_fe(),
+             body.quadrature(),
+             update_gradients | update_JxW_values | (body.options().share ? update_quadrature_points : update_default) |
+               more)
     , kernel(body.dofs().get_fe(),
              body.quadrature().size(),
              body.options().large_displacement,
@@ -30,6 +34,9 @@ namespace fem
     for (unsigned int i = 0; i < indices.size(); ++i)
       u[i] = displacement[indices[i]];
     kernel.reinit(values, u);
+    if (solid.options().share)
+      for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
+        kernel.share(q, share_at(solid.options(), values.quadrature_point(q)));
   }
 
   template <int dim>

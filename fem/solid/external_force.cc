@@ -156,7 +156,8 @@ namespace fem
           cell->get_dof_indices(indices);
           for (const unsigned int q : values.quadrature_point_indices())
             {
-              const Tensor<1, dim> body = loads.body_force(values.quadrature_point(q), time);
+              const Tensor<1, dim> body =
+                share_at(settings, values.quadrature_point(q)) * loads.body_force(values.quadrature_point(q), time);
               for (unsigned int i = 0; i < indices.size(); ++i)
                 force[indices[i]] += thickness * values.shape_value(i, q) *
                                      body[element->system_to_component_index(i).first] * values.JxW(q);

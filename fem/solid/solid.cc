@@ -115,7 +115,11 @@ namespace fem
     for (auto &law : materials)
       law.second->allocate(count[law.second.get()]);
     if (NonlocalCoupling<dim>::wanted(*this))
-      nonlocal = std::make_unique<NonlocalCoupling<dim>>(*this);
+      {
+        if (settings.share)
+          throw base::InputError("a material averaged over a length cannot share its place with particles.");
+        nonlocal = std::make_unique<NonlocalCoupling<dim>>(*this);
+      }
   }
 
   template <int dim>
@@ -254,8 +258,9 @@ namespace fem
             {
               const base::Voigt strain = at_hand.strain(q);
               e.material->evaluate(e.first + q, strain, e.extent, false, answer);
-              visit({cell, at_hand.at_points().quadrature_point(q), at_hand.at_points().JxW(q) * thickness, strain,
-                     answer.stress, e.material, e.first + q});
+              const Point<dim> &place  = at_hand.at_points().quadrature_point(q);
+              const double      volume = at_hand.at_points().JxW(q) * thickness * share_at(settings, place);
+              visit({cell, place, volume, strain, answer.stress, e.material, e.first + q});
             }
         }
   }
@@ -281,7 +286,7 @@ namespace fem
     Dissipation sum;
     if (linear())
       return sum;
-    FEValues<dim> values(*geometry, *element, points, update_JxW_values);
+    FEValues<dim> values(*geometry, *element, points, update_quadrature_points | update_JxW_values);
     const double  thickness = dim == 2 ? settings.thickness : 1.0;
     std::size_t   next      = 0;
     for (const auto &cell : dof_handler.active_cell_iterators())
@@ -297,7 +302,7 @@ namespace fem
               if (!reached)
                 values.reinit(cell);
               reached = true;
-              sum.add(d, thickness * values.JxW(q));
+              sum.add(d, thickness * values.JxW(q) * share_at(settings, values.quadrature_point(q)));
             }
         }
     sum.plasticity = Utilities::MPI::sum(sum.plasticity, communicator());

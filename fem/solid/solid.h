@@ -13,6 +13,9 @@
 #include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
+#include <array>
+#include <functional>
+
 namespace fem
 {
   using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
@@ -25,7 +28,18 @@ namespace fem
     double       thickness          = 1.0;           ///< [m], in two dimensions
     bool         large_displacement = false; ///< total Lagrangian: the material sees Green strain and 2nd Piola stress
     bool         mean_dilatation    = false; ///< volume change averaged over the element: no locking near nu = 0.5
+
+    /// What part of the solid counts at an undeformed place [m], in (0, 1]: of mass, stiffness and weight; the rest is somebody else's
+    /// who fills the same space. Empty: all, everywhere.
+    std::function<double(const std::array<double, 3> &)> share = {};
   };
+
+  /// The share of a place; 1 where nothing is said of it.
+  template <int dim>
+  double share_at(const SolidOptions &options, const dealii::Point<dim> &place)
+  {
+    return options.share ? options.share({place[0], place[1], dim == 3 ? place[dim - 1] : 0.0}) : 1.0;
+  }
 
   /// What one sweep over the elements gives, at a displacement.
   struct Sweep
@@ -42,11 +56,11 @@ namespace fem
   struct PointView
   {
     typename dealii::DoFHandler<dim>::active_cell_iterator cell;
-    dealii::Point<dim>                                     place;  ///< [m], undeformed
-    double                                                 volume; ///< its share, thickness included [m^3]
-    base::Voigt                                            strain, stress;
-    MaterialPoints                                        *material;
-    std::size_t                                            index; ///< of the point in its material
+    dealii::Point<dim>                                     place; ///< [m], undeformed
+    double          volume; ///< its share, thickness included, of what counts there [m^3]
+    base::Voigt     strain, stress;
+    MaterialPoints *material;
+    std::size_t     index; ///< of the point in its material
   };
 
   template <int dim>

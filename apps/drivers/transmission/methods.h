@@ -1,0 +1,11 @@
+#pragma once
+
+#include "apps/drivers/transmission/wave_case.h"
+
+#include <vector>
+
+namespace apps
+{
+  /** All methods that a scene can name, the one for dynamics first. */
+  const std::vector<WaveMethod> &wave_methods();
+} // namespace apps

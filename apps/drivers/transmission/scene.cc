@@ -1,0 +1,248 @@
+#include "apps/drivers/transmission/scene.h"
+
+#include "apps/drivers/parts/duration.h"
+#include "apps/drivers/transmission/methods.h"
+#include "apps/process/exit_status.h"
+#include "apps/process/interrupt.h"
+#include "apps/process/mpi_session.h"
+#include "apps/process/stopwatch.h"
+#include "apps/process/version.h"
+#include "apps/results/result_folder.h"
+#include "apps/results/result_listing.h"
+#include "apps/results/warning.h"
+#include "apps/scene/name_list.h"
+#include "apps/scene/value_text.h"
+#include "postprocess/atomic_file.h"
+#include "postprocess/plot.h"
+#include "postprocess/summary.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace apps
+{
+  namespace
+  {
+    constexpr const char *transmission_section = "Waves";
+
+    /** One row of the table. */
+    struct WavePoint
+    {
+      std::string method;
+      double      wavelength = 0; ///< [m]
+      WaveAnswer  answer;
+    };
+
+    std::string csv_of_waves(const std::vector<WavePoint> &points)
+    {
+      std::string text = "method,wavelength [m],reflected [-],transmitted [-],absorbed [-]\n";
+      for (const WavePoint &p : points)
+        text += fmt::format("{},{},{},{},{}\n", p.method, p.wavelength, p.answer.reflected, p.answer.transmitted,
+                            p.answer.absorbed);
+      return text;
+    }
+
+    std::string method_names()
+    {
+      std::string names;
+      for (const WaveMethod &method : wave_methods())
+        names += (names.empty() ? "" : ", ") + method.name;
+      return names;
+    }
+
+    std::vector<postprocess::PlotPanel> wave_panels(const std::vector<WavePoint> &points, const WaveCase &common)
+    {
+      const std::pair<const char *, double WaveAnswer::*> shares[] = {{"Reflected", &WaveAnswer::reflected},
+                                                                      {"Transmitted", &WaveAnswer::transmitted},
+                                                                      {"Absorbed", &WaveAnswer::absorbed}};
+      std::vector<postprocess::PlotPanel>                 panels;
+      for (const auto &[title, share] : shares)
+        {
+          postprocess::PlotPanel panel;
+          panel.title   = fmt::format("{}, elements of {} spacings", title, common.element);
+          panel.x_label = "Wavelength / spacing of the particles";
+          panel.y_label = "Share of the energy";
+          panel.log_x   = true;
+          for (const WavePoint &p : points)
+            {
+              if (panel.series.empty() || panel.series.back().name != p.method)
+                {
+                  panel.series.emplace_back();
+                  panel.series.back().name = p.method;
+                }
+              panel.series.back().x.push_back(p.wavelength / common.medium.spacing);
+              panel.series.back().y.push_back(p.answer.*share);
+            }
+          if (share == &WaveAnswer::reflected && common.medium.lattice == WaveMedium::Lattice::chain)
+            {
+              postprocess::PlotSeries reference;
+              reference.name                 = "no overlap, exact";
+              reference.style                = postprocess::PlotSeries::Style::line;
+              reference.colour               = "#000000";
+              const auto [shortest, longest] = std::minmax_element(
+                points.begin(), points.end(), [](const auto &a, const auto &b) { return a.wavelength < b.wavelength; });
+              constexpr int between = 200;
+              for (int i = 0; i <= between; ++i)
+                {
+                  const double lambda =
+                    shortest->wavelength *
+                    std::pow(longest->wavelength / shortest->wavelength, static_cast<double>(i) / between) /
+                    common.medium.spacing;
+                  reference.x.push_back(lambda);
+                  reference.y.push_back(edge_to_edge_reflection(common.element, lambda));
+                }
+              panel.series.push_back(reference);
+            }
+          panels.push_back(panel);
+        }
+      return panels;
+    }
+
+    nlohmann::json json_of_waves(const std::vector<WavePoint> &points)
+    {
+      nlohmann::json all = nlohmann::json::array();
+      for (const WavePoint &p : points)
+        all.push_back({{"method", p.method},
+                       {"wavelength", {{"value", p.wavelength}, {"unit", "m"}}},
+                       {"reflected", p.answer.reflected},
+                       {"transmitted", p.answer.transmitted},
+                       {"absorbed", p.answer.absorbed},
+                       {"made", p.answer.made},
+                       {"balance_error", p.answer.balance_error},
+                       {"steps", p.answer.steps},
+                       {"particles", p.answer.particles}});
+      return all;
+    }
+  } // namespace
+
+  void TransmissionScene::declare(Section &root)
+  {
+    Section &s =
+      root.section(transmission_section, "Packets of waves that run through particles and on into a continuum");
+    s.choice("Medium", common.medium.lattice,
+             {{"chain", WaveMedium::Lattice::chain}, {"strip", WaveMedium::Lattice::strip}}, Need::optional)
+      .means("Particles in a row, or in hexagonal rows of an unbounded plane");
+    s.number("Spacing", common.medium.spacing, "m", Range::positive(), Need::optional).means("Of neighbours");
+    s.number("Normal modulus", common.medium.modulus, "Pa", Range::positive(), Need::required).means("Of the links");
+    s.number("Density", common.medium.density, "kg/m^3", Range::positive(), Need::required)
+      .means("Of the medium, voids included; the continuum has the same");
+    s.integer("Rows", common.medium.rows, "-", Range::between(2, 1000), Need::optional)
+      .means("Of a strip, from one line of symmetry to the other")
+      .only_if([this] { return common.medium.lattice == WaveMedium::Lattice::strip; }, "Medium = strip");
+    s.flag("Shear", common.shear).means("Waves of shear, not of compression; in a strip");
+    s.text("Wavelengths", wavelengths, Need::required).means("[m], four spacings at least, separated by commas");
+    s.text("Methods", methods, Need::optional).means("Of the coupling, separated by commas: " + method_names());
+    s.integer("Element size", common.element, "-", Range::between(1, 64), Need::optional)
+      .means("Of the continuum, over the spacing");
+    s.integer("Overlap", common.overlap, "-", Range::between(1, 64), Need::optional)
+      .means("Where both fill the same space, in elements");
+    s.number("Step factor", common.step_factor, "-", Range::from_up_to(1e-3, 1), Need::optional)
+      .means("Time step over the stable one of the particles");
+    s.number("Layer", layer, "-", Range::at_least(0), Need::optional)
+      .means("How far absorbers reach into the particles, in elements");
+    s.number("Rate", rate, "-", Range::at_least(0), Need::optional)
+      .means("Of absorbers at its largest, times element size over speed of compression waves");
+    s.number("Grid", grid, "-", Range::between(0.1, 10), Need::optional)
+      .means("Of the absorbers' averages, in elements");
+  }
+
+  std::vector<WaveMethod> TransmissionScene::chosen() const
+  {
+    std::vector<WaveMethod> found;
+    for (const std::string &name : names_in(methods))
+      {
+        const auto &all = wave_methods();
+        const auto  one = std::find_if(all.begin(), all.end(), [&](const WaveMethod &m) { return m.name == name; });
+        if (one == all.end())
+          return {};
+        found.push_back(*one);
+        found.back().layer = layer;
+        found.back().rate  = rate;
+        found.back().grid  = grid;
+      }
+    return found;
+  }
+
+  std::vector<double> TransmissionScene::lengths() const
+  {
+    std::vector<double> found;
+    for (const std::string &part : comma_separated(wavelengths))
+      {
+        const auto number = number_in(part);
+        if (!number || !(*number >= 4 * common.medium.spacing) || !(*number < 1e4 * common.medium.spacing))
+          return {};
+        found.push_back(*number);
+      }
+    return found;
+  }
+
+  WaveCase TransmissionScene::wave(const WaveMethod &method, const double length) const
+  {
+    WaveCase one   = common;
+    one.method     = method;
+    one.wavelength = length;
+    return one;
+  }
+
+  void TransmissionScene::validate(const Section &root) const
+  {
+    const Section &s = *root.find_section(transmission_section);
+    if (lengths().empty())
+      s.refuse("Wavelengths", fmt::format("expected numbers from {} to {} m, 4 to 10000 spacings, separated by commas.",
+                                          4 * common.medium.spacing, 1e4 * common.medium.spacing));
+    if (chosen().empty())
+      s.refuse("Methods", "expected names among " + method_names() + ", separated by commas.");
+    if (common.shear && common.medium.lattice == WaveMedium::Lattice::chain)
+      s.refuse("Shear", "particles in a row move along it only. Take Medium = strip.");
+  }
+
+  std::string TransmissionScene::forecast() const
+  {
+    start_mpi();
+    // The shortest packet tells; cost grows with the square of the length.
+    const auto      all      = lengths();
+    const double    shortest = *std::min_element(all.begin(), all.end());
+    const Stopwatch watch;
+    const auto      answer  = transmit(wave(chosen().front(), shortest));
+    const double    seconds = watch.seconds();
+    double          sum     = 0;
+    for (const double length : all)
+      sum += wave_cost(wave(chosen().front(), length)) / wave_cost(wave(chosen().front(), shortest));
+    return fmt::format("  packets      {}, of {} steps of {} particles at least\n", all.size() * chosen().size(),
+                       answer.steps, answer.particles) +
+           duration_line(seconds * sum * static_cast<double>(chosen().size()));
+  }
+
+  int TransmissionScene::run(const RunRequest &request) const
+  {
+    if (request.resume)
+      throw base::InputError("--resume: packets of waves have no checkpoint. Run them again.");
+    start_mpi();
+    std::vector<WavePoint> points;
+    for (const WaveMethod &method : chosen())
+      for (const double length : lengths())
+        {
+          if (interrupted())
+            return exit_interrupted;
+          points.push_back({method.name, length, transmit(wave(method, length))});
+          const WaveAnswer &a = points.back().answer;
+          fmt::print("{:14} wavelength {:<10.4g} m: reflected {:.4f}, transmitted {:.4f}, absorbed {:.4f}\n",
+                     method.name, length, a.reflected, a.transmitted, a.absorbed);
+        }
+    nlohmann::json json;
+    json["made_by"] = "breccia " + version();
+    json["waves"]   = json_of_waves(points);
+
+    ResultFolder folder(request.output_folder, ResultFolder::Start::afresh);
+    postprocess::write_text(folder.running() / "scene.prm", request.scene_text);
+    postprocess::write_json(folder.running() / "summary.json", json);
+    postprocess::write_text(folder.running() / "reflection.csv", csv_of_waves(points));
+    warn_of_missing("reflection.png",
+                    postprocess::plot(folder.running() / "reflection.png", wave_panels(points, common)));
+    folder.publish();
+    fmt::print("{}", result_listing(request.output_folder));
+    return exit_success;
+  }
+} // namespace apps

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "apps/drivers/transmission/wave_case.h"
+#include "apps/scene/scene.h"
+
+#include <string>
+#include <vector>
+
+namespace apps
+{
+  /**
+   * Scene kind "transmission": packets of waves from particles into a continuum, by several methods, over the wavelength.
+   *
+   * In the result folder: reflection.csv, reflection.png, summary.json, scene.prm.
+   */
+  class TransmissionScene : public Scene
+  {
+  public:
+    void        declare(Section &root) override;
+    void        validate(const Section &root) const override;
+    std::string forecast() const override;
+    int         run(const RunRequest &request) const override;
+
+  private:
+    std::vector<WaveMethod> chosen() const;
+    std::vector<double>     lengths() const; ///< [m]
+    WaveCase                wave(const WaveMethod &method, double length) const;
+
+    WaveCase    common; ///< without method and wavelength
+    std::string methods = "absorber, coarse, slaved", wavelengths;
+    double      layer = 4, rate = 8, grid = 0.875; ///< of absorbers
+  };
+} // namespace apps

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "coupling/volume/multipliers.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace coupling
+{
+  /** How the absorber tells what a mesh can carry from what it cannot. */
+  struct AbsorberParameters
+  {
+    double spacing   = 0; ///< H of the grid of averages [m], > 0
+    int    sharpness = 3; ///< p: how often the average is taken off, >= 1
+  };
+
+  /** Who takes part in an average: particles, and points of the solid where there are no particles any more. */
+  struct AbsorberCarriers
+  {
+    int                          dimension = 3;
+    std::vector<Eigen::Vector3d> places;            ///< of the particles [m]
+    Eigen::VectorXd              whole_mass;        ///< of the particles, as if they shared with nobody [kg]
+    Eigen::VectorXd              damping;           ///< of the particles: rate times mass [kg/s]
+    CarrierRows                  inverse_mass;      ///< of the particles, zero where motion is prescribed [1/kg]
+    std::vector<Eigen::Vector3d> points;            ///< of the solid [m]
+    Eigen::VectorXd              point_mass;        ///< [kg]
+    WeightRows                   weights;           ///< of the nodes (columns) at the points
+    CarrierRows                  inverse_node_mass; ///< likewise [1/kg]
+  };
+
+  /**
+   * Damps what a mesh cannot carry and would throw back (doc/theory/volume-coupling.md, 4): m dv/dt = -F^T C F v with F = (1 - G)^p, G
+   * the average over a grid of cubic B-splines, which is no projection and mirrors nothing. It only ever takes energy, whatever the
+   * arrangement of the particles.
+   */
+  class FineScaleAbsorber
+  {
+  public:
+    /** @throws base::InputError for a spacing or sharpness that is none */
+    FineScaleAbsorber(const AbsorberParameters &parameters, AbsorberCarriers carriers);
+
+    /** What damping over a time [s] changes of velocities [m/s]. */
+    CarrierChanges changes(const CarrierRows &particles, const CarrierRows &nodes, double time) const;
+
+    double largest_rate() const { return fastest; } ///< largest eigenvalue of the damping [1/s]
+
+  private:
+    using Grid = std::vector<std::array<double, 3>>;
+
+    void        make_grid(double spacing);
+    void        find_largest_rate();
+    CarrierRows smooth(const CarrierRows &all) const;            ///< G
+    CarrierRows smooth_transposed(const CarrierRows &all) const; ///< G^T
+    /** Damping force over velocities of particles and nodes [N]. */
+    CarrierChanges forces(const CarrierRows &particles, const CarrierRows &nodes) const;
+
+    int              sharpness;
+    AbsorberCarriers carriers;
+    WeightRows       points_of_nodes;  ///< transpose of the weights
+    WeightRows       spread, gathered; ///< B: grid (rows) from carriers, and its transpose
+    Eigen::VectorXd  mass, inverse_grid_mass;
+    double           fastest = 0;
+  };
+} // namespace coupling

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "coupling/volume/overlap.h"
+
+#include <string>
+
+/** What a handshake is made with: without any mesh, so that a scene can hold it. */
+namespace coupling
+{
+  /** What is made equal in the overlap. */
+  enum class Compatibility
+  {
+    strict, ///< the velocity of each particle, and of the solid where it is
+    coarse  ///< the mean of the difference around each node, by its weight
+  };
+
+  /** How particles and a solid are kept together where both fill the same space (doc/theory/volume-coupling.md). */
+  enum class VolumeMethod
+  {
+    slaved,     ///< particles of the overlap move with the solid, which alone is stiff and heavy there
+    legacy,     ///< the same, and both are fully stiff there: as published by Stransky (2018), for comparison
+    multipliers ///< both share, and multipliers keep their velocities together
+  };
+
+  struct VolumeCouplingParameters
+  {
+    std::string   name; ///< for messages
+    Overlap       overlap;
+    VolumeMethod  method        = VolumeMethod::multipliers;
+    Compatibility compatibility = Compatibility::coarse;
+    bool          lumped        = false; ///< multipliers with the sums of their rows
+
+    bool   absorbs   = false; ///< what the mesh cannot carry is damped; with multipliers
+    int    sharpness = 3;     ///< p of the absorber
+    double layer     = 0;     ///< how far the absorber reaches into the particles' own region [m]
+    double rate      = 0;     ///< of the absorber at the overlap's outer side [1/s]
+    double spacing   = 0;     ///< of its grid [m]
+  };
+
+  /** Absorber of the specification (3.3): four elements into the particles' region, 8 c_P/h, a grid of 0.875 h. */
+  void set_default_absorber(VolumeCouplingParameters &parameters, double element_size, double wave_speed);
+} // namespace coupling

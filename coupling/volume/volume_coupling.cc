@@ -1,0 +1,444 @@
+#include "coupling/volume/volume_coupling.h"
+
+#include "base/errors.h"
+#include "base/number_text.h"
+#include "fem/solid/point_search.h"
+
+#include <Eigen/Geometry>
+#include <deal.II/fe/fe_values.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace coupling
+{
+  using Eigen::Index;
+  using Eigen::Vector3d;
+
+  namespace
+  {
+    constexpr std::size_t axes = 6; // of a particle in a correction
+
+    Vector3d rate_of(const base::Column &column, const std::size_t particle, const std::size_t first = 0)
+    {
+      return Vector3d(&column[axes * particle + first]);
+    }
+  } // namespace
+
+  void set_default_absorber(VolumeCouplingParameters &parameters, const double element_size, const double wave_speed)
+  {
+    parameters.absorbs = true;
+    parameters.layer   = 4 * element_size;
+    parameters.rate    = 8 * wave_speed / element_size;
+    parameters.spacing = 0.875 * element_size;
+  }
+
+  template <int dim>
+  VolumeCoupling<dim>::VolumeCoupling(dem::Specimen                  &specimen_,
+                                      const fem::Solid<dim>          &solid_,
+                                      fem::ExplicitSolver<dim>       &motion_,
+                                      SolidParticipant<dim>          &participant_,
+                                      const VolumeCouplingParameters &parameters)
+    : specimen(specimen_)
+    , solid(solid_)
+    , motion(motion_)
+    , participant(participant_)
+    , own(parameters)
+    , node_map(solid_, participant_)
+    , predicted(solid_.make_vector())
+  {
+    find_particles();
+    share();
+    if (own.method == VolumeMethod::multipliers)
+      make_multipliers();
+    else
+      find_stiffness_of_slaves();
+    if (own.absorbs)
+      make_absorber();
+  }
+
+  template <int dim>
+  void VolumeCoupling<dim>::find_particles()
+  {
+    const std::size_t        count = specimen.counts().particles;
+    std::vector<std::size_t> beside; // in the absorber's layer, or near enough to count in its averages
+    // Each of the p averages looks two knots to either side.
+    const double reach = own.layer + 2 * own.sharpness * own.spacing;
+    for (std::size_t i = 0; i < count; ++i)
+      {
+        const Vector3d place = specimen.particle(i).position;
+        if (own.overlap.contains(place))
+          {
+            if (!node_map.enter(place))
+              throw base::InputError(
+                "coupling " + own.name + ": particle " + std::to_string(i + 1) +
+                " lies in the overlap, but not in the solid. Let the mesh reach through the overlap.");
+            watched.push_back(i);
+          }
+        else if (own.absorbs && own.overlap.distance(place) < 0 && own.overlap.distance(place) > -reach)
+          beside.push_back(i);
+      }
+    overlapping = watched.size();
+    if (overlapping == 0)
+      throw base::InputError("coupling " + own.name + ": no particle lies in the overlap.");
+    at_particles = node_map.take();
+    watched.insert(watched.end(), beside.begin(), beside.end());
+    for (const std::size_t i : watched)
+      places.push_back(specimen.particle(i).position);
+  }
+
+  namespace
+  {
+    /** What the bonds of a particle say of its share. */
+    struct BondsAround
+    {
+      double sum = 0, longest = 0; ///< of weights; [m]
+      int    inward = 0, outward = 0, level = 0;
+    };
+
+    /**
+     * Each particle has the mean weight of its bonds. Where the particles end, each bond that goes inward has lost its counterpart, which
+     * counts as weight zero; with the share of the particle's own place, its mass would be too small for its bonds.
+     */
+    std::vector<double> mass_shares(const dem::Specimen &specimen, const Overlap &overlap)
+    {
+      std::vector<BondsAround> around(specimen.counts().particles);
+      const dem::LinkOutput    links = specimen.links();
+      for (std::size_t l = 0; l < links.ends.size(); ++l)
+        {
+          const double weight = overlap.of_particles(links.load[l].contact), length = links.load[l].branch.norm();
+          for (const int end : {0, 1})
+            {
+              constexpr double across  = 1e-6; // of a bond's length: along the overlap
+              const double     further = overlap.distance(specimen.particle(links.ends[l][1 - end]).position) -
+                                     overlap.distance(specimen.particle(links.ends[l][end]).position);
+              BondsAround &of = around[links.ends[l][end]];
+              of.sum += weight;
+              of.longest = std::max(of.longest, length);
+              ++(further > across * length ? of.outward : further < -across * length ? of.inward : of.level);
+            }
+        }
+      std::vector<double> shares;
+      for (std::size_t i = 0; i < around.size(); ++i)
+        {
+          const BondsAround &of    = around[i];
+          const Vector3d     place = specimen.particle(i).position;
+          const bool         last  = overlap.distance(place) + of.longest > overlap.width;
+          const int          whole = of.level + of.inward + (last ? std::max(of.inward, of.outward) : of.outward);
+          shares.push_back(whole > 0 ? of.sum / whole : overlap.of_particles(place));
+        }
+      return shares;
+    }
+  } // namespace
+
+  template <int dim>
+  void VolumeCoupling<dim>::share()
+  {
+    const auto rows = static_cast<Index>(watched.size());
+    whole_mass.resize(rows);
+    for (Index k = 0; k < rows; ++k)
+      whole_mass[k] = specimen.particle(watched[static_cast<std::size_t>(k)]).mass;
+    if (own.method == VolumeMethod::multipliers)
+      specimen.share([this](const Vector3d &place) { return own.overlap.of_particles(place); },
+                     mass_shares(specimen, own.overlap));
+    else
+      leave();
+    mass = inverse_mass = CarrierRows::Zero(rows, 3);
+    for (Index k = 0; k < rows; ++k)
+      {
+        const dem::ParticleState p = specimen.particle(watched[static_cast<std::size_t>(k)]);
+        for (int c = 0; c < dim; ++c)
+          {
+            mass(k, c)         = p.mass;
+            inverse_mass(k, c) = p.held[static_cast<std::size_t>(c)] ? 0.0 : 1 / p.mass;
+          }
+      }
+  }
+
+  namespace
+  {
+    /** Bonds of each particle, by packing number. */
+    std::vector<int> count_bonds(const dem::Specimen &specimen)
+    {
+      std::vector<int>      count(specimen.counts().particles, 0);
+      const dem::LinkOutput links = specimen.links();
+      for (std::size_t l = 0; l < links.ends.size(); ++l)
+        if (links.kind[l] == dem::LinkOutput::cohesive)
+          for (const std::size_t end : links.ends[l])
+            ++count[end];
+      return count;
+    }
+  } // namespace
+
+  template <int dim>
+  void VolumeCoupling<dim>::leave()
+  {
+    const std::vector<int> made = count_bonds(specimen);
+    specimen.leave(watched, own.method == VolumeMethod::legacy);
+    if (own.method == VolumeMethod::legacy)
+      return;
+    // Mass goes with the bonds: what they join to free particles is no part of the solid.
+    const std::vector<int> kept = count_bonds(specimen);
+    for (const Entry &e : at_particles)
+      {
+        const std::size_t particle = watched[e.row], carrier = node_map.nodes()[e.node];
+        if (kept[particle] == 0)
+          continue;
+        const double riding = e.weight * whole_mass[static_cast<Index>(e.row)] * kept[particle] / made[particle];
+        for (const auto dof : participant.displacements(carrier))
+          motion.add_mass(dof, riding);
+      }
+  }
+
+  template <int dim>
+  void VolumeCoupling<dim>::weigh_nodes()
+  {
+    const auto &nodes = node_map.nodes();
+    node_mass = inverse_node_mass = CarrierRows::Zero(static_cast<Index>(nodes.size()), 3);
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+      for (int c = 0; c < dim; ++c)
+        {
+          const auto   dof                    = participant.displacements(nodes[k])[static_cast<std::size_t>(c)];
+          const double m                      = motion.mass()[dof];
+          node_mass(static_cast<Index>(k), c) = m;
+          inverse_node_mass(static_cast<Index>(k), c) = motion.force_for_velocity(dof, 1) > 0 ? 1 / m : 0.0;
+        }
+    velocity = CarrierRows::Zero(node_mass.rows(), 3);
+  }
+
+  template <int dim>
+  void VolumeCoupling<dim>::make_multipliers()
+  {
+    weigh_nodes();
+    multipliers.emplace(weights_of(at_particles, overlapping, node_map.nodes().size()),
+                        inverse_mass.topRows(overlapping), inverse_node_mass, own.compatibility, own.lumped);
+  }
+
+  template <int dim>
+  void VolumeCoupling<dim>::find_stiffness_of_slaves()
+  {
+    weigh_nodes();
+    Eigen::VectorXd seen = Eigen::VectorXd::Zero(node_mass.rows());
+    for (const Entry &e : at_particles)
+      seen[static_cast<Index>(e.node)] += e.weight * specimen.stiffness_around(watched[e.row]);
+    added = seen.cwiseProduct(inverse_node_mass.col(0)).maxCoeff();
+  }
+
+  template <int dim>
+  void VolumeCoupling<dim>::make_absorber()
+  {
+    AbsorberCarriers all;
+    all.dimension    = dim;
+    all.places       = places;
+    all.whole_mass   = whole_mass;
+    all.damping      = Eigen::VectorXd(mass.rows());
+    all.inverse_mass = inverse_mass;
+    for (Index k = 0; k < mass.rows(); ++k)
+      {
+        const double along = std::clamp((own.overlap.distance(places[static_cast<std::size_t>(k)]) + own.layer) /
+                                          (own.layer + own.overlap.width),
+                                        0.0, 1.0);
+        all.damping[k]     = own.rate * along * along * mass(k, 0);
+      }
+    enter_points(all);
+    weigh_nodes();
+    all.inverse_node_mass = inverse_node_mass;
+    absorber.emplace(AbsorberParameters{own.spacing, own.sharpness}, std::move(all));
+  }
+
+  template <int dim>
+  void VolumeCoupling<dim>::enter_points(AbsorberCarriers &all)
+  {
+    const double                                 reach     = own.overlap.width + 2 * own.sharpness * own.spacing;
+    const double                                 thickness = dim == 2 ? solid.options().thickness : 1.0;
+    const auto                                  &fe        = solid.dofs().get_fe();
+    dealii::FEValues<dim>                        values(solid.mapping(), fe, solid.quadrature(),
+                                                        dealii::update_values | dealii::update_quadrature_points | dealii::update_JxW_values);
+    std::vector<dealii::types::global_dof_index> indices(fe.n_dofs_per_cell());
+    std::vector<double>                          masses;
+    for (const auto &cell : solid.dofs().active_cell_iterators())
+      {
+        values.reinit(cell);
+        cell->get_dof_indices(indices);
+        for (const unsigned int q : values.quadrature_point_indices())
+          {
+            const auto     x = values.quadrature_point(q);
+            const Vector3d place(x[0], x[1], dim == 3 ? x[dim - 1] : 0.0);
+            const double   d = own.overlap.distance(place);
+            if (d <= own.overlap.width || d >= reach)
+              continue;
+            fem::PlaceInElement<dim> in_element{cell, {}, {}, {}};
+            in_element.nodes.resize(fe.n_dofs_per_cell() / dim);
+            in_element.weights.resize(in_element.nodes.size());
+            for (unsigned int i = 0; i < indices.size(); ++i)
+              {
+                const auto [component, node]      = fe.system_to_component_index(i);
+                in_element.nodes[node][component] = indices[i];
+                in_element.weights[node]          = values.shape_value(i, q);
+              }
+            node_map.enter(in_element);
+            all.points.push_back(place);
+            masses.push_back(thickness * values.JxW(q) * motion.density(cell->material_id()));
+          }
+      }
+    all.point_mass = Eigen::Map<Eigen::VectorXd>(masses.data(), static_cast<Index>(masses.size()));
+    all.weights    = weights_of(node_map.take(), masses.size(), node_map.nodes().size());
+  }
+
+  template <int dim>
+  CarrierRows VolumeCoupling<dim>::of_nodes(const fem::Vector &field) const
+  {
+    const auto &nodes  = node_map.nodes();
+    CarrierRows values = CarrierRows::Zero(static_cast<Index>(nodes.size()), 3);
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+      for (int c = 0; c < dim; ++c)
+        values(static_cast<Index>(k), c) = field[participant.displacements(nodes[k])[static_cast<std::size_t>(c)]];
+    return values;
+  }
+
+  template <int dim>
+  void VolumeCoupling<dim>::begin(const double length)
+  {
+    window = length;
+    motion.predict(window, predicted);
+    from             = of_nodes(motion.velocity());
+    to               = of_nodes(predicted);
+    velocity         = from;
+    impulse_together = impulse_absorber = CarrierRows::Zero(from.rows(), 3);
+  }
+
+  template <int dim>
+  void VolumeCoupling<dim>::correct(dem::StepCorrection &correction, const std::size_t first)
+  {
+    const double      step   = 2 * correction.half_after;
+    const CarrierRows before = velocity;
+    velocity += step / window * (to - from); // by its own forces, evenly in the window
+    if (own.method == VolumeMethod::multipliers)
+      keep_together(correction, first, before);
+    else
+      lead(correction, first);
+  }
+
+  template <int dim>
+  void VolumeCoupling<dim>::keep_together(dem::StepCorrection &correction,
+                                          const std::size_t    first,
+                                          const CarrierRows   &nodes_before)
+  {
+    const auto   rows = static_cast<Index>(watched.size()), shared = static_cast<Index>(overlapping);
+    const double kick = correction.half_before + correction.half_after;
+    CarrierRows  before(rows, 3), now(rows, 3);
+    for (Index k = 0; k < rows; ++k)
+      {
+        const std::size_t at = first + static_cast<std::size_t>(k);
+        before.row(k)        = rate_of(correction.before, at);
+        now.row(k)           = rate_of(correction.velocity, at);
+      }
+    CarrierRows together = CarrierRows::Zero(rows, 3), absorbed = CarrierRows::Zero(rows, 3);
+    const auto  constrain = [&] {
+      const CarrierChanges change = multipliers->changes(now.topRows(shared), velocity.topRows(multipliers->nodes()));
+      together.topRows(shared) += change.particles;
+      now.topRows(shared) += change.particles;
+      velocity.topRows(multipliers->nodes()) += change.nodes;
+      impulse_together.topRows(multipliers->nodes()) +=
+        node_mass.topRows(multipliers->nodes()).cwiseProduct(change.nodes);
+    };
+    constrain();
+    if (absorber)
+      {
+        const CarrierChanges change = absorber->changes(0.5 * (before + now), 0.5 * (nodes_before + velocity), kick);
+        absorbed                    = change.particles;
+        now += change.particles;
+        velocity += change.nodes;
+        impulse_absorber += node_mass.cwiseProduct(change.nodes);
+        constrain();
+      }
+    const CarrierRows mean = (correction.half_before * before + correction.half_after * now) / kick;
+    exchanged.absorbed -= mass.cwiseProduct(absorbed).cwiseProduct(mean).sum();
+    exchanged.work_on_particles += mass.cwiseProduct(together).cwiseProduct(mean).sum();
+    for (Index k = 0; k < rows; ++k)
+      {
+        Eigen::Map<Vector3d>(&correction.velocity[axes * (first + static_cast<std::size_t>(k))]) = now.row(k);
+        const Vector3d impulse = mass.row(k).cwiseProduct(together.row(k) + absorbed.row(k));
+        exchanged.to_particles += impulse;
+        exchanged.turn_to_particles += places[static_cast<std::size_t>(k)].cross(impulse);
+      }
+  }
+
+  template <int dim>
+  void VolumeCoupling<dim>::lead(dem::StepCorrection &correction, const std::size_t first)
+  {
+    const double kick    = correction.half_before + correction.half_after;
+    CarrierRows  impulse = CarrierRows::Zero(velocity.rows(), 3);
+    for (const Entry &e : at_particles)
+      {
+        const Vector3d force  = rate_of(correction.force, first + e.row),
+                       couple = rate_of(correction.force, first + e.row, 3);
+        impulse.row(static_cast<Index>(e.node)) += kick * (e.weight * force + 0.5 * couple.cross(e.gradient));
+      }
+    impulse_together += impulse;
+    velocity += inverse_node_mass.cwiseProduct(impulse);
+    for (std::size_t k = 0; k < overlapping; ++k)
+      std::fill_n(&correction.velocity[axes * (first + k)], axes, 0.0);
+    for (const Entry &e : at_particles)
+      {
+        double        *rate = &correction.velocity[axes * (first + e.row)];
+        const Vector3d v = velocity.row(static_cast<Index>(e.node)), spin = 0.5 * e.gradient.cross(v);
+        Eigen::Map<Vector3d>{rate} += e.weight * v;
+        Eigen::Map<Vector3d>{rate + 3} += spin;
+      }
+    for (std::size_t k = 0; k < overlapping; ++k)
+      for (const std::size_t part : {std::size_t(0), std::size_t(3)})
+        exchanged.work_on_particles -= rate_of(correction.force, first + k, part)
+                                         .dot(correction.half_before * rate_of(correction.before, first + k, part) +
+                                              correction.half_after * rate_of(correction.velocity, first + k, part));
+    for (std::size_t k = 0; k < overlapping; ++k)
+      {
+        const Vector3d given = -kick * rate_of(correction.force, first + k);
+        exchanged.to_particles += given;
+        exchanged.turn_to_particles += places[k].cross(given) - kick * rate_of(correction.force, first + k, 3);
+      }
+  }
+
+  template <int dim>
+  void VolumeCoupling<dim>::finish()
+  {
+    const auto       &nodes = node_map.nodes();
+    const CarrierRows mean  = 0.5 * (from + velocity);
+    exchanged.work_on_solid += impulse_together.cwiseProduct(mean).sum();
+    exchanged.absorbed -= impulse_absorber.cwiseProduct(mean).sum();
+    const CarrierRows impulse = impulse_together + impulse_absorber;
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+      {
+        const auto     row    = static_cast<Index>(k);
+        const Vector3d change = inverse_node_mass.row(row).cwiseProduct(impulse.row(row)), given = impulse.row(row);
+        Vector3d       force = Vector3d::Zero();
+        for (int c = 0; c < dim; ++c)
+          force[c] = change[c] * motion.force_for_velocity(
+                                   participant.displacements(nodes[k])[static_cast<std::size_t>(c)], window);
+        if (!force.isZero(0))
+          participant.add_force(nodes[k], force);
+        exchanged.to_solid += given;
+        exchanged.turn_to_solid += participant.place(nodes[k]).cross(given);
+      }
+  }
+
+  template <int dim>
+  void VolumeCoupling<dim>::visit_state(base::StateVisitor &visitor)
+  {
+    const std::string name = "volumes/" + own.name + "/";
+    for (int c = 0; c < 3; ++c)
+      {
+        const std::string axis = std::to_string(c);
+        visitor.scalar(name + "to_particles_" + axis, exchanged.to_particles[c]);
+        visitor.scalar(name + "to_solid_" + axis, exchanged.to_solid[c]);
+        visitor.scalar(name + "turn_to_particles_" + axis, exchanged.turn_to_particles[c]);
+        visitor.scalar(name + "turn_to_solid_" + axis, exchanged.turn_to_solid[c]);
+      }
+    visitor.scalar(name + "work_on_particles", exchanged.work_on_particles);
+    visitor.scalar(name + "work_on_solid", exchanged.work_on_solid);
+    visitor.scalar(name + "absorbed", exchanged.absorbed);
+  }
+
+  template class VolumeCoupling<2>;
+  template class VolumeCoupling<3>;
+} // namespace coupling

@@ -1,0 +1,108 @@
+#pragma once
+
+#include "base/state.h"
+#include "coupling/participants/solid_participant.h"
+#include "coupling/volume/absorber.h"
+#include "coupling/volume/multipliers.h"
+#include "coupling/volume/node_map.h"
+#include "coupling/volume/parameters.h"
+#include "dem/specimen/specimen.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace coupling
+{
+  /** What went through the overlap since the start. */
+  struct VolumeBalance
+  {
+    Eigen::Vector3d to_particles = Eigen::Vector3d::Zero(), to_solid = Eigen::Vector3d::Zero(); ///< momentum [N s]
+    Eigen::Vector3d turn_to_particles = Eigen::Vector3d::Zero(),
+                    turn_to_solid = Eigen::Vector3d::Zero(); ///< angular momentum about the origin, undeformed [N m s]
+    double work_on_particles = 0, work_on_solid = 0;         ///< of what keeps them together [J]
+    double absorbed = 0;                                     ///< by the absorber, from both [J]
+
+    /** Made by the transfer itself, zero but for rounding (lumped and sub-cycled: lost) [J]. */
+    double made() const { return work_on_particles + work_on_solid; }
+  };
+
+  /**
+   * Particles inside a solid: a handshake. The solid has to be made with Overlap::of_solid() as its share, unless particles are slaved.
+   *
+   * In each window of time: begin(), then in each step of the particles correct(), and finish() before the solid takes its own step.
+   */
+  template <int dim>
+  class VolumeCoupling
+  {
+  public:
+    /**
+     * All but the parameters must outlive the coupling. Particles leave their part to the solid (Specimen::share(), Specimen::leave()).
+     * @throws base::InputError where there are no particles in the overlap, where one of them is not in the solid
+     */
+    VolumeCoupling(dem::Specimen                  &specimen,
+                   const fem::Solid<dim>          &solid,
+                   fem::ExplicitSolver<dim>       &motion,
+                   SolidParticipant<dim>          &participant,
+                   const VolumeCouplingParameters &parameters);
+
+    /** Whose steps it corrects, by packing number. */
+    const std::vector<std::size_t> &particles() const { return watched; }
+    /** How many of them lie in the overlap: the first. */
+    std::size_t in_overlap() const { return overlapping; }
+    std::size_t nodes() const { return node_map.nodes().size(); }
+
+    /** The solid is about to go through a window [s]; forces on it by others are known. */
+    void begin(double window);
+    /** Of one step of the particles in it. @param first where this coupling's particles begin in the correction */
+    void correct(dem::StepCorrection &correction, std::size_t first);
+    /** Push the solid as the particles did in the window. */
+    void finish();
+
+    const VolumeBalance &balance() const { return exchanged; }
+    const std::string   &name() const { return own.name; }
+    /** Bound of what slaved particles add to the squares of the solid's frequencies [1/s^2]. */
+    double added_eigenvalue() const { return added; }
+
+    void visit_state(base::StateVisitor &visitor);
+
+  private:
+    using Entry = typename NodeMap<dim>::Entry;
+
+    void find_particles();
+    void share();
+    void leave();
+    void weigh_nodes();
+    void make_multipliers();
+    void make_absorber();
+    void find_stiffness_of_slaves();
+    /** Points of the solid just outside the overlap, where particles would be if they went on. */
+    void        enter_points(AbsorberCarriers &all);
+    CarrierRows of_nodes(const fem::Vector &field) const;
+    void        lead(dem::StepCorrection &correction, std::size_t first);
+    /** @param before velocities of the nodes before the step */
+    void keep_together(dem::StepCorrection &correction, std::size_t first, const CarrierRows &before);
+
+    dem::Specimen               &specimen;
+    const fem::Solid<dim>       &solid;
+    fem::ExplicitSolver<dim>    &motion;
+    SolidParticipant<dim>       &participant;
+    VolumeCouplingParameters     own;
+    NodeMap<dim>                 node_map;
+    std::vector<Entry>           at_particles; ///< weights at the particles of the overlap
+    std::vector<std::size_t>     watched;
+    std::vector<Eigen::Vector3d> places; ///< of the watched, undeformed [m]
+    std::size_t                  overlapping = 0;
+    Eigen::VectorXd              whole_mass; ///< of the watched, as if they shared with nobody [kg]
+    CarrierRows mass, inverse_mass, node_mass, inverse_node_mass; ///< as they count; zero inverse: prescribed
+    std::optional<Multipliers>       multipliers;
+    std::optional<FineScaleAbsorber> absorber;
+    double                           added = 0;
+
+    double        window = 0;         ///< that has begun [s]
+    fem::Vector   predicted;          ///< velocities at its end, if nothing of here pushed [m/s]
+    CarrierRows   from, to, velocity; ///< of the nodes: at its start, as predicted for its end, now [m/s]
+    CarrierRows   impulse_together, impulse_absorber; ///< on the nodes in it [N s]
+    VolumeBalance exchanged;
+  };
+} // namespace coupling
