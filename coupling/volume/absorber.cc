@@ -64,6 +64,7 @@ namespace coupling
     mass.resize(carriers.whole_mass.size() + carriers.point_mass.size());
     mass << carriers.whole_mass, carriers.point_mass;
     make_grid(parameters.spacing);
+    make_fit();
     find_largest_rate();
   }
 
@@ -98,6 +99,20 @@ namespace coupling
     inverse_grid_mass = (spread * mass).unaryExpr([](const double m) { return m > 0 ? 1 / m : 0.0; });
   }
 
+  void FineScaleAbsorber::make_fit()
+  {
+    affine.resize(mass.size(), carriers.dimension + 1);
+    affine.col(0).setOnes();
+    Vector3d centre = Vector3d::Zero();
+    for (Index k = 0; k < mass.size(); ++k)
+      centre += mass[k] / mass.sum() * place(k);
+    for (Index k = 0; k < mass.size(); ++k)
+      affine.row(k).tail(carriers.dimension) = (place(k) - centre).head(carriers.dimension).transpose();
+    const Eigen::MatrixXd moments = affine.transpose() * mass.asDiagonal() * affine;
+    // What all carriers have in common along an axis (a row of them) says nothing there.
+    fit = moments.completeOrthogonalDecomposition().solve(affine.transpose() * mass.asDiagonal());
+  }
+
   CarrierRows FineScaleAbsorber::smooth(const CarrierRows &all) const
   {
     return product(gathered, inverse_grid_mass.asDiagonal() * product(spread, mass.asDiagonal() * all));
@@ -113,12 +128,14 @@ namespace coupling
     const Index of_particles = carriers.whole_mass.size(), of_points = carriers.point_mass.size();
     CarrierRows fine(of_particles + of_points, 3);
     fine << particles, product(carriers.weights, nodes);
+    fine -= affine * (fit * fine);
     for (int k = 0; k < sharpness; ++k)
       fine -= smooth(fine);
     CarrierRows force           = CarrierRows::Zero(fine.rows(), 3);
     force.topRows(of_particles) = carriers.damping.asDiagonal() * fine.topRows(of_particles);
     for (int k = 0; k < sharpness; ++k)
       force -= smooth_transposed(force);
+    force -= fit.transpose() * (affine.transpose() * force);
     return {force.topRows(of_particles), product(points_of_nodes, force.bottomRows(of_points))};
   }
 

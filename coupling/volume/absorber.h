@@ -46,10 +46,15 @@ namespace coupling
     double largest_rate() const { return fastest; } ///< largest eigenvalue of the damping [1/s]
 
   private:
-    using Grid = std::vector<std::array<double, 3>>;
-
-    void        make_grid(double spacing);
-    void        find_largest_rate();
+    void make_grid(double spacing);
+    /** So that the motion of a rigid body, and even strain, are not damped: nor where averages are one-sided, at free faces. */
+    void                   make_fit();
+    void                   find_largest_rate();
+    const Eigen::Vector3d &place(const Eigen::Index carrier) const
+    {
+      const auto k = static_cast<std::size_t>(carrier), n = carriers.places.size();
+      return k < n ? carriers.places[k] : carriers.points[k - n];
+    }
     CarrierRows smooth(const CarrierRows &all) const;            ///< G
     CarrierRows smooth_transposed(const CarrierRows &all) const; ///< G^T
     /** Damping force over velocities of particles and nodes [N]. */
@@ -60,6 +65,7 @@ namespace coupling
     WeightRows       points_of_nodes;  ///< transpose of the weights
     WeightRows       spread, gathered; ///< B: grid (rows) from carriers, and its transpose
     Eigen::VectorXd  mass, inverse_grid_mass;
+    Eigen::MatrixXd  affine, fit; ///< fields that vary evenly with the place, and what is found of them in velocities
     double           fastest = 0;
   };
 } // namespace coupling

@@ -55,28 +55,59 @@ namespace coupling
       find_stiffness_of_slaves();
     if (own.absorbs)
       make_absorber();
+    shared_bonds = count_shared_bonds().first;
+  }
+
+  namespace
+  {
+    /** Loose ones are the last. */
+    std::size_t bonded_particles(const dem::Specimen &specimen)
+    {
+      const std::size_t all = specimen.counts().particles;
+      return all - std::min(specimen.parameters().loose, all);
+    }
+  } // namespace
+
+  template <int dim>
+  void VolumeCoupling<dim>::refuse(const std::size_t particle, const std::string &why) const
+  {
+    throw base::InputError("coupling " + own.name + ": particle " + std::to_string(particle + 1) + " " + why);
+  }
+
+  template <int dim>
+  bool VolumeCoupling<dim>::lies_in_solid(const Vector3d &place) const
+  {
+    dealii::Point<dim> where;
+    for (int c = 0; c < dim; ++c)
+      where[c] = place[c];
+    return solid.point_search().find(where).has_value();
   }
 
   template <int dim>
   void VolumeCoupling<dim>::find_particles()
   {
-    const std::size_t        count = specimen.counts().particles;
+    const std::size_t        bonded = bonded_particles(specimen);
     std::vector<std::size_t> beside; // in the absorber's layer, or near enough to count in its averages
     // Each of the p averages looks two knots to either side.
     const double reach = own.layer + 2 * own.sharpness * own.spacing;
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < bonded; ++i)
       {
-        const Vector3d place = specimen.particle(i).position;
+        const Vector3d place    = specimen.particle(i).position;
+        const double   distance = own.overlap.distance(place);
         if (own.overlap.contains(place))
           {
             if (!node_map.enter(place))
-              throw base::InputError(
-                "coupling " + own.name + ": particle " + std::to_string(i + 1) +
-                " lies in the overlap, but not in the solid. Let the mesh reach through the overlap.");
+              refuse(i, "lies in the overlap, but not in the solid. Let the mesh reach through the overlap.");
             watched.push_back(i);
+            continue;
           }
-        else if (own.absorbs && own.overlap.distance(place) < 0 && own.overlap.distance(place) > -reach)
+        if (own.absorbs && distance < 0 && distance > -reach)
           beside.push_back(i);
+        if (distance > 0 && lies_in_solid(place))
+          refuse(i, "lies in the solid beyond the overlap. Let particles end with it.");
+        if (own.method != VolumeMethod::multipliers && distance < 0 && lies_in_solid(place))
+          refuse(i, "lies in the particles' own region, and in an element that reaches into it. Let the region end "
+                    "where elements do.");
       }
     overlapping = watched.size();
     if (overlapping == 0)
@@ -89,6 +120,13 @@ namespace coupling
 
   namespace
   {
+    /** Particles of another body may be beyond the overlap, and share with nobody. */
+    double share_of_particles(const Overlap &overlap, const Vector3d &place)
+    {
+      constexpr double rounding = 1e-6;
+      return overlap.distance(place) > (1 + rounding) * overlap.width ? 1.0 : overlap.of_particles(place);
+    }
+
     /** What the bonds of a particle say of its share. */
     struct BondsAround
     {
@@ -106,7 +144,8 @@ namespace coupling
       const dem::LinkOutput    links = specimen.links();
       for (std::size_t l = 0; l < links.ends.size(); ++l)
         {
-          const double weight = overlap.of_particles(links.load[l].contact), length = links.load[l].branch.norm();
+          const double weight = share_of_particles(overlap, links.load[l].contact),
+                       length = links.load[l].branch.norm();
           for (const int end : {0, 1})
             {
               constexpr double across  = 1e-6; // of a bond's length: along the overlap
@@ -121,11 +160,12 @@ namespace coupling
       std::vector<double> shares;
       for (std::size_t i = 0; i < around.size(); ++i)
         {
-          const BondsAround &of    = around[i];
-          const Vector3d     place = specimen.particle(i).position;
-          const bool         last  = overlap.distance(place) + of.longest > overlap.width;
-          const int          whole = of.level + of.inward + (last ? std::max(of.inward, of.outward) : of.outward);
-          shares.push_back(whole > 0 ? of.sum / whole : overlap.of_particles(place));
+          const BondsAround &of       = around[i];
+          const Vector3d     place    = specimen.particle(i).position;
+          const double       distance = overlap.distance(place);
+          const bool         last     = distance + of.longest > overlap.width && overlap.contains(place);
+          const int          whole    = of.level + of.inward + (last ? std::max(of.inward, of.outward) : of.outward);
+          shares.push_back(whole > 0 ? of.sum / whole : 1.0);
         }
       return shares;
     }
@@ -139,7 +179,7 @@ namespace coupling
     for (Index k = 0; k < rows; ++k)
       whole_mass[k] = specimen.particle(watched[static_cast<std::size_t>(k)]).mass;
     if (own.method == VolumeMethod::multipliers)
-      specimen.share([this](const Vector3d &place) { return own.overlap.of_particles(place); },
+      specimen.share([this](const Vector3d &place) { return share_of_particles(own.overlap, place); },
                      mass_shares(specimen, own.overlap));
     else
       leave();
@@ -420,6 +460,29 @@ namespace coupling
         exchanged.to_solid += given;
         exchanged.turn_to_solid += participant.place(nodes[k]).cross(given);
       }
+  }
+
+  template <int dim>
+  std::pair<std::size_t, std::size_t> VolumeCoupling<dim>::count_shared_bonds() const
+  {
+    const dem::LinkOutput links = specimen.links();
+    std::vector<bool>     inside(specimen.counts().particles, false);
+    for (std::size_t k = 0; k < overlapping; ++k)
+      inside[watched[k]] = true;
+    std::size_t all = 0, damaged = 0;
+    for (std::size_t l = 0; l < links.ends.size(); ++l)
+      if (links.kind[l] != dem::LinkOutput::contact && (inside[links.ends[l][0]] || inside[links.ends[l][1]]))
+        {
+          ++all;
+          damaged += links.kind[l] == dem::LinkOutput::broken || links.damage[l] > 0;
+        }
+    return {all, damaged};
+  }
+
+  template <int dim>
+  std::size_t VolumeCoupling<dim>::damaged_bonds() const
+  {
+    return count_shared_bonds().second;
   }
 
   template <int dim>

@@ -59,6 +59,10 @@ namespace coupling
     /** Push the solid as the particles did in the window. */
     void finish();
 
+    /** Bonds with an end in the overlap that both sides share: how many there are, and how many have been damaged or are gone. */
+    std::size_t bonds() const { return shared_bonds; }
+    std::size_t damaged_bonds() const;
+
     const VolumeBalance &balance() const { return exchanged; }
     const std::string   &name() const { return own.name; }
     /** Bound of what slaved particles add to the squares of the solid's frequencies [1/s^2]. */
@@ -69,13 +73,18 @@ namespace coupling
   private:
     using Entry = typename NodeMap<dim>::Entry;
 
-    void find_particles();
-    void share();
-    void leave();
-    void weigh_nodes();
-    void make_multipliers();
-    void make_absorber();
-    void find_stiffness_of_slaves();
+    /** All, and damaged ones. */
+    std::pair<std::size_t, std::size_t> count_shared_bonds() const;
+
+    [[noreturn]] void refuse(std::size_t particle, const std::string &why) const;
+    bool              lies_in_solid(const Eigen::Vector3d &place) const;
+    void              find_particles();
+    void              share();
+    void              leave();
+    void              weigh_nodes();
+    void              make_multipliers();
+    void              make_absorber();
+    void              find_stiffness_of_slaves();
     /** Points of the solid just outside the overlap, where particles would be if they went on. */
     void        enter_points(AbsorberCarriers &all);
     CarrierRows of_nodes(const fem::Vector &field) const;
@@ -104,5 +113,6 @@ namespace coupling
     CarrierRows   from, to, velocity; ///< of the nodes: at its start, as predicted for its end, now [m/s]
     CarrierRows   impulse_together, impulse_absorber; ///< on the nodes in it [N s]
     VolumeBalance exchanged;
+    std::size_t   shared_bonds = 0;
   };
 } // namespace coupling

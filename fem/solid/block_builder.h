@@ -9,6 +9,7 @@
 
 namespace fem
 {
+  struct SolidOptions;
   template <int dim>
   class Solid;
 

@@ -2,6 +2,7 @@
 
 #include "apps/scene/nearest_name.h"
 #include "fem/materials/least_extent.h"
+#include "fem/mesh/removal.h"
 
 #include <deal.II/base/mpi.h>
 #include <fmt/format.h>
@@ -179,7 +180,7 @@ namespace apps
   }
 
   template <int dim>
-  std::unique_ptr<fem::Solid<dim>> make_solid(const ContinuumModel &model)
+  std::unique_ptr<fem::Solid<dim>> make_solid(const ContinuumModel &model, const TakenPlaces &taken)
   {
     fem::SolidOptions options;
     options.degree             = static_cast<unsigned int>(model.solid.degree);
@@ -187,7 +188,12 @@ namespace apps
     options.thickness          = dim == 2 ? model.solid.thickness : 1.0;
     options.large_displacement = model.solid.large_displacement;
     options.mean_dilatation    = model.solid.mean_dilatation;
+    options.share              = taken.share;
     fem::Mesh<dim> mesh        = make_mesh<dim>(model.mesh);
+    if (taken.whole)
+      mesh = fem::without_elements<dim>(mesh, [&](const dealii::Point<dim> &place) {
+        return taken.whole({place[0], place[1], dim == 3 ? place[dim - 1] : 0.0});
+      });
     refuse_names(mesh, model);
     auto solid = std::make_unique<fem::Solid<dim>>(std::move(mesh), options);
     for (const auto &group : model.materials.groups)
@@ -197,8 +203,8 @@ namespace apps
     return solid;
   }
 
-  template std::unique_ptr<fem::Solid<2>> make_solid(const ContinuumModel &);
-  template std::unique_ptr<fem::Solid<3>> make_solid(const ContinuumModel &);
+  template std::unique_ptr<fem::Solid<2>> make_solid(const ContinuumModel &, const TakenPlaces &);
+  template std::unique_ptr<fem::Solid<3>> make_solid(const ContinuumModel &, const TakenPlaces &);
   template std::vector<std::string>       coarse_elements(const fem::Solid<2> &, const ContinuumModel &);
   template std::vector<std::string>       coarse_elements(const fem::Solid<3> &, const ContinuumModel &);
 } // namespace apps

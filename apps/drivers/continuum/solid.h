@@ -3,6 +3,10 @@
 #include "apps/drivers/continuum/model.h"
 #include "fem/solid/solid.h"
 
+#include <Eigen/Core>
+
+#include <array>
+#include <functional>
 #include <memory>
 
 namespace apps
@@ -17,6 +21,14 @@ namespace apps
     return point;
   }
 
+  /** What somebody else has of a solid's place. */
+  struct TakenPlaces
+  {
+    std::function<double(const std::array<double, 3> &)>
+                                                 share; ///< as fem::SolidOptions has it; empty: all is the solid's
+    std::function<bool(const Eigen::Vector3d &)> whole; ///< elements that lie wholly in such places go; empty: none
+  };
+
   /**
    * The solid of a scene: mesh, materials, supports and loads, ready for a solver.
    *
@@ -25,7 +37,7 @@ namespace apps
    * @throws base::InputError naming the place in the scene, or the mesh and what is wrong with it.
    */
   template <int dim>
-  std::unique_ptr<fem::Solid<dim>> make_solid(const ContinuumModel &model);
+  std::unique_ptr<fem::Solid<dim>> make_solid(const ContinuumModel &model, const TakenPlaces &taken = {});
 
   /**
    * Warnings of elements that are too wide for the fracture energy of their material, in every direction: a run ends where one of them

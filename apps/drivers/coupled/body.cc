@@ -30,6 +30,20 @@ namespace apps
   {
     constexpr const char *axes[3] = {"_x", "_y", "_z"};
 
+    /** What particles inside the solid have of its place. */
+    TakenPlaces taken_by(const HandshakesSection &handshakes)
+    {
+      TakenPlaces taken;
+      if (handshakes.empty())
+        return taken;
+      taken.whole = [&handshakes](const Vector3d &place) { return handshakes.is_taken(place); };
+      if (handshakes.shares())
+        taken.share = [&handshakes](const std::array<double, 3> &place) {
+          return handshakes.of_solid(Vector3d(place.data()));
+        };
+      return taken;
+    }
+
     template <int dim>
     class Body : public CoupledBody
     {
@@ -38,7 +52,7 @@ namespace apps
         : model(what)
         , material_names(packing.material_names)
         , body(what.particles, packing)
-        , solid(make_solid<dim>(what.continuum))
+        , solid(make_solid<dim>(what.continuum, taken_by(what.handshakes)))
         , motion(make_motion(*solid, what.continuum, what.particles.gravity.acceleration))
         , participant(*solid, *motion)
         , both(
@@ -52,6 +66,8 @@ namespace apps
         , gauges(*solid, what.continuum)
       {
         both.set_largest_ratio(static_cast<int>(what.largest_ratio));
+        for (const HandshakeSection &handshake : model.handshakes.handshakes)
+          add(handshake);
         for (const CouplingSection &coupling : model.couplings.couplings)
           both.add_surface({coupling.name,
                             coupling.boundaries(),
@@ -106,6 +122,12 @@ namespace apps
           }
         for (const postprocess::SeriesColumn &column : touching.columns())
           all.push_back(column);
+        for (const HandshakeSection &handshake : model.handshakes.handshakes)
+          {
+            add(column_name(handshake.name) + "_damaged", "");
+            for (const char *term : {"_work", "_made", "_absorbed"})
+              add(column_name(handshake.name) + term, "J");
+          }
         for (const char *quantity : {"momentum", "angular_momentum"})
           for (const char *axis : axes)
             add(std::string(quantity) + axis, quantity[0] == 'm' ? "N s" : "N m s");
@@ -170,6 +192,13 @@ namespace apps
             made += balance.made();
           }
         add(touching.values());
+        for (const auto &handshake : both.volumes())
+          {
+            const coupling::VolumeBalance &balance = handshake->balance();
+            add(std::initializer_list<double>{static_cast<double>(handshake->damaged_bonds()), balance.work_on_solid,
+                                              balance.made(), balance.absorbed});
+            made += balance.made() - balance.absorbed;
+          }
         const auto [linear, angular] = momentum();
         add(std::initializer_list<double>{linear[0], linear[1], linear[2], angular[0], angular[1], angular[2]});
         add(std::initializer_list<double>{s.kinetic, s.internal, s.external, s.damped, s.start});
@@ -197,6 +226,9 @@ namespace apps
                                              coupling->name, time(), made, coupling->energy_limit, largest_energy));
             ++coupling;
           }
+        auto handshake = model.handshakes.handshakes.begin();
+        for (const auto &volume : both.volumes())
+          watch(*handshake++, *volume);
       }
 
       ParticlesBody &particles() override { return body; }
@@ -326,6 +358,46 @@ namespace apps
         const auto median = moved.begin() + static_cast<std::ptrdiff_t>(moved.size() / 2);
         std::nth_element(moved.begin(), median, moved.end());
         return postprocess::round_magnification(*median > 0 ? 0.05 * box.sizes().maxCoeff() / *median : 1);
+      }
+
+      void add(const HandshakeSection &handshake)
+      {
+        // Of the elements with a corner in the overlap.
+        double                  volume = 0, fastest = 0;
+        std::size_t             count   = 0;
+        const coupling::Overlap overlap = handshake.overlap();
+        for (const auto &cell : solid->mesh().triangulation->active_cell_iterators())
+          {
+            const auto centre = cell->center();
+            if (!(overlap.distance({centre[0], centre[1], dim == 3 ? centre[dim - 1] : 0.0}) <= overlap.width))
+              continue;
+            volume += cell->measure();
+            ++count;
+            const auto &d = solid->material(cell->material_id()).elastic_stiffness();
+            fastest       = std::max(
+                    fastest, std::sqrt(d.template topLeftCorner<3, 3>().diagonal().maxCoeff() / motion->density(cell->material_id())));
+          }
+        if (count == 0)
+          throw base::InputError("Handshakes/" + handshake.name +
+                                 ": no element of the solid lies in the overlap. Widen it, or look where the mesh is.");
+        both.add_volume(handshake.parameters(std::pow(volume / static_cast<double>(count), 1.0 / dim), fastest));
+      }
+
+      void watch(const HandshakeSection &said, const coupling::VolumeCoupling<dim> &volume) const
+      {
+        const double      made    = volume.balance().made();
+        const std::size_t damaged = volume.damaged_bonds();
+        if (std::fabs(made) > said.energy_limit * largest_energy)
+          throw StoppedShort(
+            fmt::format("Handshakes/{}: at {:.6g} s the handshake has made {:.3g} J by itself, more than "
+                        "Energy limit = {} of the largest energy, {:.3g} J. Lower Time/Largest ratio.",
+                        said.name, time(), made, said.energy_limit, largest_energy));
+        if (static_cast<double>(damaged) > said.damage_limit * static_cast<double>(volume.bonds()))
+          throw StoppedShort(
+            fmt::format("Handshakes/{}: at {:.6g} s {} of the {} bonds in the overlap are damaged, more than "
+                        "Damage limit = {}: there the solid cannot follow. Give the particles a larger "
+                        "region.",
+                        said.name, time(), damaged, volume.bonds(), said.damage_limit));
       }
 
       void step(const double rest)

@@ -13,6 +13,7 @@ namespace apps
       scene.section("Continuum", "The solid; sections of a scene of kind continuum, in explicit motion"));
     particles.declare_as_part(scene.section("Particles", "The particles; sections of a scene of kind particles"));
     couplings.declare(scene);
+    handshakes.declare(scene);
     particles.gravity.start = GravitySection::Start::none;
     particles.declare_course(scene);
     scene.find_section("Gravity")
@@ -39,11 +40,19 @@ namespace apps
     const GroupNames groups = particles.validate_as_part(body);
     particles.time.validate_by_time(scene);
     particles.gravity.validate(scene, dimension());
-    couplings.validate(scene, groups, continuum.contacts.empty());
+    couplings.validate(scene, groups, continuum.contacts.empty() && handshakes.empty());
+    handshakes.validate(scene, dimension());
     laboratory.validate(scene, couplings, continuum.loads, dimension());
     for (const CouplingSection &coupling : couplings.couplings)
       if (particles.walls.knows(coupling.name))
         throw base::InputError("Couplings/" + coupling.name + ": there is a wall of this name. Take another.");
+  }
+
+  dem::Packing CoupledModel::packing() const
+  {
+    if (handshakes.empty())
+      return particles.packing();
+    return particles.packing([this](const Eigen::Vector3d &place) { return handshakes.may_hold(place); });
   }
 
   namespace

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/drivers/coupled/couplings.h"
+#include "apps/drivers/coupled/handshakes.h"
 #include "apps/drivers/coupled/laboratory.h"
 #include "apps/drivers/particles/model.h"
 #include "apps/drivers/parts/contact_figures.h"
@@ -15,6 +16,7 @@ namespace apps
     ContinuumModel    continuum;
     ParticlesModel    particles; ///< its course (time, gravity, stops, output) is that of all
     CouplingsSection  couplings;
+    HandshakesSection handshakes;
     LaboratorySection laboratory;
     ReferencesSection references;
     std::int64_t      largest_ratio = 1;       ///< of steps of either side in one of the other
@@ -30,6 +32,9 @@ namespace apps
     /** Columns of the curve. @throws base::InputError */
     std::pair<std::string, std::string> curve(const std::vector<postprocess::SeriesColumn> &columns,
                                               const std::vector<postprocess::SeriesColumn> &told) const;
+
+    /** Of the specimen what lies where particles are to be, where a scene says so; and all others. @throws as ParticlesModel::packing() */
+    dem::Packing packing() const;
 
     int dimension() const { return particles.physics.dimension; }
   };

@@ -35,7 +35,7 @@ namespace apps
 
   void CoupledRun::prepare()
   {
-    packing = model.particles.packing();
+    packing = model.packing();
     make_body();
     const Progress progress("initial state");
     start = body->start();

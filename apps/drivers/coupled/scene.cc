@@ -61,7 +61,7 @@ namespace apps
   {
     start_mpi();
     const Stopwatch    set_up;
-    const dem::Packing packing        = model.particles.packing();
+    const dem::Packing packing        = model.packing();
     const auto         body           = make_coupled_body(model, packing); // refuses what a run would refuse
     const StaticStart  start          = body->start();
     const double       set_up_seconds = set_up.seconds();

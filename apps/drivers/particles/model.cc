@@ -96,11 +96,11 @@ namespace apps
     return names;
   }
 
-  dem::Packing ParticlesModel::packing() const
+  dem::Packing ParticlesModel::packing(const std::function<bool(const Eigen::Vector3d &)> &keeps) const
   {
     SpecimenSection specimen = source;
     specimen.bonded          = bonded();
-    return more.compose(specimen, material, physics.dimension);
+    return more.compose(specimen, material, physics.dimension, keeps);
   }
 
   ParticleGroups ParticlesModel::groups_in(const dem::Packing &packing) const

@@ -113,14 +113,39 @@ namespace apps
     return order;
   }
 
-  dem::Packing MoreParticlesSection::compose(const SpecimenSection &specimen,
-                                             const MaterialSection &materials,
-                                             const int              dimension) const
+  namespace
+  {
+    void keep(dem::Packing &packing, const std::function<bool(const Eigen::Vector3d &)> &keeps)
+    {
+      std::size_t kept = 0;
+      for (std::size_t i = 0; i < packing.size(); ++i)
+        if (keeps(packing.centre[i]))
+          {
+            packing.centre[kept] = packing.centre[i];
+            packing.radius[kept] = packing.radius[i];
+            if (!packing.material.empty())
+              packing.material[kept] = packing.material[i];
+            ++kept;
+          }
+      packing.centre.resize(kept);
+      packing.radius.resize(kept);
+      if (!packing.material.empty())
+        packing.material.resize(kept);
+      packing.periodic_cell.reset();
+    }
+  } // namespace
+
+  dem::Packing MoreParticlesSection::compose(const SpecimenSection                              &specimen,
+                                             const MaterialSection                              &materials,
+                                             const int                                           dimension,
+                                             const std::function<bool(const Eigen::Vector3d &)> &keeps) const
   {
     dem::Packing whole;
     if (specimen.source != SpecimenSection::Source::none)
       {
         whole = specimen_particles(specimen, dimension);
+        if (keeps)
+          keep(whole, keeps);
         materials.number(whole, dimension, origin_of(specimen));
       }
     for (const AddedParticles *one : in_order())

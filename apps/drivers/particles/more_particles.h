@@ -4,6 +4,7 @@
 #include "apps/scene/material_section.h"
 #include "apps/scene/specimen_section.h"
 
+#include <functional>
 #include <list>
 #include <string>
 
@@ -34,7 +35,10 @@ namespace apps
     /** @param names takes theirs. @throws base::InputError. */
     void validate(const Section &root, int dimension, const MaterialSection &materials, GroupNames &names) const;
     /** Specimen and added particles together, loose ones last, with their materials. @throws base::InputError, and as make_packing() */
-    dem::Packing compose(const SpecimenSection &specimen, const MaterialSection &materials, int dimension) const;
+    dem::Packing compose(const SpecimenSection                              &specimen,
+                         const MaterialSection                              &materials,
+                         int                                                 dimension,
+                         const std::function<bool(const Eigen::Vector3d &)> &keeps = {}) const;
 
     std::size_t loose() const; ///< how many of the last particles are linked to nothing
     /** Where those of each sub-section are. @param particles how many there are of all, in what compose() made */

@@ -1,0 +1,158 @@
+#include "apps/drivers/coupled/handshakes.h"
+
+#include <algorithm>
+
+namespace apps
+{
+  using coupling::VolumeMethod;
+  using Eigen::Vector3d;
+
+  void HandshakeSection::declare(Section &s)
+  {
+    name = s.name();
+    declare_region(s);
+    s.number("Overlap", width, "m", Range::at_least(0), Need::required)
+      .means("Width of the layer around the region in which particles and elements both are; four elements for the "
+             "absorber. Particles of the specimen further away are left out");
+    s.choice(
+       "Method", method,
+       {{"multipliers", VolumeMethod::multipliers}, {"slaved", VolumeMethod::slaved}, {"legacy", VolumeMethod::legacy}},
+       Need::optional)
+      .means(
+        "multipliers: both share stiffness and mass in the overlap, and their velocities are kept together; slaved: "
+        "its particles move as the elements do, which alone are stiff there; legacy: slaved, both stiff, for "
+        "comparison");
+    s.choice("Ties", ties, {{"coarse", Ties::coarse}, {"strict", Ties::strict}, {"lumped", Ties::lumped}},
+             Need::optional)
+      .means("coarse: mean velocities around each node are equal; strict: those of every particle; lumped: strict, and "
+             "solved for each particle alone, which takes energy")
+      .only_if([this] { return method == VolumeMethod::multipliers; }, "Method = multipliers");
+    declare_absorber(s);
+    s.number("Energy limit", energy_limit, "-", Range::positive(), Need::optional)
+      .means("The run stops where the handshake itself has made or lost more than this part of the largest energy");
+    s.number("Damage limit", damage_limit, "-", Range::between(0, 1), Need::optional)
+      .means("The run stops where more than this part of the overlap's bonds is damaged: the region is too small");
+  }
+
+  void HandshakeSection::declare_region(Section &s)
+  {
+    s.choice("Region", region, {{"box", Region::box}, {"ball", Region::ball}}, Need::optional)
+      .means("Shape of what is the particles' alone");
+    const auto is = [this](const Region wanted) { return [this, wanted] { return region == wanted; }; };
+    s.vector("Low", low, "m", Range(), Need::required)
+      .means("Corner of the box; far outside the solid along an axis where there is no end")
+      .only_if(is(Region::box), "Region = box");
+    s.vector("High", high, "m", Range(), Need::required)
+      .means("Its other corner")
+      .only_if(is(Region::box), "Region = box");
+    s.vector("Centre", centre, "m", Range(), Need::required)
+      .means("Of the ball, in the plane of the disc")
+      .only_if(is(Region::ball), "Region = ball");
+    s.number("Radius", radius, "m", Range::positive(), Need::required)
+      .means("Of the ball: particles within this of the centre")
+      .only_if(is(Region::ball), "Region = ball");
+  }
+
+  void HandshakeSection::declare_absorber(Section &s)
+  {
+    const auto tied = [this] { return method == VolumeMethod::multipliers; };
+    s.flag("Absorber", absorbs)
+      .means("Damp what is too fine for the elements, which would throw it back")
+      .only_if(tied, "Method = multipliers");
+    const auto  absorbing = [this] { return method == VolumeMethod::multipliers && absorbs; };
+    const char *when      = "Absorber = true";
+    s.integer("Sharpness", sharpness, "", Range::between(1, 8), Need::optional)
+      .means("Of what is too fine: 3 lets waves of five elements pass; 2 reflects less and lets those of seven pass")
+      .only_if(absorbing, when);
+    s.number("Layer", layer, "", Range::at_least(0), Need::optional)
+      .means("How far it reaches into the region, in elements")
+      .only_if(absorbing, when);
+    s.number("Rate", rate, "", Range::positive(), Need::optional)
+      .means("At its largest, times element size over speed of compression waves")
+      .only_if(absorbing, when);
+    s.number("Grid", grid, "", Range::between(0.1, 10), Need::optional)
+      .means("Of its averages, in elements")
+      .only_if(absorbing, when);
+  }
+
+  coupling::Overlap HandshakeSection::overlap() const
+  {
+    coupling::Overlap made;
+    made.distance = region == Region::box ? coupling::distance_from_box(Vector3d(low.data()), Vector3d(high.data())) :
+                                            coupling::distance_from_ball(Vector3d(centre.data()), radius);
+    made.width    = width;
+    return made;
+  }
+
+  coupling::VolumeCouplingParameters HandshakeSection::parameters(const double element_size,
+                                                                  const double wave_speed) const
+  {
+    coupling::VolumeCouplingParameters made;
+    made.name          = name;
+    made.overlap       = overlap();
+    made.method        = method;
+    made.compatibility = ties == Ties::coarse ? coupling::Compatibility::coarse : coupling::Compatibility::strict;
+    made.lumped        = ties == Ties::lumped;
+    made.absorbs       = absorbs && method == VolumeMethod::multipliers;
+    made.sharpness     = static_cast<int>(sharpness);
+    made.layer         = layer * element_size;
+    made.rate          = rate * wave_speed / element_size;
+    made.spacing       = grid * element_size;
+    return made;
+  }
+
+  void HandshakesSection::declare(Section &root)
+  {
+    root
+      .section("Handshakes",
+               "One sub-section per region of particles inside the solid; its name is part of the columns "
+               "of series.csv")
+      .named_sections("HANDSHAKE", [this](Section &opened) { handshakes.emplace_back().declare(opened); });
+  }
+
+  void HandshakesSection::validate(const Section &root, const int dimension) const
+  {
+    for (const HandshakeSection &h : handshakes)
+      {
+        const Section &s = *root.find_section("Handshakes")->find_section(h.name);
+        if (h.name.find_first_of(",\"") != std::string::npos)
+          throw base::InputError(s.place().text() + ": Handshakes/" + h.name +
+                                 ": a name without commas and quotes, please: it is part of columns of series.csv.");
+        for (int c = 0; c < dimension && h.region == HandshakeSection::Region::box; ++c)
+          if (!(h.low[static_cast<std::size_t>(c)] < h.high[static_cast<std::size_t>(c)]))
+            s.refuse("High", "must be above Low along each axis.");
+        if (h.method == VolumeMethod::multipliers && !(h.width > 0))
+          s.refuse("Overlap", "multipliers need a layer in which particles and elements both are: above 0.");
+      }
+  }
+
+  double HandshakesSection::of_solid(const Vector3d &place) const
+  {
+    double share = 1;
+    for (const HandshakeSection &h : handshakes)
+      if (h.method == VolumeMethod::multipliers)
+        share *= h.overlap().of_solid(place);
+    return share;
+  }
+
+  bool HandshakesSection::shares() const
+  {
+    return std::any_of(handshakes.begin(), handshakes.end(),
+                       [](const HandshakeSection &h) { return h.method == VolumeMethod::multipliers; });
+  }
+
+  bool HandshakesSection::is_taken(const Vector3d &place) const
+  {
+    constexpr double rounding = 1e-9;
+    return std::any_of(handshakes.begin(), handshakes.end(), [&](const HandshakeSection &h) {
+      return h.overlap().distance(place) <= rounding * (1 + place.cwiseAbs().maxCoeff());
+    });
+  }
+
+  bool HandshakesSection::may_hold(const Vector3d &place) const
+  {
+    return std::any_of(handshakes.begin(), handshakes.end(), [&](const HandshakeSection &h) {
+      return h.overlap().contains(place) || h.overlap().distance(place) <= 0;
+    });
+  }
+} // namespace apps

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "apps/drivers/particles/groups.h"
+#include "apps/scene/section.h"
+#include "coupling/volume/parameters.h"
+
+#include <array>
+#include <cstdint>
+#include <list>
+#include <string>
+
+namespace apps
+{
+  /** Sub-section of "Handshakes": a region of particles inside the solid, and the layer around it where both are. */
+  struct HandshakeSection
+  {
+    enum class Region
+    {
+      box,
+      ball
+    };
+    enum class Ties
+    {
+      coarse,
+      strict,
+      lumped
+    };
+
+    std::string            name;
+    Region                 region = Region::box;
+    std::array<double, 3>  low{}, high{}, centre{}; ///< [m]
+    double                 radius = 0, width = 0;   ///< [m]
+    coupling::VolumeMethod method    = coupling::VolumeMethod::multipliers;
+    bool                   absorbs   = true;
+    Ties                   ties      = Ties::coarse;
+    std::int64_t           sharpness = 3;
+    double                 layer = 4, rate = 8, grid = 0.84; ///< of the absorber, in elements
+    double                 energy_limit = 0.01, damage_limit = 0.01;
+
+    void              declare(Section &section);
+    coupling::Overlap overlap() const;
+    /** @param element_size of the solid in the overlap [m] @param wave_speed of compression there [m/s] */
+    coupling::VolumeCouplingParameters parameters(double element_size, double wave_speed) const;
+
+  private:
+    void declare_region(Section &section);
+    void declare_absorber(Section &section);
+  };
+
+  /** Section "Handshakes". */
+  struct HandshakesSection
+  {
+    std::list<HandshakeSection> handshakes;
+
+    void declare(Section &root);
+    /** @throws base::InputError for a region that is none, or a method that wants an overlap without one */
+    void validate(const Section &root, int dimension) const;
+    bool empty() const { return handshakes.empty(); }
+
+    /** What of the solid counts at a place, in (0, 1]. */
+    double of_solid(const Eigen::Vector3d &place) const;
+    /** Whether it is the particles' alone: no element lies wholly in such. */
+    bool is_taken(const Eigen::Vector3d &place) const;
+    /** Whether particles of the specimen may be there: in a region or its overlap. */
+    bool may_hold(const Eigen::Vector3d &place) const;
+    /** Whether the solid shares at all. */
+    bool shares() const;
+  };
+} // namespace apps
