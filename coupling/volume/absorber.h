@@ -1,6 +1,7 @@
 #pragma once
 
 #include "coupling/volume/multipliers.h"
+#include "dem/measures/spline_grid.h"
 
 #include <Eigen/Core>
 
@@ -46,26 +47,32 @@ namespace coupling
     double largest_rate() const { return fastest; } ///< largest eigenvalue of the damping [1/s]
 
   private:
-    void make_grid(double spacing);
+    static constexpr std::size_t record = dem::SplineGrid::record;
+
     /** So that the motion of a rigid body, and even strain, are not damped: nor where averages are one-sided, at free faces. */
-    void                   make_fit();
-    void                   find_largest_rate();
-    const Eigen::Vector3d &place(const Eigen::Index carrier) const
-    {
-      const auto k = static_cast<std::size_t>(carrier), n = carriers.places.size();
-      return k < n ? carriers.places[k] : carriers.points[k - n];
-    }
-    CarrierRows smooth(const CarrierRows &all) const;            ///< G
-    CarrierRows smooth_transposed(const CarrierRows &all) const; ///< G^T
+    void make_fit();
+    void find_largest_rate();
+    /** What is too fine of velocities of all carriers, which become that. */
+    void take_off_averages(base::Column &all) const;
+    /** The transpose. */
+    void take_off_averages_transposed(base::Column &all) const;
     /** Damping force over velocities of particles and nodes [N]. */
     CarrierChanges forces(const CarrierRows &particles, const CarrierRows &nodes) const;
 
-    int              sharpness;
-    AbsorberCarriers carriers;
-    WeightRows       points_of_nodes;  ///< transpose of the weights
-    WeightRows       spread, gathered; ///< B: grid (rows) from carriers, and its transpose
-    Eigen::VectorXd  mass, inverse_grid_mass;
-    Eigen::MatrixXd  affine, fit; ///< fields that vary evenly with the place, and what is found of them in velocities
-    double           fastest = 0;
+    const Eigen::Vector3d &place(const std::size_t carrier) const
+    {
+      const std::size_t of_particles = carriers.places.size();
+      return carrier < of_particles ? carriers.places[carrier] : carriers.points[carrier - of_particles];
+    }
+    std::size_t size() const { return carriers.places.size() + carriers.points.size(); }
+
+    int                  sharpness;
+    AbsorberCarriers     carriers;
+    WeightRows           points_of_nodes; ///< transpose of the weights
+    dem::SplineGrid      grid;
+    Eigen::VectorXd      mass, inverse_grid_mass; ///< of carriers, of knots
+    Eigen::MatrixXd      affine, fit; ///< fields that vary evenly with the place; what of them velocities have
+    double               fastest = 0;
+    mutable base::Column on_grid, averaged, of_all; ///< during a call
   };
 } // namespace coupling

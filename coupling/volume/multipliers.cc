@@ -10,6 +10,8 @@ namespace coupling
   {
     /** What keeps the factor of a singular system finite, over its largest diagonal: constraints may say the same thing twice. */
     constexpr double ridge = 1e-10;
+    /** Of a system that needs no ridge, over the largest. */
+    constexpr double smallest_pivot = 1e-10;
     /** Each pass takes what the ridge has changed by its ratio to the smallest eigenvalue that counts. */
     constexpr int passes_of_refinement = 2;
 
@@ -20,6 +22,30 @@ namespace coupling
       return one;
     }
   } // namespace
+
+  void Multipliers::factor(const Eigen::SparseMatrix<double> &system, Axis &axis)
+  {
+    for (std::size_t before = 0; &axes[before] != &axis; ++before)
+      if (axes[before].factor && axes[before].particles == axis.particles && axes[before].nodes == axis.nodes)
+        {
+          axis.factor = axes[before].factor;
+          axis.system = axes[before].system;
+          return;
+        }
+    axis.factor           = std::make_shared<Factor>(system);
+    const auto well_posed = [](const VectorXd &pivots) {
+      return pivots.minCoeff() > smallest_pivot * pivots.maxCoeff();
+    };
+    if (axis.factor->info() == Eigen::Success && well_posed(axis.factor->vectorD()))
+      return;
+    axis.system = system;
+    Eigen::SparseMatrix<double> raised(system.rows(), system.cols());
+    raised.setIdentity();
+    raised      = system + ridge * VectorXd(system.diagonal()).maxCoeff() * raised;
+    axis.factor = std::make_shared<Factor>(raised);
+    if (axis.factor->info() != Eigen::Success)
+      throw std::runtime_error("the system of the multipliers cannot be factored.");
+  }
 
   Multipliers::Multipliers(const WeightRows   &weights,
                            const CarrierRows  &particles,
@@ -47,13 +73,7 @@ namespace coupling
             axis.lumped = axis.lumped.unaryExpr([](const double sum) { return sum > 0 ? 1 / sum : 0.0; });
             continue;
           }
-        axis.system = a;
-        Eigen::SparseMatrix<double> raised(a.rows(), a.cols());
-        raised.setIdentity();
-        raised      = a + ridge * VectorXd(a.diagonal()).maxCoeff() * raised;
-        axis.factor = std::make_shared<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>>(raised);
-        if (axis.factor->info() != Eigen::Success)
-          throw std::runtime_error("the system of the multipliers cannot be factored.");
+        factor(a, axis);
       }
   }
 
@@ -62,7 +82,7 @@ namespace coupling
     if (!axis.factor)
       return axis.lumped.cwiseProduct(right);
     VectorXd lambda = axis.factor->solve(right);
-    for (int pass = 0; pass < passes_of_refinement; ++pass)
+    for (int pass = 0; axis.system.size() > 0 && pass < passes_of_refinement; ++pass)
       lambda += axis.factor->solve(right - axis.system * lambda);
     return lambda;
   }

@@ -45,14 +45,17 @@ namespace coupling
     Eigen::Index nodes() const { return rows_on_nodes.cols(); }
 
   private:
+    using Factor = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>;
     struct Axis
     {
-      Eigen::VectorXd                                                     particles, nodes; ///< inverse masses [1/kg]
-      Eigen::SparseMatrix<double>                                         system;           ///< empty: lumped
-      std::shared_ptr<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>> factor;
-      Eigen::VectorXd                                                     lumped; ///< inverse of the summed rows
+      Eigen::VectorXd             particles, nodes; ///< inverse masses [1/kg]
+      Eigen::SparseMatrix<double> system;           ///< where its factor is not that of the very system
+      std::shared_ptr<Factor>     factor;           ///< none: lumped
+      Eigen::VectorXd             lumped;           ///< inverse of the summed rows
     };
 
+    /** The same factor for axes along which the same can move. */
+    void            factor(const Eigen::SparseMatrix<double> &system, Axis &axis);
     Eigen::VectorXd solve(const Axis &axis, const Eigen::VectorXd &right) const;
 
     WeightRows          rows_on_particles, rows_on_nodes; ///< constraint = first * particles - second * nodes

@@ -10,7 +10,7 @@ namespace coupling
   bool Overlap::contains(const Vector3d &place) const
   {
     const double d = distance(place), rounding = 1e-9 * (width + place.cwiseAbs().maxCoeff());
-    return d > -rounding && d < width + rounding;
+    return d >= -rounding && d <= width + rounding;
   }
 
   double Overlap::of_solid(const Vector3d &place) const

@@ -37,6 +37,6 @@ namespace coupling
     double spacing   = 0;     ///< of its grid [m]
   };
 
-  /** Absorber of the specification (3.3): four elements into the particles' region, 8 c_P/h, a grid of 0.875 h. */
+  /** The absorber that doc/theory/volume-coupling.md, 4, proposes: four elements into the particles' region, 8 c_P/h, a grid of 0.84 h. */
   void set_default_absorber(VolumeCouplingParameters &parameters, double element_size, double wave_speed);
 } // namespace coupling

@@ -1,7 +1,7 @@
 #include "coupling/volume/volume_coupling.h"
 
 #include "base/errors.h"
-#include "base/number_text.h"
+#include "coupling/volume/bond_shares.h"
 #include "fem/solid/point_search.h"
 
 #include <Eigen/Geometry>
@@ -30,7 +30,7 @@ namespace coupling
     parameters.absorbs = true;
     parameters.layer   = 4 * element_size;
     parameters.rate    = 8 * wave_speed / element_size;
-    parameters.spacing = 0.875 * element_size;
+    parameters.spacing = 0.84 * element_size;
   }
 
   template <int dim>
@@ -50,7 +50,10 @@ namespace coupling
     find_particles();
     share();
     if (own.method == VolumeMethod::multipliers)
-      make_multipliers();
+      {
+        weigh_nodes();
+        tie(1);
+      }
     else
       find_stiffness_of_slaves();
     if (own.absorbs)
@@ -112,64 +115,12 @@ namespace coupling
     overlapping = watched.size();
     if (overlapping == 0)
       throw base::InputError("coupling " + own.name + ": no particle lies in the overlap.");
-    at_particles = node_map.take();
+    at_particles  = node_map.take();
+    overlap_nodes = static_cast<Index>(node_map.nodes().size());
     watched.insert(watched.end(), beside.begin(), beside.end());
     for (const std::size_t i : watched)
       places.push_back(specimen.particle(i).position);
   }
-
-  namespace
-  {
-    /** Particles of another body may be beyond the overlap, and share with nobody. */
-    double share_of_particles(const Overlap &overlap, const Vector3d &place)
-    {
-      constexpr double rounding = 1e-6;
-      return overlap.distance(place) > (1 + rounding) * overlap.width ? 1.0 : overlap.of_particles(place);
-    }
-
-    /** What the bonds of a particle say of its share. */
-    struct BondsAround
-    {
-      double sum = 0, longest = 0; ///< of weights; [m]
-      int    inward = 0, outward = 0, level = 0;
-    };
-
-    /**
-     * Each particle has the mean weight of its bonds. Where the particles end, each bond that goes inward has lost its counterpart, which
-     * counts as weight zero; with the share of the particle's own place, its mass would be too small for its bonds.
-     */
-    std::vector<double> mass_shares(const dem::Specimen &specimen, const Overlap &overlap)
-    {
-      std::vector<BondsAround> around(specimen.counts().particles);
-      const dem::LinkOutput    links = specimen.links();
-      for (std::size_t l = 0; l < links.ends.size(); ++l)
-        {
-          const double weight = share_of_particles(overlap, links.load[l].contact),
-                       length = links.load[l].branch.norm();
-          for (const int end : {0, 1})
-            {
-              constexpr double across  = 1e-6; // of a bond's length: along the overlap
-              const double     further = overlap.distance(specimen.particle(links.ends[l][1 - end]).position) -
-                                     overlap.distance(specimen.particle(links.ends[l][end]).position);
-              BondsAround &of = around[links.ends[l][end]];
-              of.sum += weight;
-              of.longest = std::max(of.longest, length);
-              ++(further > across * length ? of.outward : further < -across * length ? of.inward : of.level);
-            }
-        }
-      std::vector<double> shares;
-      for (std::size_t i = 0; i < around.size(); ++i)
-        {
-          const BondsAround &of       = around[i];
-          const Vector3d     place    = specimen.particle(i).position;
-          const double       distance = overlap.distance(place);
-          const bool         last     = distance + of.longest > overlap.width && overlap.contains(place);
-          const int          whole    = of.level + of.inward + (last ? std::max(of.inward, of.outward) : of.outward);
-          shares.push_back(whole > 0 ? of.sum / whole : 1.0);
-        }
-      return shares;
-    }
-  } // namespace
 
   template <int dim>
   void VolumeCoupling<dim>::share()
@@ -179,8 +130,12 @@ namespace coupling
     for (Index k = 0; k < rows; ++k)
       whole_mass[k] = specimen.particle(watched[static_cast<std::size_t>(k)]).mass;
     if (own.method == VolumeMethod::multipliers)
-      specimen.share([this](const Vector3d &place) { return share_of_particles(own.overlap, place); },
-                     mass_shares(specimen, own.overlap));
+      {
+        std::vector<double> masses;
+        for (const BondShare &bonds : bond_shares(specimen, own.overlap))
+          masses.push_back(bonds.whole > 0 ? bonds.sum / bonds.whole : 1.0);
+        specimen.share([this](const Vector3d &place) { return share_of_bonds(own.overlap, place); }, masses);
+      }
     else
       leave();
     mass = inverse_mass = CarrierRows::Zero(rows, 3);
@@ -195,36 +150,22 @@ namespace coupling
       }
   }
 
-  namespace
-  {
-    /** Bonds of each particle, by packing number. */
-    std::vector<int> count_bonds(const dem::Specimen &specimen)
-    {
-      std::vector<int>      count(specimen.counts().particles, 0);
-      const dem::LinkOutput links = specimen.links();
-      for (std::size_t l = 0; l < links.ends.size(); ++l)
-        if (links.kind[l] == dem::LinkOutput::cohesive)
-          for (const std::size_t end : links.ends[l])
-            ++count[end];
-      return count;
-    }
-  } // namespace
-
   template <int dim>
   void VolumeCoupling<dim>::leave()
   {
-    const std::vector<int> made = count_bonds(specimen);
+    const std::vector<BondShare> made = bond_shares(specimen, own.overlap);
     specimen.leave(watched, own.method == VolumeMethod::legacy);
     if (own.method == VolumeMethod::legacy)
       return;
     // Mass goes with the bonds: what they join to free particles is no part of the solid.
-    const std::vector<int> kept = count_bonds(specimen);
+    const std::vector<BondShare> kept = bond_shares(specimen, own.overlap);
     for (const Entry &e : at_particles)
       {
         const std::size_t particle = watched[e.row], carrier = node_map.nodes()[e.node];
-        if (kept[particle] == 0)
+        if (kept[particle].number == 0)
           continue;
-        const double riding = e.weight * whole_mass[static_cast<Index>(e.row)] * kept[particle] / made[particle];
+        const double riding =
+          e.weight * whole_mass[static_cast<Index>(e.row)] * kept[particle].number / made[particle].whole;
         for (const auto dof : participant.displacements(carrier))
           motion.add_mass(dof, riding);
       }
@@ -247,11 +188,15 @@ namespace coupling
   }
 
   template <int dim>
-  void VolumeCoupling<dim>::make_multipliers()
+  void VolumeCoupling<dim>::tie(const double steps)
   {
-    weigh_nodes();
-    multipliers.emplace(weights_of(at_particles, overlapping, node_map.nodes().size()),
-                        inverse_mass.topRows(overlapping), inverse_node_mass, own.compatibility, own.lumped);
+    // A step that is the window but for rounding is the window.
+    const double wanted = std::fabs(steps - 1) < 1e-9 ? 1.0 : steps;
+    if (multipliers && std::fabs(wanted - ratio) <= 1e-9 * ratio)
+      return;
+    ratio = wanted;
+    multipliers.emplace(weights_of(at_particles, overlapping, overlap_nodes), inverse_mass.topRows(overlapping),
+                        ratio * inverse_node_mass.topRows(overlap_nodes), own.compatibility, own.lumped);
   }
 
   template <int dim>
@@ -344,19 +289,31 @@ namespace coupling
     from             = of_nodes(motion.velocity());
     to               = of_nodes(predicted);
     velocity         = from;
+    path             = CarrierRows::Zero(from.rows(), 3);
+    gone             = 0;
     impulse_together = impulse_absorber = CarrierRows::Zero(from.rows(), 3);
   }
 
   template <int dim>
   void VolumeCoupling<dim>::correct(dem::StepCorrection &correction, const std::size_t first)
   {
-    const double      step   = 2 * correction.half_after;
-    const CarrierRows before = velocity;
-    velocity += step / window * (to - from); // by its own forces, evenly in the window
+    const double step = 2 * correction.half_after;
     if (own.method == VolumeMethod::multipliers)
-      keep_together(correction, first, before);
+      {
+        tie(window / step);
+        const CarrierRows before = from + gone / window * (to - from);
+        gone += step;
+        velocity = from + gone / window * (to - from);
+        keep_together(correction, first, before);
+      }
     else
-      lead(correction, first);
+      {
+        if (gone == 0) // its own forces act at once: spread over the window they would act too late, and feed it
+          velocity += to - from;
+        lead(correction, first);
+        path += step * velocity;
+        gone += step;
+      }
   }
 
   template <int dim>
@@ -380,7 +337,7 @@ namespace coupling
       now.topRows(shared) += change.particles;
       velocity.topRows(multipliers->nodes()) += change.nodes;
       impulse_together.topRows(multipliers->nodes()) +=
-        node_mass.topRows(multipliers->nodes()).cwiseProduct(change.nodes);
+        node_mass.topRows(multipliers->nodes()).cwiseProduct(change.nodes) / ratio;
     };
     constrain();
     if (absorber)
@@ -389,7 +346,7 @@ namespace coupling
         absorbed                    = change.particles;
         now += change.particles;
         velocity += change.nodes;
-        impulse_absorber += node_mass.cwiseProduct(change.nodes);
+        impulse_absorber += node_mass.cwiseProduct(change.nodes) / ratio;
         constrain();
       }
     const CarrierRows mean = (correction.half_before * before + correction.half_after * now) / kick;
@@ -442,8 +399,12 @@ namespace coupling
   template <int dim>
   void VolumeCoupling<dim>::finish()
   {
-    const auto       &nodes = node_map.nodes();
-    const CarrierRows mean  = 0.5 * (from + velocity);
+    const auto &nodes = node_map.nodes();
+    // Slaves have moved nodes on as they went; multipliers have spread their impulses over the window.
+    const bool apart = own.method != VolumeMethod::multipliers && !path.isApprox(window * velocity);
+    if (own.method == VolumeMethod::multipliers)
+      velocity = to + inverse_node_mass.cwiseProduct(impulse_together + impulse_absorber);
+    const CarrierRows mean = 0.5 * (from + velocity);
     exchanged.work_on_solid += impulse_together.cwiseProduct(mean).sum();
     exchanged.absorbed -= impulse_absorber.cwiseProduct(mean).sum();
     const CarrierRows impulse = impulse_together + impulse_absorber;
@@ -457,6 +418,8 @@ namespace coupling
                                    participant.displacements(nodes[k])[static_cast<std::size_t>(c)], window);
         if (!force.isZero(0))
           participant.add_force(nodes[k], force);
+        for (int c = 0; c < dim && apart; ++c)
+          motion.carry(participant.displacements(nodes[k])[static_cast<std::size_t>(c)], path(row, c));
         exchanged.to_solid += given;
         exchanged.turn_to_solid += participant.place(nodes[k]).cross(given);
       }

@@ -82,9 +82,10 @@ namespace coupling
     void              share();
     void              leave();
     void              weigh_nodes();
-    void              make_multipliers();
-    void              make_absorber();
-    void              find_stiffness_of_slaves();
+    /** Multipliers for so many steps of the particles in one of the solid. */
+    void tie(double steps);
+    void make_absorber();
+    void find_stiffness_of_slaves();
     /** Points of the solid just outside the overlap, where particles would be if they went on. */
     void        enter_points(AbsorberCarriers &all);
     CarrierRows of_nodes(const fem::Vector &field) const;
@@ -103,7 +104,9 @@ namespace coupling
     std::vector<Eigen::Vector3d> places; ///< of the watched, undeformed [m]
     std::size_t                  overlapping = 0;
     Eigen::VectorXd              whole_mass; ///< of the watched, as if they shared with nobody [kg]
-    CarrierRows mass, inverse_mass, node_mass, inverse_node_mass; ///< as they count; zero inverse: prescribed
+    CarrierRows  mass, inverse_mass, node_mass, inverse_node_mass; ///< as they count; zero inverse: prescribed
+    double       ratio         = 0;                                ///< of steps for which the multipliers are
+    Eigen::Index overlap_nodes = 0;                                ///< nodes that weigh on its particles: the first
     std::optional<Multipliers>       multipliers;
     std::optional<FineScaleAbsorber> absorber;
     double                           added = 0;
@@ -111,6 +114,8 @@ namespace coupling
     double        window = 0;         ///< that has begun [s]
     fem::Vector   predicted;          ///< velocities at its end, if nothing of here pushed [m/s]
     CarrierRows   from, to, velocity; ///< of the nodes: at its start, as predicted for its end, now [m/s]
+    CarrierRows   path;               ///< of the nodes in it so far [m]
+    double        gone = 0;           ///< of it so far [s]
     CarrierRows   impulse_together, impulse_absorber; ///< on the nodes in it [N s]
     VolumeBalance exchanged;
     std::size_t   shared_bonds = 0;

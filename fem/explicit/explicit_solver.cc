@@ -316,6 +316,12 @@ namespace fem
   }
 
   template <int dim>
+  void ExplicitSolver<dim>::carry(const types::global_dof_index dof, const double by)
+  {
+    outside.carried[local(dof)] = by;
+  }
+
+  template <int dim>
   void ExplicitSolver<dim>::apply_impulse(const types::global_dof_index dof, const double change)
   {
     const unsigned int i = local(dof);
@@ -413,10 +419,14 @@ namespace fem
         const bool in_account  = started || outside.driven.count(i) > 0;
         v.local_element(i)     = now;
         moved.local_element(i) = length * now;
+        if (!outside.carried.empty() && !held[i])
+          if (const auto by = outside.carried.find(i); by != outside.carried.end())
+            moved.local_element(i) = by->second;
         u.local_element(i) += moved.local_element(i);
         if (held[i])
           pushed += 0.5 * lumped.local_element(i) * (now * now - (in_account ? old * old : 0.0));
       }
+    outside.carried.clear();
     started     = true;
     last_length = length;
     u.update_ghost_values();

@@ -32,6 +32,7 @@ namespace fem
   {
     Vector                         force;   ///< [N]; empty: none
     std::map<unsigned int, double> driven;  ///< velocity of prescribed displacements, by local number [m/s]
+    std::map<unsigned int, double> carried; ///< displacements in the next step that are known, likewise [m]
     double work = 0, damped = 0, start = 0; ///< what changes since the last step add to the account, on this rank [J]
   };
 
@@ -94,6 +95,12 @@ namespace fem
     void predict(double length, Vector &velocity);
     /// Force that makes a locally owned displacement this much faster in that step [N/(m/s)]; 0: what is prescribed.
     double force_for_velocity(dealii::types::global_dof_index dof, double length) const;
+
+    /**
+     * In the next step a locally owned displacement grows by this much [m], and not by what its velocity at the step's end says: somebody
+     * else has moved it on in shorter steps. Nothing comes of it where it is prescribed.
+     */
+    void carry(dealii::types::global_dof_index dof, double by);
 
     /**
      * Change the velocity of a locally owned displacement at once [m/s], unless it is prescribed. The energy that this gives or takes

@@ -7,6 +7,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <omp.h>
+
 #include <cmath>
 #include <memory>
 
@@ -23,8 +25,11 @@ namespace
     static constexpr double element = 2 * spacing, overlap_width = 3 * element, own_length = 10 * spacing;
     static constexpr int    across = 4; // particles
 
-    explicit Bar(coupling::VolumeCouplingParameters p, const double step_factor = 0.8, const int largest_ratio = 1)
-      : Bar(std::move(p), step_factor, largest_ratio, overlap())
+    explicit Bar(coupling::VolumeCouplingParameters p,
+                 const double                       step_factor   = 0.8,
+                 const int                          largest_ratio = 1,
+                 const double                       softer        = 1)
+      : Bar(std::move(p), step_factor, largest_ratio, softer, overlap())
     {
     }
 
@@ -81,11 +86,12 @@ namespace
     Bar(coupling::VolumeCouplingParameters p,
         const double                       step_factor,
         const int                          largest_ratio,
+        const double                       softer,
         const coupling::Overlap           &overlap)
       : particles(specimen(step_factor))
       , solid(elements(overlap, p.method == coupling::VolumeMethod::multipliers))
     {
-      solid.assign("0", fem::make_points(elastic(modulus, 0.2), fem::Plane::strain));
+      solid.assign("0", fem::make_points(elastic(modulus / softer, 0.2), fem::Plane::strain));
       fem::Loads<dim> loads;
       loads.may_move_freely = true;
       solid.set_loads(loads);
@@ -342,4 +348,79 @@ TEST_CASE("volume coupling: multipliers and absorber leave translation, rotation
     const auto again = ties.changes(change.particles, change.nodes);
     CHECK((again.particles + change.particles).norm() <= 1e-9 * change.particles.norm());
   }
+}
+
+TEST_CASE("volume coupling: S10, a solid a hundred times as soft, fifty steps of particles in one: energy never grows",
+          "[coupling][volume][slow]")
+{
+  for (const auto &[name, method] : methods())
+    if (method.method == VolumeMethod::multipliers)
+      {
+        INFO(name);
+        // A fifth of the stable step of the particles: fifty of them in one of the solid.
+        Bar<2> bar(method, 0.2, 50, 100);
+        bar.set_velocity(Bar<2>::noise);
+        bar.advance(5);
+        const double energy = bar.energy(), made = bar.coupled->balance().made();
+        double       most = 0;
+        while (bar.particles.steps() < 100000)
+          {
+            const auto taken = bar.both->advance(1);
+            REQUIRE(taken.particles >= 40);
+            most = std::max(most, bar.coupled->balance().made() - made);
+          }
+        CHECK(most <= 1e-3 * energy);
+        CHECK(bar.energy() <= 1.001 * energy);
+      }
+}
+
+TEST_CASE("volume coupling: a million steps close to the critical one neither make nor lose energy",
+          "[coupling][volume][slow]")
+{
+  Bar<2> bar(tied(Compatibility::coarse), 0.99);
+  bar.set_velocity(Bar<2>::noise);
+  bar.advance(5);
+  const double energy = bar.energy(), made = bar.coupled->balance().made();
+  for (int block = 0; block < 100; ++block)
+    {
+      bar.advance(10000);
+      REQUIRE(std::fabs(bar.coupled->balance().made() - made) <= 1e-6 * energy);
+      REQUIRE(std::fabs(bar.particles.energy().residual()) <= 1e-3 * energy);
+    }
+}
+
+TEST_CASE("volume coupling: the same bits with 1 and 2 threads, and after a restart", "[coupling][volume]")
+{
+  const auto run = [](const int threads, const bool restart) {
+    omp_set_num_threads(threads);
+    Bar<3> bar(tied(Compatibility::coarse, false, true));
+    bar.set_velocity(Bar<3>::noise);
+    bar.advance(40);
+    Bar<3> fresh(tied(Compatibility::coarse, false, true));
+    if (restart)
+      {
+        MemoryState         memory;
+        MemoryState::Writer writer(memory);
+        bar.particles.visit_state(writer);
+        bar.both->visit_state(writer);
+        MemoryState::Reader reader(memory);
+        fresh.particles.visit_state(reader);
+        fresh.both->visit_state(reader);
+        fresh.motion->restore(bar.motion->state());
+      }
+    Bar<3> &on = restart ? fresh : bar;
+    on.advance(40);
+    std::vector<double> all;
+    for (std::size_t i = 0; i < on.particles.counts().particles; ++i)
+      for (int c = 0; c < 3; ++c)
+        all.push_back(on.particles.particle(i).velocity[c]);
+    for (std::size_t i = 0; i < on.participant->carriers(); ++i)
+      for (int c = 0; c < 3; ++c)
+        all.push_back(on.participant->velocity(i)[c]);
+    return all;
+  };
+  const auto once = run(1, false);
+  CHECK(once == run(2, false));
+  omp_set_num_threads(1);
+  CHECK(once == run(1, true));
 }

@@ -197,7 +197,7 @@ namespace apps
             const coupling::VolumeBalance &balance = handshake->balance();
             add(std::initializer_list<double>{static_cast<double>(handshake->damaged_bonds()), balance.work_on_solid,
                                               balance.made(), balance.absorbed});
-            made += balance.made() - balance.absorbed;
+            made += balance.made(); // what was absorbed is known, and no defect
           }
         const auto [linear, angular] = momentum();
         add(std::initializer_list<double>{linear[0], linear[1], linear[2], angular[0], angular[1], angular[2]});
@@ -242,6 +242,16 @@ namespace apps
       std::size_t           unknowns() const override { return solid->dofs().n_dofs(); }
       std::int64_t          windows() const override { return window_count; }
       const ContactFigures &interface() const override { return figures; }
+
+      std::string text_of_handshakes() const override
+      {
+        std::string text;
+        auto        handshake = model.handshakes.handshakes.begin();
+        for (const auto &volume : both.volumes())
+          text += fmt::format("  handshake    {}: {} particles and {} bonds in the overlap, {} nodes\n",
+                              (handshake++)->name, volume->in_overlap(), volume->bonds(), volume->nodes());
+        return text;
+      }
 
       std::string write_solid(const std::filesystem::path &folder, const std::size_t number) override
       {
@@ -374,8 +384,8 @@ namespace apps
             volume += cell->measure();
             ++count;
             const auto &d = solid->material(cell->material_id()).elastic_stiffness();
-            fastest       = std::max(
-                    fastest, std::sqrt(d.template topLeftCorner<3, 3>().diagonal().maxCoeff() / motion->density(cell->material_id())));
+            fastest       = std::max(fastest, std::sqrt(d.template topLeftCorner<3, 3>().diagonal().maxCoeff() /
+                                                        motion->density(cell->material_id())));
           }
         if (count == 0)
           throw base::InputError("Handshakes/" + handshake.name +

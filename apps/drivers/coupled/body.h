@@ -48,6 +48,8 @@ namespace apps
     virtual std::size_t           unknowns() const  = 0;
     virtual std::int64_t          windows() const   = 0; ///< taken
     virtual const ContactFigures &interface() const = 0;
+    /** Lines of a forecast: where particles lie inside the solid. */
+    virtual std::string text_of_handshakes() const = 0;
 
     /** @param number of the snapshot. @return name of its file in the folder. @throws postprocess::OutputError */
     virtual std::string write_solid(const std::filesystem::path &folder, std::size_t number) = 0;

@@ -58,6 +58,11 @@ namespace apps
         terms[name.substr(all.size())] = series.column(name).back();
     for (const CouplingSection &coupling : model.couplings.couplings)
       terms["made_by_couplings"][coupling.name] = series.column(column_name(coupling.name) + "_made").back();
+    for (const HandshakeSection &handshake : model.handshakes.handshakes)
+      {
+        terms["made_by_couplings"][handshake.name] = series.column(column_name(handshake.name) + "_made").back();
+        terms["absorbed"][handshake.name]          = series.column(column_name(handshake.name) + "_absorbed").back();
+      }
     return terms;
   }
 
@@ -88,7 +93,14 @@ namespace apps
     std::string text;
     for (const postprocess::SeriesColumn &column : body.told())
       text += fmt::format("{:<40} {:.6g} {}\n", column.name, series.column(column.name).back(), column.unit);
-    text += body.interface().touched() ? body.interface().text() : "warning      nothing has ever touched the solid\n";
+    for (const HandshakeSection &handshake : model.handshakes.handshakes)
+      text += fmt::format("{:<12} {} damaged bonds in the overlap, {:.4g} J absorbed\n", "handshake",
+                          series.column(column_name(handshake.name) + "_damaged").back(),
+                          series.column(column_name(handshake.name) + "_absorbed").back());
+    if (body.interface().touched())
+      text += body.interface().text();
+    else if (model.handshakes.empty())
+      text += "warning      nothing has ever touched the solid\n";
     if (model.laboratory.given())
       text += text_of(notes());
     text += common().text();

@@ -78,6 +78,7 @@ namespace apps
       text += fmt::format("  coupling     {}: {} on {}\n", coupling.name,
                           coupling.group.empty() ? "all particles" : coupling.group,
                           coupling.boundary.empty() ? "all of the boundary" : coupling.boundary);
+    text += body->text_of_handshakes();
     text += fmt::format("  steps        solid {:.4g} s, particles {:.4g} s: ratio {:.3g}\n", steps.solid,
                         steps.particles, steps.solid / steps.particles);
     text += fmt::format("  window       {:.4g} s: {} of the solid, {} of the particles\n", steps.window,

@@ -28,6 +28,6 @@ namespace apps
 
     WaveCase    common; ///< without method and wavelength
     std::string methods = "absorber, coarse, slaved", wavelengths;
-    double      layer = 4, rate = 8, grid = 0.875; ///< of absorbers
+    double      layer = 4, rate = 8, grid = 0.84; ///< of absorbers
   };
 } // namespace apps

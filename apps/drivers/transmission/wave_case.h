@@ -38,8 +38,8 @@ namespace apps
     coupling::Compatibility compatibility = coupling::Compatibility::coarse;
     bool                    lumped        = false;
     bool                    absorbs       = false;
-    int                     sharpness     = 3;                 ///< p
-    double                  layer = 4, rate = 8, grid = 0.875; ///< of the absorber: L_a over h, c_0 h/c_P, H over h
+    int                     sharpness     = 3;                ///< p
+    double                  layer = 4, rate = 8, grid = 0.84; ///< of the absorber: L_a over h, c_0 h/c_P, H over h
   };
 
   /** A packet of waves that runs through particles, on along x, and into a continuum. */

@@ -1,0 +1,235 @@
+// Waves from particles into a continuum: tables of spec/coupling.md, 3.5 and 3.6, as doc/theory/volume-coupling.md, 6, has them.
+#include "apps/drivers/transmission/methods.h"
+#include "apps/drivers/transmission/wave_case.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace
+{
+  constexpr double spacing = 0.01;
+
+  apps::WaveMethod method(const std::string &name)
+  {
+    const auto &all = apps::wave_methods();
+    return *std::find_if(all.begin(), all.end(), [&](const apps::WaveMethod &m) { return m.name == name; });
+  }
+
+  apps::WaveCase chain(const std::string &name, const double spacings)
+  {
+    apps::WaveCase wave;
+    wave.medium.spacing = spacing;
+    wave.medium.modulus = 25e9;
+    wave.medium.density = 2400;
+    wave.method         = method(name);
+    wave.wavelength     = spacings * spacing;
+    return wave;
+  }
+
+  apps::WaveCase strip(const std::string &name, const double spacings, const bool shear)
+  {
+    apps::WaveCase wave = chain(name, spacings);
+    wave.medium.lattice = apps::WaveMedium::Lattice::strip;
+    wave.element        = 4;
+    wave.shear          = shear;
+    wave.step_factor    = 0.69; // 0.4 of the table's unit
+    wave.method.grid    = 0.875;
+    return wave;
+  }
+
+  /** An entry of a table: wavelength in spacings, reflected, transmitted. */
+  struct Entry
+  {
+    double wavelength, reflected, transmitted;
+  };
+
+  template <typename Case>
+  void check_table(const std::vector<Entry> &table, const double within, const Case &make)
+  {
+    for (const Entry &entry : table)
+      {
+        INFO("wavelength " << entry.wavelength << " spacings");
+        const apps::WaveAnswer answer = apps::transmit(make(entry.wavelength));
+        CHECK(answer.reflected == Approx(entry.reflected).margin(within));
+        CHECK(answer.transmitted == Approx(entry.transmitted).margin(within));
+      }
+  }
+} // namespace
+
+TEST_CASE("wave transmission: elements that begin at a particle reflect as the closed form says, by simulation too",
+          "[verification][volume][slow]")
+{
+  struct Known
+  {
+    std::int64_t element;
+    double       wavelength, reflected;
+  };
+  for (const Known &known : std::vector<Known>{{2, 8, 0.0320},
+                                               {2, 12, 0.0037},
+                                               {4, 12, 1},
+                                               {4, 16, 0.0490},
+                                               {4, 20, 0.0138},
+                                               {8, 24, 1},
+                                               {8, 26, 0.3350},
+                                               {8, 28, 0.1457},
+                                               {8, 32, 0.0537},
+                                               {8, 40, 0.0151},
+                                               {8, 64, 0.0017}})
+    {
+      INFO(known.element << " spacings, wavelength " << known.wavelength);
+      CHECK(apps::edge_to_edge_reflection(known.element, known.wavelength) == Approx(known.reflected).margin(6e-5));
+    }
+  // A packet has more than one wavelength: 0.01 where the form is not steep.
+  for (const Known &known : std::vector<Known>{{4, 20, 0.0138}, {8, 32, 0.0537}, {8, 40, 0.0151}, {2, 12, 0.0037}})
+    {
+      apps::WaveCase wave = chain("slaved", known.wavelength);
+      wave.element        = known.element;
+      wave.overlap        = 0;
+      wave.step_factor    = 0.1;
+      const auto answer   = apps::transmit(wave);
+      CHECK(answer.reflected == Approx(known.reflected).margin(0.01));
+      CHECK(answer.reflected + answer.transmitted == Approx(1).margin(2e-3));
+    }
+}
+
+TEST_CASE("wave transmission: the absorber reflects at most 2 % at any wavelength and passes what elements carry",
+          "[verification][volume][slow]")
+{
+  for (const double wavelength : {4.0, 8.0, 12.0, 16.0, 20.0, 22.0, 24.0, 28.0, 32.0, 40.0, 48.0, 64.0, 96.0})
+    {
+      INFO("wavelength " << wavelength << " spacings");
+      const auto sharp = apps::transmit(chain("absorber", wavelength)),
+                 soft  = apps::transmit(chain("absorber p=2", wavelength));
+      CHECK(sharp.reflected <= 0.02);
+      CHECK(soft.reflected <= 0.005);
+      if (wavelength >= 40)
+        CHECK(sharp.transmitted >= 0.97);
+      if (wavelength >= 48)
+        {
+          CHECK(sharp.transmitted >= 0.99);
+          CHECK(soft.transmitted >= 0.96);
+        }
+      for (const auto &answer : {sharp, soft})
+        {
+          CHECK(answer.reflected + answer.transmitted + answer.absorbed == Approx(1).margin(2e-3));
+          CHECK(std::fabs(answer.made) <= 1e-9);
+        }
+    }
+  for (const double wavelength : {6.0, 8.0, 10.0, 12.0, 14.0, 16.0, 24.0, 32.0})
+    {
+      INFO("elements of 4 spacings, wavelength " << wavelength << " spacings");
+      for (const auto &[name, limit] : {std::pair<const char *, double>{"absorber", 0.035}, {"absorber p=2", 0.006}})
+        {
+          apps::WaveCase wave = chain(name, wavelength);
+          wave.element        = 4;
+          CHECK(apps::transmit(wave).reflected <= limit);
+        }
+    }
+}
+
+TEST_CASE("wave transmission: tables of a row of particles, methods without and with an absorber",
+          "[verification][volume][slow]")
+{
+  const auto quarter = [](const std::string &name) {
+    return [name](const double wavelength) {
+      apps::WaveCase wave = chain(name, wavelength);
+      wave.step_factor    = 0.25;
+      return wave;
+    };
+  };
+  SECTION("legacy")
+  {
+    check_table({{8, 1, 0},
+                 {16, 1, 0},
+                 {20, 0.99, 0.01},
+                 {24, 0.90, 0.10},
+                 {28, 0.26, 0.74},
+                 {32, 0.149, 0.852},
+                 {48, 0.014, 0.986},
+                 {96, 0.109, 0.897}},
+                0.01, quarter("legacy"));
+  }
+  SECTION("strict")
+  {
+    check_table({{8, 1, 0},
+                 {16, 1, 0},
+                 {20, 1, 0},
+                 {24, 0.85, 0.15},
+                 {28, 0.036, 0.964},
+                 {32, 0.003, 0.998},
+                 {48, 0.001, 1},
+                 {96, 0, 1}},
+                0.01, quarter("strict"));
+  }
+  SECTION("coarse")
+  {
+    check_table(
+      {{8, 1, 0}, {16, 1, 0}, {20, 1, 0}, {24, 0.83, 0.18}, {28, 0.024, 0.976}, {32, 0, 1}, {48, 0, 1}, {96, 0, 1}},
+      0.01, quarter("coarse"));
+  }
+  SECTION("lumped: within 0.02")
+  {
+    check_table({{8, 0.015, 0},
+                 {12, 0.11, 0},
+                 {16, 0.32, 0},
+                 {20, 0.52, 0},
+                 {24, 0.28, 0.11},
+                 {28, 0.022, 0.72},
+                 {32, 0.002, 0.82},
+                 {48, 0, 0.949},
+                 {96, 0, 0.997}},
+                0.02, quarter("lumped"));
+  }
+  SECTION("absorbers, whose table is met by a grid of 0.83 elements: within 0.02 at 28 spacings, otherwise 0.01")
+  {
+    const auto grid = [](const std::string &name) {
+      return [name](const double wavelength) {
+        apps::WaveCase wave = chain(name, wavelength);
+        wave.method.grid    = 0.83;
+        return wave;
+      };
+    };
+    check_table({{8, 0, 0},
+                 {12, 0.002, 0},
+                 {16, 0.006, 0},
+                 {20, 0.010, 0},
+                 {24, 0.020, 0.077},
+                 {32, 0.001, 0.873},
+                 {40, 0, 0.986},
+                 {48, 0, 1},
+                 {64, 0, 1},
+                 {96, 0, 1}},
+                0.01, grid("absorber"));
+    check_table({{28, 0.002, 0.643}}, 0.02, grid("absorber"));
+    check_table({{8, 0, 0},
+                 {12, 0.001, 0},
+                 {16, 0.003, 0},
+                 {20, 0.001, 0},
+                 {24, 0.003, 0.033},
+                 {32, 0.001, 0.607},
+                 {40, 0.001, 0.885},
+                 {48, 0, 0.967},
+                 {64, 0, 0.996},
+                 {96, 0, 1}},
+                0.01, grid("absorber p=2"));
+    check_table({{28, 0.001, 0.343}}, 0.02, grid("absorber p=2"));
+  }
+}
+
+TEST_CASE("wave transmission: the table of a hexagonal plane, waves of compression and of shear",
+          "[verification][volume][slow]")
+{
+  const auto wave = [](const std::string &name, const bool shear) {
+    return [name, shear](const double wavelength) { return strip(name, wavelength, shear); };
+  };
+  check_table({{8, 0.003, 0}, {12, 0.007, 0.071}, {16, 0.001, 0.824}, {20, 0, 0.974}, {24, 0, 0.996}, {32, 0, 1}}, 0.01,
+              wave("absorber", false));
+  check_table({{14, 0.002, 0.555}}, 0.02, wave("absorber", false));
+  check_table({{8, 0.001, 0}, {12, 0.001, 0.027}, {14, 0.001, 0.269}, {20, 0, 0.854}, {24, 0, 0.955}, {32, 0, 0.994}},
+              0.011, wave("absorber p=2", false));
+  check_table({{8, 0.004, 0}, {12, 0.002, 0.037}, {24, 0, 0.988}}, 0.01, wave("absorber", true));
+  check_table({{16, 0.001, 0.709}}, 0.02, wave("absorber", true));
+}
