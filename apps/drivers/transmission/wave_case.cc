@@ -299,7 +299,7 @@ namespace apps
     coupling::ConcurrentMotion<2> both(particles, continuum.solid, *continuum.motion, *continuum.participant);
     const auto                   &handshake = both.add_volume(coupling_of(wave, overlap));
 
-    const double step  = std::min(both.particle_step(), alone.longest_step());
+    const double step  = std::min({both.particle_step(), both.solid_step(), alone.longest_step()});
     const auto   steps = static_cast<std::int64_t>(std::ceil(course.duration / step));
     alone.set_time_step(step);
     for (std::int64_t s = 0; s < steps; ++s)

@@ -1,0 +1,115 @@
+// Particles inside a solid, through the program: the published example, refusals, resuming; waves from one into the other.
+#include "tests/apps/interrupted_runs.h"
+#include "tests/apps/scene_runs.h"
+#include "tests/apps/scenes.h"
+#include "tests/places.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <csignal>
+
+using namespace apps_tests;
+using Catch::Contains;
+
+namespace
+{
+  std::string shipped(const char *name) { return places::sources() + "/apps/scenes/" + name; }
+
+  /** The beam with a core, its particles tied to small elements, and several of their steps in one of the solid. */
+  const std::vector<std::string> tied = {"Handshakes/core/Method=multipliers",
+                                         "Continuum/Mesh/Boxes/beam/Divisions x=50",
+                                         "Continuum/Mesh/Boxes/beam/Divisions y=6",
+                                         "Time/Largest ratio=4",
+                                         "Time/Step factor=0.3",
+                                         "Particles/Materials/concrete/CPM/Limit elastic strain=1",
+                                         "Handshakes/core/Energy limit=1"};
+
+  std::string reproducible(const std::filesystem::path &results)
+  {
+    return listing_of(results / "solid") + listing_of(results / "particles_particles") +
+           content_of(results / "series.csv") + content_of(results / "coupled.pvd");
+  }
+} // namespace
+
+TEST_CASE("A beam with a core of particles: the published example's particles, elements, momentum and energy",
+          "[apps][coupled][volume]")
+{
+  const ScratchFolder folder;
+  const std::string   scene = shipped("beam_with_core.prm");
+  const Outcome       told  = outcome_of(folder, "check", scene);
+  CHECK_THAT(told.out, Contains("elements     60") && Contains("concrete 364") && Contains("handshake    core: "));
+  // Nothing breaks: nothing may be lost.
+  const Results found  = results_of(folder, scene,
+                                    {"Particles/Materials/concrete/CPM/Limit elastic strain=1", "Time/Damping=0",
+                                     "Time/End time=1e-3", "Handshakes/core/Damage limit=0"});
+  const auto   &series = found.series;
+  CHECK(series.column("momentum_y").front() == Approx(-87.706).epsilon(1e-4));
+  CHECK(series.column("energy_particles_initial").front() == Approx(2192.6).epsilon(1e-4));
+  CHECK(series.column("core_damaged").back() == 0);
+  const double energy = series.column("energy_particles_initial").back();
+  for (const double residual : series.column("energy_residual"))
+    CHECK(std::fabs(residual) < 0.01 * energy);
+  CHECK(std::fabs(series.column("core_made").back()) < 1e-9 * energy);
+}
+
+TEST_CASE("What cannot shake hands is refused by name", "[apps][coupled][volume]")
+{
+  const ScratchFolder folder;
+  const std::string   scene   = shipped("beam_with_core.prm");
+  const auto          refused = [&](const std::vector<std::string> &changes, const char *words) {
+    is_refused(folder, scene, changes, words);
+  };
+  refused({"Handshakes/core/High=-0.2, 1, 1"}, "High");
+  refused({"Handshakes/core/High=0.11, 1, 1"}, "Let the region end where elements do");
+  refused({"Handshakes/core/Method=multipliers", "Handshakes/core/Overlap=0"}, "Overlap");
+  refused({"Handshakes/core/Low=-0.001, -1, -1", "Handshakes/core/High=0.001, 1, 1"}, "no element lies in");
+  refused({"Handshakes/core/Low=-1, -1, -1", "Handshakes/core/High=1, 1, 1"}, "no element is left");
+  refused({"Handshakes/core/Ties=loose"}, "Ties");
+  refused({"Handshakes/core/Overlap=-1"}, "Overlap");
+  const Outcome broken = outcome_of(folder, "run", scene, {"Handshakes/core/Damage limit=0.01"});
+  CHECK(broken.status != 0);
+  CHECK_THAT(broken.err, Contains("Handshakes/core") && Contains("larger region"));
+}
+
+TEST_CASE("An interrupted or killed run of particles inside a solid goes on to the same bits",
+          "[apps][coupled][volume][slow][S13]")
+{
+  const ScratchFolder      folder;
+  std::vector<std::string> words = {"run", shipped("beam_with_core.prm"), "-s", "Output/Checkpoint interval=0.01"};
+  for (const std::string &change : tied)
+    words.insert(words.end(), {"-s", change});
+  goes_on_to_the_same_bits(folder, {words, {"solid/solid_000002.vtu", "checkpoint.h5"}, reproducible},
+                           {SIGINT, SIGKILL});
+}
+
+TEST_CASE("Particles inside a solid move to the same bits with any number of threads, whatever ties them",
+          "[apps][coupled][volume]")
+{
+  const ScratchFolder folder;
+  std::string         first;
+  for (const char *threads : {"1", "2"})
+    {
+      std::vector<std::string> words = {"run", shipped("beam_with_core.prm"), "-o", "results", "--threads", threads,
+                                        "-s",  "Time/End time=5e-4"};
+      for (const std::string &change : tied)
+        words.insert(words.end(), {"-s", change});
+      REQUIRE(run(folder.path(), words).status == 0);
+      const std::string now = reproducible(folder / "results");
+      CHECK((first.empty() || now == first));
+      first = now;
+    }
+}
+
+TEST_CASE("A scene of waves writes where their energy goes, and refuses waves that particles cannot carry",
+          "[apps][volume]")
+{
+  const ScratchFolder folder;
+  const std::string   scene = shipped("wave_transmission.prm");
+  const Outcome       done  = outcome_of(folder, "run", scene, {"Waves/Wavelengths=0.16", "Waves/Methods=absorber"});
+  CHECK(done.status == 0);
+  CHECK_THAT(done.out, Contains("absorber") && Contains("reflection.csv"));
+  is_refused(folder, scene, {"Waves/Wavelengths=0.03"}, "4 to 10000 spacings");
+  is_refused(folder, scene, {"Waves/Methods=magic"}, "absorber p=2");
+  is_refused(folder, scene, {"Waves/Shear=true"}, "Medium = strip");
+}
