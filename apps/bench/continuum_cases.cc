@@ -1,6 +1,7 @@
 #include "apps/bench/continuum_cases.h"
 
 #include "apps/bench/results.h"
+#include "apps/process/stopwatch.h"
 #include "fem/materials/isotropic_elastic.h"
 #include "fem/mesh/shapes.h"
 #include "fem/solvers/static_solver.h"

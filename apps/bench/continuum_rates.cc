@@ -3,6 +3,7 @@
 #include "apps/bench/continuum_cases.h"
 #include "apps/bench/plain_elasticity.h"
 #include "apps/bench/results.h"
+#include "apps/process/stopwatch.h"
 #include "fem/explicit/explicit_solver.h"
 #include "fem/materials/isotropic_elastic.h"
 #include "fem/solvers/static_solver.h"

@@ -3,6 +3,7 @@
 #include "apps/bench/results.h"
 #include "apps/drivers/homogenisation/report.h"
 #include "apps/drivers/parts/specimen_packing.h"
+#include "apps/process/stopwatch.h"
 #include "base/voigt.h"
 #include "dem/laws/elastic_links.h"
 #include "dem/loading/periodic_cell.h"

@@ -6,6 +6,7 @@
 #include "apps/drivers/quasi_static/lab_test.h"
 #include "apps/drivers/uniaxial/lab_test.h"
 #include "apps/drivers/uniaxial/scene.h"
+#include "apps/process/stopwatch.h"
 
 #include <fmt/format.h>
 

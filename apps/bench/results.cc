@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include <ctime>
 #include <utility>
 
 namespace apps
@@ -39,6 +38,4 @@ namespace apps
     fmt::print("written to {0}: {1}.csv, {1}.md, {1}.png\n", folder.string(), name);
     return exit_success;
   }
-
-  double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 } // namespace apps

@@ -28,7 +28,4 @@ namespace apps
     std::filesystem::path folder;
     std::string           name;
   };
-
-  /** Of this process, all threads together, since it began [s]. */
-  double processor_seconds();
 } // namespace apps

@@ -8,6 +8,7 @@
 #include "apps/process/interrupt.h"
 #include "apps/process/mpi_session.h"
 #include "apps/process/progress.h"
+#include "apps/process/stopwatch.h"
 
 #include <fmt/format.h>
 

@@ -13,6 +13,7 @@ namespace apps
   void add_sequential_bench(CLI::App &bench, Action &chosen);
   void add_quasi_static_bench(CLI::App &bench, Action &chosen);
   void add_surface_bench(CLI::App &bench, Action &chosen);
+  void add_volume_bench(CLI::App &bench, Action &chosen);
 
   void add_bench(CLI::App &program, Action &chosen)
   {
@@ -31,6 +32,7 @@ namespace apps
     add_sequential_bench(bench, chosen);
     add_quasi_static_bench(bench, chosen);
     add_surface_bench(bench, chosen);
+    add_volume_bench(bench, chosen);
     CLI::App &command =
       *bench.add_subcommand("uniaxial", "Strengths and modulus over time step, loading rate and particle size");
     command.add_option("scene", options->scene, "Scene of kind uniaxial; default: " + options->scene)

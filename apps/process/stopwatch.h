@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <ctime>
 
 namespace apps
 {
@@ -13,4 +14,7 @@ namespace apps
   private:
     std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
   };
+
+  /** Of this process, all threads together, since it began [s]. */
+  inline double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 } // namespace apps

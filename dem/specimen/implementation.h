@@ -155,7 +155,7 @@ namespace dem
     void start_from_equilibrium(InitialEquilibrium &found);
     /** Sum up what the links and the weight do to each grip's particles. */
     void sum_pulls();
-    /** One leap-frog step: links, contacts, break tests, particles, accounts, new contacts. @param correct may be empty: nobody does */
+    /** One leap-frog step: links, contacts, break tests, particles, accounts, new contacts. @param partner who corrects it; by default nobody */
     void step(const StepPartner &partner = {});
     /** Its parts: forces of links; motion by them and by forces of surfaces; what follows once all has moved. */
     void       find_link_forces();

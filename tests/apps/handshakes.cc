@@ -113,3 +113,15 @@ TEST_CASE("A scene of waves writes where their energy goes, and refuses waves th
   is_refused(folder, scene, {"Waves/Methods=magic"}, "absorber p=2");
   is_refused(folder, scene, {"Waves/Shear=true"}, "Medium = strip");
 }
+
+TEST_CASE("bench volume has every method, at each wavelength, with what a step costs", "[apps][volume][slow]")
+{
+  const ScratchFolder folder;
+  const Outcome       done =
+    run(folder.path(), {"bench", "volume", shipped("wave_transmission.prm"), "--quick", "-o", "bench"});
+  REQUIRE(done.status == 0);
+  const std::string csv = content_of(folder / "bench/volume.csv");
+  for (const char *method : {"absorber", "absorber p=2", "coarse", "strict", "lumped", "slaved", "legacy"})
+    CHECK_THAT(csv, Contains(std::string("\n") + method + ",0.08,"));
+  CHECK(std::filesystem::file_size(folder / "bench/volume.png") > 0);
+}

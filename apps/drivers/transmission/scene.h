@@ -21,10 +21,12 @@ namespace apps
     std::string forecast() const override;
     int         run(const RunRequest &request) const override;
 
+    std::vector<double> lengths() const; ///< [m]
+    /** @pre validated */
+    WaveCase wave(const WaveMethod &method, double length) const;
+
   private:
     std::vector<WaveMethod> chosen() const;
-    std::vector<double>     lengths() const; ///< [m]
-    WaveCase                wave(const WaveMethod &method, double length) const;
 
     WaveCase    common; ///< without method and wavelength
     std::string methods = "absorber, coarse, slaved", wavelengths;

@@ -1,5 +1,6 @@
 #include "apps/drivers/transmission/wave_case.h"
 
+#include "apps/process/stopwatch.h"
 #include "base/errors.h"
 #include "base/number_text.h"
 #include "coupling/concurrent/concurrent_motion.h"
@@ -302,9 +303,12 @@ namespace apps
     const double step  = std::min({both.particle_step(), both.solid_step(), alone.longest_step()});
     const auto   steps = static_cast<std::int64_t>(std::ceil(course.duration / step));
     alone.set_time_step(step);
+    const double began = processor_seconds();
     for (std::int64_t s = 0; s < steps; ++s)
       both.advance(step);
+    const double coupled = processor_seconds() - began;
     alone.advance(steps);
+    const double by_themselves = processor_seconds() - began - coupled;
 
     const coupling::ParticipantEnergy solid = continuum.participant->energy();
     WaveAnswer                        answer;
@@ -313,8 +317,10 @@ namespace apps
     answer.absorbed      = handshake.balance().absorbed / packet;
     answer.made          = handshake.balance().made() / packet;
     answer.balance_error = std::max(particles.energy().balance_error(), solid.balance_error);
-    answer.steps         = steps;
-    answer.particles     = static_cast<std::int64_t>(packing.size());
+    answer.cost =
+      coupled * static_cast<double>(alone_packing.size()) / (by_themselves * static_cast<double>(packing.size()));
+    answer.steps     = steps;
+    answer.particles = static_cast<std::int64_t>(packing.size());
     return answer;
   }
 } // namespace apps

@@ -59,7 +59,8 @@ namespace apps
     double       reflected = 0, transmitted = 0; ///< in the particles' own region; in the continuum
     double       absorbed      = 0;              ///< by the absorber, as its account says
     double       balance_error = 0;              ///< of all energies of the coupled run
-    double       made          = 0;              ///< by the multipliers, over the packet's energy
+    double       cost          = 0; ///< processor time of a particle's step, over the same of particles alone
+    double       made          = 0; ///< by the multipliers, over the packet's energy
     std::int64_t steps = 0, particles = 0;
   };
 
