@@ -102,10 +102,12 @@ namespace coupling
   CarrierChanges
   FineScaleAbsorber::changes(const CarrierRows &particles, const CarrierRows &nodes, const double time) const
   {
-    // Explicit sub-steps contract in the norm of the masses up to twice this length.
-    const int    steps = std::max(1, static_cast<int>(std::ceil(time * fastest)));
-    const double step  = time / steps;
-    CarrierRows  p = particles, n = nodes;
+    // Explicit sub-steps contract in the norm of the masses up to twice the time of the largest rate. That belongs to the lightest
+    // particles at the overlap's end; most of the rest has half of it.
+    constexpr double longest = 1.8;
+    const int        steps   = std::max(1, static_cast<int>(std::ceil(time * fastest / longest)));
+    const double     step    = time / steps;
+    CarrierRows      p = particles, n = nodes;
     for (int s = 0; s < steps; ++s)
       {
         const CarrierChanges force = forces(p, n);
