@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <csignal>
 
@@ -51,6 +52,22 @@ TEST_CASE("A beam with a core of particles: the published example's particles, e
   for (const double residual : series.column("energy_residual"))
     CHECK(std::fabs(residual) < 0.01 * energy);
   CHECK(std::fabs(series.column("core_made").back()) < 1e-9 * energy);
+}
+
+TEST_CASE("A beam with a core of particles takes a blow as one all of particles does, until it is cut through",
+          "[apps][coupled][volume][slow]")
+{
+  const auto blow = [](const char *scene) {
+    const ScratchFolder folder;
+    return results_of(folder, shipped(scene), {"Time/End time=1e-3"}).series;
+  };
+  const auto core = blow("beam_with_core.prm"), all = blow("beam_of_particles.prm");
+  const auto peak = [](const auto &series) {
+    const auto &force = series.column("impact_force");
+    return *std::max_element(force.begin(), force.end());
+  };
+  CHECK(peak(core) == Approx(peak(all)).epsilon(0.02));
+  CHECK(core.column("impactor_velocity").back() == Approx(all.column("impactor_velocity").back()).epsilon(0.02));
 }
 
 TEST_CASE("What cannot shake hands is refused by name", "[apps][coupled][volume][slow]")
