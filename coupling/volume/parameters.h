@@ -37,6 +37,17 @@ namespace coupling
     double spacing   = 0;     ///< of its grid [m]
   };
 
-  /** The absorber that doc/theory/volume-coupling.md, 4, proposes: four elements into the particles' region, 8 c_P/h, a grid of 0.84 h. */
-  void set_default_absorber(VolumeCouplingParameters &parameters, double element_size, double wave_speed);
+  /** Measures of an absorber beside those of the mesh; as here where nothing else is said (doc/theory/volume-coupling.md, 4). */
+  struct AbsorberProportions
+  {
+    double layer = 4;    ///< how far it reaches into the particles' own region, in elements
+    double rate  = 8;    ///< at its largest, times element size over speed of compression waves
+    double grid  = 0.84; ///< spacing of its averages, in elements
+  };
+
+  /** What the mesh cannot carry is damped. @param element_size of the solid in the overlap [m] @param wave_speed of compression there [m/s] */
+  void set_absorber(VolumeCouplingParameters  &parameters,
+                    const AbsorberProportions &proportions,
+                    double                     element_size,
+                    double                     wave_speed);
 } // namespace coupling

@@ -25,12 +25,15 @@ namespace coupling
     }
   } // namespace
 
-  void set_default_absorber(VolumeCouplingParameters &parameters, const double element_size, const double wave_speed)
+  void set_absorber(VolumeCouplingParameters  &parameters,
+                    const AbsorberProportions &proportions,
+                    const double               element_size,
+                    const double               wave_speed)
   {
     parameters.absorbs = true;
-    parameters.layer   = 4 * element_size;
-    parameters.rate    = 8 * wave_speed / element_size;
-    parameters.spacing = 0.84 * element_size;
+    parameters.layer   = proportions.layer * element_size;
+    parameters.rate    = proportions.rate * wave_speed / element_size;
+    parameters.spacing = proportions.grid * element_size;
   }
 
   template <int dim>
@@ -445,7 +448,12 @@ namespace coupling
   template <int dim>
   std::size_t VolumeCoupling<dim>::damaged_bonds() const
   {
-    return count_shared_bonds().second;
+    if (counted_at != specimen.steps())
+      {
+        damaged    = count_shared_bonds().second;
+        counted_at = specimen.steps();
+      }
+    return damaged;
   }
 
   template <int dim>

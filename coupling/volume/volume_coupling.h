@@ -119,5 +119,9 @@ namespace coupling
     CarrierRows   impulse_together, impulse_absorber; ///< on the nodes in it [N s]
     VolumeBalance exchanged;
     std::size_t   shared_bonds = 0;
+
+    // Looking at all bonds costs as much as many steps: once per step of the particles that asks.
+    mutable std::int64_t counted_at = -1;
+    mutable std::size_t  damaged    = 0;
   };
 } // namespace coupling

@@ -92,6 +92,7 @@ namespace dem
         const auto i = static_cast<std::size_t>(slot[correction.particles[k]]);
         double    *v = &particles.velocity[record_size * i], *motion = &particles.motion[record_size * i],
                *pose = &particles.pose[record_size * i];
+        bool turned  = false;
         for (std::size_t c = 0; c < axes; ++c)
           {
             const CorrectedRate rate{before[axes * k + c], v[c], correction.velocity[axes * k + c]};
@@ -107,13 +108,15 @@ namespace dem
               }
             else if (!set_held_rate(i, c, rate.before, rate.now))
               continue;
+            turned               = turned || c >= 3;
             const double further = 2 * halves.after * rate.change();
             v[c]                 = rate.now;
             motion[c] += further;
             if (c < 3)
               pose[c] += further;
           }
-        set_arm_turn(pose, motion);
+        if (turned)
+          set_arm_turn(pose, motion);
         double &fastest = accounts[i / particles_per_block].fastest;
         fastest         = std::max(fastest, Eigen::Vector3d(motion).squaredNorm());
       }

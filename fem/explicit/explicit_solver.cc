@@ -188,17 +188,19 @@ namespace fem
           for (unsigned int w = 1; w < cell->n_vertices(); ++w)
             for (unsigned int d = 0; d < dim; ++d)
               shape.push_back(std::llround((cell->vertex(w)[d] - cell->vertex(0)[d]) / unit));
+          std::vector<double> shares;
           if (solid.options().share)
             {
               values.reinit(cell);
-              for (const double share : shares_of(solid.options(), values))
-                shape.push_back(std::llround(share * 1e9));
+              shares = shares_of(solid.options(), values);
             }
+          for (const double share : shares)
+            shape.push_back(std::llround(share * 1e9));
           const auto found = known.find(shape);
           if (found != known.end())
             continue;
-          values.reinit(cell);
-          const auto shares = shares_of(solid.options(), values);
+          if (!solid.options().share)
+            values.reinit(cell);
           element_mass(values, density.at(cell->material_id()), shares, mass);
           kernel.reinit(values, Eigen::VectorXd::Zero(n));
           for (unsigned int q = 0; q < shares.size(); ++q)

@@ -104,7 +104,7 @@ namespace
       p.name    = "bar";
       p.overlap = overlap;
       if (p.absorbs)
-        coupling::set_default_absorber(p, element, std::sqrt(modulus / density));
+        coupling::set_absorber(p, {}, element, std::sqrt(modulus / density));
       coupled = &both->add_volume(p);
     }
 

@@ -31,12 +31,12 @@ namespace
 
   apps::WaveCase strip(const std::string &name, const double spacings, const bool shear)
   {
-    apps::WaveCase wave = chain(name, spacings);
-    wave.medium.lattice = apps::WaveMedium::Lattice::strip;
-    wave.element        = 4;
-    wave.shear          = shear;
-    wave.step_factor    = 0.69; // 0.4 of the table's unit
-    wave.method.grid    = 0.875;
+    apps::WaveCase wave          = chain(name, spacings);
+    wave.medium.lattice          = apps::WaveMedium::Lattice::strip;
+    wave.element                 = 4;
+    wave.shear                   = shear;
+    wave.step_factor             = 0.69; // 0.4 of the table's unit
+    wave.method.proportions.grid = 0.875;
     return wave;
   }
 
@@ -187,8 +187,8 @@ TEST_CASE("wave transmission: tables of a row of particles, methods without and 
   {
     const auto grid = [](const std::string &name) {
       return [name](const double wavelength) {
-        apps::WaveCase wave = chain(name, wavelength);
-        wave.method.grid    = 0.83;
+        apps::WaveCase wave          = chain(name, wavelength);
+        wave.method.proportions.grid = 0.83;
         return wave;
       };
     };

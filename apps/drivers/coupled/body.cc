@@ -37,10 +37,8 @@ namespace apps
       if (handshakes.empty())
         return taken;
       taken.whole = [&handshakes](const Vector3d &place) { return handshakes.is_taken(place); };
-      if (handshakes.shares())
-        taken.share = [&handshakes](const std::array<double, 3> &place) {
-          return handshakes.of_solid(Vector3d(place.data()));
-        };
+      if (const auto share = handshakes.share_of_solid())
+        taken.share = [share](const std::array<double, 3> &place) { return share(Vector3d(place.data())); };
       return taken;
     }
 
@@ -372,7 +370,7 @@ namespace apps
 
       void add(const HandshakeSection &handshake)
       {
-        // Of the elements with a corner in the overlap.
+        // Of the elements whose centre lies in the overlap or within.
         double                  volume = 0, fastest = 0;
         std::size_t             count   = 0;
         const coupling::Overlap overlap = handshake.overlap();

@@ -1,6 +1,7 @@
 #include "apps/drivers/coupled/handshakes.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace apps
 {
@@ -64,13 +65,13 @@ namespace apps
     s.integer("Sharpness", sharpness, "", Range::between(1, 8), Need::optional)
       .means("Of what is too fine: 3 lets waves of five elements pass; 2 reflects less and lets those of seven pass")
       .only_if(absorbing, when);
-    s.number("Layer", layer, "", Range::at_least(0), Need::optional)
+    s.number("Layer", proportions.layer, "", Range::at_least(0), Need::optional)
       .means("How far it reaches into the region, in elements")
       .only_if(absorbing, when);
-    s.number("Rate", rate, "", Range::positive(), Need::optional)
+    s.number("Rate", proportions.rate, "", Range::positive(), Need::optional)
       .means("At its largest, times element size over speed of compression waves")
       .only_if(absorbing, when);
-    s.number("Grid", grid, "", Range::between(0.1, 10), Need::optional)
+    s.number("Grid", proportions.grid, "", Range::between(0.1, 10), Need::optional)
       .means("Of its averages, in elements")
       .only_if(absorbing, when);
   }
@@ -93,11 +94,9 @@ namespace apps
     made.method        = method;
     made.compatibility = ties == Ties::coarse ? coupling::Compatibility::coarse : coupling::Compatibility::strict;
     made.lumped        = ties == Ties::lumped;
-    made.absorbs       = absorbs && method == VolumeMethod::multipliers;
     made.sharpness     = static_cast<int>(sharpness);
-    made.layer         = layer * element_size;
-    made.rate          = rate * wave_speed / element_size;
-    made.spacing       = grid * element_size;
+    if (absorbs && method == VolumeMethod::multipliers)
+      coupling::set_absorber(made, proportions, element_size, wave_speed);
     return made;
   }
 
@@ -126,19 +125,20 @@ namespace apps
       }
   }
 
-  double HandshakesSection::of_solid(const Vector3d &place) const
+  std::function<double(const Vector3d &)> HandshakesSection::share_of_solid() const
   {
-    double share = 1;
+    std::vector<coupling::Overlap> shared; // made once: elements ask at each of their points
     for (const HandshakeSection &h : handshakes)
       if (h.method == VolumeMethod::multipliers)
-        share *= h.overlap().of_solid(place);
-    return share;
-  }
-
-  bool HandshakesSection::shares() const
-  {
-    return std::any_of(handshakes.begin(), handshakes.end(),
-                       [](const HandshakeSection &h) { return h.method == VolumeMethod::multipliers; });
+        shared.push_back(h.overlap());
+    if (shared.empty())
+      return {};
+    return [shared](const Vector3d &place) {
+      double share = 1;
+      for (const coupling::Overlap &overlap : shared)
+        share *= overlap.of_solid(place);
+      return share;
+    };
   }
 
   bool HandshakesSection::is_taken(const Vector3d &place) const

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <list>
 #include <string>
 
@@ -26,16 +27,16 @@ namespace apps
       lumped
     };
 
-    std::string            name;
-    Region                 region = Region::box;
-    std::array<double, 3>  low{}, high{}, centre{}; ///< [m]
-    double                 radius = 0, width = 0;   ///< [m]
-    coupling::VolumeMethod method    = coupling::VolumeMethod::multipliers;
-    bool                   absorbs   = true;
-    Ties                   ties      = Ties::coarse;
-    std::int64_t           sharpness = 3;
-    double                 layer = 4, rate = 8, grid = 0.84; ///< of the absorber, in elements
-    double                 energy_limit = 0.01, damage_limit = 0.01;
+    std::string                   name;
+    Region                        region = Region::box;
+    std::array<double, 3>         low{}, high{}, centre{}; ///< [m]
+    double                        radius = 0, width = 0;   ///< [m]
+    coupling::VolumeMethod        method    = coupling::VolumeMethod::multipliers;
+    bool                          absorbs   = true;
+    Ties                          ties      = Ties::coarse;
+    std::int64_t                  sharpness = 3;
+    coupling::AbsorberProportions proportions;
+    double                        energy_limit = 0.01, damage_limit = 0.01;
 
     void              declare(Section &section);
     coupling::Overlap overlap() const;
@@ -57,13 +58,11 @@ namespace apps
     void validate(const Section &root, int dimension) const;
     bool empty() const { return handshakes.empty(); }
 
-    /** What of the solid counts at a place, in (0, 1]. */
-    double of_solid(const Eigen::Vector3d &place) const;
+    /** What of the solid counts at a place, in (0, 1]; empty: all, everywhere. */
+    std::function<double(const Eigen::Vector3d &)> share_of_solid() const;
     /** Whether it is the particles' alone: no element lies wholly in such. */
     bool is_taken(const Eigen::Vector3d &place) const;
     /** Whether particles of the specimen may be there: in a region or its overlap. */
     bool may_hold(const Eigen::Vector3d &place) const;
-    /** Whether the solid shares at all. */
-    bool shares() const;
   };
 } // namespace apps

@@ -113,28 +113,6 @@ namespace apps
     return order;
   }
 
-  namespace
-  {
-    void keep(dem::Packing &packing, const std::function<bool(const Eigen::Vector3d &)> &keeps)
-    {
-      std::size_t kept = 0;
-      for (std::size_t i = 0; i < packing.size(); ++i)
-        if (keeps(packing.centre[i]))
-          {
-            packing.centre[kept] = packing.centre[i];
-            packing.radius[kept] = packing.radius[i];
-            if (!packing.material.empty())
-              packing.material[kept] = packing.material[i];
-            ++kept;
-          }
-      packing.centre.resize(kept);
-      packing.radius.resize(kept);
-      if (!packing.material.empty())
-        packing.material.resize(kept);
-      packing.periodic_cell.reset();
-    }
-  } // namespace
-
   dem::Packing MoreParticlesSection::compose(const SpecimenSection                              &specimen,
                                              const MaterialSection                              &materials,
                                              const int                                           dimension,
@@ -145,7 +123,7 @@ namespace apps
       {
         whole = specimen_particles(specimen, dimension);
         if (keeps)
-          keep(whole, keeps);
+          whole = particles_where(whole, [&](const std::size_t i) { return keeps(whole.centre[i]); });
         materials.number(whole, dimension, origin_of(specimen));
       }
     for (const AddedParticles *one : in_order())

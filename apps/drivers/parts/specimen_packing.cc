@@ -16,6 +16,21 @@
 
 namespace apps
 {
+  dem::Packing particles_where(const dem::Packing &packing, const std::function<bool(std::size_t)> &keeps)
+  {
+    dem::Packing rest;
+    rest.material_names = packing.material_names;
+    for (std::size_t i = 0; i < packing.size(); ++i)
+      if (keeps(i))
+        {
+          rest.centre.push_back(packing.centre[i]);
+          rest.radius.push_back(packing.radius[i]);
+          if (!packing.material.empty())
+            rest.material.push_back(packing.material[i]);
+        }
+    return rest;
+  }
+
   dem::CompactionResult compact_with_progress(const dem::CompactionParameters &parameters)
   {
     Progress   progress("packing");
@@ -47,22 +62,6 @@ namespace apps
       return packing;
     }
 
-    /** Particles of the largest piece. */
-    dem::Packing largest_of(const dem::Packing &packing, const dem::Pieces &pieces)
-    {
-      dem::Packing rest;
-      rest.material_names = packing.material_names;
-      for (std::size_t i = 0; i < packing.size(); ++i)
-        if (pieces.piece[i] == 0)
-          {
-            rest.centre.push_back(packing.centre[i]);
-            rest.radius.push_back(packing.radius[i]);
-            if (!packing.material.empty())
-              rest.material.push_back(packing.material[i]);
-          }
-      return rest;
-    }
-
     std::string text_of(const dem::Pieces &pieces, const SpecimenSection &specimen)
     {
       std::string sizes;
@@ -90,7 +89,7 @@ namespace apps
           return packing;
         case SpecimenSection::LoosePieces::drop:
           fmt::print(stderr, "breccia: note: {}. The largest is the specimen.\n", finding);
-          return largest_of(packing, pieces);
+          return particles_where(packing, [&](const std::size_t i) { return pieces.piece[i] == 0; });
         default:
           throw base::InputError(finding +
                                  ". Raise the ratio, mend the packing, or set Specimen/Loose pieces to drop or "

@@ -6,6 +6,7 @@
 #include "dem/packing/compaction.h"
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 namespace apps
@@ -25,6 +26,9 @@ namespace apps
 
   /** dem::compact() with progress on the standard error, ended by an interrupt. */
   dem::CompactionResult compact_with_progress(const dem::CompactionParameters &parameters);
+
+  /** Those particles of a packing that are kept, by number; one body, which repeats nowhere. */
+  dem::Packing particles_where(const dem::Packing &packing, const std::function<bool(std::size_t)> &keeps);
 
   /** dem::tile_and_crop(), its note shown. */
   dem::Packing cropped(const dem::Packing &packing, const Eigen::Vector3d &box);

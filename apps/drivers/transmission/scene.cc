@@ -60,11 +60,11 @@ namespace apps
       .means("Where both fill the same space, in elements");
     s.number("Step factor", common.step_factor, "-", Range::from_up_to(1e-3, 1), Need::optional)
       .means("Time step over the stable one of the particles");
-    s.number("Layer", layer, "-", Range::at_least(0), Need::optional)
+    s.number("Layer", proportions.layer, "-", Range::at_least(0), Need::optional)
       .means("How far absorbers reach into the particles, in elements");
-    s.number("Rate", rate, "-", Range::at_least(0), Need::optional)
+    s.number("Rate", proportions.rate, "-", Range::at_least(0), Need::optional)
       .means("Of absorbers at its largest, times element size over speed of compression waves");
-    s.number("Grid", grid, "-", Range::between(0.1, 10), Need::optional)
+    s.number("Grid", proportions.grid, "-", Range::between(0.1, 10), Need::optional)
       .means("Of the absorbers' averages, in elements");
   }
 
@@ -78,9 +78,7 @@ namespace apps
         if (one == all.end())
           return {};
         found.push_back(*one);
-        found.back().layer = layer;
-        found.back().rate  = rate;
-        found.back().grid  = grid;
+        found.back().proportions = proportions;
       }
     return found;
   }

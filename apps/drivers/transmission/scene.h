@@ -28,8 +28,8 @@ namespace apps
   private:
     std::vector<WaveMethod> chosen() const;
 
-    WaveCase    common; ///< without method and wavelength
-    std::string methods = "absorber, coarse, slaved", wavelengths;
-    double      layer = 4, rate = 8, grid = 0.84; ///< of absorbers
+    WaveCase                      common; ///< without method and wavelength
+    std::string                   methods = "absorber, coarse, slaved", wavelengths;
+    coupling::AbsorberProportions proportions;
   };
 } // namespace apps

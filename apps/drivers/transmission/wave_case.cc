@@ -180,11 +180,9 @@ namespace apps
       p.method        = wave.method.method;
       p.compatibility = wave.method.compatibility;
       p.lumped        = wave.method.lumped;
-      p.absorbs       = wave.method.absorbs;
       p.sharpness     = wave.method.sharpness;
-      p.layer         = wave.method.layer * h;
-      p.rate          = wave.method.rate * wave.medium.wave_speed(false) / h;
-      p.spacing       = wave.method.grid * h;
+      if (wave.method.absorbs)
+        coupling::set_absorber(p, wave.method.proportions, h, wave.medium.wave_speed(false));
       return p;
     }
 

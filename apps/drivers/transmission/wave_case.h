@@ -33,13 +33,13 @@ namespace apps
   /** How particles and continuum meet. */
   struct WaveMethod
   {
-    std::string             name; ///< in tables
-    coupling::VolumeMethod  method        = coupling::VolumeMethod::multipliers;
-    coupling::Compatibility compatibility = coupling::Compatibility::coarse;
-    bool                    lumped        = false;
-    bool                    absorbs       = false;
-    int                     sharpness     = 3;                ///< p
-    double                  layer = 4, rate = 8, grid = 0.84; ///< of the absorber: L_a over h, c_0 h/c_P, H over h
+    std::string                   name; ///< in tables
+    coupling::VolumeMethod        method        = coupling::VolumeMethod::multipliers;
+    coupling::Compatibility       compatibility = coupling::Compatibility::coarse;
+    bool                          lumped        = false;
+    bool                          absorbs       = false;
+    int                           sharpness     = 3; ///< p
+    coupling::AbsorberProportions proportions   = {};
   };
 
   /** A packet of waves that runs through particles, on along x, and into a continuum. */
