@@ -74,7 +74,7 @@ namespace coupling
     {
     public:
       Depths(const fem::Solid<dim> &solid, const SolidParticipant<dim> &participant)
-        : facets(boundary_facets(solid, participant, {}))
+        : facets(boundary_facets(solid, participant, {}, QuadrilateralSplit::middle)) // as the layers divide them
         , boxes(boxes_of(facets.mesh))
         , tree(dealii::pack_rtree_of_indices(boxes))
       {
@@ -153,6 +153,9 @@ namespace coupling
         own.size = dim == 3 ? std::cbrt(cell.measure * cell.measure) : std::sqrt(cell.measure) * made.mesh.thickness;
         for (const std::size_t node : cell.nodes)
           own.vertices.push_back(vertex({node}));
+        for (std::size_t f = 0; f < cell.faces.size(); ++f)
+          if (at_surface(cell, f))
+            surface_faces.insert(sorted(cell.faces[f]));
         bool whole = cell.nodes.size() == dim + 1 && !all_on_surface(cell.nodes);
         for (std::size_t f = 0; f < cell.faces.size(); ++f)
           whole = whole && !divided(cell, f);
@@ -252,9 +255,15 @@ namespace coupling
         return static_cast<std::uint8_t>((bits & ~3u) | (bits & 1u) << 1 | (bits & 2u) >> 1);
       }
 
-      std::int32_t vertex(Carriers parents)
+      static Carriers sorted(Carriers nodes)
       {
-        std::sort(parents.begin(), parents.end());
+        std::sort(nodes.begin(), nodes.end());
+        return nodes;
+      }
+
+      std::int32_t vertex(const Carriers &mean_of)
+      {
+        const Carriers parents  = sorted(mean_of);
         const auto [at, is_new] = numbers.emplace(parents, static_cast<std::int32_t>(numbers.size()));
         if (!is_new)
           return at->second;
@@ -262,15 +271,17 @@ namespace coupling
         for (const std::size_t node : parents)
           place += participant.position(node) / static_cast<double>(parents.size());
         made.mesh.place.push_back(place);
-        const bool surface_node = parents.size() == 1 && on_surface(parents.front());
-        made.mesh.depth.push_back(surface_node ? 0.0 : depths.at(place));
-        made.parents.push_back(std::move(parents));
+        // The middle of a face on the surface lies on it, however warped the face is.
+        const bool outside = parents.size() == 1 ? on_surface(parents.front()) : surface_faces.count(parents) > 0;
+        made.mesh.depth.push_back(outside ? 0.0 : depths.at(place));
+        made.parents.push_back(parents);
         return at->second;
       }
 
       const SolidParticipant<dim>     &participant;
       Depths<dim>                      depths;
       std::set<std::size_t>            surface;
+      std::set<Carriers>               surface_faces; ///< of the cells divided so far; nodes ascending
       std::map<Carriers, std::int32_t> numbers;
       std::int32_t                     element = 0;
       BodyLayers                       made;

@@ -245,6 +245,52 @@ TEST_CASE("body contact: the potential's energy error is of second order in the 
     }
 }
 
+namespace
+{
+  /** The cubes twisted, so that no quadrilateral on them is plane. */
+  fem::Mesh<3> warped_cubes()
+  {
+    fem::Mesh<3> mesh = parts<3>(cubes(), fem::ElementFamily::hypercube);
+    dealii::GridTools::transform(
+      [](const dealii::Point<3> &x) {
+        const double turn = 0.9 * x[0], y = x[1] - 0.4, z = x[2] - 0.7;
+        return dealii::Point<3>(x[0], 0.4 + y * std::cos(turn) - z * std::sin(turn),
+                                0.7 + y * std::sin(turn) + z * std::cos(turn));
+      },
+      *mesh.triangulation);
+    return mesh;
+  }
+} // namespace
+
+TEST_CASE("body contact: faces that are not plane lie on the surface, and the contact holds what it has worked",
+          "[coupling]")
+{
+  double before = 0;
+  for (const double safety : {0.5, 0.25})
+    {
+      Bodies<3>   b(warped_cubes(), beyond<3>(1.1, dealii::Tensor<1, 3>({-4, 0, 0})),
+                    contact(dem::BodyContactForm::potential, 0), 1e7, safety);
+      const auto &layers = b.contact().contacts().mesh();
+      int         sides  = 0;
+      for (const dem::BodySimplex &simplex : layers.simplices)
+        for (int side = 0; side < 4; ++side)
+          if (simplex.surface >> side & 1)
+            {
+              ++sides;
+              for (int c = 0; c < 4; ++c)
+                CHECK((c == side || layers.depth[static_cast<std::size_t>(simplex.vertex[c])] == 0));
+            }
+      CHECK(sides == 4 * 6 * (9 + 4));
+      const Seen seen = collide(b, static_cast<int>(1500 * 0.5 / safety));
+      INFO("safety " << safety << ": " << seen.made);
+      CHECK(seen.made < 0.01);
+      CHECK((before == 0 || before / seen.made > 3.2)); // what is left is the step's
+      CHECK(seen.force > 1e4);
+      CHECK_FALSE(seen.touching);
+      before = seen.made;
+    }
+}
+
 TEST_CASE("body contact: the penalty keeps momentum, and energy to some per cent", "[coupling]")
 {
   const auto family = GENERATE(fem::ElementFamily::hypercube, fem::ElementFamily::simplex);

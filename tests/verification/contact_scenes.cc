@@ -62,7 +62,7 @@ namespace
     changes.push_back("Motion/End time=" + std::string(divisions == 2 ? "9e-5" : "7.5e-5"));
     const SceneResults found = results_of("colliding_balls", changes);
     const auto        &known = found.summary["figures"];
-    CHECK(found.summary["energy"]["balance_error"].get<double>() < (divisions == 2 ? 3e-3 : 1e-4));
+    CHECK(found.summary["energy"]["balance_error"].get<double>() < 1e-5);
     return {known["peak_force"]["relative_error"].get<double>(), known["contact_time"]["relative_error"].get<double>()};
   }
 } // namespace
