@@ -5,9 +5,12 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <unistd.h>
+
 #include <array>
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -32,6 +35,41 @@ namespace apps
       return otherwise;
     }
 
+    /** Where MPI may put its files: the environment's folder for temporary ones, or if that is none /tmp. */
+    class FolderForMpi
+    {
+    public:
+      FolderForMpi()
+      {
+        const char *given = std::getenv(variable);
+        if (!given || usable(given))
+          return;
+        if (!usable(otherwise))
+          throw base::InputError(std::string(variable) + ": " + given +
+                                 " is no folder that can be written to, and neither is " + otherwise +
+                                 "; MPI needs one.");
+        before = given;
+        ::setenv(variable, otherwise, 1);
+      }
+      ~FolderForMpi()
+      {
+        if (!before.empty())
+          ::setenv(variable, before.c_str(), 1);
+      }
+      FolderForMpi(const FolderForMpi &)            = delete;
+      FolderForMpi &operator=(const FolderForMpi &) = delete;
+
+    private:
+      static bool usable(const char *folder)
+      {
+        std::error_code failed;
+        return std::filesystem::is_directory(folder, failed) && ::access(folder, W_OK | X_OK) == 0;
+      }
+
+      static constexpr const char *variable = "TMPDIR", *otherwise = "/tmp";
+      std::string                  before; ///< empty: it has not been changed
+    };
+
     enum Failure : int
     {
       none,
@@ -54,6 +92,7 @@ namespace apps
     // Where nobody has launched us, Open MPI looks for an ssh by which it could launch others, and gives up without one.
     if (launched_ranks() == 1)
       ::setenv("OMPI_MCA_plm", "isolated", 0);
+    const FolderForMpi folder;
     // PETSc, which deal.II starts too, sets the handlers of signals to the system's own.
     std::array<struct sigaction, 2> handlers;
     sigaction(SIGINT, nullptr, &handlers[0]);

@@ -77,26 +77,38 @@ namespace dem
       return polygon;
     }
 
+    /**
+     * Which corners lie above a plane, in one run from the highest: those of a convex polygon do. Where it nearly lies in the plane,
+     * rounding has others above it as well, which stay: a cut adds one corner at most.
+     */
+    std::array<bool, 8> run_above(const Polygon &polygon, const std::array<double, 8> &above)
+    {
+      std::array<bool, 8> gone{};
+      const int           highest =
+        static_cast<int>(std::max_element(above.begin(), above.begin() + polygon.count) - above.begin());
+      for (const int way : {1, polygon.count - 1})
+        for (int step = 0, k = highest; step < polygon.count && above[k] > 0; ++step, k = (k + way) % polygon.count)
+          gone[k] = true;
+      return gone;
+    }
+
     /** The part below a plane. */
     void cut(Polygon &polygon, const Plane &plane)
     {
       const bool            closed = polygon.count > 2;
       std::array<double, 8> above{};
-      bool                  any = false;
       for (int k = 0; k < polygon.count; ++k)
-        {
-          above[k] = plane.above(polygon.corner[k]);
-          any      = any || above[k] > 0;
-        }
-      if (!any)
+        above[k] = plane.above(polygon.corner[k]);
+      const std::array<bool, 8> gone = run_above(polygon, above);
+      if (std::none_of(gone.begin(), gone.end(), [](const bool each) { return each; }))
         return;
       Polygon left;
       for (int k = 0; k < polygon.count; ++k)
         {
           const int next = (k + 1) % polygon.count;
-          if (above[k] <= 0)
+          if (!gone[k])
             left.add(polygon.corner[k]);
-          if ((closed || next > k) && (above[k] <= 0) != (above[next] <= 0))
+          if ((closed || next > k) && gone[k] != gone[next])
             {
               const double part = above[k] / (above[k] - above[next]);
               left.add(polygon.corner[k] + part * (polygon.corner[next] - polygon.corner[k]));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace dem
 {
@@ -16,18 +17,40 @@ namespace dem
     /** Facets that lean from the tangential plane by less than 20 degrees are under the sphere, by more than 40 they are not. */
     const double upright = std::cos(20 * 3.14159265358979323846 / 180),
                  leaning = std::cos(40 * 3.14159265358979323846 / 180);
-    /** Below this part of the square what is left of it fades into a point. */
+    /** What is left of a cell fades into a point below this part of the square around the sphere. */
     constexpr double smallest_part = 0.25;
-    /** Areas that differ by less than this part of the square are equal. */
+    /** Areas that differ by less than this part of a cell are equal. */
     constexpr double rounding = 1e-10;
+    /** A cell without others beside it, over the radius: it holds that of a square layer, whose corners are at the root of two. */
+    constexpr double lone_cell = 1.42;
+    /** Corners of a cell, at most; parts of facets in it, and what two of them share, have some more. */
+    constexpr int corners_of_cell = 24, corners_of_part = 2 * corners_of_cell;
 
     /** Convex, turning left. */
     struct Polygon
     {
-      std::array<Point, 16> corner;
-      int                   count = 0;
+      std::array<Point, corners_of_part> corner;
+      int                                count = 0;
 
-      void         add(const Point &p) { corner[static_cast<std::size_t>(count++)] = p; }
+      Polygon() = default;
+      Polygon(const Polygon &other)
+        : count(other.count)
+      {
+        std::copy_n(other.corner.begin(), count, corner.begin());
+      }
+      Polygon &operator=(const Polygon &other)
+      {
+        count = other.count;
+        std::copy_n(other.corner.begin(), count, corner.begin());
+        return *this;
+      }
+
+      /** Beyond what there is room for are only corners that rounding makes. */
+      void add(const Point &p)
+      {
+        if (count < corners_of_part)
+          corner[static_cast<std::size_t>(count++)] = p;
+      }
       const Point &at(const int k) const { return corner[static_cast<std::size_t>(k % count)]; }
     };
 
@@ -37,7 +60,10 @@ namespace dem
     void cut(Polygon &polygon, const Point &a, const Point &b)
     {
       const auto left = [&](const Point &p) { return turn(b - a, p - a); };
-      Polygon    kept;
+      if (std::all_of(polygon.corner.begin(), polygon.corner.begin() + polygon.count,
+                      [&](const Point &p) { return left(p) >= 0; }))
+        return;
+      Polygon kept;
       for (int k = 0; k < polygon.count; ++k)
         {
           const Point &p = polygon.at(k), &next = polygon.at(k + 1);
@@ -87,7 +113,7 @@ namespace dem
       Vector3d origin, first, second;
     };
 
-    /** A facet seen in the tangential plane. In the plane segments become strips as wide as the square. */
+    /** A facet seen in the tangential plane. In the plane segments become strips as wide as the sphere. */
     struct Facet
     {
       Facet(const FacetMesh             &mesh,
@@ -142,7 +168,7 @@ namespace dem
       double                  size; ///< signed
     };
 
-    /** What of a facet is in the square. */
+    /** What of a facet is in the cell. */
     struct Covered
     {
       Facet   facet;
@@ -156,28 +182,104 @@ namespace dem
       return std::clamp((std::fabs(facet.normal().dot(across)) - leaning) / (upright - leaning), 0.0, 1.0);
     }
 
-    Polygon square_of(const double half)
+    /** In the plane a square: discs side by side have no corners to fill. */
+    Polygon cell_alone(const double radius, const bool in_the_plane)
     {
-      Polygon square;
-      for (const Point &p : {Point(-half, -half), Point(half, -half), Point(half, half), Point(-half, half)})
-        square.add(p);
-      return square;
+      const int    corners = in_the_plane ? 4 : 8;
+      const double half    = 3.14159265358979323846 / corners,
+                   out     = (in_the_plane ? 1.0 : lone_cell) * radius / std::cos(half);
+      Polygon cell;
+      for (int k = 0; k < corners; ++k)
+        cell.add({out * std::cos((2 * k + 1) * half), out * std::sin((2 * k + 1) * half)});
+      return cell;
     }
 
+    /** Bounds a cell: beyond this distance, on both sides of the contact. */
+    struct Bound
+    {
+      double distance; ///< [m]
+      Point  towards;  ///< unit
+
+      bool operator<(const Bound &o) const
+      {
+        return std::make_tuple(distance, towards.x(), towards.y()) <
+               std::make_tuple(o.distance, o.towards.x(), o.towards.y());
+      }
+    };
+
+    /** One at a value and before it, nothing at another and beyond, even between. */
+    double faded(const double value, const double whole, const double nothing)
+    {
+      return std::clamp((value - nothing) / (whole - nothing), 0.0, 1.0);
+    }
+
+    /** How much a sphere bounds the cell of another: wholly if it stands on the plane and is not much smaller. */
+    double standing(const StandingSphere &own, const StandingSphere &other, const double height)
+    {
+      const double gap = height / other.radius - 1;
+      return (gap > 0 ? faded(gap, 0, 0.5) : faded(-gap, 0.5, 1)) * faded(other.radius / own.radius, 0.5, 0.25);
+    }
+
+    /** Whatever bounds a cell of this size, the nearest first: others in the ratio of the radii. */
+    std::vector<Bound> bounds_of(const std::vector<StandingSphere> &spheres,
+                                 const ContactZone                 &zone,
+                                 const Tangents                    &tangents,
+                                 const double                       out)
+    {
+      std::vector<Bound>    found;
+      const StandingSphere &own = spheres.front();
+      for (std::size_t k = 1; k < spheres.size(); ++k)
+        {
+          const StandingSphere &other  = spheres[k];
+          const double          stands = standing(own, other, zone.direction.dot(zone.place - other.centre));
+          const Point           there  = tangents.of(other.centre);
+          const double          apart = there.norm(), between = apart * own.radius / (own.radius + other.radius);
+          if (stands > 0 && between > 0 && between < out)
+            found.push_back({stands * between + (1 - stands) * out, there / apart});
+        }
+      std::sort(found.begin(), found.end());
+      return found;
+    }
+
+    /** As symmetric about the contact as a layer is about each of its spheres. */
+    Polygon cell_of(const std::vector<StandingSphere> &spheres,
+                    const ContactZone                 &zone,
+                    const Tangents                    &tangents,
+                    const bool                         in_the_plane)
+    {
+      Polygon      cell = cell_alone(spheres.front().radius, in_the_plane);
+      const double out  = cell.at(0).norm();
+      for (const Bound &bound : bounds_of(spheres, zone, tangents, out))
+        for (const Point &towards : {bound.towards, Point(-bound.towards)})
+          {
+            // The same bound once more, as spheres opposite to each other have it, only makes corners by rounding.
+            const double limit = bound.distance + rounding * out;
+            if (cell.count < corners_of_cell && std::any_of(cell.corner.begin(), cell.corner.begin() + cell.count,
+                                                            [&](const Point &p) { return towards.dot(p) > limit; }))
+              cut(cell, bound.distance * towards, bound.distance * towards + Point(-towards.y(), towards.x()));
+          }
+      return cell;
+    }
+
+    /** By the sides of another; those that rounding has left have no direction. */
     void cut(Polygon &polygon, const Polygon &by)
     {
+      double size = 0;
+      for (int k = 0; k < by.count; ++k)
+        size = std::max(size, by.at(k).squaredNorm());
       for (int k = 0; k < by.count && polygon.count > 0; ++k)
-        cut(polygon, by.at(k), by.at(k + 1));
+        if ((by.at(k + 1) - by.at(k)).squaredNorm() > rounding * rounding * size)
+          cut(polygon, by.at(k), by.at(k + 1));
     }
 
-    /** Whether all of the square lies in the facet. */
-    bool holds(const Facet &facet, const Polygon &square)
+    /** Whether all of the cell lies in the facet. */
+    bool holds(const Facet &facet, const Polygon &cell)
     {
-      for (int s = 0; s < square.count; ++s)
+      for (int s = 0; s < cell.count; ++s)
         for (int k = 0; k < facet.outline.count; ++k)
           {
             const Point &a = facet.outline.at(k), &b = facet.outline.at(k + 1);
-            if (turn(b - a, square.at(s) - a) < 0)
+            if (turn(b - a, cell.at(s) - a) < 0)
               return false;
           }
       return true;
@@ -201,38 +303,41 @@ namespace dem
           }
     }
 
-    /** Where a sphere stands, and the square under it. */
+    /** Where a sphere stands, and its cell. */
     struct Ground
     {
-      Ground(const FacetMesh &mesh_, const std::vector<Vector3d> &place_, const ContactZone &zone_, const double radius)
+      Ground(const FacetMesh                   &mesh_,
+             const std::vector<Vector3d>       &place_,
+             const ContactZone                 &zone_,
+             const std::vector<StandingSphere> &spheres)
         : mesh(mesh_)
         , place(place_)
         , zone(zone_)
         , tangents(zone_.place, zone_.direction, mesh_.corners == 2)
-        , half(radius)
-        , square(square_of(radius))
+        , half(spheres.front().radius)
+        , cell(cell_of(spheres, zone, tangents, mesh_.corners == 2))
       {
       }
       Facet  facet(const std::int32_t number) const { return {mesh, place, number, tangents, half}; }
       double share(const Facet &of) const { return share_of(of, zone.direction); }
-      double whole() const { return 4 * half * half; }
+      double square() const { return 4 * half * half; } ///< around the sphere [m^2]
 
       const FacetMesh             &mesh;
       const std::vector<Vector3d> &place;
       const ContactZone           &zone;
       Tangents                     tangents;
       double                       half;
-      Polygon                      square;
+      Polygon                      cell;
     };
 
     bool stands_on_one(const Ground &ground)
     {
       const Facet deepest = ground.facet(ground.zone.facet);
-      return ground.zone.parts.size() == 1 && ground.share(deepest) == 1 && holds(deepest, ground.square);
+      return ground.zone.parts.size() == 1 && ground.share(deepest) == 1 && holds(deepest, ground.cell);
     }
 
     /**
-     * What of the facets is in the square, from facet to facet over shared corners: what lies behind a plate is not under the sphere.
+     * What of the facets is in the cell, from facet to facet over shared corners: what lies behind a plate is not under the sphere.
      * @param each_around (facet, use): calls use(other) for those that share a corner with it
      */
     template <typename EachAround>
@@ -247,7 +352,7 @@ namespace dem
           const double share = ground.share(facet);
           Polygon      part  = facet.outline;
           if (share > 0)
-            cut(part, ground.square);
+            cut(part, ground.cell);
           const Area inside = share > 0 ? area_of(part) : Area();
           if (inside.size > 0)
             under.push_back({facet, part, share, inside});
@@ -272,7 +377,7 @@ namespace dem
       return area;
     }
 
-    /** @return what counts of the square: all of it inside a surface, what is symmetric elsewhere */
+    /** @return what counts of the cell: all of it inside a surface, what is symmetric elsewhere */
     double count(std::vector<Covered> &under, const double whole)
     {
       const double area        = counted_area(under);
@@ -310,7 +415,7 @@ namespace dem
       weights.push_back({vertex, weight});
     }
 
-    /** Weights of the vertices under the square. @param spread part of the whole */
+    /** Weights of the vertices under the cell. @param spread part of the whole */
     void add_spread(std::vector<VertexWeight>  &weights,
                     const FacetMesh            &mesh,
                     const std::vector<Covered> &under,
@@ -369,13 +474,13 @@ namespace dem
         around[next[static_cast<std::size_t>(mesh.facet[f][c])]++] = static_cast<std::int32_t>(f);
   }
 
-  bool Footprint::spread(const FacetMesh             &mesh,
-                         const std::vector<Vector3d> &place,
-                         const ContactZone           &zone,
-                         const double                 radius,
-                         SpreadContact               &found) const
+  bool Footprint::spread(const FacetMesh                   &mesh,
+                         const std::vector<Vector3d>       &place,
+                         const ContactZone                 &zone,
+                         const std::vector<StandingSphere> &spheres,
+                         SpreadContact                     &found) const
   {
-    const Ground ground(mesh, place, zone, radius);
+    const Ground ground(mesh, place, zone, spheres);
     if (stands_on_one(ground))
       return false;
     std::vector<Covered> under = covered(ground, [&](const std::int32_t facet, const auto &use) {
@@ -386,7 +491,8 @@ namespace dem
             use(around[k]);
         }
     });
-    const double area = count(under, ground.whole()), spread = std::min(area / (smallest_part * ground.whole()), 1.0);
+    const double area = count(under, area_of(ground.cell).size),
+                 spread        = std::min(area / (smallest_part * ground.square()), 1.0);
     found.weights.clear();
     add_spread(found.weights, mesh, under, spread, area);
     const Vector3d point_then = add_point(found.weights, mesh, zone, spread);

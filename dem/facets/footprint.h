@@ -14,6 +14,13 @@ namespace dem
     double       weight;
   };
 
+  /** A sphere that stands on a surface, or is near it. */
+  struct StandingSphere
+  {
+    Eigen::Vector3d centre; ///< [m]
+    double          radius; ///< [m]
+  };
+
   /** A sphere's contact, spread over the facets under it. */
   struct SpreadContact
   {
@@ -23,10 +30,11 @@ namespace dem
   };
 
   /**
-   * Spreads contacts of spheres that are large beside the facets (doc/theory/facets.md, 7): each acts on a square in the tangential plane as
-   * wide as the sphere, its cell in a square layer, so that equal spheres side by side press like a uniform pressure whatever the
-   * facets. Weights are the integrals of the shape functions over that part of the square that has as much surface beyond the contact
-   * as before it: the mean place stays where the contact is. Beside an edge of the surface that part is narrower, and on the edge a point.
+   * Spreads contacts of spheres that are large beside the facets (doc/theory/facets.md, 7): each acts on its cell in the tangential plane,
+   * the part that is nearer to it than to those that stand beside it, so that equal spheres in a regular layer press like a uniform
+   * pressure whatever the facets and however the layer is turned. Weights are the integrals of the shape functions over that part of
+   * the cell that has as much surface beyond the contact as before it: the mean place stays where the contact is. Beside an edge of the
+   * surface that part is narrower, and on the edge a point.
    */
   class Footprint
   {
@@ -38,15 +46,18 @@ namespace dem
     bool given() const { return !from.empty(); }
     /** How far from its centre a sphere looks for facets, over its radius: a dent under it is deeper than the mean surface. */
     static constexpr double reach = 1.1;
+    /** Spheres further apart than this part of the sum of their radii do not bound each other's cell. */
+    static constexpr double widest = 2.2;
 
     /**
-     * @param mesh that it was made from @param place of the vertices now @param found its room is used again
-     * @return false where all of the square lies in one facet: then the contact is what it was
+     * @param mesh that it was made from @param place of the vertices now @param spheres first the one that touches in the zone, then
+     * those that may stand beside it @param found its room is used again
+     * @return false where all of the cell lies in one facet: then the contact is what it was
      */
     bool spread(const FacetMesh                    &mesh,
                 const std::vector<Eigen::Vector3d> &place,
                 const ContactZone                  &zone,
-                double                              radius,
+                const std::vector<StandingSphere>  &spheres,
                 SpreadContact                      &found) const;
 
   private:

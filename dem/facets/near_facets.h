@@ -47,6 +47,7 @@ namespace dem
     bool within_reach(const std::size_t k) const { return smallest[k] <= path; }
     bool within_reach(const NearFacet &pair) const { return pair.gap <= path; }
 
+    double       good_for() const { return margin; }       ///< lists are while nothing has moved further [m]
     std::int64_t searches() const { return search_count; } ///< how often lists were made
     std::int64_t tested() const { return test_count; }     ///< pairs whose distance was found for them, so far
 

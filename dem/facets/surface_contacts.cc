@@ -36,6 +36,8 @@ namespace dem
       {
         if (near.can_touch())
           near.look(particles, all);
+        if (spread())
+          beside.look(near, particles);
         find_contacts(particles, shape);
         hand_out(particles, shape);
       }
@@ -67,6 +69,11 @@ namespace dem
             surface.stiffness[static_cast<std::size_t>(part.vertex)] = 0;
           }
       }
+  }
+
+  bool SurfaceContacts::spread() const
+  {
+    return std::any_of(all.begin(), all.end(), [](const Surface &surface) { return surface.footprint.given(); });
   }
 
   bool SurfaceContacts::holding() const

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/state.h"
+#include "dem/facets/beside.h"
 #include "dem/facets/contact_zones.h"
 #include "dem/facets/near_facets.h"
 #include "dem/facets/pressure.h"
@@ -148,6 +149,7 @@ namespace dem
     double damage() const;
     double released() const;
     bool   holding() const;
+    bool   spread() const; ///< contacts of some surface are
     void   clear_forces();
     void   find_bonds(const Particles &particles);
     /** Contacts of a particle with a surface that it was glued to, or is from now on. */
@@ -160,11 +162,13 @@ namespace dem
     void
     go_on(const Particles &particles, const ParticleShape &shape, Known before, Known before_end, Block &block) const;
     /** A contact of the block with what it was before: slip, shear, forces on its vertices. */
-    void   follow(const Particles         &particles,
-                  const ParticleShape     &shape,
-                  const SurfaceContact    *before,
-                  SurfaceContact          &now,
-                  std::vector<VertexPart> &parts_of_now) const;
+    void follow(const Particles         &particles,
+                const ParticleShape     &shape,
+                const SurfaceContact    *before,
+                SurfaceContact          &now,
+                std::vector<VertexPart> &parts_of_now) const;
+    /** Who stands on a surface beside the particle at which a thread looks. */
+    void   gather_beside(const Particles &particles, std::size_t listed, const Surface &surface, Block &block) const;
     void   add_zones(const Surface         &surface,
                      const ParticleShape   &shape,
                      double                 radius,
@@ -183,6 +187,7 @@ namespace dem
 
     std::vector<Surface>        all;
     NearFacets                  near;
+    Beside                      beside; ///< where contacts are spread
     std::vector<SurfaceContact> contacts;
     std::vector<VertexPart>     vertex_parts;
     std::vector<SurfaceBonds>   glues;

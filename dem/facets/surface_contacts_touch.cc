@@ -42,8 +42,9 @@ namespace dem
     std::vector<NearPoint>      near;
     ZoneRoom                    zones;
     SpreadContact               spread;
-    std::vector<SurfaceContact> fresh; ///< of one particle and surface, without history
-    std::vector<char>           taken; ///< which of those before go on in one of them
+    std::vector<StandingSphere> standing; ///< the particle, then those beside it
+    std::vector<SurfaceContact> fresh;    ///< of one particle and surface, without history
+    std::vector<char>           taken;    ///< which of those before go on in one of them
   };
 
   struct SurfaceContacts::Block
@@ -175,6 +176,8 @@ namespace dem
         while (before_end != contacts.end() && before_end->particle == i && before_end->surface == s)
           ++before_end;
         block.room->fresh.clear();
+        if (surface.footprint.given())
+          gather_beside(particles, listed, surface, block);
         if (surface.skin > 0)
           add_patch(surface, shape, radius, centre, block);
         else
@@ -214,6 +217,21 @@ namespace dem
       }
   }
 
+  void SurfaceContacts::gather_beside(const Particles  &particles,
+                                      const std::size_t listed,
+                                      const Surface    &surface,
+                                      Block            &block) const
+  {
+    const auto sphere = [&](const std::int32_t i) {
+      return StandingSphere{particles.position_of(static_cast<std::size_t>(i)),
+                            particles.radius_of(static_cast<std::size_t>(i))};
+    };
+    block.room->standing = {sphere(near.particles()[listed])};
+    for (const std::int32_t *other = beside.begin(listed); other != beside.end(listed); ++other)
+      if (surface.meets_particle(*other))
+        block.room->standing.push_back(sphere(*other));
+  }
+
   void SurfaceContacts::add_zones(const Surface         &surface,
                                   const ParticleShape   &shape,
                                   const double           radius,
@@ -226,8 +244,9 @@ namespace dem
     for (ContactZone &zone : block.room->zones.zones)
       {
         zone.overlap -= look - radius;
-        const bool spread = surface.footprint.given() &&
-                            surface.footprint.spread(surface.mesh, surface.place, zone, radius, block.room->spread);
+        const bool spread =
+          surface.footprint.given() &&
+          surface.footprint.spread(surface.mesh, surface.place, zone, block.room->standing, block.room->spread);
         if (spread)
           {
             zone.overlap   = block.room->spread.overlap;

@@ -165,6 +165,49 @@ namespace dem
     }
   } // namespace
 
+  namespace
+  {
+    /** Which particles are of a group, in the order of Particles. */
+    std::vector<bool> members(const std::vector<std::size_t> &group, const std::vector<std::int32_t> &slot)
+    {
+      std::vector<bool> is_of(slot.size(), false);
+      for (const std::size_t number : group)
+        is_of[static_cast<std::size_t>(slot.at(number))] = true;
+      return is_of;
+    }
+  } // namespace
+
+  Eigen::Vector3d Specimen::force_on(const std::vector<std::size_t> &group) const
+  {
+    const std::vector<bool> is_of = members(group, self->slot);
+    Eigen::Vector3d         sum   = Eigen::Vector3d::Zero();
+    for (const LinkSet *links : {&self->bonds, &self->contacts})
+      for (std::size_t l = 0; l < links->count; ++l)
+        if (links->is_alive(l) && is_of[links->first[l]] != is_of[links->second[l]])
+          {
+            const Eigen::Vector3d force = link_at(self->particles, *links, l).force;
+            sum += is_of[links->first[l]] ? force : Eigen::Vector3d(-force);
+          }
+    self->surfaces.each_push(
+      [&](std::int32_t, const std::int32_t particle, const Eigen::Vector3d &force, const Eigen::Vector3d &) {
+        if (is_of[static_cast<std::size_t>(particle)])
+          sum += force;
+      });
+    return sum;
+  }
+
+  std::size_t Specimen::broken_links_of(const std::vector<std::size_t> &group) const
+  {
+    const std::vector<bool> is_of = members(group, self->slot);
+    std::size_t             count = 0;
+    for (std::size_t i = 0; i < self->crack_log.size(); i += 2)
+      count +=
+        is_of[static_cast<std::size_t>(self->crack_log[i])] || is_of[static_cast<std::size_t>(self->crack_log[i + 1])] ?
+          1 :
+          0;
+    return count;
+  }
+
   LinkOutput Specimen::links() const
   {
     LinkOutput out;

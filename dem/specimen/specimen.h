@@ -304,9 +304,13 @@ namespace dem
     ParticleState   particle(std::size_t number) const;           ///< by packing number
     double          stiffness_around(std::size_t particle) const; ///< of its links and contacts, as (5.1) has it [N/m]
     Eigen::Vector3d displacement(std::size_t particle) const; ///< of a particle, by packing number, since the start [m]
-    double          mean_damage() const; ///< of the links made at the start, broken ones count as 1 [-]
-    ParticleOutput  particles() const;
-    LinkOutput      links() const;
+    /** Of links, contacts and surfaces on a group, from all that is not of it, at t_n [N]. @param group packing numbers, ascending */
+    Eigen::Vector3d force_on(const std::vector<std::size_t> &group) const;
+    /** Broken links that have an end in a group. @param group packing numbers, ascending */
+    std::size_t    broken_links_of(const std::vector<std::size_t> &group) const;
+    double         mean_damage() const; ///< of the links made at the start, broken ones count as 1 [-]
+    ParticleOutput particles() const;
+    LinkOutput     links() const;
 
     /** Everything needed to go on to the same bits; a reader must be given a specimen made of the same packing and parameters. */
     void visit_state(base::StateVisitor &visitor);

@@ -3,6 +3,7 @@
 #include "tests/apps/program.h"
 #include "tests/apps/scenes.h"
 #include "tests/apps/scratch_folder.h"
+#include "tests/environment.h"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -26,6 +27,20 @@ namespace
     return summary["figures"][name]["value"].get<double>();
   }
 } // namespace
+
+TEST_CASE("A continuum runs without a folder for temporary files", "[apps]")
+{
+  const ScratchFolder folder;
+  folder.file("x.prm", concrete_beam_scene());
+  const Environment nowhere("TMPDIR", "/dev/null/nowhere"); // which nobody can make
+  for (const char *command : {"check", "run"})
+    {
+      const Outcome outcome = run(folder.path(), {command, "x.prm", "-s", "Control/End=2e-5"});
+      INFO(outcome.err);
+      CHECK(outcome.status == 0);
+      CHECK_THAT(outcome.err, !Contains("MPI"));
+    }
+}
 
 TEST_CASE("A continuum run writes summary, series, curve, snapshots and the completed scene, and nothing else",
           "[apps]")

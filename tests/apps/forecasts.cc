@@ -4,13 +4,12 @@
 #include "tests/apps/program.h"
 #include "tests/apps/scenes.h"
 #include "tests/apps/scratch_folder.h"
+#include "tests/environment.h"
 #include "tests/places.h"
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
-#include <cstdlib>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -72,16 +71,9 @@ TEST_CASE("check says the longest duration of a run that a stop condition may en
 
 TEST_CASE("check forecasts without a folder for temporary files", "[apps]")
 {
-  const char                      *variable = "TMPDIR";
-  const char                      *before   = std::getenv(variable);
-  const std::optional<std::string> kept     = before ? std::optional<std::string>(before) : std::nullopt;
-  const ScratchFolder              folder;
-  ::setenv(variable, (folder / "nowhere").c_str(), 1);
-  const Outcome outcome = run(folder.path(), {"check", places::sources() + "/apps/scenes/bouncing_sphere.prm"});
-  if (kept)
-    ::setenv(variable, kept->c_str(), 1);
-  else
-    ::unsetenv(variable);
+  const ScratchFolder folder;
+  const Environment   nowhere("TMPDIR", (folder / "nowhere").string());
+  const Outcome       outcome = run(folder.path(), {"check", places::sources() + "/apps/scenes/bouncing_sphere.prm"});
   INFO(outcome.err);
   CHECK(outcome.status == 0);
   CHECK_THAT(outcome.out, Contains("duration     roughly "));

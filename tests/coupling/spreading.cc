@@ -148,17 +148,26 @@ namespace
 
 namespace
 {
-  /** Largest error of the load on nodes in the middle of a face, under a layer that lies turned by an angle about its normal. */
-  double error_of_turned_layer(const double faces_in_a_ball, const double angle)
+  /** Balls of one size side by side: in a square, or in a hexagonal layer. */
+  enum class Pattern
   {
-    constexpr unsigned int elements = 12;
-    const double face = side / elements, ball = face / faces_in_a_ball, radius = 0.5 * ball, middle = 0.5 * side;
+    square,
+    hexagonal
+  };
+
+  /** Largest error of the load on nodes in the middle of a face, under a layer that lies turned by an angle about its normal. */
+  double error_of_turned_layer(const double faces_in_a_ball, const double angle, const Pattern pattern)
+  {
+    const unsigned int elements = faces_in_a_ball < 1 ? 24 : 12;
+    const double       face = side / elements, ball = face / faces_in_a_ball, radius = 0.5 * ball, middle = 0.5 * side;
+    const double       lean = pattern == Pattern::square ? 0 : 0.5,
+                 row        = std::sqrt(1 - lean * lean); // of rows, over the ball
     dem::Packing packing;
-    const int    reach = static_cast<int>(side / ball) + 2;
+    const int    reach = static_cast<int>(2 * side / ball) + 2;
     for (int i = -reach; i <= reach; ++i)
       for (int j = -reach; j <= reach; ++j)
         {
-          const double a = (i + 0.37) * ball, b = (j + 0.21) * ball,
+          const double a = (i + lean * j + 0.37) * ball, b = (row * j + 0.21) * ball,
                        x = middle + std::cos(angle) * a - std::sin(angle) * b,
                        y = middle + std::sin(angle) * a + std::cos(angle) * b;
           if (std::min({x, y, side - x, side - y}) > 0)
@@ -172,28 +181,33 @@ namespace
     coupling::SurfaceCoupling<3> surface(specimen, block.solid, *block.participant, top);
     specimen.find_surface_forces();
     surface.forces_to_fem(1, 1);
-    const double one  = specimen.wall_contacts()[packing.size() / 2].force.norm() * (face * face) / (ball * ball);
+    const double one  = specimen.wall_contacts()[packing.size() / 2].force.norm() * (face * face) / (ball * ball * row);
     double       most = 0;
+    int          seen = 0;
     for (std::size_t c = 0; c < block.participant->carriers(); ++c)
       {
         const Vector3d x = block.participant->position(c);
-        if (x.z() < side - 1e-9 || std::min({x.x(), x.y(), side - x.x(), side - x.y()}) < 2 * ball + face)
+        // Cells of balls that act here, and their neighbours, are those of a layer without end.
+        if (x.z() < side - 1e-9 || std::min({x.x(), x.y(), side - x.x(), side - x.y()}) < 2.4 * ball + face)
           continue;
+        ++seen;
         most =
           std::max(most, std::fabs(-block.motion->external_force()[block.participant->displacements(c)[2]] / one - 1));
       }
+    CHECK(seen > 8);
     return most;
   }
 } // namespace
 
-TEST_CASE("spreading: a layer turned by 30 degrees on the faces loads them evenly from two ball sizes on", "[coupling]")
+TEST_CASE("spreading: however a layer lies on the faces, it loads them evenly", "[coupling]")
 {
-  const double angle = M_PI / 6;
-  CHECK(error_of_turned_layer(1, angle) < 0.025);
-  CHECK(error_of_turned_layer(2, angle) < 0.01);
-  CHECK(error_of_turned_layer(3, angle) < 0.01);
-  for (const double faces : {1.0, 2.0, 3.0})
-    CHECK(error_of_turned_layer(faces, 0) < 1e-9);
+  for (const Pattern pattern : {Pattern::square, Pattern::hexagonal})
+    for (const double angle : {0.0, M_PI / 12, M_PI / 6})
+      for (const double faces : {0.25, 0.5, 1.0, 2.0, 4.0})
+        {
+          INFO("pattern " << static_cast<int>(pattern) << ", faces of " << faces << " ball sizes, turned by " << angle);
+          CHECK(error_of_turned_layer(faces, angle, pattern) < 1e-6);
+        }
 }
 
 TEST_CASE("spreading: a collision over an edge keeps momenta and power, sub-cycled or not, and energy to a thousandth",

@@ -5,12 +5,12 @@
 #include "postprocess/specimen_picture.h"
 #include "scratch_folder.h"
 #include "specimen_samples.h"
+#include "tests/environment.h"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
 #include <limits>
-#include <optional>
 
 using namespace postprocess;
 using Catch::Matchers::Contains;
@@ -45,30 +45,6 @@ namespace
   }
 
   PlotPanel simple_panel() { return {"title", "x [m]", "y [Pa]", false, false, {points("s", {1, 2, 3}, {1, 4, 9})}}; }
-
-  /** Sets an environment variable for the length of a scope. */
-  class Environment
-  {
-  public:
-    Environment(const std::string &name_, const std::string &value)
-      : name(name_)
-    {
-      if (const char *before = ::getenv(name.c_str()))
-        previous = before;
-      ::setenv(name.c_str(), value.c_str(), 1);
-    }
-    ~Environment()
-    {
-      if (previous)
-        ::setenv(name.c_str(), previous->c_str(), 1);
-      else
-        ::unsetenv(name.c_str());
-    }
-
-  private:
-    std::string                name;
-    std::optional<std::string> previous;
-  };
 } // namespace
 
 TEST_CASE("a plot of any points is drawn: one, equal, not finite, on logarithmic axes, with errors", "[postprocess]")

@@ -158,35 +158,6 @@ namespace apps
       return sum;
     }
 
-    /** Of all that is not of the group, at t_n [N]. */
-    Eigen::Vector3d force_on(const std::vector<std::size_t> &members, const dem::Specimen &specimen)
-    {
-      const auto holds = [&](const std::size_t i) { return std::binary_search(members.begin(), members.end(), i); };
-      const dem::LinkOutput links = specimen.links();
-      Eigen::Vector3d       sum   = Eigen::Vector3d::Zero();
-      for (std::size_t l = 0; l < links.ends.size(); ++l)
-        {
-          const bool first = holds(links.ends[l][0]), second = holds(links.ends[l][1]);
-          if (first != second && links.kind[l] != dem::LinkOutput::broken)
-            sum += first ? links.load[l].force : Eigen::Vector3d(-links.load[l].force);
-        }
-      for (const dem::WallContact &contact : specimen.wall_contacts())
-        if (holds(contact.particle))
-          sum += contact.force;
-      return sum;
-    }
-
-    double broken_links(const std::vector<std::size_t> &members, const ObservedSpecimen &seen)
-    {
-      const dem::LinkOutput links = seen.specimen.links();
-      const auto holds = [&](const std::size_t i) { return std::binary_search(members.begin(), members.end(), i); };
-      double     count = 0;
-      for (std::size_t l = 0; l < links.ends.size(); ++l)
-        if (links.kind[l] == dem::LinkOutput::broken && (holds(links.ends[l][0]) || holds(links.ends[l][1])))
-          ++count;
-      return count;
-    }
-
     /** Not a number where particles are joined by nothing. */
     double unbalanced_ratio(const dem::Specimen &specimen)
     {
@@ -218,7 +189,7 @@ namespace apps
         case Quantity::wall_travel:
           return seen.walls.surface(gauge.wall).travel;
         case Quantity::force:
-          return force_on(members, seen.specimen);
+          return seen.specimen.force_on(members);
         case Quantity::wall_impulse:
           return seen.walls.surface(gauge.wall).momentum;
         default:
@@ -234,7 +205,7 @@ namespace apps
     if (gauge.quantity == Quantity::unbalanced_ratio)
       return unbalanced_ratio(seen.specimen);
     if (gauge.quantity == Quantity::broken_links)
-      return broken_links(seen.groups.at(gauge.group), seen);
+      return static_cast<double>(seen.specimen.broken_links_of(seen.groups.at(gauge.group)));
     const Eigen::Vector3d vector = vector_of(gauge, seen);
     return gauge.component == GaugeSection::Component::size ? vector.norm() : vector[static_cast<int>(gauge.component)];
   }
