@@ -21,8 +21,10 @@ namespace dem
     constexpr double smallest_part = 0.25;
     /** Areas that differ by less than this part of a cell are equal. */
     constexpr double rounding = 1e-10;
-    /** A cell without others beside it, over the radius: it holds that of a square layer, whose corners are at the root of two. */
-    constexpr double lone_cell = 1.42;
+    /** Half a cell, at most, over the radius: it holds that of a square layer, whose corners are at the root of two. */
+    constexpr double widest_cell = 1.42, widest_corner = 1.54;
+    /** Spheres whose bound is this near are side by side, further away alone, over the radius; so many make a layer: those of its corners. */
+    constexpr double side_by_side = 1.1, apart_from_others = 1.3, neighbours_of_a_layer = 2;
     /** Corners of a cell, at most; parts of facets in it, and what two of them share, have some more. */
     constexpr int corners_of_cell = 24, corners_of_part = 2 * corners_of_cell;
 
@@ -182,23 +184,12 @@ namespace dem
       return std::clamp((std::fabs(facet.normal().dot(across)) - leaning) / (upright - leaning), 0.0, 1.0);
     }
 
-    /** In the plane a square: discs side by side have no corners to fill. */
-    Polygon cell_alone(const double radius, const bool in_the_plane)
-    {
-      const int    corners = in_the_plane ? 4 : 8;
-      const double half    = 3.14159265358979323846 / corners,
-                   out     = (in_the_plane ? 1.0 : lone_cell) * radius / std::cos(half);
-      Polygon cell;
-      for (int k = 0; k < corners; ++k)
-        cell.add({out * std::cos((2 * k + 1) * half), out * std::sin((2 * k + 1) * half)});
-      return cell;
-    }
-
     /** Bounds a cell: beyond this distance, on both sides of the contact. */
     struct Bound
     {
       double distance; ///< [m]
       Point  towards;  ///< unit
+      double crowds;   ///< how much it is side by side with the sphere, in [0, 1]
 
       bool operator<(const Bound &o) const
       {
@@ -235,10 +226,23 @@ namespace dem
           const Point           there  = tangents.of(other.centre);
           const double          apart = there.norm(), between = apart * own.radius / (own.radius + other.radius);
           if (stands > 0 && between > 0 && between < out)
-            found.push_back({stands * between + (1 - stands) * out, there / apart});
+            found.push_back({stands * between + (1 - stands) * out, there / apart,
+                             stands * faded(between / own.radius, side_by_side, apart_from_others)});
         }
       std::sort(found.begin(), found.end());
       return found;
+    }
+
+    /** The part of a polygon within a distance from the origin, on both sides. */
+    void bound(Polygon &polygon, const Bound &by)
+    {
+      // The same bound once more, as spheres opposite to each other have it, only makes corners by rounding.
+      const double limit = by.distance * (1 + rounding);
+      for (const Point &towards : {by.towards, Point(-by.towards)})
+        if (polygon.count < corners_of_cell &&
+            std::any_of(polygon.corner.begin(), polygon.corner.begin() + polygon.count,
+                        [&](const Point &p) { return towards.dot(p) > limit; }))
+          cut(polygon, by.distance * towards, by.distance * towards + Point(-towards.y(), towards.x()));
     }
 
     /** As symmetric about the contact as a layer is about each of its spheres. */
@@ -247,17 +251,21 @@ namespace dem
                     const Tangents                    &tangents,
                     const bool                         in_the_plane)
     {
-      Polygon      cell = cell_alone(spheres.front().radius, in_the_plane);
-      const double out  = cell.at(0).norm();
-      for (const Bound &bound : bounds_of(spheres, zone, tangents, out))
-        for (const Point &towards : {bound.towards, Point(-bound.towards)})
-          {
-            // The same bound once more, as spheres opposite to each other have it, only makes corners by rounding.
-            const double limit = bound.distance + rounding * out;
-            if (cell.count < corners_of_cell && std::any_of(cell.corner.begin(), cell.corner.begin() + cell.count,
-                                                            [&](const Point &p) { return towards.dot(p) > limit; }))
-              cut(cell, bound.distance * towards, bound.distance * towards + Point(-towards.y(), towards.x()));
-          }
+      const double             radius = spheres.front().radius, diagonal = widest_cell * radius;
+      const std::vector<Bound> bounds  = bounds_of(spheres, zone, tangents, widest_corner * radius);
+      double                   crowded = 0;
+      for (const Bound &each : bounds)
+        crowded += each.crowds;
+      // Discs in the plane have no corners to fill.
+      const double half =
+        radius * (in_the_plane ? 1 : 1 + (widest_cell - 1) * std::min(crowded / neighbours_of_a_layer, 1.0));
+      Polygon cell;
+      for (const Point &p : {Point(-half, -half), Point(half, -half), Point(half, half), Point(-half, half)})
+        cell.add(p);
+      bound(cell, {diagonal, Point(1, 1).normalized(), 0});
+      bound(cell, {diagonal, Point(1, -1).normalized(), 0});
+      for (const Bound &each : bounds)
+        bound(cell, each);
       return cell;
     }
 

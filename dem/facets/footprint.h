@@ -30,7 +30,7 @@ namespace dem
   };
 
   /**
-   * Spreads contacts of spheres that are large beside the facets (doc/theory/facets.md, 7): each acts on its cell in the tangential plane,
+   * Spreads contacts of spheres that are large beside the facets (doc/theory/facets.md, 7): each acts on its cell in the tangential plane:
    * the part that is nearer to it than to those that stand beside it, so that equal spheres in a regular layer press like a uniform
    * pressure whatever the facets and however the layer is turned. Weights are the integrals of the shape functions over that part of
    * the cell that has as much surface beyond the contact as before it: the mean place stays where the contact is. Beside an edge of the
