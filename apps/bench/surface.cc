@@ -1,7 +1,9 @@
 #include "apps/bench/surface.h"
 
+#include "apps/bench/impact_of_bodies.h"
 #include "apps/bench/results.h"
 #include "apps/bench/scene_variant.h"
+#include "apps/drivers/continuum/scene.h"
 #include "apps/drivers/coupled/body.h"
 #include "apps/drivers/coupled/scene.h"
 #include "apps/process/exit_status.h"
@@ -18,17 +20,6 @@ namespace apps
 {
   namespace
   {
-    struct Measurement
-    {
-      SceneVariant which;
-      std::size_t  elements    = 0;
-      double       force_error = 0, time_error = 0; ///< relative
-      double       made    = 0;                     ///< by the coupling, over the initial energy
-      double       missing = 0;                     ///< in the account of both sides, likewise
-      std::int64_t windows = 0;
-      double       cost    = 0; ///< processor time [s]
-    };
-
     /** Few elements that are as small where it matters: they grow by the square of what they grew by. */
     std::string faster_growth(const CoupledModel &model)
     {
@@ -90,7 +81,28 @@ namespace apps
       return model;
     }
 
-    Measurement measure(const CoupledModel &model, const SceneVariant &which, Progress &progress)
+    /** Where the scene is one of bodies that touch; nullptr: it is of particles on a solid. */
+    const ContinuumModel *bodies_of(const CheckedScene &scene)
+    {
+      const auto *found = dynamic_cast<const ContinuumScene *>(scene.scene.get());
+      if (!found)
+        return nullptr;
+      const ContinuumModel &model = found->parameters();
+      if (model.mesh.source != MeshSection::Source::bodies || model.mesh.balls.empty() ||
+          model.contacts.contacts.size() != 1)
+        refuse_scene(scene, "this bench varies the elements of balls (Mesh/Balls) and one contact.");
+      if (!(model.references.peak_force > 0 && model.references.contact_time > 0))
+        refuse_scene(scene, "References: this bench needs Peak force and Contact time.");
+      return &model;
+    }
+
+    std::vector<SceneVariant> cases_of(const bool quick, const CheckedScene &scene)
+    {
+      const ContinuumModel *bodies = bodies_of(scene);
+      return bodies ? impacts_of_bodies(*bodies, quick) : cases_of(quick, model_of(scene));
+    }
+
+    ImpactMeasurement measure(const CoupledModel &model, const SceneVariant &which, Progress &progress)
     {
       const dem::Packing packing = model.particles.packing();
       const auto         body    = make_coupled_body(model, packing);
@@ -103,7 +115,7 @@ namespace apps
           body->advance_to(end * n / looks);
           progress.update(body->time() / end, fmt::format("time {:.3g} s", body->time()));
         }
-      Measurement found;
+      ImpactMeasurement found;
       found.which                  = which;
       found.cost                   = processor_seconds() - start;
       const auto           columns = body->columns();
@@ -125,13 +137,13 @@ namespace apps
       return found;
     }
 
-    void write(const BenchResults &results, const std::vector<Measurement> &rows)
+    void write(const BenchResults &results, const std::vector<ImpactMeasurement> &rows)
     {
       std::string csv = "study,value,elements,force_error [-],time_error [-],made [-],missing [-],windows,cost [s]\n";
       std::string md =
         "| Study | Value | Elements | Peak force | Contact time | Made by the coupling | Missing | Windows | "
         "Cost [s] |\n|---|---|---|---|---|---|---|---|---|\n";
-      for (const Measurement &r : rows)
+      for (const ImpactMeasurement &r : rows)
         {
           csv += fmt::format("{},{},{},{},{},{},{},{},{}\n", r.which.study, r.which.value, r.elements, r.force_error,
                              r.time_error, r.made, r.missing, r.windows, r.cost);
@@ -142,7 +154,7 @@ namespace apps
       results.write(csv, md);
     }
 
-    std::vector<postprocess::PlotPanel> panels_of(const std::vector<Measurement> &rows)
+    std::vector<postprocess::PlotPanel> panels_of(const std::vector<ImpactMeasurement> &rows)
     {
       postprocess::PlotPanel force, time;
       force.title   = "peak force";
@@ -153,7 +165,7 @@ namespace apps
           panel->x_label = "Processor time [s]";
           panel->log_x = panel->log_y = true;
         }
-      for (const Measurement &r : rows)
+      for (const ImpactMeasurement &r : rows)
         {
           if (force.series.empty() || force.series.back().name != r.which.study)
             for (postprocess::PlotPanel *panel : {&force, &time})
@@ -170,16 +182,20 @@ namespace apps
   int run_surface_bench(const SurfaceBench &bench)
   {
     start_mpi();
-    const CheckedScene              asked = read_scene(bench.scene, bench.overrides);
-    const std::vector<SceneVariant> cases = cases_of(bench.quick, model_of(asked));
-    const BenchResults              results(bench.folder, "surface");
+    std::vector<std::pair<std::string, SceneVariant>> cases; ///< with their scenes
+    for (const std::string &scene : bench.scenes)
+      for (const SceneVariant &which : cases_of(bench.quick, read_scene(scene, bench.overrides)))
+        cases.emplace_back(scene, which);
+    const BenchResults results(bench.folder, "surface");
     catch_interrupts();
-    std::vector<Measurement> rows;
-    for (const SceneVariant &which : cases)
+    std::vector<ImpactMeasurement> rows;
+    for (const auto &[file, which] : cases)
       {
-        const CheckedScene scene = which.of(bench.scene, bench.overrides);
+        const CheckedScene scene = which.of(file, bench.overrides);
         Progress progress(fmt::format("case {} of {}, {} {}", rows.size() + 1, cases.size(), which.study, which.value));
-        const Measurement found = measure(model_of(scene), which, progress);
+        const ContinuumModel   *bodies = bodies_of(scene);
+        const ImpactMeasurement found =
+          bodies ? measure_bodies(*bodies, which, progress) : measure(model_of(scene), which, progress);
         if (interrupted())
           return exit_interrupted; // the table has every complete case
         rows.push_back(found);

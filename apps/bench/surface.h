@@ -9,15 +9,16 @@ namespace apps
   /** What `breccia bench surface` is asked. */
   struct SurfaceBench
   {
-    std::string              scene;
-    std::vector<std::string> overrides; ///< of the scene
+    std::vector<std::string> scenes;
+    std::vector<std::string> overrides; ///< of the scenes
     std::filesystem::path    folder;
     bool                     quick = false; ///< fewer and cheaper cases
   };
 
   /**
    * Error of an impact's peak force and contact time against cost, over the mesh, the step, sub-cycling, and how contacts are
-   * spread. The scene is of kind coupled, on a box, and has a coupling and the known answers in its section References.
+   * spread. Scenes are of kind coupled, on a box, with one coupling, or of kind continuum, of balls with one contact; both have the known answers in their
+   * section References.
    *
    * Written after every case to surface.csv and surface.md, at the end to surface.png.
    *

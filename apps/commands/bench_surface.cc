@@ -13,13 +13,16 @@ namespace apps
       int threads = 1;
     };
     const auto options = std::make_shared<Options>();
-    options->scene     = "apps/scenes/hertz_impact.prm";
+    options->scenes    = {"apps/scenes/hertz_impact.prm", "apps/scenes/colliding_balls.prm"};
     options->folder    = "output/bench_surface";
-    CLI::App &command =
-      *bench.add_subcommand("surface", "Impact on a solid: force and time over mesh, step, sub-cycling and spreading");
-    command.add_option("scene", options->scene, "Scene of kind coupled with known answers; default: " + options->scene)
+    CLI::App &command  = *bench.add_subcommand(
+       "surface", "Impact on a solid, and of solids: force and time over mesh, step, sub-cycling and spreading");
+    command
+      .add_option("scene", options->scenes,
+                  "Scenes of kind coupled, or of balls in contact, with known answers; default: " +
+                    options->scenes.front() + " and " + options->scenes.back())
       ->type_name("SCENE");
-    add_overrides(command, options->overrides, "Set an entry of the scene; repeatable");
+    add_overrides(command, options->overrides, "Set an entry of the scenes; repeatable");
     add_threads(command, options->threads);
     add_bench_folder(command, options->folder);
     command.add_flag("--quick", options->quick, "Coarse meshes only");

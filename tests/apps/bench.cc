@@ -190,8 +190,9 @@ TEST_CASE("bench quasi-static takes its material from the scene, and refuses a s
 TEST_CASE("bench surface: errors of an impact fall with the elements", "[apps][slow]")
 {
   const ScratchFolder folder;
-  const std::string   scene   = places::sources() + "/apps/scenes/hertz_impact.prm";
-  const Outcome       outcome = run(folder.path(), {"bench", "surface", scene, "--quick", "-o", "bench"});
+  const std::string   scenes  = places::sources() + "/apps/scenes/";
+  const Outcome       outcome = run(folder.path(), {"bench", "surface", scenes + "hertz_impact.prm",
+                                                    scenes + "colliding_balls.prm", "--quick", "-o", "bench"});
   INFO(outcome.err);
   REQUIRE(outcome.status == 0);
   std::istringstream csv(content_of(folder / "bench/surface.csv"));
@@ -215,6 +216,8 @@ TEST_CASE("bench surface: errors of an impact fall with the elements", "[apps][s
   CHECK(force["spreading"][1] == force["spreading"][2]); // the ball is larger than the smallest face
   CHECK(force["spreading"][1] != force["spreading"][0]);
   CHECK(force["point"].size() == 2);
+  REQUIRE(force["balls"].size() == 1);
+  CHECK(force["balls"][0] < 0.05);
   CHECK(std::filesystem::file_size(folder / "bench/surface.png") > 0);
 }
 

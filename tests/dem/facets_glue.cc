@@ -119,6 +119,8 @@ TEST_CASE("a glued column hangs as springs in series do: half a link on the face
   const double weight = column.particle(0).mass * 9.81, stiff = 25e9 * pi * R * R / (2 * R);
   CHECK(column.surface(roof).total_force.z() == Approx(-many * weight).epsilon(1e-9));
   CHECK(column.surface(roof).glued == 1);
+  CHECK(column.force_on({0, 1, 2, 3, 4}).z() == Approx(many * weight).epsilon(1e-9)); // of the glue
+  CHECK(column.force_on({3, 4}).z() == Approx(2 * weight).epsilon(1e-6));
   double sag = many * weight / (2 * stiff);
   for (std::size_t k = 0; k < many; ++k)
     {

@@ -1,4 +1,6 @@
-"""Scenes in which something touches a solid: small ones, mutated by the fuzzing."""
+"""Scenes in which something touches a solid or fills the same space: small ones, mutated by the fuzzing."""
+
+import math
 
 COUPLED = """set Kind = coupled
 subsection Continuum
@@ -141,5 +143,121 @@ end
 subsection Output
   set Samples   = 10
   set Snapshots = 1
+end
+"""
+
+
+def hexagonal(radius=0.005, length=0.3, height=0.06):
+    """Discs in a beam about the origin, as text: x y z radius."""
+    pitch = math.sqrt(3) * radius
+    rows = int((height - 2 * radius) / pitch) + 1
+    lines = []
+    for row in range(rows):
+        first = -length / 2 + radius * (1 + row % 2)
+        for n in range(int((length / 2 - radius - first) / (2 * radius) + 1.5)):
+            lines.append(f"{first + 2 * radius * n:.9g} {radius + pitch * row:.9g} 0 {radius}")
+    return "\n".join(lines) + "\n"
+
+
+HANDSHAKE = """set Kind = coupled
+subsection Continuum
+  subsection Model
+    set Dimension = 2
+    set Plane     = stress
+    set Thickness = 0.01
+  end
+  subsection Mesh
+    set Source = bodies
+    subsection Boxes
+      subsection beam
+        set Corner      = -0.15, 0, 0
+        set Size        = 0.3, 0.06, 0
+        set Divisions x = 10
+        set Divisions y = 2
+        set Material    = concrete
+      end
+    end
+  end
+  subsection Materials
+    subsection concrete
+      set Law     = isotropic elastic
+      set Density = 2000
+      subsection isotropic elastic
+        set Young modulus = 1e9
+        set Poisson ratio = 0.2
+      end
+    end
+  end
+  subsection Boundary conditions
+    subsection beam left
+      set Displacement x = 0
+      set Displacement y = 0
+    end
+  end
+end
+subsection Particles
+  subsection Physics
+    set Dimension = 2
+  end
+  subsection Specimen
+    set Source            = file
+    set File              = hexagonal.txt
+    set Density           = 2000
+    set Thickness         = 0.01
+    set Interaction ratio = 1.5
+  end
+  subsection More particles
+    subsection impactor
+      set Centre = 0, 0.0634, 0
+      set Radius = 0.01
+    end
+  end
+  subsection Material
+    set Law = CPM
+    subsection CPM
+      set Normal modulus       = 785.4e6
+      set Shear ratio          = 0.25
+      set Limit elastic strain = 3e-3
+      set Relative ductility   = 100
+      set Cohesion             = 78.54e6
+      set Friction coefficient = 0
+    end
+  end
+  subsection Initial velocity
+    subsection impactor
+      set Velocity y = -5
+    end
+  end
+end
+subsection Handshakes
+  subsection core
+    set Low          = -0.03, -1, -1
+    set High         = 0.03, 1, 1
+    set Overlap      = 0.05
+    set Method       = multipliers
+    set Energy limit = 0.1
+  end
+end
+subsection Time
+  set End time    = 1e-4
+  set Step factor = 0.5
+end
+subsection Output
+  set Samples   = 10
+  set Snapshots = 1
+end
+"""
+
+TRANSMISSION = """set Kind = transmission
+subsection Waves
+  set Medium         = chain
+  set Spacing        = 0.01
+  set Normal modulus = 25e9
+  set Density        = 2400
+  set Element size   = 4
+  set Overlap        = 4
+  set Methods        = absorber, slaved
+  set Wavelengths    = 0.08, 0.16
+  set Layer          = 2
 end
 """

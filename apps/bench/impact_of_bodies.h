@@ -1,0 +1,17 @@
+#pragma once
+
+#include "apps/bench/impact.h"
+#include "apps/drivers/continuum/model.h"
+#include "apps/process/progress.h"
+
+namespace apps
+{
+  /**
+   * What a bench asks of balls of finite elements that meet: their elements, with a contact that grows stiffer by the fourth power of their number
+   * (doc/tutorials/colliding_balls.md), and for one of these meshes the step and the stiffness alone. @pre explicit, with balls and one contact
+   */
+  std::vector<SceneVariant> impacts_of_bodies(const ContinuumModel &model, bool quick);
+
+  /** Compute one. Unfinished where the user has interrupted. @throws as a run of the scene */
+  ImpactMeasurement measure_bodies(const ContinuumModel &model, const SceneVariant &which, Progress &progress);
+} // namespace apps
