@@ -152,6 +152,43 @@ TEST_CASE("bodies: simplices with sides in one plane overlap by what they share"
   CHECK(found.pieces.empty());
 }
 
+TEST_CASE("bodies: faces that lie on each other overlap in nothing, whatever rounding makes of their common plane",
+          "[dem][bodies]")
+{
+  // Two triangles in one plane, a sixth of a turn apart: what they share has six corners, above and below the plane by chance.
+  dem::UniformRandom random(5);
+  dem::Overlap       found;
+  for (int n = 0; n < 20000; ++n)
+    {
+      Vector3d at, normal;
+      for (int d = 0; d < 3; ++d)
+        {
+          at[d]     = 2 * random() - 1;
+          normal[d] = 2 * random() - 1;
+        }
+      normal.normalize();
+      const Vector3d u = normal.unitOrthogonal(), v = normal.cross(u);
+      const double   sixth = M_PI / 3, turn = 2 * M_PI * random();
+      Simplex        below, above;
+      for (int c = 0; c < 3; ++c)
+        {
+          const double p  = turn + 2 * c * sixth;
+          below.corner[c] = at + std::cos(p) * u + std::sin(p) * v;
+          above.corner[c] = at + std::cos(p + sixth) * u + std::sin(p + sixth) * v;
+        }
+      below.corner[3] = at - normal;
+      above.corner[3] = at + normal;
+      for (Simplex *each : {&below, &above})
+        if (each->volume() < 0)
+          std::swap(each->corner[0], each->corner[1]);
+      dem::find_overlap(below, above, found);
+      REQUIRE(found.volume >= 0);
+      REQUIRE(found.volume < 1e-14);
+      for (const dem::OverlapPiece &piece : found.pieces)
+        REQUIRE((piece.corner[0] - at).norm() < 1.1);
+    }
+}
+
 TEST_CASE("bodies: forces of the potential are the slope of its energy, moved as one or deformed", "[dem][bodies]")
 {
   const int          corners = GENERATE(3, 4);
