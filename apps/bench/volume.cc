@@ -19,18 +19,19 @@ namespace apps
   {
     void write_waves(const BenchResults &results, const std::vector<WavePoint> &rows)
     {
-      std::string csv =
-        "method,wavelength [m],reflected [-],transmitted [-],absorbed [-],made [-],cost of a step [-],steps\n";
-      std::string md =
-        "| Method | Wavelength [m] | Reflected | Transmitted | Absorbed | Made | Cost of a step | Steps |\n"
-        "|---|---|---|---|---|---|---|---|\n";
+      std::string csv = "method,wavelength [m],reflected [-],transmitted [-],absorbed [-],made [-],cost of a step "
+                        "[-],steps,unhindered [-]\n";
+      std::string md = "| Method | Wavelength [m] | Reflected | Transmitted | Absorbed | Made | Cost of a step | Steps "
+                       "| Unhindered |\n"
+                       "|---|---|---|---|---|---|---|---|---|\n";
       for (const WavePoint &r : rows)
         {
           const WaveAnswer &a = r.answer;
-          csv += fmt::format("{},{},{},{},{},{},{},{}\n", r.method, r.wavelength, a.reflected, a.transmitted,
-                             a.absorbed, a.made, a.cost, a.steps);
-          md += fmt::format("| {} | {:.4g} | {:.4f} | {:.4f} | {:.4f} | {:.1e} | {:.2f} | {} |\n", r.method,
-                            r.wavelength, a.reflected, a.transmitted, a.absorbed, a.made, a.cost, a.steps);
+          csv += fmt::format("{},{},{},{},{},{},{},{},{}\n", r.method, r.wavelength, a.reflected, a.transmitted,
+                             a.absorbed, a.made, a.cost, a.steps, a.unhindered);
+          md +=
+            fmt::format("| {} | {:.4g} | {:.4f} | {:.4f} | {:.4f} | {:.1e} | {:.2f} | {} | {:.4f} |\n", r.method,
+                        r.wavelength, a.reflected, a.transmitted, a.absorbed, a.made, a.cost, a.steps, a.unhindered);
         }
       results.write(csv, md);
     }

@@ -38,9 +38,9 @@ namespace coupling
   const VolumeCoupling<dim> &ConcurrentMotion<dim>::add_volume(const VolumeCouplingParameters &parameters)
   {
     handshakes.push_back(std::make_unique<VolumeCoupling<dim>>(specimen, solid, motion, participant, parameters));
-    const auto &added = handshakes.back()->particles();
-    corrected.insert(corrected.end(), added.begin(), added.end());
-    auto sorted = corrected;
+    std::vector<std::size_t> sorted;
+    for (const auto &h : handshakes)
+      sorted.insert(sorted.end(), h->particles().begin(), h->particles().end());
     std::sort(sorted.begin(), sorted.end());
     const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
     if (twice != sorted.end())
@@ -181,13 +181,17 @@ namespace coupling
       specimen.set_time_step(step);
       if (lead)
         lead();
+      corrected.clear();
+      std::vector<std::size_t> first;
+      for (const auto &h : handshakes)
+        {
+          first.push_back(corrected.size());
+          const auto count = static_cast<std::ptrdiff_t>(h->corrected_in(kick_of(step, last_particle_step)));
+          corrected.insert(corrected.end(), h->particles().begin(), h->particles().begin() + count);
+        }
       specimen.advance(corrected, [&](dem::StepCorrection &correction) {
-        std::size_t first = 0;
-        for (const auto &h : handshakes)
-          {
-            h->correct(correction, first);
-            first += h->particles().size();
-          }
+        for (std::size_t h = 0; h < handshakes.size(); ++h)
+          handshakes[h]->correct(correction, first[h]);
         if (step < steps.window)
           return;
         step_solid(steps.window);

@@ -1,19 +1,21 @@
 #pragma once
 
 #include "coupling/volume/multipliers.h"
-#include "dem/measures/spline_grid.h"
+#include "dem/measures/fine_scale.h"
 
 #include <Eigen/Core>
 
+#include <limits>
 #include <vector>
 
 namespace coupling
 {
-  /** How the absorber tells what a mesh can carry from what it cannot. */
+  /** How the absorber tells what a mesh can carry from what it cannot, and how it goes on in time. */
   struct AbsorberParameters
   {
-    double spacing   = 0; ///< H of the grid of averages [m], > 0
-    int    sharpness = 3; ///< p: how often the average is taken off, >= 1
+    double spacing   = 0;   ///< H of the grid of averages [m], > 0
+    int    sharpness = 3;   ///< p: how often the average is taken off, >= 1
+    double phase     = 1.9; ///< longest time damped at once, times the largest rate: > 0, below 2
   };
 
   /** Who takes part in an average: particles, and points of the solid where there are no particles any more. */
@@ -31,48 +33,46 @@ namespace coupling
   };
 
   /**
-   * Damps what a mesh cannot carry and would throw back (doc/theory/volume-coupling.md, 4): m dv/dt = -F^T C F v with F = (1 - G)^p, G
-   * the average over a grid of cubic B-splines, which is no projection and mirrors nothing. It only ever takes energy, whatever the
-   * arrangement of the particles.
+   * Damps what a mesh cannot carry and would throw back (doc/theory/volume-coupling.md, 4): m dv/dt = -F^T C F v with F = (1 - G)^p (1 -
+   * Pi), G the average over a grid of cubic B-splines, which is no projection and mirrors nothing, Pi the fit of rigid motion and even
+   * strain. It only ever takes energy, whatever the arrangement of the particles.
    */
   class FineScaleAbsorber
   {
   public:
-    /** @throws base::InputError for a spacing or sharpness that is none */
+    /** @throws base::InputError for a spacing, sharpness or phase that is none */
     FineScaleAbsorber(const AbsorberParameters &parameters, AbsorberCarriers carriers);
 
     /** What damping over a time [s] changes of velocities [m/s]. */
     CarrierChanges changes(const CarrierRows &particles, const CarrierRows &nodes, double time) const;
 
-    double largest_rate() const { return fastest; } ///< largest eigenvalue of the damping [1/s]
+    double largest_rate() const { return fastest; } ///< not below the largest eigenvalue of the damping [1/s]
+    /** Longest time that may be damped in one go [s]. */
+    double longest_time() const { return fastest > 0 ? own.phase / fastest : std::numeric_limits<double>::infinity(); }
 
   private:
     static constexpr std::size_t record = dem::SplineGrid::record;
 
-    /** So that the motion of a rigid body, and even strain, are not damped: nor where averages are one-sided, at free faces. */
-    void make_fit();
-    void find_largest_rate();
-    /** What is too fine of velocities of all carriers, which become that. */
-    void take_off_averages(base::Column &all) const;
-    /** The transpose. */
-    void take_off_averages_transposed(base::Column &all) const;
-    /** Damping force over velocities of particles and nodes [N]. */
-    CarrierChanges forces(const CarrierRows &particles, const CarrierRows &nodes) const;
-
-    const Eigen::Vector3d &place(const std::size_t carrier) const
+    void           find_largest_rate();
+    CarrierChanges in_steps(const CarrierRows &particles, const CarrierRows &nodes, double time, int steps) const;
+    void           enter(const CarrierRows &particles) const;
+    /** What velocities that were entered have become since is added to these. */
+    void add_entered(CarrierRows &particles) const;
+    /** Velocities that were entered and those of the nodes, less so many times force over mass. */
+    void                                 step(double time, CarrierRows &nodes) const;
+    Eigen::Map<const Eigen::RowVector3d> row(const base::Column &column, const std::size_t carrier) const
     {
-      const std::size_t of_particles = carriers.places.size();
-      return carrier < of_particles ? carriers.places[carrier] : carriers.points[carrier - of_particles];
+      return Eigen::Map<const Eigen::RowVector3d>(&column[row_of[carrier]]);
     }
-    std::size_t size() const { return carriers.places.size() + carriers.points.size(); }
 
-    int                  sharpness;
-    AbsorberCarriers     carriers;
-    WeightRows           points_of_nodes; ///< transpose of the weights
-    dem::SplineGrid      grid;
-    Eigen::VectorXd      mass, inverse_grid_mass; ///< of carriers, of knots
-    Eigen::MatrixXd      affine, fit; ///< fields that vary evenly with the place; what of them velocities have
-    double               fastest = 0;
-    mutable base::Column on_grid, averaged, of_all; ///< during a call
+    AbsorberParameters       own;
+    AbsorberCarriers         carriers;
+    WeightRows               points_of_nodes; ///< transpose of the weights
+    dem::FineScaleFilter     filter;
+    std::vector<std::size_t> row_of;       ///< of each carrier in the filter's order
+    base::Column             inverse_mass; ///< of the carriers in that order; of points none, whose nodes move
+    double                   fastest = 0;
+    mutable base::Column     velocity, force;     ///< of all carriers, during a call
+    mutable CarrierRows      at_points, on_nodes; ///< likewise
   };
 } // namespace coupling

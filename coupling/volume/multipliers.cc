@@ -1,5 +1,8 @@
 #include "coupling/volume/multipliers.h"
 
+#include <Eigen/SparseCholesky>
+
+#include <algorithm>
 #include <stdexcept>
 
 namespace coupling
@@ -23,27 +26,49 @@ namespace coupling
     }
   } // namespace
 
-  void Multipliers::factor(const Eigen::SparseMatrix<double> &system, Axis &axis)
+  Multipliers::Factor::Factor(const Eigen::SparseMatrix<double> &system)
   {
-    for (std::size_t before = 0; &axes[before] != &axis; ++before)
-      if (axes[before].factor && axes[before].particles == axis.particles && axes[before].nodes == axis.nodes)
-        {
-          axis.factor = axes[before].factor;
-          axis.system = axes[before].system;
-          return;
-        }
-    axis.factor           = std::make_shared<Factor>(system);
-    const auto well_posed = [](const VectorXd &pivots) {
-      return pivots.minCoeff() > smallest_pivot * pivots.maxCoeff();
-    };
-    if (axis.factor->info() == Eigen::Success && well_posed(axis.factor->vectorD()))
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> made(system);
+    valid = made.info() == Eigen::Success && system.rows() > 0;
+    if (!valid)
       return;
-    axis.system = system;
+    lower  = made.matrixL().nestedExpression();
+    pivots = made.vectorD();
+    order  = made.permutationP();
+  }
+
+  void Multipliers::Factor::solve(const CarrierRows &right, CarrierRows &solution) const
+  {
+    // All columns on the way through the factor, which is what costs.
+    solution                 = order * right;
+    const Eigen::Index rows  = lower.rows();
+    const int         *first = lower.outerIndexPtr(), *row_of = lower.innerIndexPtr();
+    const double      *entry   = lower.valuePtr();
+    constexpr int      columns = CarrierRows::ColsAtCompileTime;
+    double *const      x       = solution.data();
+    for (Eigen::Index j = 0; j < rows; ++j)
+      for (int at = first[j]; at < first[j + 1]; ++at)
+        for (int c = 0; c < columns; ++c)
+          x[columns * row_of[at] + c] -= entry[at] * x[columns * j + c];
+    solution.array().colwise() /= pivots.array();
+    for (Eigen::Index j = rows - 1; j >= 0; --j)
+      for (int at = first[j]; at < first[j + 1]; ++at)
+        for (int c = 0; c < columns; ++c)
+          x[columns * j + c] -= entry[at] * x[columns * row_of[at] + c];
+    solution = (order.transpose() * solution).eval();
+  }
+
+  void Multipliers::factor(Group &group, const Eigen::SparseMatrix<double> &system)
+  {
+    group.factor = Factor(system);
+    if (group.factor.valid && group.factor.pivots.minCoeff() > smallest_pivot * group.factor.pivots.maxCoeff())
+      return;
+    group.system = system;
     Eigen::SparseMatrix<double> raised(system.rows(), system.cols());
     raised.setIdentity();
-    raised      = system + ridge * VectorXd(system.diagonal()).maxCoeff() * raised;
-    axis.factor = std::make_shared<Factor>(raised);
-    if (axis.factor->info() != Eigen::Success)
+    raised       = system + ridge * VectorXd(system.diagonal()).maxCoeff() * raised;
+    group.factor = Factor(raised);
+    if (!group.factor.valid)
       throw std::runtime_error("the system of the multipliers cannot be factored.");
   }
 
@@ -57,49 +82,62 @@ namespace coupling
     , rows_on_nodes(rows_on_particles * weights)
     , of_particles(rows_on_particles.transpose())
     , of_nodes(rows_on_nodes.transpose())
+    , inverse_particles(particles)
+    , inverse_nodes(nodes)
   {
     for (int c = 0; c < 3; ++c)
       {
-        Axis &axis     = axes[static_cast<std::size_t>(c)];
-        axis.particles = particles.col(c);
-        axis.nodes     = nodes.col(c);
-        if (axis.particles.isZero(0) && axis.nodes.isZero(0))
+        const VectorXd of_axis = particles.col(c), of_axis_nodes = nodes.col(c);
+        if (of_axis.isZero(0) && of_axis_nodes.isZero(0))
           continue; // nothing can move along it
-        const Eigen::SparseMatrix<double> a = rows_on_particles * axis.particles.asDiagonal() * of_particles +
-                                              rows_on_nodes * axis.nodes.asDiagonal() * of_nodes;
-        if (lumped)
+        const auto same = std::find_if(groups.begin(), groups.end(), [&](const Group &group) {
+          const int other = group.axes.front();
+          return particles.col(other) == of_axis && nodes.col(other) == of_axis_nodes;
+        });
+        if (same != groups.end())
           {
-            axis.lumped = a * VectorXd::Ones(a.cols());
-            axis.lumped = axis.lumped.unaryExpr([](const double sum) { return sum > 0 ? 1 / sum : 0.0; });
+            same->axes.push_back(c);
             continue;
           }
-        factor(a, axis);
+        groups.emplace_back();
+        groups.back().axes                  = {c};
+        const Eigen::SparseMatrix<double> a = rows_on_particles * of_axis.asDiagonal() * of_particles +
+                                              rows_on_nodes * of_axis_nodes.asDiagonal() * of_nodes;
+        if (lumped)
+          {
+            groups.back().lumped = a * VectorXd::Ones(a.cols());
+            groups.back().lumped =
+              groups.back().lumped.unaryExpr([](const double sum) { return sum > 0 ? 1 / sum : 0.0; });
+          }
+        else
+          factor(groups.back(), a);
       }
   }
 
-  VectorXd Multipliers::solve(const Axis &axis, const VectorXd &right) const
+  CarrierRows Multipliers::solve(const Group &group, const CarrierRows &right) const
   {
-    if (!axis.factor)
-      return axis.lumped.cwiseProduct(right);
-    VectorXd lambda = axis.factor->solve(right);
-    for (int pass = 0; axis.system.size() > 0 && pass < passes_of_refinement; ++pass)
-      lambda += axis.factor->solve(right - axis.system * lambda);
+    if (group.lumped.size() > 0)
+      return group.lumped.asDiagonal() * right;
+    CarrierRows lambda, further;
+    group.factor.solve(right, lambda);
+    for (int pass = 0; group.system.size() > 0 && pass < passes_of_refinement; ++pass)
+      {
+        group.factor.solve(right - group.system * lambda, further);
+        lambda += further;
+      }
     return lambda;
   }
 
   CarrierChanges Multipliers::changes(const CarrierRows &particles, const CarrierRows &nodes) const
   {
-    CarrierChanges change{CarrierRows::Zero(particles.rows(), 3), CarrierRows::Zero(nodes.rows(), 3)};
-    for (int c = 0; c < 3; ++c)
+    const CarrierRows lacking = rows_on_particles * particles - rows_on_nodes * nodes;
+    CarrierRows       lambda  = CarrierRows::Zero(lacking.rows(), 3);
+    for (const Group &group : groups)
       {
-        const Axis &axis = axes[static_cast<std::size_t>(c)];
-        if (!axis.factor && axis.lumped.size() == 0)
-          continue;
-        const VectorXd lambda =
-          solve(axis, rows_on_particles * VectorXd(particles.col(c)) - rows_on_nodes * VectorXd(nodes.col(c)));
-        change.particles.col(c) = -axis.particles.cwiseProduct(VectorXd(of_particles * lambda));
-        change.nodes.col(c)     = axis.nodes.cwiseProduct(VectorXd(of_nodes * lambda));
+        const CarrierRows found = solve(group, lacking);
+        for (const int c : group.axes)
+          lambda.col(c) = found.col(c);
       }
-    return change;
+    return {-inverse_particles.cwiseProduct(of_particles * lambda), inverse_nodes.cwiseProduct(of_nodes * lambda)};
   }
 } // namespace coupling

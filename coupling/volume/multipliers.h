@@ -2,17 +2,14 @@
 
 #include "coupling/volume/parameters.h"
 
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
-#include <array>
-#include <memory>
 #include <vector>
 
 namespace coupling
 {
   /** Velocities (or inverse masses) of carriers, a row for each, a column for each axis. */
-  using CarrierRows = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+  using CarrierRows = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
   using WeightRows  = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
   /** Impulses that a correction gives to both sides, as changes of velocities [m/s]. */
@@ -45,21 +42,33 @@ namespace coupling
     Eigen::Index nodes() const { return rows_on_nodes.cols(); }
 
   private:
-    using Factor = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>;
-    struct Axis
+    /** L D L^T of a system. */
+    struct Factor
     {
-      Eigen::VectorXd             particles, nodes; ///< inverse masses [1/kg]
-      Eigen::SparseMatrix<double> system;           ///< where its factor is not that of the very system
-      std::shared_ptr<Factor>     factor;           ///< none: lumped
-      Eigen::VectorXd             lumped;           ///< inverse of the summed rows
+      Factor() = default;
+      explicit Factor(const Eigen::SparseMatrix<double> &system);
+      void solve(const CarrierRows &right, CarrierRows &solution) const;
+
+      bool                                                          valid = false;
+      Eigen::SparseMatrix<double>                                   lower; ///< below the diagonal of ones
+      Eigen::VectorXd                                               pivots;
+      Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
+    };
+    /** Axes along which the same can move. */
+    struct Group
+    {
+      std::vector<int>            axes;
+      Factor                      factor;
+      Eigen::SparseMatrix<double> system; ///< where the factor is not that of the very system
+      Eigen::VectorXd             lumped; ///< inverse of the summed rows; empty: there is a factor
     };
 
-    /** The same factor for axes along which the same can move. */
-    void            factor(const Eigen::SparseMatrix<double> &system, Axis &axis);
-    Eigen::VectorXd solve(const Axis &axis, const Eigen::VectorXd &right) const;
+    static void factor(Group &group, const Eigen::SparseMatrix<double> &system);
+    CarrierRows solve(const Group &group, const CarrierRows &right) const;
 
-    WeightRows          rows_on_particles, rows_on_nodes; ///< constraint = first * particles - second * nodes
-    WeightRows          of_particles, of_nodes;           ///< their transposes
-    std::array<Axis, 3> axes;
+    WeightRows         rows_on_particles, rows_on_nodes; ///< constraint = first * particles - second * nodes
+    WeightRows         of_particles, of_nodes;           ///< their transposes
+    CarrierRows        inverse_particles, inverse_nodes; ///< masses [1/kg]
+    std::vector<Group> groups;
   };
 } // namespace coupling

@@ -35,6 +35,7 @@ namespace coupling
     double layer     = 0;     ///< how far the absorber reaches into the particles' own region [m]
     double rate      = 0;     ///< of the absorber at the overlap's outer side [1/s]
     double spacing   = 0;     ///< of its grid [m]
+    double phase     = 1.9;   ///< longest time damped at once, times its largest eigenvalue: below 2
   };
 
   /** Measures of an absorber beside those of the mesh; as here where nothing else is said (doc/theory/volume-coupling.md, 4). */
@@ -43,6 +44,7 @@ namespace coupling
     double layer = 4;    ///< how far it reaches into the particles' own region, in elements
     double rate  = 8;    ///< at its largest, times element size over speed of compression waves
     double grid  = 0.84; ///< spacing of its averages, in elements
+    double phase = 1.9;  ///< longest time damped at once, times the largest eigenvalue
   };
 
   /** What the mesh cannot carry is damped. @param element_size of the solid in the overlap [m] @param wave_speed of compression there [m/s] */

@@ -2,9 +2,11 @@
 
 #include "base/errors.h"
 #include "coupling/volume/bond_shares.h"
+#include "dem/model/particles.h"
 #include "fem/solid/point_search.h"
 
 #include <Eigen/Geometry>
+#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
@@ -34,6 +36,7 @@ namespace coupling
     parameters.layer   = proportions.layer * element_size;
     parameters.rate    = proportions.rate * wave_speed / element_size;
     parameters.spacing = proportions.grid * element_size;
+    parameters.phase   = proportions.phase;
   }
 
   template <int dim>
@@ -92,13 +95,19 @@ namespace coupling
   template <int dim>
   void VolumeCoupling<dim>::find_particles()
   {
-    const std::size_t        bonded = bonded_particles(specimen);
-    std::vector<std::size_t> beside; // in the absorber's layer, or near enough to count in its averages
-    // Each of the p averages looks two knots to either side.
-    const double reach = own.layer + 2 * own.sharpness * own.spacing;
-    for (std::size_t i = 0; i < bonded; ++i)
+    const std::size_t bonded = bonded_particles(specimen);
+    std::vector<std::size_t>
+      beside; // in the absorber's layer; at its start nothing is damped, and one-sided averages do not matter
+    std::vector<Vector3d> all;
+    for (std::size_t i = 0; i < specimen.counts().particles; ++i)
+      all.push_back(specimen.particle(i).position);
+    // In the specimen's own order: neighbours are next to each other in memory.
+    for (const std::int32_t number : dem::hilbert_order(all))
       {
-        const Vector3d place    = specimen.particle(i).position;
+        const auto i = static_cast<std::size_t>(number);
+        if (i >= bonded)
+          continue;
+        const Vector3d place    = all[i];
         const double   distance = own.overlap.distance(place);
         if (own.overlap.contains(place))
           {
@@ -107,7 +116,7 @@ namespace coupling
             watched.push_back(i);
             continue;
           }
-        if (own.absorbs && distance < 0 && distance > -reach)
+        if (own.absorbs && distance < 0 && distance > -own.layer)
           beside.push_back(i);
         if (distance > 0 && lies_in_solid(place))
           refuse(i, "lies in the solid beyond the overlap. Let particles end with it.");
@@ -122,7 +131,7 @@ namespace coupling
     overlap_nodes = static_cast<Index>(node_map.nodes().size());
     watched.insert(watched.end(), beside.begin(), beside.end());
     for (const std::size_t i : watched)
-      places.push_back(specimen.particle(i).position);
+      places.push_back(all[i]);
   }
 
   template <int dim>
@@ -216,31 +225,82 @@ namespace coupling
   void VolumeCoupling<dim>::make_absorber()
   {
     AbsorberCarriers all;
-    all.dimension    = dim;
-    all.places       = places;
-    all.whole_mass   = whole_mass;
-    all.damping      = Eigen::VectorXd(mass.rows());
-    all.inverse_mass = inverse_mass;
+    all.dimension  = dim;
+    all.places     = places;
+    all.whole_mass = whole_mass;
+    Eigen::VectorXd rates(mass.rows());
     for (Index k = 0; k < mass.rows(); ++k)
       {
         const double along = std::clamp((own.overlap.distance(places[static_cast<std::size_t>(k)]) + own.layer) /
                                           (own.layer + own.overlap.width),
                                         0.0, 1.0);
-        all.damping[k]     = own.rate * along * along * mass(k, 0);
+        rates[k]           = own.rate * along * along;
       }
+    all.damping      = rates.cwiseProduct(mass.col(0));
+    all.inverse_mass = inverse_mass;
     enter_points(all);
     weigh_nodes();
     all.inverse_node_mass = inverse_node_mass;
-    absorber.emplace(AbsorberParameters{own.spacing, own.sharpness}, std::move(all));
+    absorber.emplace(AbsorberParameters{own.spacing, own.sharpness, own.phase}, std::move(all));
+    if (specimen.parameters().physics.rotations)
+      make_spin_absorber(rates);
+  }
+
+  template <int dim>
+  void VolumeCoupling<dim>::make_spin_absorber(const Eigen::VectorXd &rates)
+  {
+    const Index rows = mass.rows();
+    inertia = inverse_inertia = CarrierRows::Zero(rows, 3);
+    AbsorberCarriers all;
+    all.dimension  = dim;
+    all.places     = places;
+    all.whole_mass = all.damping = Eigen::VectorXd(rows);
+    for (Index k = 0; k < rows; ++k)
+      {
+        const dem::ParticleState p = specimen.particle(watched[static_cast<std::size_t>(k)]);
+        for (int c = dim == 3 ? 0 : 2; c < 3; ++c)
+          {
+            inertia(k, c)         = p.inertia;
+            inverse_inertia(k, c) = p.held[static_cast<std::size_t>(3 + c)] ? 0.0 : 1 / p.inertia;
+          }
+        all.whole_mass[k] = p.inertia * whole_mass[k] / p.mass;
+        all.damping[k]    = rates[k] * p.inertia;
+      }
+    all.inverse_mass = inverse_inertia;
+    all.point_mass.resize(0);
+    all.weights.resize(0, 0);
+    all.inverse_node_mass.resize(0, 3);
+    spin_absorber.emplace(AbsorberParameters{own.spacing, own.sharpness, own.phase}, std::move(all));
+  }
+
+  template <int dim>
+  double VolumeCoupling<dim>::longest_absorption() const
+  {
+    return spin_absorber ? std::min(absorber->longest_time(), spin_absorber->longest_time()) : absorber->longest_time();
+  }
+
+  template <int dim>
+  unsigned int VolumeCoupling<dim>::points_per_axis() const
+  {
+    // Two where they are still few beside the particles that would be there; with one the longest of the waves that elements
+    // hardly carry lose a hundredth more.
+    constexpr double particles_between = 4;
+    const auto       cell              = solid.dofs().begin_active();
+    const double     thickness         = dim == 2 ? solid.options().thickness : 1.0,
+                 room                  = whole_mass.mean() / (motion.density(cell->material_id()) * thickness);
+    const bool fine = cell->diameter() / std::sqrt(dim) >= 0.99 * particles_between * std::pow(room, 1.0 / dim);
+    return fine ? 2 : 1;
   }
 
   template <int dim>
   void VolumeCoupling<dim>::enter_points(AbsorberCarriers &all)
   {
-    const double                                 reach     = own.overlap.width + 2 * own.sharpness * own.spacing;
+    // An average looks two knots to either side; those of averages hardly look further.
+    const double                                 reach     = own.overlap.width + 3 * own.spacing;
     const double                                 thickness = dim == 2 ? solid.options().thickness : 1.0;
     const auto                                  &fe        = solid.dofs().get_fe();
-    dealii::FEValues<dim>                        values(solid.mapping(), fe, solid.quadrature(),
+    const dealii::QGauss<dim>                    points(points_per_axis());
+    dealii::FEValues<dim>                        values(solid.mapping(), fe, points,
                                                         dealii::update_values | dealii::update_quadrature_points | dealii::update_JxW_values);
     std::vector<dealii::types::global_dof_index> indices(fe.n_dofs_per_cell());
     std::vector<double>                          masses;
@@ -320,45 +380,92 @@ namespace coupling
   }
 
   template <int dim>
+  std::size_t VolumeCoupling<dim>::corrected_in(const double kick)
+  {
+    // Kicks further apart than half the period of a wave turn it round; particles hardly carry any of four steps.
+    constexpr int most_steps = 2;
+    absorbs_now              = absorber && (steps_waited + 1 >= most_steps || waited + 2 * kick > longest_absorption());
+    return absorbs_now ? watched.size() : overlapping;
+  }
+
+  template <int dim>
+  void VolumeCoupling<dim>::constrain(CorrectedRows &now, CarrierRows &together)
+  {
+    const Index          shared = multipliers->nodes();
+    const CarrierChanges change = multipliers->changes(now.topRows(together.rows()), velocity.topRows(shared));
+    together += change.particles;
+    now.topRows(together.rows()) += change.particles;
+    velocity.topRows(shared) += change.nodes;
+    impulse_together.topRows(shared) += node_mass.topRows(shared).cwiseProduct(change.nodes) / ratio;
+  }
+
+  template <int dim>
+  CarrierRows VolumeCoupling<dim>::absorb(const CorrectedRows &before,
+                                          CorrectedRows       &now,
+                                          const CarrierRows   &nodes_before,
+                                          const double         time)
+  {
+    const CarrierChanges change = absorber->changes(0.5 * (before + now), 0.5 * (nodes_before + velocity), time);
+    now += change.particles;
+    velocity += change.nodes;
+    impulse_absorber += node_mass.cwiseProduct(change.nodes) / ratio;
+    return change.particles;
+  }
+
+  template <int dim>
+  void VolumeCoupling<dim>::absorb_spins(dem::StepCorrection &correction, const std::size_t first, const double time)
+  {
+    constexpr std::size_t      spin = 3;
+    const Eigen::OuterStride<> stride(axes);
+    const CorrectedRows        before(const_cast<double *>(&correction.before[axes * first + spin]), inertia.rows(), 3,
+                                      stride);
+    CorrectedRows              now(&correction.velocity[axes * first + spin], inertia.rows(), 3, stride);
+    const CarrierRows          change = spin_absorber->changes(0.5 * (before + now), CarrierRows(0, 3), time).particles;
+    now += change;
+    const CarrierRows mean = (correction.half_before * before + correction.half_after * now) /
+                             (correction.half_before + correction.half_after);
+    exchanged.absorbed -= inertia.cwiseProduct(change).cwiseProduct(mean).sum();
+  }
+
+  template <int dim>
   void VolumeCoupling<dim>::keep_together(dem::StepCorrection &correction,
                                           const std::size_t    first,
                                           const CarrierRows   &nodes_before)
   {
-    const auto   rows = static_cast<Index>(watched.size()), shared = static_cast<Index>(overlapping);
+    const auto rows   = static_cast<Index>(absorbs_now ? watched.size() : overlapping),
+               shared = static_cast<Index>(overlapping);
     const double kick = correction.half_before + correction.half_after;
-    CarrierRows  before(rows, 3), now(rows, 3);
+    waited += kick;
+    ++steps_waited;
+    const Eigen::OuterStride<> stride(axes);
+    const CorrectedRows        before(const_cast<double *>(&correction.before[axes * first]), rows, 3, stride);
+    CorrectedRows              now(&correction.velocity[axes * first], rows, 3, stride);
+    CarrierRows                together = CarrierRows::Zero(shared, 3), absorbed;
+    constrain(now, together);
+    if (absorbs_now)
+      {
+        absorbed = absorb(before, now, nodes_before, waited);
+        constrain(now, together);
+        if (spin_absorber)
+          absorb_spins(correction, first, waited);
+        waited       = 0;
+        steps_waited = 0;
+      }
     for (Index k = 0; k < rows; ++k)
       {
-        const std::size_t at = first + static_cast<std::size_t>(k);
-        before.row(k)        = rate_of(correction.before, at);
-        now.row(k)           = rate_of(correction.velocity, at);
-      }
-    CarrierRows together = CarrierRows::Zero(rows, 3), absorbed = CarrierRows::Zero(rows, 3);
-    const auto  constrain = [&] {
-      const CarrierChanges change = multipliers->changes(now.topRows(shared), velocity.topRows(multipliers->nodes()));
-      together.topRows(shared) += change.particles;
-      now.topRows(shared) += change.particles;
-      velocity.topRows(multipliers->nodes()) += change.nodes;
-      impulse_together.topRows(multipliers->nodes()) +=
-        node_mass.topRows(multipliers->nodes()).cwiseProduct(change.nodes) / ratio;
-    };
-    constrain();
-    if (absorber)
-      {
-        const CarrierChanges change = absorber->changes(0.5 * (before + now), 0.5 * (nodes_before + velocity), kick);
-        absorbed                    = change.particles;
-        now += change.particles;
-        velocity += change.nodes;
-        impulse_absorber += node_mass.cwiseProduct(change.nodes) / ratio;
-        constrain();
-      }
-    const CarrierRows mean = (correction.half_before * before + correction.half_after * now) / kick;
-    exchanged.absorbed -= mass.cwiseProduct(absorbed).cwiseProduct(mean).sum();
-    exchanged.work_on_particles += mass.cwiseProduct(together).cwiseProduct(mean).sum();
-    for (Index k = 0; k < rows; ++k)
-      {
-        Eigen::Map<Vector3d>(&correction.velocity[axes * (first + static_cast<std::size_t>(k))]) = now.row(k);
-        const Vector3d impulse = mass.row(k).cwiseProduct(together.row(k) + absorbed.row(k));
+        const Vector3d mean    = (correction.half_before * before.row(k) + correction.half_after * now.row(k)) / kick;
+        Vector3d       impulse = Vector3d::Zero();
+        if (absorbs_now)
+          {
+            impulse = mass.row(k).cwiseProduct(absorbed.row(k));
+            exchanged.absorbed -= impulse.dot(mean);
+          }
+        if (k < shared)
+          {
+            const Vector3d tied = mass.row(k).cwiseProduct(together.row(k));
+            exchanged.work_on_particles += tied.dot(mean);
+            impulse += tied;
+          }
         exchanged.to_particles += impulse;
         exchanged.turn_to_particles += places[static_cast<std::size_t>(k)].cross(impulse);
       }
@@ -371,8 +478,8 @@ namespace coupling
     CarrierRows  impulse = CarrierRows::Zero(velocity.rows(), 3);
     for (const Entry &e : at_particles)
       {
-        const Vector3d force  = rate_of(correction.force, first + e.row),
-                       couple = rate_of(correction.force, first + e.row, 3);
+        const double  *pull = correction.force(first + e.row);
+        const Vector3d force(pull), couple(pull + 3);
         impulse.row(static_cast<Index>(e.node)) += kick * (e.weight * force + 0.5 * couple.cross(e.gradient));
       }
     impulse_together += impulse;
@@ -388,14 +495,15 @@ namespace coupling
       }
     for (std::size_t k = 0; k < overlapping; ++k)
       for (const std::size_t part : {std::size_t(0), std::size_t(3)})
-        exchanged.work_on_particles -= rate_of(correction.force, first + k, part)
+        exchanged.work_on_particles -= Vector3d(correction.force(first + k) + part)
                                          .dot(correction.half_before * rate_of(correction.before, first + k, part) +
                                               correction.half_after * rate_of(correction.velocity, first + k, part));
     for (std::size_t k = 0; k < overlapping; ++k)
       {
-        const Vector3d given = -kick * rate_of(correction.force, first + k);
+        const double  *pull  = correction.force(first + k);
+        const Vector3d given = -kick * Vector3d(pull);
         exchanged.to_particles += given;
-        exchanged.turn_to_particles += places[k].cross(given) - kick * rate_of(correction.force, first + k, 3);
+        exchanged.turn_to_particles += places[k].cross(given) - kick * Vector3d(pull + 3);
       }
   }
 
@@ -435,14 +543,14 @@ namespace coupling
     std::vector<bool>     inside(specimen.counts().particles, false);
     for (std::size_t k = 0; k < overlapping; ++k)
       inside[watched[k]] = true;
-    std::size_t all = 0, damaged = 0;
+    std::size_t all = 0, hurt = 0;
     for (std::size_t l = 0; l < links.ends.size(); ++l)
       if (links.kind[l] != dem::LinkOutput::contact && (inside[links.ends[l][0]] || inside[links.ends[l][1]]))
         {
           ++all;
-          damaged += links.kind[l] == dem::LinkOutput::broken || links.damage[l] > 0;
+          hurt += links.kind[l] == dem::LinkOutput::broken || links.damage[l] > 0;
         }
-    return {all, damaged};
+    return {all, hurt};
   }
 
   template <int dim>
@@ -471,6 +579,8 @@ namespace coupling
     visitor.scalar(name + "work_on_particles", exchanged.work_on_particles);
     visitor.scalar(name + "work_on_solid", exchanged.work_on_solid);
     visitor.scalar(name + "absorbed", exchanged.absorbed);
+    visitor.scalar(name + "waited", waited);
+    visitor.scalar(name + "steps_waited", steps_waited);
   }
 
   template class VolumeCoupling<2>;

@@ -30,7 +30,8 @@ namespace coupling
   /**
    * Particles inside a solid: a handshake. The solid has to be made with Overlap::of_solid() as its share, unless particles are slaved.
    *
-   * In each window of time: begin(), then in each step of the particles correct(), and finish() before the solid takes its own step.
+   * In each window of time: begin(), then in each step of the particles corrected_in() and correct(), and finish() before the solid takes
+   * its own step.
    */
   template <int dim>
   class VolumeCoupling
@@ -54,6 +55,8 @@ namespace coupling
 
     /** The solid is about to go through a window [s]; forces on it by others are known. */
     void begin(double window);
+    /** How many of its particles, from the first, the next step corrects. @param kick halves of the steps that meet there [s] */
+    std::size_t corrected_in(double kick);
     /** Of one step of the particles in it. @param first where this coupling's particles begin in the correction */
     void correct(dem::StepCorrection &correction, std::size_t first);
     /** Push the solid as the particles did in the window. */
@@ -72,6 +75,8 @@ namespace coupling
 
   private:
     using Entry = typename NodeMap<dim>::Entry;
+    /** Velocities along the axes of particles in a correction. */
+    using CorrectedRows = Eigen::Map<CarrierRows, Eigen::Unaligned, Eigen::OuterStride<>>;
 
     /** All, and damaged ones. */
     std::pair<std::size_t, std::size_t> count_shared_bonds() const;
@@ -85,13 +90,22 @@ namespace coupling
     /** Multipliers for so many steps of the particles in one of the solid. */
     void tie(double steps);
     void make_absorber();
-    void find_stiffness_of_slaves();
+    /** Of spins, which elements have none of. @param rates at which motion is damped [1/s] */
+    void   make_spin_absorber(const Eigen::VectorXd &rates);
+    double longest_absorption() const; ///< that takes one go [s]
+    void   find_stiffness_of_slaves();
     /** Points of the solid just outside the overlap, where particles would be if they went on. */
-    void        enter_points(AbsorberCarriers &all);
-    CarrierRows of_nodes(const fem::Vector &field) const;
-    void        lead(dem::StepCorrection &correction, std::size_t first);
+    void         enter_points(AbsorberCarriers &all);
+    unsigned int points_per_axis() const; ///< of an element
+    CarrierRows  of_nodes(const fem::Vector &field) const;
+    void         lead(dem::StepCorrection &correction, std::size_t first);
     /** @param before velocities of the nodes before the step */
     void keep_together(dem::StepCorrection &correction, std::size_t first, const CarrierRows &before);
+    /** Its parts. @param together what multipliers change of particles is added */
+    void constrain(CorrectedRows &now, CarrierRows &together);
+    /** @return what it changes of particles */
+    CarrierRows absorb(const CorrectedRows &before, CorrectedRows &now, const CarrierRows &nodes_before, double time);
+    void        absorb_spins(dem::StepCorrection &correction, std::size_t first, double time);
 
     dem::Specimen               &specimen;
     const fem::Solid<dim>       &solid;
@@ -108,8 +122,12 @@ namespace coupling
     double       ratio         = 0;                                ///< of steps for which the multipliers are
     Eigen::Index overlap_nodes = 0;                                ///< nodes that weigh on its particles: the first
     std::optional<Multipliers>       multipliers;
-    std::optional<FineScaleAbsorber> absorber;
-    double                           added = 0;
+    std::optional<FineScaleAbsorber> absorber, spin_absorber;
+    CarrierRows                      inertia, inverse_inertia; ///< as masses
+    double                           added        = 0;
+    double                           waited       = 0; ///< since the absorber last damped [s]
+    std::int64_t                     steps_waited = 0;
+    bool                             absorbs_now  = false;
 
     double        window = 0;         ///< that has begun [s]
     fem::Vector   predicted;          ///< velocities at its end, if nothing of here pushed [m/s]

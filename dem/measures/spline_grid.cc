@@ -1,17 +1,20 @@
 #include "dem/measures/spline_grid.h"
 
+#include "dem/core/simd.h"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <numeric>
 
 namespace dem
 {
   namespace
   {
-    using Record = Eigen::Matrix<double, 4, 1>;
-
     /** Places that one grid of its own collects: their number decides how sums are formed, not that of the threads. */
-    constexpr std::size_t places_per_part = 16384;
+    constexpr std::size_t places_per_part = 4096;
+    /** Products of two B-splines, integrated, by their distance in knots. */
+    constexpr std::array<double, 4> overlap_of_splines{2416.0 / 5040, 1191.0 / 5040, 120.0 / 5040, 1.0 / 5040};
+    constexpr std::size_t           reach_of_splines = overlap_of_splines.size() - 1;
 
     /** Of the four knots around a place. @param part of the way from the second to the third */
     std::array<double, 4> spline_weights(const double part)
@@ -20,13 +23,34 @@ namespace dem
       return {rest * rest * rest / 6, (4 - 6 * part * part + 3 * part * part * part) / 6,
               (4 - 6 * rest * rest + 3 * rest * rest * rest) / 6, part * part * part / 6};
     }
+
+    /** The knots around a cell: 16 of each layer in two packs. */
+    template <std::size_t Layers>
+    struct KnotBlock
+    {
+      static constexpr std::size_t rows = 4;
+      Pack                         packs[SplineGrid::components][2 * Layers];
+
+      /** Let a function see each row of four: column, where it starts in the block, where it starts on the grid. */
+      template <typename Function>
+      static void each_row(const std::size_t first, const std::array<long, 3> &size, Function &&f)
+      {
+        for (std::size_t z = 0; z < Layers; ++z)
+          for (std::size_t y = 0; y < rows; ++y)
+            f(rows * (rows * z + y),
+              first + (z * static_cast<std::size_t>(size[1]) + y) * static_cast<std::size_t>(size[0]));
+      }
+    };
   } // namespace
 
   SplineGrid::SplineGrid(const std::vector<Eigen::Vector3d> &all, const double spacing, const int dimension)
     : places(all.size())
+    , first(all.size())
+    , given(all.size())
+    , step(spacing)
     , layers(dimension == 3 ? 4 : 1)
   {
-    std::array<long, 3> low{}, high{};
+    std::array<long, 3> high{};
     const auto          axes = static_cast<std::size_t>(dimension);
     const auto          knot = [&](const Eigen::Vector3d &place, const std::size_t c) {
       return static_cast<long>(std::floor(place[static_cast<Eigen::Index>(c)] / spacing));
@@ -46,72 +70,193 @@ namespace dem
         size[c] = c < axes ? high[c] - low[c] + 4 : 1;
         knot_count *= static_cast<std::size_t>(size[c]);
       }
+    std::vector<std::uint32_t> cell(all.size());
     for (std::size_t k = 0; k < all.size(); ++k)
       {
-        std::array<long, 3> first{};
-        places[k].weight[2] = {1, 0, 0, 0};
+        std::array<long, 3> at{};
+        for (std::size_t c = 0; c < axes; ++c)
+          at[c] = knot(all[k], c) - low[c];
+        cell[k] = static_cast<std::uint32_t>((at[2] * size[1] + at[1]) * size[0] + at[0]);
+      }
+    std::iota(given.begin(), given.end(), std::size_t(0));
+    std::stable_sort(given.begin(), given.end(),
+                     [&](const std::size_t a, const std::size_t b) { return cell[a] < cell[b]; });
+    for (std::size_t k = 0; k < all.size(); ++k)
+      {
+        std::array<std::array<double, 4>, 3> weight{{{1, 0, 0, 0}, {1, 0, 0, 0}, {1, 0, 0, 0}}};
         for (std::size_t c = 0; c < axes; ++c)
           {
-            const double at     = all[k][static_cast<Eigen::Index>(c)] / spacing;
-            first[c]            = knot(all[k], c) - low[c];
-            places[k].weight[c] = spline_weights(at - std::floor(at));
+            const double at = all[given[k]][static_cast<Eigen::Index>(c)] / spacing;
+            weight[c]       = spline_weights(at - std::floor(at));
           }
-        places[k].first = static_cast<std::uint32_t>((first[2] * size[1] + first[1]) * size[0] + first[0]);
+        for (std::size_t y = 0; y < 4; ++y)
+          for (std::size_t x = 0; x < 4; ++x)
+            places[k].across[4 * y + x] = weight[1][y] * weight[0][x];
+        places[k].along = weight[2];
+        first[k]        = cell[given[k]];
       }
   }
 
-  void SplineGrid::spread_part(const std::size_t begin, const std::size_t end, const double *values, double *grid) const
+  Eigen::Vector3d SplineGrid::place_of_knot(const std::size_t knot) const
   {
-    for (std::size_t k = begin; k < end; ++k)
+    const auto            n = static_cast<long>(knot);
+    const Eigen::Vector3d index(static_cast<double>(n % size[0]), static_cast<double>(n / size[0] % size[1]),
+                                static_cast<double>(n / size[0] / size[1]));
+    Eigen::Vector3d       place;
+    for (Eigen::Index c = 0; c < 3; ++c)
+      place[c] = size[static_cast<std::size_t>(c)] == 1 ?
+                   0.0 :
+                   step * (static_cast<double>(low[static_cast<std::size_t>(c)]) - 1 + index[c]);
+    return place;
+  }
+
+  std::size_t SplineGrid::parts() const { return (places.size() + places_per_part - 1) / places_per_part; }
+
+  template <std::size_t Layers>
+  void SplineGrid::spread_part(
+    const std::size_t begin, const std::size_t end, const double *values, const double *factors, double *grid) const
+  {
+    using Block = KnotBlock<Layers>;
+    for (std::size_t k = begin, next; k < end; k = next)
       {
-        const Place &place = places[k];
-        const Record value = Eigen::Map<const Record>(values + record * k);
-        for (std::size_t z = 0; z < layers; ++z)
-          for (std::size_t y = 0; y < 4; ++y)
-            {
-              const Record across = place.weight[2][z] * place.weight[1][y] * value;
-              double      *row    = grid + record * (place.first + (z * static_cast<std::size_t>(size[1]) + y) *
-                                                             static_cast<std::size_t>(size[0]));
-              for (std::size_t x = 0; x < 4; ++x)
-                Eigen::Map<Record>(row + record * x) += place.weight[0][x] * across;
-            }
+        Block block{};
+        for (next = k; next < end && first[next] == first[k]; ++next)
+          {
+            const Place &place = places[next];
+            const Pack   low_rows(&place.across[0], stdx::element_aligned),
+              high_rows(&place.across[8], stdx::element_aligned);
+            for (std::size_t c = 0; c < components; ++c)
+              {
+                const double value = factors[next] * values[record * next + c];
+                for (std::size_t z = 0; z < Layers; ++z)
+                  {
+                    const Pack share(Layers == 1 ? value : value * place.along[z]);
+                    block.packs[c][2 * z] += share * low_rows;
+                    block.packs[c][2 * z + 1] += share * high_rows;
+                  }
+              }
+          }
+        for (std::size_t c = 0; c < components; ++c)
+          {
+            double sums[16 * Layers];
+            for (std::size_t b = 0; b < 2 * Layers; ++b)
+              block.packs[c][b].copy_to(&sums[pack_size * b], stdx::element_aligned);
+            double *column = grid + c * knot_count;
+            Block::each_row(first[k], size, [&](const std::size_t from, const std::size_t to) {
+              for (std::size_t x = 0; x < Block::rows; ++x)
+                column[to + x] += sums[from + x];
+            });
+          }
       }
   }
 
-  void SplineGrid::spread(const base::Column &values, base::Column &grid) const
+  template <std::size_t Layers>
+  void SplineGrid::take_off_part(const std::size_t begin,
+                                 const std::size_t end,
+                                 const double     *grid,
+                                 const double     *values,
+                                 const double     *factors,
+                                 double           *left) const
   {
-    const std::size_t numbers = record * knot_count, count = (places.size() + places_per_part - 1) / places_per_part;
+    using Block = KnotBlock<Layers>;
+    for (std::size_t k = begin, next; k < end; k = next)
+      {
+        Block block;
+        for (std::size_t c = 0; c < components; ++c)
+          {
+            double        around[16 * Layers];
+            const double *column = grid + c * knot_count;
+            Block::each_row(first[k], size, [&](const std::size_t to, const std::size_t from) {
+              std::copy_n(column + from, Block::rows, &around[to]);
+            });
+            for (std::size_t b = 0; b < 2 * Layers; ++b)
+              block.packs[c][b].copy_from(&around[pack_size * b], stdx::element_aligned);
+          }
+        for (next = k; next < end && first[next] == first[k]; ++next)
+          {
+            const Place &place = places[next];
+            const Pack   low_rows(&place.across[0], stdx::element_aligned),
+              high_rows(&place.across[8], stdx::element_aligned);
+            for (std::size_t c = 0; c < components; ++c)
+              {
+                Pack low_sum = block.packs[c][0], high_sum = block.packs[c][1];
+                if constexpr (Layers > 1)
+                  {
+                    low_sum *= place.along[0];
+                    high_sum *= place.along[0];
+                    for (std::size_t z = 1; z < Layers; ++z)
+                      {
+                        low_sum += place.along[z] * block.packs[c][2 * z];
+                        high_sum += place.along[z] * block.packs[c][2 * z + 1];
+                      }
+                  }
+                const std::size_t at = record * next + c;
+                left[at] = factors[next] * (values[at] - stdx::reduce(low_sum * low_rows + high_sum * high_rows));
+              }
+          }
+      }
+  }
+
+  void SplineGrid::spread(const base::Column &values, const base::Column &factors, base::Column &grid) const
+  {
+    const std::size_t numbers = components * knot_count, count = parts();
     grid.assign(numbers, 0.0);
     if (count > 1)
-      parts.assign(numbers * (count - 1), 0.0);
+      of_parts.assign(numbers * (count - 1), 0.0);
+    const auto part = layers == 1 ? &SplineGrid::spread_part<1> : &SplineGrid::spread_part<4>;
 #pragma omp parallel for schedule(static)
     for (std::size_t p = 0; p < count; ++p)
-      spread_part(p * places_per_part, std::min((p + 1) * places_per_part, places.size()), values.data(),
-                  p == 0 ? grid.data() : &parts[numbers * (p - 1)]);
+      (this->*part)(p * places_per_part, std::min((p + 1) * places_per_part, places.size()), values.data(),
+                    factors.data(), p == 0 ? grid.data() : &of_parts[numbers * (p - 1)]);
     for (std::size_t p = 1; p < count; ++p)
       for (std::size_t i = 0; i < numbers; ++i)
-        grid[i] += parts[numbers * (p - 1) + i];
+        grid[i] += of_parts[numbers * (p - 1) + i];
   }
 
-  void SplineGrid::gather(const base::Column &grid, base::Column &values) const
+  void SplineGrid::take_off(const base::Column &grid,
+                            const base::Column &values,
+                            const base::Column &factors,
+                            base::Column       &left) const
   {
-    values.resize(record * places.size());
+    left.resize(record * places.size());
+    const std::size_t count = parts();
+    const auto        part  = layers == 1 ? &SplineGrid::take_off_part<1> : &SplineGrid::take_off_part<4>;
 #pragma omp parallel for schedule(static)
-    for (std::size_t k = 0; k < places.size(); ++k)
+    for (std::size_t p = 0; p < count; ++p)
+      (this->*part)(p * places_per_part, std::min((p + 1) * places_per_part, places.size()), grid.data(), values.data(),
+                    factors.data(), left.data());
+  }
+
+  void SplineGrid::smooth(base::Column &columns) const
+  {
+    const std::size_t count = columns.size() / knot_count;
+#pragma omp parallel for schedule(static)
+    for (std::size_t c = 0; c < count; ++c)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        if (size[axis] > 1)
+          smooth_along(axis, &columns[c * knot_count]);
+  }
+
+  void SplineGrid::smooth_along(const std::size_t axis, double *column) const
+  {
+    // Lines along the axis, side by side where they are far apart in memory: blocks of `beside` numbers follow each other.
+    std::size_t beside = 1;
+    for (std::size_t c = 0; c < axis; ++c)
+      beside *= static_cast<std::size_t>(size[c]);
+    const auto          length = static_cast<std::size_t>(size[axis]), block = beside * length;
+    const std::size_t   margin = reach_of_splines * beside;
+    std::vector<double> line(block + 2 * margin, 0.0);
+    for (double *here = column; here < column + knot_count; here += block)
       {
-        const Place &place = places[k];
-        Record       sum   = Record::Zero();
-        for (std::size_t z = 0; z < layers; ++z)
-          for (std::size_t y = 0; y < 4; ++y)
-            {
-              const double *row    = grid.data() + record * (place.first + (z * static_cast<std::size_t>(size[1]) + y) *
-                                                                          static_cast<std::size_t>(size[0]));
-              Record        across = Record::Zero();
-              for (std::size_t x = 0; x < 4; ++x)
-                across += place.weight[0][x] * Eigen::Map<const Record>(row + record * x);
-              sum += place.weight[2][z] * place.weight[1][y] * across;
-            }
-        Eigen::Map<Record>{&values[record * k]} = sum;
+        std::copy_n(here, block, line.begin() + static_cast<std::ptrdiff_t>(margin));
+        for (std::size_t i = 0; i < block; ++i)
+          {
+            const double *middle = &line[margin + i];
+            double        sum    = overlap_of_splines[0] * *middle;
+            for (std::size_t away = 1; away <= reach_of_splines; ++away)
+              sum += overlap_of_splines[away] * (middle[away * beside] + *(middle - away * beside));
+            here[i] = sum;
+          }
       }
   }
 } // namespace dem

@@ -11,39 +11,69 @@
 namespace dem
 {
   /**
-   * A regular grid of cubic B-splines over places that stay: spreads what places carry over its knots, and gathers at the places what knots
-   * have, by the same weights (doc/theory/volume-coupling.md, 4). Values are records of four numbers, of which the last is free.
+   * A regular grid of cubic B-splines over places that stay: spreads what places carry over its knots, and takes off at the places what
+   * knots have, by the same weights (doc/theory/volume-coupling.md, 4).
+   *
+   * Values of places are records of three numbers and a free one, in the order of the grid: places of one cell of the grid follow each other,
+   * so that what they share is read and written once. Fields on the knots are three columns, one after the other.
    *
    * Same input, same bits, for any number of threads.
    */
   class SplineGrid
   {
   public:
-    static constexpr std::size_t record = 4;
+    static constexpr std::size_t record = 4, components = 3;
 
     SplineGrid() = default;
     /** @param spacing of the knots [m], > 0 @param dimension 2: all of it lies in the plane z = 0 */
     SplineGrid(const std::vector<Eigen::Vector3d> &places, double spacing, int dimension);
 
-    std::size_t knots() const { return knot_count; }
-    /** @param values a record of each place @param grid a record of each knot; what was there is lost */
-    void spread(const base::Column &values, base::Column &grid) const;
-    /** @param values likewise */
-    void gather(const base::Column &grid, base::Column &values) const;
+    /** Which of the given places each of the grid's is. */
+    const std::vector<std::size_t> &order() const { return given; }
+    std::size_t                     knots() const { return knot_count; }
+    Eigen::Vector3d                 place_of_knot(std::size_t knot) const; ///< [m]
+
+    /** Sum up values times factors. @param grid what was there is lost */
+    void spread(const base::Column &values, const base::Column &factors, base::Column &grid) const;
+    /** What values have and the grid does not, times factors. @param left likewise; may be the values themselves */
+    void take_off(const base::Column &grid,
+                  const base::Column &values,
+                  const base::Column &factors,
+                  base::Column       &left) const;
+    /**
+     * Averages of one or more columns over the knots around, by the products of B-splines that places everywhere would sum up to; nothing is
+     * beyond the grid.
+     */
+    void smooth(base::Column &columns) const;
 
   private:
-    /** A place between its knots: the first of them, and weights along each axis. */
+    /** A place between its knots: the first of them; weights of a layer of 16; weights of the layers. */
     struct Place
     {
-      std::uint32_t                        first;
-      std::array<std::array<double, 4>, 3> weight;
+      std::array<double, 16> across;
+      std::array<double, 4>  along;
     };
 
-    void spread_part(std::size_t begin, std::size_t end, const double *values, double *grid) const;
+    template <std::size_t Layers>
+    void
+    spread_part(std::size_t begin, std::size_t end, const double *values, const double *factors, double *grid) const;
+    template <std::size_t Layers>
+    void take_off_part(std::size_t   begin,
+                       std::size_t   end,
+                       const double *grid,
+                       const double *values,
+                       const double *factors,
+                       double       *left) const;
+    /** Of knots that are so far apart. */
+    void        smooth_along(std::size_t axis, double *column) const;
+    std::size_t parts() const;
 
-    std::vector<Place>   places;
-    std::array<long, 3>  size{};                     ///< knots along each axis
-    std::size_t          knot_count = 0, layers = 4; ///< knots across z that a place has weights on
-    mutable base::Column parts;                      ///< grids of all but the first part of the places
+    std::vector<Place, base::ColumnAllocator<Place>> places;
+    std::vector<std::uint32_t>                       first; ///< knot of each place
+    std::vector<std::size_t>                         given;
+    double                                           step = 0;                   ///< spacing [m]
+    std::array<long, 3>                              low{}, size{1, 1, 1};       ///< first cell; knots along each axis
+    std::size_t                                      knot_count = 0, layers = 4; ///< layers that a place has weights on
+    mutable base::Column                             of_parts; ///< grids of all but the first part of the places
   };
 } // namespace dem

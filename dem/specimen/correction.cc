@@ -26,32 +26,32 @@ namespace dem
                           const std::size_t                  c,
                           const StepHalves                  &halves,
                           const CorrectedRate               &rate,
+                          const bool                         damped,
                           std::vector<ParticleBlockAccount> &accounts)
     {
       const std::size_t     at    = record_size * i + c;
       ParticleBlockAccount &block = accounts[i / particles_per_block];
       const double          mass = c < 3 ? p.mass[i] : p.inertia[i], ahead = halves.after * rate.change();
-      const double          slowed =
-        (rate.moved - rate.before) / (halves.before + halves.after) - p.force[at] * p.inverse_mass[at];
       block.kinetic += 0.5 * mass * rate.before * rate.change();
-      block.damping_after += ahead * mass * slowed;
+      if (damped)
+        {
+          const double slowed =
+            (rate.moved - rate.before) / (halves.before + halves.after) - p.force[at] * p.inverse_mass[at];
+          block.damping_after += ahead * mass * slowed;
+        }
       if (!p.pushed.empty())
         block.pushing_after += ahead * p.pushed[at];
     }
   } // namespace
 
-  base::Column Specimen::Implementation::velocities_of(const StepPartner &partner) const
+  void Specimen::Implementation::enter_velocities(const StepPartner &partner, base::Column &rates) const
   {
-    base::Column rates;
-    if (!partner.particles)
-      return rates;
-    rates.reserve(axes * partner.particles->size());
-    for (const std::size_t number : *partner.particles)
-      {
-        const double *v = &particles.velocity[record_size * static_cast<std::size_t>(slot.at(number))];
-        rates.insert(rates.end(), v, v + axes);
-      }
-    return rates;
+    const std::vector<std::size_t> &watched = *partner.particles;
+    rates.resize(axes * watched.size());
+#pragma omp parallel for schedule(static)
+    for (std::size_t k = 0; k < watched.size(); ++k)
+      std::copy_n(&particles.velocity[record_size * static_cast<std::size_t>(slot.at(watched[k]))], axes,
+                  &rates[axes * k]);
   }
 
   bool Specimen::Implementation::set_held_rate(const std::size_t i,
@@ -73,54 +73,59 @@ namespace dem
     return true;
   }
 
-  std::array<double, 2> Specimen::Implementation::let_correct(const StepHalves   &halves,
-                                                              const StepPartner  &partner,
-                                                              const base::Column &before)
+  std::array<double, 2> Specimen::Implementation::let_correct(const StepHalves &halves, const StepPartner &partner)
   {
-    StepCorrection correction{halves.before, halves.after, *partner.particles, {}, before, velocities_of(partner)};
-    correction.force.reserve(before.size());
-    for (const std::size_t number : correction.particles)
-      {
-        const double *f = &particles.force[record_size * static_cast<std::size_t>(slot[number])];
-        correction.force.insert(correction.force.end(), f, f + axes);
-      }
+    enter_velocities(partner, corrected);
+    const std::vector<std::size_t> &watched = *partner.particles;
+    const auto                      force   = [&](const std::size_t k) {
+      return &particles.force[record_size * static_cast<std::size_t>(slot[watched[k]])];
+    };
+    StepCorrection correction{halves.before, halves.after, watched, force, before_step, corrected};
     (*partner.correct)(correction);
 
     std::array<double, 2> work{};
-    for (std::size_t k = 0; k < correction.particles.size(); ++k)
+    for (std::size_t k = 0; k < watched.size(); ++k)
       {
-        const auto i = static_cast<std::size_t>(slot[correction.particles[k]]);
-        double    *v = &particles.velocity[record_size * i], *motion = &particles.motion[record_size * i],
-               *pose = &particles.pose[record_size * i];
-        bool turned  = false;
-        for (std::size_t c = 0; c < axes; ++c)
-          {
-            const CorrectedRate rate{before[axes * k + c], v[c], correction.velocity[axes * k + c]};
-            if (rate.change() == 0)
-              continue;
-            if (particles.inverse_mass[record_size * i + c] > 0)
-              {
-                const double impulse =
-                  (c < 3 ? particles.mass[i] : particles.inertia[i]) * rate.change() / (halves.before + halves.after);
-                enter_in_account(particles, i, c, halves, rate, accounts);
-                work[0] += halves.before * impulse * rate.before;
-                work[1] += halves.after * impulse * rate.now;
-              }
-            else if (!set_held_rate(i, c, rate.before, rate.now))
-              continue;
-            turned               = turned || c >= 3;
-            const double further = 2 * halves.after * rate.change();
-            v[c]                 = rate.now;
-            motion[c] += further;
-            if (c < 3)
-              pose[c] += further;
-          }
-        if (turned)
-          set_arm_turn(pose, motion);
-        double &fastest = accounts[i / particles_per_block].fastest;
-        fastest         = std::max(fastest, Eigen::Vector3d(motion).squaredNorm());
+        const auto    i   = static_cast<std::size_t>(slot[watched[k]]);
+        const double *now = &corrected[axes * k], *moved = &particles.velocity[record_size * i];
+        if (!std::equal(now, now + axes, moved))
+          take_corrected(i, halves, &before_step[axes * k], now, work);
       }
     return work;
+  }
+
+  void Specimen::Implementation::take_corrected(
+    const std::size_t i, const StepHalves &halves, const double *before, const double *now, std::array<double, 2> &work)
+  {
+    double *v = &particles.velocity[record_size * i], *motion = &particles.motion[record_size * i],
+           *pose = &particles.pose[record_size * i];
+    bool turned  = false;
+    for (std::size_t c = 0; c < axes; ++c)
+      {
+        const CorrectedRate rate{before[c], v[c], now[c]};
+        if (rate.change() == 0)
+          continue;
+        if (particles.inverse_mass[record_size * i + c] > 0)
+          {
+            const double impulse =
+              (c < 3 ? particles.mass[i] : particles.inertia[i]) * rate.change() / (halves.before + halves.after);
+            enter_in_account(particles, i, c, halves, rate, parameters.damping > 0, accounts);
+            work[0] += halves.before * impulse * rate.before;
+            work[1] += halves.after * impulse * rate.now;
+          }
+        else if (!set_held_rate(i, c, rate.before, rate.now))
+          continue;
+        turned               = turned || c >= 3;
+        const double further = 2 * halves.after * rate.change();
+        v[c]                 = rate.now;
+        motion[c] += further;
+        if (c < 3)
+          pose[c] += further;
+      }
+    if (turned)
+      set_arm_turn(pose, motion);
+    double &fastest = accounts[i / particles_per_block].fastest;
+    fastest         = std::max(fastest, Eigen::Vector3d(motion).squaredNorm());
   }
 
   void Specimen::advance(const std::vector<std::size_t>              &particles,

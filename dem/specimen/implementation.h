@@ -100,6 +100,7 @@ namespace dem
     base::Column    unseen;       ///< after a glide: motion of particles since surfaces last looked; otherwise empty
     SurfaceEnergies before_glide; ///< at t_n, where surfaces have looked since
     std::vector<VelocityKick> kicks;
+    base::Column              before_step, corrected; ///< velocities of those whom a partner may correct, during a step
     double                    initial = 0, work_before = 0, work_now = 0,
            work_after             = 0; ///< by grips and from outside: before t_n's half step, it, the half after
     double          damped_before = 0, damped_now = 0, damped_after = 0; ///< dissipated, likewise
@@ -164,13 +165,19 @@ namespace dem
                               const base::Column &of_surfaces,
                               bool                touched,
                               const StepPartner  &partner = {});
-    /** Of the particles that the partner may correct, six of each; empty: there is none. */
-    base::Column velocities_of(const StepPartner &partner) const;
+    /** Enter velocities of the particles that the partner may correct, six of each. */
+    void enter_velocities(const StepPartner &partner, base::Column &rates) const;
     /** Another rate of what a grip prescribes of a particle that was left to somebody else. @return whether one does */
     bool set_held_rate(std::size_t particle, std::size_t component, double before, double now);
     /** Let the partner correct what the particles have just done. @return work of his at t_n's half step, and at the half after [J] */
-    std::array<double, 2> let_correct(const StepHalves &halves, const StepPartner &partner, const base::Column &before);
-    void                  end_step();
+    std::array<double, 2> let_correct(const StepHalves &halves, const StepPartner &partner);
+    /** Of one particle: six velocities before t_n and corrected. @param work is added to */
+    void take_corrected(std::size_t            particle,
+                        const StepHalves      &halves,
+                        const double          *before,
+                        const double          *now,
+                        std::array<double, 2> &work);
+    void end_step();
     /** The particles let surfaces take several steps in one of theirs: see Specimen::glide(). */
     void   begin_glide();
     void   glide(double step, double kick);

@@ -53,12 +53,13 @@ namespace dem
    */
   struct StepCorrection
   {
-    double                   half_before = 0, half_after = 0; ///< of the steps that meet at t_n [s]
-    std::vector<std::size_t> particles;                       ///< by their number in the packing
-    base::Column             force;                           ///< of links, contacts, weight and push at t_n [N, N m]
-    base::Column             before;                          ///< velocities half a step before t_n [m/s, rad/s]
+    double                          half_before = 0, half_after = 0; ///< of the steps that meet at t_n [s]
+    const std::vector<std::size_t> &particles;                       ///< by their number in the packing
+    /** Six numbers of one of these, by its place among them: of links, contacts, weight and push at t_n [N, N m]. */
+    std::function<const double *(std::size_t)> force;
+    const base::Column                        &before; ///< velocities half a step before t_n [m/s, rad/s]
     base::Column
-      velocity; ///< half a step after: what is changed here is corrected, and moves the particle with it [m/s, rad/s]
+      &velocity; ///< half a step after: what is changed here is corrected, and moves the particle with it [m/s, rad/s]
   };
 
   /** One particle as it is now. */

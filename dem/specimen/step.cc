@@ -50,12 +50,13 @@ namespace dem
   {
     if (touched && particles.pushed.empty())
       particles.pushed.assign(record_size * particles.count, 0.0);
-    const base::Column before = velocities_of(partner);
+    if (partner.particles)
+      enter_velocities(partner, before_step);
     select_particle_pass(contacts.alive > 0, parameters.damping > 0, equal_radii, moments(), surroundings(touched))(
       particles, bonds, &contacts, of_surfaces, halves, parameters.damping, parameters.gravity, accounts);
     if (!partner.particles)
       return account(halves);
-    const auto work = let_correct(halves, partner, before);
+    const auto work = let_correct(halves, partner);
     account(halves);
     work_now += work[0];
     work_after += work[1];

@@ -27,6 +27,10 @@ namespace apps
                      {"transmitted", p.answer.transmitted},
                      {"absorbed", p.answer.absorbed},
                      {"made", p.answer.made},
+                     {"unhindered", p.answer.unhindered},
+                     {"left_behind", p.answer.left_behind},
+                     {"left_behind_alone", p.answer.left_behind_alone},
+                     {"cost", p.answer.cost},
                      {"balance_error", p.answer.balance_error},
                      {"steps", p.answer.steps},
                      {"particles", p.answer.particles}});

@@ -42,8 +42,14 @@ namespace apps
     Section &s =
       root.section(transmission_section, "Packets of waves that run through particles and on into a continuum");
     s.choice("Medium", common.medium.lattice,
-             {{"chain", WaveMedium::Lattice::chain}, {"strip", WaveMedium::Lattice::strip}}, Need::optional)
-      .means("Particles in a row, or in hexagonal rows of an unbounded plane");
+             {{"chain", WaveMedium::Lattice::chain},
+              {"strip", WaveMedium::Lattice::strip},
+              {"plane", WaveMedium::Lattice::plane},
+              {"bar", WaveMedium::Lattice::bar}},
+             Need::optional)
+      .means("Particles in a row, in hexagonal rows of an unbounded plane for waves along them, the same for narrow "
+             "packets of any "
+             "direction, or spheres without order in a bar");
     s.number("Spacing", common.medium.spacing, "m", Range::positive(), Need::optional).means("Of neighbours");
     s.number("Normal modulus", common.medium.modulus, "Pa", Range::positive(), Need::required).means("Of the links");
     s.number("Density", common.medium.density, "kg/m^3", Range::positive(), Need::required)
@@ -51,6 +57,16 @@ namespace apps
     s.integer("Rows", common.medium.rows, "-", Range::between(2, 1000), Need::optional)
       .means("Of a strip, from one line of symmetry to the other")
       .only_if([this] { return common.medium.lattice == WaveMedium::Lattice::strip; }, "Medium = strip");
+    const auto of_bar = [this] { return common.medium.lattice == WaveMedium::Lattice::bar; };
+    s.integer("Width", common.medium.width, "-", Range::between(1, 64), Need::optional)
+      .means("Of a bar, in elements")
+      .only_if(of_bar, "Medium = bar");
+    s.number("Shear ratio", common.medium.shear_ratio, "-", Range::positive(), Need::optional)
+      .means("Of the links of spheres, shear over normal modulus")
+      .only_if(of_bar, "Medium = bar");
+    s.integer("Seed", common.medium.seed, "-", Range::between(0, 1000000), Need::optional)
+      .means("Of the spheres' packing")
+      .only_if(of_bar, "Medium = bar");
     s.flag("Shear", common.shear).means("Waves of shear, not of compression; in a strip");
     s.text("Wavelengths", wavelengths, Need::required).means("[m], four spacings at least, separated by commas");
     s.text("Methods", methods, Need::optional).means("Of the coupling, separated by commas: " + method_names());
@@ -66,6 +82,12 @@ namespace apps
       .means("Of absorbers at its largest, times element size over speed of compression waves");
     s.number("Grid", proportions.grid, "-", Range::between(0.1, 10), Need::optional)
       .means("Of the absorbers' averages, in elements");
+    s.number("Phase", proportions.phase, "-", Range::from_up_to(0.1, 2), Need::optional)
+      .means(
+        "Longest time that absorbers damp at once, times their largest eigenvalue; less is nearer to the exponential");
+    s.number("Angle", degrees, "-", Range::between(0, 60), Need::optional)
+      .means("Of the packets' way with the normal of the overlap, in degrees")
+      .only_if([this] { return common.medium.lattice == WaveMedium::Lattice::plane; }, "Medium = plane");
   }
 
   std::vector<WaveMethod> TransmissionScene::chosen() const
@@ -100,6 +122,7 @@ namespace apps
   {
     WaveCase one   = common;
     one.method     = method;
+    one.angle      = degrees * M_PI / 180;
     one.wavelength = length;
     return one;
   }
@@ -112,8 +135,10 @@ namespace apps
                                           4 * common.medium.spacing, 1e4 * common.medium.spacing));
     if (chosen().empty())
       s.refuse("Methods", "expected names among " + method_names() + ", separated by commas.");
-    if (common.shear && common.medium.lattice == WaveMedium::Lattice::chain)
-      s.refuse("Shear", "particles in a row move along it only. Take Medium = strip.");
+    const bool one_way =
+      common.medium.lattice == WaveMedium::Lattice::chain || common.medium.lattice == WaveMedium::Lattice::bar;
+    if (common.shear && one_way)
+      s.refuse("Shear", "particles in a row or bar move along it. Take Medium = strip.");
   }
 
   std::string TransmissionScene::forecast() const

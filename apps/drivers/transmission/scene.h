@@ -31,5 +31,6 @@ namespace apps
     WaveCase                      common; ///< without method and wavelength
     std::string                   methods = "absorber, coarse, slaved", wavelengths;
     coupling::AbsorberProportions proportions;
+    double                        degrees = 0; ///< between the packets' way and the normal of the overlap
   };
 } // namespace apps

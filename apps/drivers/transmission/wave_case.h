@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/drivers/transmission/wave_medium.h"
 #include "coupling/volume/parameters.h"
 
 #include <cstdint>
@@ -7,29 +8,6 @@
 
 namespace apps
 {
-  /** Regular particles that a wave runs through: what its speeds are is known in closed form. */
-  struct WaveMedium
-  {
-    enum class Lattice
-    {
-      chain, ///< a row of discs that move along it only
-      strip  ///< hexagonal rows of discs between two lines of symmetry: an unbounded plane for waves along the rows
-    };
-
-    Lattice      lattice = Lattice::chain;
-    double       spacing = 1; ///< a, of neighbours [m]
-    double       modulus = 1; ///< of the links [Pa]
-    double       density = 1; ///< of the particles' medium, voids included [kg/m^3]
-    std::int64_t rows    = 8; ///< of a strip, between its lines of symmetry
-
-    double height() const;                        ///< across the wave [m]
-    double young() const;                         ///< of the same medium as a continuum, in plane strain [Pa]
-    double poisson() const;                       ///< likewise
-    double wave_speed(bool shear) const;          ///< of long waves along x [m/s]
-    double frequency(bool shear, double k) const; ///< of a wave of this wave number [rad/s]
-    double group_speed(bool shear, double k) const;
-  };
-
   /** How particles and continuum meet. */
   struct WaveMethod
   {
@@ -42,13 +20,14 @@ namespace apps
     coupling::AbsorberProportions proportions   = {};
   };
 
-  /** A packet of waves that runs through particles, on along x, and into a continuum. */
+  /** A packet of waves that runs through particles and into a continuum that begins at x = 0. */
   struct WaveCase
   {
     WaveMedium   medium;
     WaveMethod   method;
     std::int64_t element = 8, overlap = 4; ///< size of an element over the spacing; width of the overlap in elements
     bool         shear       = false;
+    double       angle       = 0;   ///< of the packet's way with x; of a plane only [rad]
     double       wavelength  = 0;   ///< [m]
     double       step_factor = 0.8; ///< of the particles' stable step
   };
@@ -61,14 +40,10 @@ namespace apps
     double       balance_error = 0;              ///< of all energies of the coupled run
     double       cost          = 0; ///< processor time of a particle's step, over the same of particles alone
     double       made          = 0; ///< by the multipliers, over the packet's energy
+    double       unhindered    = 0; ///< what particles alone carry to where the continuum is, over the packet's energy
+    double       left_behind = 0, left_behind_alone = 0; ///< what is in the particles' own region in the end: of a bar
     std::int64_t steps = 0, particles = 0;
   };
-
-  /**
-   * Reflected energy where elements of so many spacings begin at a particle, without overlap, and share a node with it (doc/theory/volume-coupling.md, 6).
-   * @param wavelength over the spacing
-   */
-  double edge_to_edge_reflection(std::int64_t element, double wavelength);
 
   /** What a case costs, in particle steps. */
   double wave_cost(const WaveCase &wave);
