@@ -259,27 +259,38 @@ TEST_CASE("wave transmission: the table of a hexagonal plane, waves of compressi
 TEST_CASE("wave transmission: waves that come at an angle pass where elements carry them, and none comes back",
           "[verification][volume][slow]")
 {
-  for (const double degrees : {30.0, 45.0})
-    for (const bool shear : {false, true})
-      for (const double wavelength : {8.0, 12.0, 16.0, 24.0})
-        {
-          INFO(degrees << " degrees, " << (shear ? "shear, " : "compression, ") << wavelength << " spacings");
-          apps::WaveCase wave = chain("absorber", wavelength);
-          wave.medium.lattice = apps::WaveMedium::Lattice::plane;
-          wave.element        = 4;
-          wave.shear          = shear;
-          wave.angle          = degrees * M_PI / 180;
-          const auto answer   = apps::transmit(wave);
-          CHECK(answer.reflected <= 0.03);
-          if (wavelength >= 24)
-            CHECK(answer.transmitted >= 0.95);
-        }
+  struct Way
+  {
+    double degrees;
+    bool   shear;
+    double wavelength;
+  };
+  for (const Way &way : std::vector<Way>{{30, false, 8},
+                                         {30, false, 12},
+                                         {45, false, 12},
+                                         {45, false, 24},
+                                         {30, true, 8},
+                                         {30, true, 12},
+                                         {45, true, 12},
+                                         {30, true, 24}})
+    {
+      INFO(way.degrees << " degrees, " << (way.shear ? "shear, " : "compression, ") << way.wavelength << " spacings");
+      apps::WaveCase wave = chain("absorber", way.wavelength);
+      wave.medium.lattice = apps::WaveMedium::Lattice::plane;
+      wave.element        = 4;
+      wave.shear          = way.shear;
+      wave.angle          = way.degrees * M_PI / 180;
+      const auto answer   = apps::transmit(wave);
+      CHECK(answer.reflected <= 0.03);
+      if (way.wavelength >= 24)
+        CHECK(answer.transmitted >= 0.95);
+    }
 }
 
 TEST_CASE("wave transmission: in a bar of spheres without order little comes back, and long waves pass",
           "[verification][volume][slow]")
 {
-  for (const double wavelength : {8.0, 16.0, 24.0, 32.0})
+  for (const double wavelength : {8.0, 16.0, 24.0})
     {
       INFO(wavelength << " diameters");
       apps::WaveCase wave = chain("absorber", wavelength);
