@@ -1,6 +1,7 @@
 // What of velocities is too fine for a mesh: doc/theory/volume-coupling.md, 4.
 #include "dem/measures/fine_scale.h"
 
+#include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
 #include <cmath>
