@@ -7,6 +7,7 @@
 #include "apps/drivers/particles/scene.h"
 #include "apps/drivers/quasi_static/scene.h"
 #include "apps/drivers/sequential/scene.h"
+#include "apps/drivers/structure/scene.h"
 #include "apps/drivers/transmission/scene.h"
 #include "apps/drivers/uniaxial/scene.h"
 
@@ -33,6 +34,8 @@ namespace apps
       {"quasi_static", "a bonded-particle specimen or periodic cell pulled and crushed without inertia",
        make<QuasiStaticScene>},
       {"sequential", "an event by particles, handed over to a continuum that carries on", make<SequentialScene>},
+      {"structure", "particles, and a solid around them, led along their equilibria without inertia",
+       make<StructureScene>},
       {"transmission", "packets of waves that run through particles and on into a continuum", make<TransmissionScene>},
       {"uniaxial", "a bonded-particle specimen pulled and crushed", make<UniaxialScene>},
     };

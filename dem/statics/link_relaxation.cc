@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <string>
 
 namespace dem
@@ -23,24 +24,38 @@ namespace dem
         , scale(mean_arm(network.network))
         , load_length(scale * std::sqrt(static_cast<double>(network.network.particles())))
         , damping(local_damping)
-        , mass(network.network.particles())
-        , speed(network.network.particles())
+        , mass(network.held.size())
+        , speed(network.held.size())
+        , kicked(network.held.size())
+        , lost_force(network.held.size())
       {
         find_masses();
+        if (loaded.ties)
+          keeper.emplace(*loaded.ties, mass.particles.cwiseInverse());
       }
 
       /** One step of all motions but the led parameter. @return energy that damping takes [J] */
       double advance(const Unbalanced &unbalanced, LoadedMotion &motion)
       {
+        for (Eigen::Index i = 0; i < motion.particles.cols(); ++i)
+          for (int c = 0; c < motions; ++c)
+            if (!(loaded.held[i] >> c & 1))
+              kicked.particles(c, i) = kick(unbalanced.particles(c, i), mass.particles(c, i), speed.particles(c, i),
+                                            lost_force.particles(c, i));
+        if (keeper)
+          keeper->correct(kicked.particles);
         double damped = 0;
         for (Eigen::Index i = 0; i < motion.particles.cols(); ++i)
           for (int c = 0; c < motions; ++c)
             if (!(loaded.held[i] >> c & 1))
               damped +=
-                move(unbalanced.particles(c, i), mass.particles(c, i), speed.particles(c, i), motion.particles(c, i));
+                move(kicked.particles(c, i), lost_force.particles(c, i), speed.particles(c, i), motion.particles(c, i));
         for (int p = 0; p < 6; ++p)
           if (loaded.free[p])
-            damped += move(-unbalanced.loads[p], mass.loads[p], speed.loads[p], motion.loads[p]);
+            {
+              const double next = kick(-unbalanced.loads[p], mass.loads[p], speed.loads[p], lost_force.loads[p]);
+              damped += move(next, lost_force.loads[p], speed.loads[p], motion.loads[p]);
+            }
         return damped;
       }
 
@@ -56,14 +71,21 @@ namespace dem
       }
 
     private:
-      double move(const double force, const double inertia, double &v, double &x) const
+      /** @param lost force that damping takes, times the step @return the next velocity */
+      double kick(const double force, const double inertia, const double v, double &lost) const
       {
         const double a     = force / inertia;
         const double along = a * (v + 0.5 * step * a);
         const double sign  = along > 0 ? 1.0 : along < 0 ? -1.0 : 0.0;
-        const double next  = v + step * a * (1 - damping * sign);
-        const double lost  = step * damping * sign * force * 0.5 * (v + next);
-        v                  = next;
+        lost               = step * damping * sign * force;
+        return v + step * a * (1 - damping * sign);
+      }
+
+      /** @return energy lost to damping [J] */
+      static double move(const double next, const double lost_force, double &v, double &x)
+      {
+        const double lost = lost_force * 0.5 * (v + next);
+        v                 = next;
         x += step * v;
         return lost;
       }
@@ -93,6 +115,11 @@ namespace dem
             mass.particles.col(l.second) += rows.segment<6>(6);
             mass.loads += rows.segment<6>(12);
           }
+        if (loaded.body)
+          for (Eigen::Index column = 0; column < loaded.body->stiffness.cols(); ++column)
+            for (Eigen::SparseMatrix<double>::InnerIterator entry(loaded.body->stiffness, column); entry; ++entry)
+              mass.particles(column % 3, static_cast<Eigen::Index>(loaded.network.particles()) + column / 3) +=
+                std::fabs(entry.value());
         const double *const first = mass.particles.data();
         const auto          n     = mass.particles.size();
         const double        mean  = std::accumulate(first, first + n, 0.0) / static_cast<double>(n);
@@ -104,7 +131,9 @@ namespace dem
 
       const LoadedNetwork &loaded;
       double               scale, load_length, damping;
-      LoadedMotion         mass, speed;
+      LoadedMotion         mass, speed, kicked, lost_force; ///< the last two during a step
+
+      std::optional<Ties::Keeper> keeper; ///< where there are ties
     };
   } // namespace
 
@@ -124,7 +153,7 @@ namespace dem
       {
         links.evaluate(motion);
         links.commit();
-        const Unbalanced unbalanced = unbalanced_of(loaded, links.forces(), links.moments(), scale);
+        const Unbalanced unbalanced = unbalanced_of(loaded, motion, links.forces(), links.moments(), scale);
         report.residual             = unbalanced.residual;
         if (!std::isfinite(report.residual))
           throw base::NumericalError("quasi-static loading: a force is no longer a number after " +

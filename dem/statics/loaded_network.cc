@@ -100,6 +100,32 @@ namespace dem
     return loaded;
   }
 
+  LoadedNetwork unloaded(ElasticNetwork network)
+  {
+    if (network.periodic())
+      throw base::InputError("quasi-static loading: a periodic cell has no place for supports or a solid.");
+    LoadedNetwork loaded;
+    loaded.volume = 1;
+    loaded.held   = missing_motions(network);
+    loaded.carried.assign(network.particles(), LoadSlip::Zero());
+    loaded.load_slip.assign(network.links.size(), LoadSlip::Zero());
+    loaded.network = std::move(network);
+    return loaded;
+  }
+
+  void lead(LoadedNetwork &loaded, const std::vector<std::size_t> &particles, const int motion, const double per_unit)
+  {
+    for (const std::size_t i : particles)
+      {
+        loaded.held.at(i) |= bit(motion);
+        if (motion < 3)
+          loaded.carried[i](motion, loaded.led) = per_unit;
+      }
+    for (std::size_t l = 0; l < loaded.network.links.size(); ++l)
+      loaded.load_slip[l] =
+        loaded.carried[loaded.network.links[l].second] - loaded.carried[loaded.network.links[l].first];
+  }
+
   void support(LoadedNetwork &loaded, const GripPair &grips)
   {
     if (grips.lateral_blocked)
@@ -142,13 +168,34 @@ namespace dem
     return motion.particles.col(l.second).tail<3>() - motion.particles.col(l.first).tail<3>();
   }
 
+  Eigen::VectorXd joints_of(const LoadedNetwork &loaded, const LoadedMotion &motion)
+  {
+    return motion.particles.topRightCorner(3, loaded.body->joints()).reshaped();
+  }
+
+  namespace
+  {
+    /** @return sum of squares of its forces */
+    double add_body(const LoadedNetwork &loaded, const LoadedMotion &motion, Unbalanced &u)
+    {
+      const ElasticBody    &body  = *loaded.body;
+      const Eigen::VectorXd x     = joints_of(loaded, motion);
+      const double          p     = motion.loads[loaded.led];
+      const Eigen::VectorXd force = -(body.stiffness * x) - p * body.by_load;
+      u.particles.topRightCorner(3, body.joints()) += force.reshaped(3, body.joints());
+      u.loads[loaded.led] += body.by_load.dot(x) + body.of_load * p;
+      return force.squaredNorm();
+    }
+  } // namespace
+
   Unbalanced unbalanced_of(const LoadedNetwork                &loaded,
+                           const LoadedMotion                 &motion,
                            const std::vector<Eigen::Vector3d> &force,
                            const std::vector<Eigen::Vector3d> &moments,
                            const double                        scale)
   {
     Unbalanced u;
-    u.particles.setZero(6, static_cast<Eigen::Index>(loaded.network.particles()));
+    u.particles.setZero(motions, static_cast<Eigen::Index>(loaded.held.size()));
     u.loads.setZero();
     double        squares = 0;
     base::Vector6 reach   = base::Vector6::Zero();
@@ -169,15 +216,18 @@ namespace dem
         squares += force[i].squaredNorm();
         reach += loaded.load_slip[i].colwise().squaredNorm().transpose();
       }
-    double left = 0;
+    if (loaded.body)
+      squares += add_body(loaded, motion, u);
     for (std::size_t i = 0; i < loaded.held.size(); ++i)
       for (int c = 0; c < motions; ++c)
-        {
-          double &value = u.particles(c, static_cast<Eigen::Index>(i));
-          if (loaded.held[i] >> c & 1)
-            value = 0;
-          left += std::pow(c < 3 ? value : value / scale, 2);
-        }
+        if (loaded.held[i] >> c & 1)
+          u.particles(c, static_cast<Eigen::Index>(i)) = 0;
+    if (loaded.ties)
+      loaded.ties->release(u.particles);
+    double left = 0;
+    for (Eigen::Index i = 0; i < u.particles.cols(); ++i)
+      for (int c = 0; c < motions; ++c)
+        left += std::pow(c < 3 ? u.particles(c, i) : u.particles(c, i) / scale, 2);
     if (squares == 0)
       return u;
     u.residual = std::sqrt(left / squares);

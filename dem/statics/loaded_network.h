@@ -3,33 +3,45 @@
 #include "base/matrix6.h"
 #include "base/state.h"
 #include "dem/grips/grip_layers.h"
+#include "dem/statics/elastic_body.h"
 #include "dem/statics/elastic_network.h"
-#include "dem/statics/stiffness_operator.h"
+#include "dem/statics/ties.h"
 
 #include <Eigen/Core>
 
 #include <array>
+#include <memory>
+#include <optional>
 #include <vector>
 
 namespace dem
 {
-
   /**
    * A network with all that moves it from outside: up to six load parameters, each of which moves the ends of links against each
    * other in proportion. In a periodic cell they are the macroscopic strains; of a gripped specimen the first is the strain between
    * the grips. One of them is led; of the others some are free (their force vanishes), the rest stay zero.
+   *
+   * It may be joined to an elastic body: the carriers of motions are the particles and then the body's joints, which only translate.
    */
   struct LoadedNetwork
   {
     ElasticNetwork           network;
-    std::vector<HeldMotions> held; ///< of each particle: what its own motion leaves to the load parameters
+    std::vector<HeldMotions> held; ///< of each carrier: what its own motion leaves to the load parameters
     std::vector<Eigen::Matrix<double, 3, 6>> load_slip; ///< of each link: slip per unit of each parameter [m]
     /** Displacement of each particle per unit of each parameter, beyond its own motion [m]. */
     std::vector<Eigen::Matrix<double, 3, 6>> carried;
     std::array<bool, 6>                      free   = {};
     int                                      led    = 0;
     double                                   volume = 0; ///< force of a parameter over it is its stress [m^3]
+    std::optional<ElasticBody>               body;
+    std::shared_ptr<const Ties>              ties; ///< between carriers; none: nothing is tied
   };
+
+  /** A free network that nothing moves yet; its stress is the force of the led parameter. @throws base::InputError for a periodic one */
+  LoadedNetwork unloaded(ElasticNetwork network);
+
+  /** Particles that are led along one of their motions: so much per unit of the led parameter; nothing: they are held. */
+  void lead(LoadedNetwork &loaded, const std::vector<std::size_t> &particles, int motion, double per_unit);
 
   /**
    * A periodic cell strained along an axis; with `lateral_free` the other five stresses vanish, else the other five strains do.
@@ -66,11 +78,12 @@ namespace dem
   /** Small motion of a loaded network. */
   struct LoadedMotion
   {
-    Eigen::Matrix<double, 6, Eigen::Dynamic> particles; ///< of each its own displacement [m] and rotation [-]
-    base::Vector6                            loads;     ///< load parameters
+    CarrierMotions particles; ///< of each, and of each joint of a body, its own
+    base::Vector6  loads;     ///< load parameters
 
+    /** @param n number of carriers */
     explicit LoadedMotion(const std::size_t n = 0)
-      : particles(Eigen::Matrix<double, 6, Eigen::Dynamic>::Zero(6, static_cast<Eigen::Index>(n)))
+      : particles(CarrierMotions::Zero(motions, static_cast<Eigen::Index>(n)))
       , loads(base::Vector6::Zero())
     {
     }
@@ -86,11 +99,14 @@ namespace dem
   /** What link forces leave over. */
   struct Unbalanced
   {
-    Eigen::Matrix<double, 6, Eigen::Dynamic> particles; ///< force [N] and moment [N m] on each, zero where held
-    base::Vector6                            loads;     ///< force of each parameter, volume times its stress [J]
-    double                                   residual =
-      0; ///< of the forces on particles, and of free parameters; over link forces, both as root of sums of squares
+    CarrierMotions particles; ///< force [N] and moment [N m] on each carrier, zero where held or borne by ties
+    base::Vector6  loads;     ///< force of each parameter, volume times its stress [J]
+    /** Of the forces on carriers, and of free parameters; over forces of links and body, both as root of sums of squares. */
+    double residual = 0;
   };
+
+  /** Displacements of the body's joints, three each [m]. @pre there is a body */
+  Eigen::VectorXd joints_of(const LoadedNetwork &loaded, const LoadedMotion &motion);
 
   /**
    * @param force of each link on its first end [N]
@@ -98,6 +114,7 @@ namespace dem
    * @param scale length that makes forces of moments [m]
    */
   Unbalanced unbalanced_of(const LoadedNetwork                &loaded,
+                           const LoadedMotion                 &motion,
                            const std::vector<Eigen::Vector3d> &force,
                            const std::vector<Eigen::Vector3d> &moment,
                            double                              scale);

@@ -68,7 +68,7 @@ namespace dem
     , parameters(asked)
     , bonds(network, materials)
     , system(network)
-    , now(network.network.particles())
+    , now(network.held.size())
     , path(1)
   {
     check(parameters);
@@ -110,7 +110,7 @@ namespace dem
   {
     now = earlier;
     bonds.evaluate(now);
-    unbalanced = unbalanced_of(*loaded, bonds.forces(), bonds.moments(), system.length_scale());
+    unbalanced = unbalanced_of(*loaded, now, bonds.forces(), bonds.moments(), system.length_scale());
   }
 
   bool QuasiStaticPath::attempt(const LinkStiffness stiffness, const double of_step)
@@ -238,7 +238,7 @@ namespace dem
     QuasiStaticPoint point;
     point.control          = StepControl::relaxed;
     point.relaxation_steps = report.steps;
-    point.external_work    = path.back().external_work + report.external_work;
+    point.external_work    = path.back().external_work + report.external_work + work_of_dead_loads() - dead_load_work;
     point.damped           = path.back().damped + report.damped;
     complete(point);
   }
@@ -251,11 +251,17 @@ namespace dem
     point.control = how;
     point.damped  = path.back().damped;
     restore(now); // as a restart would
+    const double load_work_before = dead_load_work;
     complete(point);
     const QuasiStaticPoint &before = path[path.size() - 2];
     path.back().external_work =
-      before.external_work +
+      before.external_work + work_of_dead_loads() - load_work_before +
       0.5 * loaded->volume * (before.stress + path.back().stress).dot(path.back().strain - before.strain);
+  }
+
+  double QuasiStaticPath::work_of_dead_loads() const
+  {
+    return loaded->body ? loaded->body->work_of_loads(joints_of(*loaded, now), led()) : 0.0;
   }
 
   void QuasiStaticPath::complete(QuasiStaticPoint &point)
@@ -263,11 +269,12 @@ namespace dem
     point.strain      = now.loads;
     point.stress      = unbalanced.loads / loaded->volume;
     point.mean_damage = bonds.mean_damage();
-    point.stored      = bonds.stored();
+    point.stored      = bonds.stored() + (loaded->body ? loaded->body->stored(joints_of(*loaded, now), led()) : 0.0);
     point.damage      = bonds.damage_work();
     point.friction    = bonds.sliding_work();
     point.iterations  = solutions;
     point.residual    = unbalanced.residual;
+    dead_load_work    = work_of_dead_loads();
     path.push_back(point);
   }
 
@@ -278,6 +285,7 @@ namespace dem
     visitor.scalar("part", part);
     visit_points(visitor);
     restore(now);
+    dead_load_work = work_of_dead_loads();
   }
 
   void QuasiStaticPath::visit_points(base::StateVisitor &visitor)

@@ -44,7 +44,7 @@ namespace dem
 
     double external_work =
       0;               ///< trapezoidal over the points: where damage jumps it errs in proportion to the steps [J]
-    double stored = 0; ///< in links [J]
+    double stored = 0; ///< in links, and in the body around them [J]
     double damage = 0, friction = 0; ///< dissipated by damage and by sliding [J]
     double damped = 0; ///< dissipated by the damping of relaxations: kinetic energy that cascades set free [J]
 
@@ -108,6 +108,7 @@ namespace dem
     void                      complete(QuasiStaticPoint &point);
     void                      restore(const LoadedMotion &earlier);
     void                      visit_points(base::StateVisitor &visitor);
+    double                    work_of_dead_loads() const;
     double                    led() const { return now.loads[loaded->led]; }
 
     const LoadedNetwork          *loaded;
@@ -121,5 +122,6 @@ namespace dem
     int                           solutions      = 0; ///< since the last point
     StepControl                   control        = StepControl::strain;
     int                           attempt_length = 0; ///< iterations of the last attempt
+    double                        dead_load_work = 0; ///< up to the last point [J]
   };
 } // namespace dem

@@ -47,7 +47,7 @@ namespace dem
     : cell(std::move(network))
     , scale(mean_arm(cell->network))
     , parameters(asked)
-    , committed{DamagingLinks(*cell, materials), LoadedMotion(cell->network.particles()), {}, 0, 0}
+    , committed{DamagingLinks(*cell, materials), LoadedMotion(cell->held.size()), {}, 0, 0}
     , trial(committed)
   {
     check(*cell, parameters);
@@ -83,7 +83,7 @@ namespace dem
   void RespondingCell::evaluate(const LoadedMotion &motion)
   {
     trial.links.evaluate(motion);
-    trial.unbalanced = unbalanced_of(*cell, trial.links.forces(), trial.links.moments(), scale);
+    trial.unbalanced = unbalanced_of(*cell, motion, trial.links.forces(), trial.links.moments(), scale);
   }
 
   CellResponse RespondingCell::respond(const base::Vector6 &strain)

@@ -63,9 +63,66 @@ namespace dem
           all.push_back(p);
       weak_diagonal                         = undamaged_diagonal();
       lu.umfpackControl()[UMFPACK_ORDERING] = UMFPACK_ORDERING_METIS;
-      lu.umfpackControl()[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;
+      lu.umfpackControl()[UMFPACK_STRATEGY] = loaded.ties ? UMFPACK_STRATEGY_AUTO : UMFPACK_STRATEGY_SYMMETRIC;
       lu.umfpackControl()[UMFPACK_IRSTEP]   = 0; // what a solution leaves is in the next residual
-      lu.analyzePattern(matrix);
+      surround();
+      lu.analyzePattern(whole());
+    }
+
+    bool is_surrounded() const { return loaded.body || loaded.ties; }
+
+    /** What a body and ties add to the system, whatever the links do. */
+    void surround()
+    {
+      if (!is_surrounded())
+        return;
+      std::vector<Eigen::Triplet<double>> entries;
+      const std::size_t                   joints = motions * loaded.network.particles();
+      const auto                          joint  = [&](const Eigen::Index x) {
+        return unknown[joints + motions * static_cast<std::size_t>(x / 3) + static_cast<std::size_t>(x % 3)];
+      };
+      if (loaded.body)
+        for (Eigen::Index column = 0; column < loaded.body->stiffness.cols(); ++column)
+          for (Sparse::InnerIterator entry(loaded.body->stiffness, column); entry; ++entry)
+            if (joint(entry.row()) >= 0 && joint(column) >= 0)
+              entries.emplace_back(joint(entry.row()), joint(column), entry.value());
+      const int borne = loaded.ties ? static_cast<int>(loaded.ties->rows().rows()) : 0;
+      if (loaded.ties)
+        {
+          // As large as stiffnesses, so that pivots can be compared.
+          const double  size = weak_diagonal.mean();
+          const Sparse &rows = loaded.ties->rows();
+          for (Eigen::Index column = 0; column < rows.cols(); ++column)
+            for (Sparse::InnerIterator entry(rows, column); entry; ++entry)
+              if (const int u = unknown[static_cast<std::size_t>(column)]; u >= 0)
+                {
+                  entries.emplace_back(count + static_cast<int>(entry.row()), u, size * entry.value());
+                  entries.emplace_back(u, count + static_cast<int>(entry.row()), size * entry.value());
+                }
+        }
+      around.resize(count + borne, count + borne);
+      around.setFromTriplets(entries.begin(), entries.end());
+    }
+
+    /** The system of links, body and ties. */
+    const Sparse &whole()
+    {
+      if (!is_surrounded())
+        return matrix;
+      matrix.conservativeResize(around.rows(), around.cols());
+      all_together = matrix + around;
+      matrix.conservativeResize(count, count);
+      return all_together;
+    }
+
+    /** Solutions for all unknowns; multipliers of ties are left out. */
+    Eigen::MatrixXd solve(const Eigen::MatrixXd &right)
+    {
+      if (!is_surrounded())
+        return lu.solve(right);
+      Eigen::MatrixXd extended = Eigen::MatrixXd::Zero(around.rows(), right.cols());
+      extended.topRows(count)  = right;
+      return Eigen::MatrixXd(lu.solve(extended)).topRows(count);
     }
 
     void number_unknowns()
@@ -165,7 +222,7 @@ namespace dem
     bool factorize(const std::vector<base::Matrix6> &stiffness)
     {
       assemble(stiffness);
-      lu.factorize(matrix);
+      lu.factorize(whole());
       return lu.info() == Eigen::Success;
     }
 
@@ -199,6 +256,13 @@ namespace dem
                   columns(u, static_cast<Eigen::Index>(p)) += on_K(c, of[p]);
               }
         }
+      if (loaded.body)
+        for (std::size_t p = 0; p < of.size(); ++p)
+          for (Eigen::Index x = 0; x < loaded.body->by_load.size() && of[p] == loaded.led; ++x)
+            if (const int u = unknown[motions * (loaded.network.particles() + static_cast<std::size_t>(x / 3)) +
+                                      static_cast<std::size_t>(x % 3)];
+                u >= 0)
+              columns(u, static_cast<Eigen::Index>(p)) += loaded.body->by_load[x];
       return columns;
     }
 
@@ -230,6 +294,9 @@ namespace dem
           strained << slip_of(loaded, i, motion), turn_of(loaded, i, motion);
           sum += loaded.load_slip[i].transpose() * (stiffness[i].topRows<3>() * strained);
         }
+      if (loaded.body)
+        sum[loaded.led] +=
+          loaded.body->by_load.dot(joints_of(loaded, motion)) + loaded.body->of_load * motion.loads[loaded.led];
       return sum;
     }
 
@@ -273,10 +340,11 @@ namespace dem
     const LoadedNetwork     &loaded;
     double                   scale;
     int                      count = 0;
-    std::vector<int>         unknown, first; ///< of each motion, -1 where held; of each particle, and the end
-    std::vector<int>         moving;         ///< load parameters that are free or led
-    std::vector<int>         all;            ///< load parameters that there are, in the plane or in space
-    Sparse                   matrix;
+    std::vector<int>         unknown, first;       ///< of each motion, -1 where held; of each particle, and the end
+    std::vector<int>         moving;               ///< load parameters that are free or led
+    std::vector<int>         all;                  ///< load parameters that there are, in the plane or in space
+    Sparse                   matrix;               ///< of the links
+    Sparse                   around, all_together; ///< see surround(); with the links
     std::vector<BlockPlaces> places;
     Eigen::VectorXd          weak_diagonal;
     Eigen::UmfPackLU<Sparse> lu;
@@ -299,7 +367,7 @@ namespace dem
     Eigen::MatrixXd right(s.count, static_cast<Eigen::Index>(s.moving.size()) + 1);
     right.rightCols(static_cast<Eigen::Index>(s.moving.size())) = -s.load_columns(stiffness, s.moving);
     right.col(0)                                                = s.forces_of(unbalanced);
-    const Eigen::MatrixXd x                                     = s.lu.solve(right);
+    const Eigen::MatrixXd x                                     = s.solve(right);
     if (!x.allFinite())
       return false;
     std::vector<LoadedMotion> answers;
@@ -326,7 +394,7 @@ namespace dem
     Eigen::VectorXd right = s.forces_of(unbalanced);
     if (!change.isZero(0))
       right -= s.load_columns(stiffness, s.all) * s.of_all(change);
-    const Eigen::VectorXd x = s.lu.solve(right);
+    const Eigen::VectorXd x = s.solve(right);
     correction              = s.motion_of(x);
     correction.loads        = change;
     return x.allFinite();
@@ -338,9 +406,9 @@ namespace dem
     if (!s.factorize(stiffness))
       return false;
     const Eigen::MatrixXd right = -s.load_columns(stiffness, s.all);
-    Eigen::MatrixXd       x     = s.lu.solve(right);
+    Eigen::MatrixXd       x     = s.solve(right);
     const Eigen::MatrixXd added = added_to_diagonal * (s.weak_diagonal.asDiagonal() * x);
-    x += s.lu.solve(added); // takes the addition back
+    x += s.solve(added); // takes the addition back
     forces.setZero();
     for (std::size_t p = 0; p < s.all.size(); ++p)
       {

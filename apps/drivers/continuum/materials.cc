@@ -53,7 +53,7 @@ namespace apps
     }
   } // namespace
 
-  void MaterialOfGroup::declare(Section &section, const std::function<bool()> &is_explicit)
+  void MaterialOfGroup::declare(Section &section, const std::function<bool()> &is_explicit, const bool holds_particles)
   {
     const auto              &kinds = fem::material_kinds();
     std::vector<std::string> names;
@@ -66,7 +66,8 @@ namespace apps
       .means("Law of the group; the section of its name holds its constants");
     section.number("Density", density, "kg/m^3", Range::positive(), Need::required)
       .means("Mass per volume")
-      .only_if(is_explicit, "Model/Analysis = explicit");
+      .only_if([this, is_explicit] { return is_explicit() && !is_homogenised(); },
+               holds_particles ? "in motion, and the law is not homogenised" : "Model/Analysis = explicit");
 
     for (const auto &kind : kinds)
       {
@@ -76,12 +77,24 @@ namespace apps
         block.constants = kind->constants();
         if (kind->takes_stiffness())
           declare_stiffness_file(entries, block);
+        if (kind->takes_stiffness() && holds_particles)
+          entries.flag("Homogenised", block.homogenised)
+            .means("Stiffness and density are those of the particles inside the solid, found from their periodic cell");
         const std::size_t first = entries.entries().size();
         block.constants->visit(ConstantEntries{entries});
         for (std::size_t i = first; kind->takes_stiffness() && i < entries.entries().size(); ++i)
-          entries.entries()[i]->only_if([&block] { return block.stiffness_file.empty(); },
-                                        "there is no Stiffness file");
+          entries.entries()[i]->only_if([&block] { return block.stiffness_file.empty() && !block.homogenised; },
+                                        holds_particles ? "there is no Stiffness file, and Homogenised = false" :
+                                                          "there is no Stiffness file");
       }
+  }
+
+  void MaterialOfGroup::become(const base::Stiffness &stiffness, const double found_density)
+  {
+    Block &block    = blocks.at(law->name());
+    block.constants = block.constants->copy();
+    block.constants->take_stiffness(0.5 * (stiffness + stiffness.transpose()));
+    density = found_density;
   }
 
   std::unique_ptr<fem::MaterialPoints> MaterialOfGroup::make_points(const fem::Plane plane) const
@@ -89,9 +102,10 @@ namespace apps
     try
       {
         const Block &block = chosen();
-        if (block.stiffness_file.empty())
+        if (block.stiffness_file.empty() || block.homogenised)
           {
-            block.constants->check();
+            if (!block.homogenised)
+              block.constants->check();
             return block.constants->make_points(plane);
           }
         const auto read = block.constants->copy();
@@ -116,14 +130,14 @@ namespace apps
       }
   }
 
-  void MaterialsSection::declare(Section &root, std::function<bool()> is_explicit)
+  void MaterialsSection::declare(Section &root, std::function<bool()> is_explicit, const bool holds_particles)
   {
     Section &s = root.section("Materials", "One sub-section per named group of elements: its law");
-    s.named_sections("GROUP", [this, is_explicit = std::move(is_explicit)](Section &opened) {
+    s.named_sections("GROUP", [this, is_explicit = std::move(is_explicit), holds_particles](Section &opened) {
       groups.push_back(std::make_unique<MaterialOfGroup>());
       groups.back()->group = opened.name();
       groups.back()->place = opened.place();
-      groups.back()->declare(opened, is_explicit);
+      groups.back()->declare(opened, is_explicit, holds_particles);
     });
   }
 
@@ -139,7 +153,8 @@ namespace apps
           s.find_section(group->law->name())
             ->refuse("Stiffness file",
                      "there is no such file (" + std::filesystem::absolute(file).lexically_normal().string() + ").");
-        group->make_points(fem::Plane::strain); // refuses constants that do not fit together
+        if (!group->is_homogenised())
+          group->make_points(fem::Plane::strain); // refuses constants that do not fit together
       }
   }
 } // namespace apps

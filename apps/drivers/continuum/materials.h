@@ -17,6 +17,7 @@ namespace apps
       std::unique_ptr<fem::MaterialConstants> constants;
       std::string                             stiffness_file; ///< of `breccia homogenise`; "": the constants
       std::string                             stiffness_way = "relaxed";
+      bool                                    homogenised   = false; ///< it is that of particles inside the solid
     };
 
     std::string                  group;
@@ -25,7 +26,12 @@ namespace apps
     double                       density = 0;       ///< [kg/m^3], in explicit analyses
     std::map<std::string, Block> blocks;            ///< of every law, by its name
 
-    void declare(Section &section, const std::function<bool()> &is_explicit);
+    /** @param holds_particles whether particles can be inside the solid, whose material may be homogenised */
+    void declare(Section &section, const std::function<bool()> &is_explicit, bool holds_particles);
+
+    bool is_homogenised() const { return law->takes_stiffness() && chosen().homogenised; }
+    /** In place of constants and density of a material that is homogenised. */
+    void become(const base::Stiffness &stiffness, double density);
 
     const Block &chosen() const { return blocks.at(law->name()); }
 
@@ -41,7 +47,7 @@ namespace apps
   {
     std::vector<std::unique_ptr<MaterialOfGroup>> groups;
 
-    void declare(Section &root, std::function<bool()> is_explicit);
+    void declare(Section &root, std::function<bool()> is_explicit, bool holds_particles = false);
     void validate(const Section &root, bool large_displacement) const;
   };
 } // namespace apps

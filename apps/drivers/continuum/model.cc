@@ -162,10 +162,18 @@ namespace apps
     motion.ends_itself = false;
     solid.declare(root);
     mesh.declare(root, solid.dimension);
-    materials.declare(root, [] { return true; });
+    materials.declare(root, [] { return true; }, true);
     loads.declare(root);
     motion.declare(root, [] { return true; });
     contacts.declare(root, [] { return true; });
+  }
+
+  void ContinuumModel::declare_as_static_part(Section &root)
+  {
+    solid.declare(root);
+    mesh.declare(root, solid.dimension);
+    materials.declare(root, [] { return false; }, true);
+    loads.declare(root);
   }
 
   void ContinuumModel::validate(const Section &root) const
@@ -188,5 +196,17 @@ namespace apps
     materials.validate(root, solid.large_displacement);
     loads.validate(root, solid.dimension);
     contacts.validate(root);
+  }
+
+  void ContinuumModel::validate_as_static_part(const Section &root) const
+  {
+    const Section &s = *root.find_section("Model");
+    if (!is_static())
+      s.refuse("Analysis", "nothing moves in time here: static.");
+    if (solid.large_displacement)
+      s.refuse("Large displacement", "the solid around particles in equilibrium is linear. Switch it off.");
+    mesh.validate(root, solid.dimension);
+    materials.validate(root, solid.large_displacement);
+    loads.validate(root, solid.dimension);
   }
 } // namespace apps

@@ -100,9 +100,12 @@ namespace apps
     void declare(Section &root);
     /** The sections of a solid that moves together with something else: the scene says where that ends and what is written. */
     void declare_as_part(Section &root);
+    /** Those of a solid in equilibrium with something else. */
+    void declare_as_static_part(Section &root);
     /** Rules between entries. @throws base::InputError. */
     void validate(const Section &root) const;
     void validate_as_part(const Section &root) const;
+    void validate_as_static_part(const Section &root) const;
 
     bool is_static() const { return solid.analysis == SolidSection::Analysis::statics; }
   };

@@ -85,7 +85,7 @@ namespace apps
     }
 
     template <int dim>
-    fem::Loads<dim> make_loads(const ContinuumModel &model)
+    fem::Loads<dim> make_loads(const ContinuumModel &model, const TakenPlaces &taken)
     {
       fem::Loads<dim> loads;
       for (const auto &b : model.loads.boundaries)
@@ -114,7 +114,7 @@ namespace apps
       loads.body_force_is_steady = std::none_of(model.loads.body_force.begin(), model.loads.body_force.end(),
                                                 [](const Expression &formula) { return formula.varies_in_time(); });
       loads.remove_rigid_motion  = model.solid.remove_rigid_motion;
-      loads.may_move_freely      = !model.is_static();
+      loads.may_move_freely      = !model.is_static() || taken.holds;
       return loads;
     }
 
@@ -198,7 +198,7 @@ namespace apps
     auto solid = std::make_unique<fem::Solid<dim>>(std::move(mesh), options);
     for (const auto &group : model.materials.groups)
       solid->assign(group->group, group->make_points(options.plane));
-    solid->set_loads(make_loads<dim>(model));
+    solid->set_loads(make_loads<dim>(model, taken));
     refuse_wide_elements(*solid, model);
     return solid;
   }

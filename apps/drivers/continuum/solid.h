@@ -27,6 +27,7 @@ namespace apps
     std::function<double(const std::array<double, 3> &)>
                                                  share; ///< as fem::SolidOptions has it; empty: all is the solid's
     std::function<bool(const Eigen::Vector3d &)> whole; ///< elements that lie wholly in such places go; empty: none
+    bool                                         holds = false; ///< it may hold the solid where supports do not
   };
 
   /**

@@ -6,12 +6,13 @@
 #include "apps/drivers/continuum/picture.h"
 #include "apps/drivers/continuum/snapshot.h"
 #include "apps/drivers/continuum/solid.h"
+#include "apps/drivers/coupled/taken_places.h"
+#include "apps/drivers/parts/specimen_picture.h"
 #include "apps/process/interrupt.h"
 #include "apps/results/run_work.h"
 #include "apps/scene/name_list.h"
 #include "coupling/concurrent/concurrent_motion.h"
 #include "dem/facets/surface.h"
-#include "postprocess/picture_axes.h"
 #include "postprocess/specimen_picture.h"
 
 #include <Eigen/Geometry>
@@ -30,24 +31,13 @@ namespace apps
   {
     constexpr const char *axes[3] = {"_x", "_y", "_z"};
 
-    /** What particles inside the solid have of its place. */
-    TakenPlaces taken_by(const HandshakesSection &handshakes)
-    {
-      TakenPlaces taken;
-      if (handshakes.empty())
-        return taken;
-      taken.whole = [&handshakes](const Vector3d &place) { return handshakes.is_taken(place); };
-      if (const auto share = handshakes.share_of_solid())
-        taken.share = [share](const std::array<double, 3> &place) { return share(Vector3d(place.data())); };
-      return taken;
-    }
-
     template <int dim>
     class Body : public CoupledBody
     {
     public:
-      Body(const CoupledModel &what, const dem::Packing &packing)
+      Body(const CoupledModel &what, const dem::Packing &packing, const std::optional<ParticleMedium> &known)
         : model(what)
+        , medium(known)
         , material_names(packing.material_names)
         , body(what.particles, packing)
         , solid(make_solid<dim>(what.continuum, taken_by(what.handshakes)))
@@ -241,10 +231,29 @@ namespace apps
       std::int64_t          windows() const override { return window_count; }
       const ContactFigures &interface() const override { return figures; }
 
+      std::string text_of_mismatch() const override
+      {
+        if (!medium)
+          return "";
+        Mismatch worst;
+        for (const auto &group : model.continuum.materials.groups)
+          {
+            const auto     number = solid->mesh().materials.at(group->group);
+            const Mismatch found =
+              reflected_by_mismatch(*medium, solid->material(number).elastic_stiffness(), motion->density(number));
+            worst.compression = std::max(worst.compression, found.compression);
+            worst.shear       = std::max(worst.shear, found.shear);
+          }
+        return fmt::format("impedances reflect {:.2g} of the energy of waves of compression, {:.2g} of shear",
+                           worst.compression, worst.shear);
+      }
+
       std::string text_of_handshakes() const override
       {
         std::string text;
-        auto        handshake = model.handshakes.handshakes.begin();
+        if (medium)
+          text += fmt::format("  medium       {}\n", text_of_mismatch());
+        auto handshake = model.handshakes.handshakes.begin();
         for (const auto &volume : both.volumes())
           text += fmt::format("  handshake    {}: {} particles and {} bonds in the overlap, {} nodes\n",
                               (handshake++)->name, volume->in_overlap(), volume->bonds(), volume->nodes());
@@ -353,21 +362,6 @@ namespace apps
         return both_have.empty() ? std::nullopt : std::optional<std::size_t>(both_have.front());
       }
 
-      /** So that a displacement that half of the particles stay below shows as a twentieth of their extent; a round number. */
-      static double magnification(const dem::ParticleOutput &particles)
-      {
-        Eigen::AlignedBox3d box;
-        std::vector<double> moved;
-        for (std::size_t i = 0; i < particles.position.size(); ++i)
-          {
-            box.extend(particles.position[i] - particles.displacement[i]);
-            moved.push_back(particles.displacement[i].norm());
-          }
-        const auto median = moved.begin() + static_cast<std::ptrdiff_t>(moved.size() / 2);
-        std::nth_element(moved.begin(), median, moved.end());
-        return postprocess::round_magnification(*median > 0 ? 0.05 * box.sizes().maxCoeff() / *median : 1);
-      }
-
       void add(const HandshakeSection &handshake)
       {
         // Of the elements whose centre lies in the overlap or within.
@@ -454,6 +448,7 @@ namespace apps
       }
 
       const CoupledModel                       &model;
+      std::optional<ParticleMedium>             medium; ///< of the particles
       std::vector<std::string>                  material_names;
       ParticlesBody                             body;
       std::unique_ptr<fem::Solid<dim>>          solid;
@@ -468,10 +463,12 @@ namespace apps
     };
   } // namespace
 
-  std::unique_ptr<CoupledBody> make_coupled_body(const CoupledModel &model, const dem::Packing &packing)
+  std::unique_ptr<CoupledBody>
+  make_coupled_body(const CoupledModel &model, const dem::Packing &packing, const std::optional<ParticleMedium> &medium)
   {
+    homogenise(model.continuum.materials, medium);
     if (model.dimension() == 2)
-      return std::make_unique<Body<2>>(model, packing);
-    return std::make_unique<Body<3>>(model, packing);
+      return std::make_unique<Body<2>>(model, packing, medium);
+    return std::make_unique<Body<3>>(model, packing, medium);
   }
 } // namespace apps

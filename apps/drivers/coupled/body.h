@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 
 namespace apps
 {
@@ -48,6 +49,8 @@ namespace apps
     virtual std::size_t           unknowns() const  = 0;
     virtual std::int64_t          windows() const   = 0; ///< taken
     virtual const ContactFigures &interface() const = 0;
+    /** What the impedances of particles and solid reflect, whatever joins them; "" where the medium is not known. */
+    virtual std::string text_of_mismatch() const = 0;
     /** Lines of a forecast: where particles lie inside the solid. */
     virtual std::string text_of_handshakes() const = 0;
 
@@ -64,6 +67,11 @@ namespace apps
     virtual void visit_state(RunState &state) = 0;
   };
 
-  /** @param packing as ParticlesModel::packing() makes it. Both outlive the body. @throws base::InputError */
-  std::unique_ptr<CoupledBody> make_coupled_body(const CoupledModel &model, const dem::Packing &packing);
+  /**
+   * @param packing as CoupledModel::packing() makes it; both outlive the body. @param medium of its particles, where it is known
+   * @throws base::InputError
+   */
+  std::unique_ptr<CoupledBody> make_coupled_body(const CoupledModel                  &model,
+                                                 const dem::Packing                  &packing,
+                                                 const std::optional<ParticleMedium> &medium = std::nullopt);
 } // namespace apps

@@ -8,21 +8,38 @@ namespace apps
   using coupling::VolumeMethod;
   using Eigen::Vector3d;
 
-  void HandshakeSection::declare(Section &s)
+  void HandshakeSection::declare(Section &s, const bool moves)
   {
     name = s.name();
+    if (!moves)
+      {
+        method  = VolumeMethod::slaved;
+        absorbs = false;
+      }
     declare_region(s);
     s.number("Overlap", width, "m", Range::at_least(0), Need::required)
-      .means("Width of the layer around the region in which particles and elements both are; four elements for the "
-             "absorber. Particles of the specimen further away are left out");
+      .means(std::string("Width of the layer around the region in which particles and elements both are") +
+             (moves ? "; four elements for the absorber" : "") +
+             ". Particles of the specimen further away are left out");
     s.choice(
        "Method", method,
        {{"multipliers", VolumeMethod::multipliers}, {"slaved", VolumeMethod::slaved}, {"legacy", VolumeMethod::legacy}},
        Need::optional)
-      .means(
-        "multipliers: both share stiffness and mass in the overlap, and their velocities are kept together; slaved: "
-        "its particles move as the elements do, which alone are stiff there; legacy: slaved, both stiff, for "
-        "comparison");
+      .means("multipliers: both share stiffness and mass in the overlap, and they are kept together; slaved: "
+             "its particles move as the elements do, which alone are stiff there; legacy: slaved, both stiff, for "
+             "comparison");
+    if (moves)
+      declare_ties_in_motion(s);
+    else
+      s.choice("Ties", ties, {{"coarse", Ties::coarse}, {"strict", Ties::strict}}, Need::optional)
+        .means("coarse: mean displacements around each node are equal; strict: those of every particle")
+        .only_if([this] { return method == VolumeMethod::multipliers; }, "Method = multipliers");
+    s.number("Damage limit", damage_limit, "-", Range::between(0, 1), Need::optional)
+      .means("The run stops where more than this part of the overlap's bonds is damaged: the region is too small");
+  }
+
+  void HandshakeSection::declare_ties_in_motion(Section &s)
+  {
     s.choice("Ties", ties, {{"coarse", Ties::coarse}, {"strict", Ties::strict}, {"lumped", Ties::lumped}},
              Need::optional)
       .means("coarse: mean velocities around each node are equal; strict: those of every particle; lumped: strict, and "
@@ -31,8 +48,6 @@ namespace apps
     declare_absorber(s);
     s.number("Energy limit", energy_limit, "-", Range::positive(), Need::optional)
       .means("The run stops where the handshake itself has made or lost more than this part of the largest energy");
-    s.number("Damage limit", damage_limit, "-", Range::between(0, 1), Need::optional)
-      .means("The run stops where more than this part of the overlap's bonds is damaged: the region is too small");
   }
 
   void HandshakeSection::declare_region(Section &s)
@@ -100,13 +115,14 @@ namespace apps
     return made;
   }
 
-  void HandshakesSection::declare(Section &root)
+  void HandshakesSection::declare(Section &root, const bool moves)
   {
     root
       .section("Handshakes",
                "One sub-section per region of particles inside the solid; its name is part of the columns "
                "of series.csv")
-      .named_sections("HANDSHAKE", [this](Section &opened) { handshakes.emplace_back().declare(opened); });
+      .named_sections("HANDSHAKE",
+                      [this, moves](Section &opened) { handshakes.emplace_back().declare(opened, moves); });
   }
 
   void HandshakesSection::validate(const Section &root, const int dimension) const

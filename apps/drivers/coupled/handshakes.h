@@ -38,12 +38,14 @@ namespace apps
     coupling::AbsorberProportions proportions;
     double                        energy_limit = 0.01, damage_limit = 0.01;
 
-    void              declare(Section &section);
+    /** @param moves whether both sides are in motion, or led along equilibria, where particles are slaved unless a scene says otherwise */
+    void              declare(Section &section, bool moves);
     coupling::Overlap overlap() const;
     /** @param element_size of the solid in the overlap [m] @param wave_speed of compression there [m/s] */
     coupling::VolumeCouplingParameters parameters(double element_size, double wave_speed) const;
 
   private:
+    void declare_ties_in_motion(Section &section);
     void declare_region(Section &section);
     void declare_absorber(Section &section);
   };
@@ -53,7 +55,8 @@ namespace apps
   {
     std::list<HandshakeSection> handshakes;
 
-    void declare(Section &root);
+    /** @param moves as above */
+    void declare(Section &root, bool moves = true);
     /** @throws base::InputError for a region that is none, or a method that wants an overlap without one */
     void validate(const Section &root, int dimension) const;
     bool empty() const { return handshakes.empty(); }

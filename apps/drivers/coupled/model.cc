@@ -48,11 +48,18 @@ namespace apps
         throw base::InputError("Couplings/" + coupling.name + ": there is a wall of this name. Take another.");
   }
 
-  dem::Packing CoupledModel::packing() const
+  dem::Packing CoupledModel::packing(std::optional<dem::Packing> *const cell) const
   {
     if (handshakes.empty())
       return particles.packing();
-    return particles.packing([this](const Eigen::Vector3d &place) { return handshakes.may_hold(place); });
+    return particles.packing([this](const Eigen::Vector3d &place) { return handshakes.may_hold(place); }, cell);
+  }
+
+  std::optional<ParticleMedium> CoupledModel::medium(const std::optional<dem::Packing> &cell) const
+  {
+    if (handshakes.empty())
+      return std::nullopt;
+    return medium_of(cell, particles.source, particles.material, dimension(), particles.physics.rotations);
   }
 
   namespace

@@ -3,6 +3,7 @@
 #include "apps/drivers/coupled/couplings.h"
 #include "apps/drivers/coupled/handshakes.h"
 #include "apps/drivers/coupled/laboratory.h"
+#include "apps/drivers/coupled/particle_medium.h"
 #include "apps/drivers/particles/model.h"
 #include "apps/drivers/parts/contact_figures.h"
 
@@ -33,8 +34,10 @@ namespace apps
     std::pair<std::string, std::string> curve(const std::vector<postprocess::SeriesColumn> &columns,
                                               const std::vector<postprocess::SeriesColumn> &told) const;
 
-    /** Of the specimen what lies where particles are to be, where a scene says so; and all others. @throws as ParticlesModel::packing() */
-    dem::Packing packing() const;
+    /** Of the specimen what lies where particles are to be, where a scene says so; and all others. @param cell as specimen_particles() has it @throws as ParticlesModel::packing() */
+    dem::Packing packing(std::optional<dem::Packing> *cell = nullptr) const;
+    /** Of the particles, where the solid shares a place with them and it is known. @param cell as packing() gives it */
+    std::optional<ParticleMedium> medium(const std::optional<dem::Packing> &cell) const;
 
     int dimension() const { return particles.physics.dimension; }
   };

@@ -97,6 +97,8 @@ namespace apps
       text += fmt::format("{:<12} {} damaged bonds in the overlap, {:.4g} J absorbed\n", "handshake",
                           series.column(column_name(handshake.name) + "_damaged").back(),
                           series.column(column_name(handshake.name) + "_absorbed").back());
+    if (const std::string mismatch = body.text_of_mismatch(); !mismatch.empty())
+      text += fmt::format("{:<12} {}\n", "medium", mismatch);
     if (body.interface().touched())
       text += body.interface().text();
     else if (model.handshakes.empty())

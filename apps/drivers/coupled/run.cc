@@ -29,13 +29,15 @@ namespace apps
   void CoupledRun::make_body()
   {
     const Progress progress("links");
-    body      = make_coupled_body(model, packing);
+    body      = make_coupled_body(model, packing, medium);
     materials = MaterialCounts(packing.material_names, body->particles().specimen());
   }
 
   void CoupledRun::prepare()
   {
-    packing = model.packing();
+    std::optional<dem::Packing> cell;
+    packing = model.packing(&cell);
+    medium  = model.medium(cell);
     make_body();
     const Progress progress("initial state");
     start = body->start();
@@ -53,6 +55,8 @@ namespace apps
   void CoupledRun::begin(const std::filesystem::path &folder, const Record &record)
   {
     keep_packing(packing, folder);
+    if (medium)
+      medium->write(folder / ParticleMedium::file_name);
     open(folder);
     snapshot();
     record({{}, body->row(), {}});
@@ -62,6 +66,7 @@ namespace apps
   void CoupledRun::reopen(const std::filesystem::path &folder)
   {
     packing = kept_packing(folder);
+    medium  = ParticleMedium::kept_in(folder);
     make_body();
     open(folder);
   }

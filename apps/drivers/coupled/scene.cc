@@ -60,10 +60,11 @@ namespace apps
   std::string CoupledScene::forecast() const
   {
     start_mpi();
-    const Stopwatch    set_up;
-    const dem::Packing packing        = model.packing();
-    const auto         body           = make_coupled_body(model, packing); // refuses what a run would refuse
-    const StaticStart  start          = body->start();
+    const Stopwatch             set_up;
+    std::optional<dem::Packing> cell;
+    const dem::Packing          packing = model.packing(&cell);
+    const auto         body  = make_coupled_body(model, packing, model.medium(cell)); // refuses what a run would refuse
+    const StaticStart  start = body->start();
     const double       set_up_seconds = set_up.seconds();
     const auto        &specimen       = body->particles().specimen();
     const CoupledSteps steps          = body->steps();

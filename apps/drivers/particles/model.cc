@@ -96,11 +96,12 @@ namespace apps
     return names;
   }
 
-  dem::Packing ParticlesModel::packing(const std::function<bool(const Eigen::Vector3d &)> &keeps) const
+  dem::Packing ParticlesModel::packing(const std::function<bool(const Eigen::Vector3d &)> &keeps,
+                                       std::optional<dem::Packing> *const                  cell) const
   {
     SpecimenSection specimen = source;
     specimen.bonded          = bonded();
-    return more.compose(specimen, material, physics.dimension, keeps);
+    return more.compose(specimen, material, physics.dimension, keeps, cell);
   }
 
   ParticleGroups ParticlesModel::groups_in(const dem::Packing &packing) const

@@ -44,8 +44,9 @@ namespace apps
 
     /** Whether the law links particles from the start. @pre validated */
     bool bonded() const { return material.materials().bonds(physics)->bonds(); }
-    /** Particles and where the groups of them are. @param keeps particles of the specimen at a place; empty: all @throws base::InputError, and as make_packing() */
-    dem::Packing packing(const std::function<bool(const Eigen::Vector3d &)> &keeps = {}) const;
+    /** Particles and where the groups of them are. @param keeps particles of the specimen at a place; empty: all @param cell as specimen_particles() has it @throws base::InputError, and as make_packing() */
+    dem::Packing packing(const std::function<bool(const Eigen::Vector3d &)> &keeps = {},
+                         std::optional<dem::Packing>                        *cell  = nullptr) const;
     /** @param packing as packing() makes it */
     ParticleGroups          groups_in(const dem::Packing &packing) const;
     dem::SpecimenParameters parameters() const;

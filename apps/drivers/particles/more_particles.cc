@@ -116,12 +116,13 @@ namespace apps
   dem::Packing MoreParticlesSection::compose(const SpecimenSection                              &specimen,
                                              const MaterialSection                              &materials,
                                              const int                                           dimension,
-                                             const std::function<bool(const Eigen::Vector3d &)> &keeps) const
+                                             const std::function<bool(const Eigen::Vector3d &)> &keeps,
+                                             std::optional<dem::Packing> *const                  cell) const
   {
     dem::Packing whole;
     if (specimen.source != SpecimenSection::Source::none)
       {
-        whole = specimen_particles(specimen, dimension);
+        whole = specimen_particles(specimen, dimension, cell);
         if (keeps)
           whole = particles_where(whole, [&](const std::size_t i) { return keeps(whole.centre[i]); });
         materials.number(whole, dimension, origin_of(specimen));

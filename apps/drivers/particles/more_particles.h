@@ -34,11 +34,12 @@ namespace apps
     void declare(Section &root);
     /** @param names takes theirs. @throws base::InputError. */
     void validate(const Section &root, int dimension, const MaterialSection &materials, GroupNames &names) const;
-    /** Specimen and added particles together, loose ones last, with their materials. @throws base::InputError, and as make_packing() */
+    /** Specimen and added particles together, loose ones last, with their materials. @param cell as specimen_particles() has it @throws base::InputError, and as make_packing() */
     dem::Packing compose(const SpecimenSection                              &specimen,
                          const MaterialSection                              &materials,
                          int                                                 dimension,
-                         const std::function<bool(const Eigen::Vector3d &)> &keeps = {}) const;
+                         const std::function<bool(const Eigen::Vector3d &)> &keeps = {},
+                         std::optional<dem::Packing>                        *cell  = nullptr) const;
 
     std::size_t loose() const; ///< how many of the last particles are linked to nothing
     /** Where those of each sub-section are. @param particles how many there are of all, in what compose() made */

@@ -9,15 +9,18 @@
 
 namespace apps
 {
-  nlohmann::json figure_of(const postprocess::CsvTable &series, const std::string &name, const std::string &unit)
+  nlohmann::json figure_of(const postprocess::CsvTable &series,
+                           const std::string           &name,
+                           const std::string           &unit,
+                           const std::string           &clock)
   {
-    const std::vector<double> &values = series.column(name), &time = series.column("time");
+    const std::vector<double> &values = series.column(name), &time = series.column(clock);
     const auto                 least = std::min_element(values.begin(), values.end()) - values.begin();
     const auto                 most  = std::max_element(values.begin(), values.end()) - values.begin();
     const auto                 at    = [&](const std::ptrdiff_t row) {
       return nlohmann::json{{"value", values[static_cast<std::size_t>(row)]},
                             {"unit", unit.empty() ? "-" : unit},
-                            {"at_time", time[static_cast<std::size_t>(row)]}};
+                            {"at_" + clock, time[static_cast<std::size_t>(row)]}};
     };
     return {{"end", at(static_cast<std::ptrdiff_t>(values.size()) - 1)}, {"least", at(least)}, {"largest", at(most)}};
   }

@@ -8,8 +8,11 @@
 
 namespace apps
 {
-  /** Last, least and largest value of a column of a series, and when: objects "end", "least" and "largest". */
-  nlohmann::json figure_of(const postprocess::CsvTable &series, const std::string &name, const std::string &unit);
+  /** Last, least and largest value of a column of a series, and when: objects "end", "least" and "largest". @param clock column that says when */
+  nlohmann::json figure_of(const postprocess::CsvTable &series,
+                           const std::string           &name,
+                           const std::string           &unit,
+                           const std::string           &clock = "time");
 
   /**
    * Largest value of the column "energy_residual" over the largest energy, both of all rows: a run that ends at rest has only rounding

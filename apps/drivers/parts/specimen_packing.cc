@@ -97,13 +97,15 @@ namespace apps
         }
     }
 
-    dem::Packing make_particles(const SpecimenSection &specimen)
+    dem::Packing make_particles(const SpecimenSection &specimen, std::optional<dem::Packing> *cell)
     {
       if (specimen.body == SpecimenSection::Body::cell)
         return make_cell(specimen);
-      if (specimen.source == SpecimenSection::Source::generator)
-        return cropped(compact_with_progress(specimen.compaction()).packing, specimen.box_edges());
-      dem::Packing packing = postprocess::read_packing(specimen.file);
+      dem::Packing packing = specimen.source == SpecimenSection::Source::generator ?
+                               compact_with_progress(specimen.compaction()).packing :
+                               postprocess::read_packing(specimen.file);
+      if (cell && packing.periodic_cell)
+        *cell = packing;
       if (specimen.has_box())
         return cropped(packing, specimen.box_edges());
       if (packing.periodic_cell)
@@ -120,11 +122,12 @@ namespace apps
     return specimen.source == SpecimenSection::Source::file ? specimen.file : "generated packing";
   }
 
-  dem::Packing specimen_particles(const SpecimenSection &specimen, const int dimension)
+  dem::Packing
+  specimen_particles(const SpecimenSection &specimen, const int dimension, std::optional<dem::Packing> *const cell)
   {
     const bool        from_file = specimen.source == SpecimenSection::Source::file;
     const std::string origin    = origin_of(specimen);
-    dem::Packing      packing   = make_particles(specimen);
+    dem::Packing      packing   = make_particles(specimen, cell);
     if (from_file || specimen.body == SpecimenSection::Body::box)
       dem::check_packing(packing, origin);
     if (from_file)

@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace apps
@@ -19,8 +20,12 @@ namespace apps
    */
   dem::Packing make_packing(const SpecimenSection &specimen, const MaterialSection &material, int dimension);
 
-  /** The same without its material, which is still as the file has it. */
-  dem::Packing specimen_particles(const SpecimenSection &specimen, int dimension);
+  /**
+   * The same without its material, which is still as the file has it.
+   * @param cell receives the periodic packing of which they are a part, where there is one; nullptr: nobody asks
+   */
+  dem::Packing
+  specimen_particles(const SpecimenSection &specimen, int dimension, std::optional<dem::Packing> *cell = nullptr);
   /** Where these come from, for messages. */
   std::string origin_of(const SpecimenSection &specimen);
 

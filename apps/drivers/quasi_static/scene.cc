@@ -2,7 +2,7 @@
 
 #include "apps/drivers/parts/duration.h"
 #include "apps/drivers/parts/lab_run.h"
-#include "apps/drivers/parts/link_failure.h"
+#include "apps/drivers/parts/path_forecast.h"
 #include "apps/drivers/parts/specimen_packing.h"
 #include "apps/drivers/quasi_static/report.h"
 
@@ -143,37 +143,6 @@ namespace apps
           ->refuse("Stop strain", "must not be below the strain step.");
   }
 
-  namespace
-  {
-    /**
-     * Of a test, for the forecast of its duration: the first points, which are elastic, measured; then as many as cracking takes
-     * where a step may let a damaging strain grow by the growth step only, with the solutions that each needs.
-     */
-    double expected_seconds(const QuasiStaticModel &model, const dem::Packing &packing, const UniaxialLoad load)
-    {
-      constexpr double enough = 0.5, solutions_when_cracking = 6, rounds_of_cracks = 4;
-      dem::Physics     physics;
-      physics.dimension         = model.dimension;
-      const LinkFailure failure = failure_in_tension(*model.material.materials().bonds_in_space(physics));
-      // Of a link's damaging strain until it carries nothing.
-      const double      growth = failure.softening > 0 ? std::log(5 * failure.softening / failure.onset) : 0.0;
-      const Stopwatch   watch;
-      QuasiStaticResult result;
-      const auto        loaded = model.load(packing);
-      result.load              = load;
-      dem::QuasiStaticPath path(loaded, model.material.materials(), model.steps(load));
-      while (!path.finished() && (result.solutions < 2 || watch.seconds() < enough))
-        {
-          const dem::QuasiStaticPoint &point = path.advance();
-          result.add(point, point.strain[loaded.led], point.stress[loaded.led]);
-        }
-      const double solution = watch.seconds() / static_cast<double>(std::max<std::int64_t>(1, result.solutions));
-      const double points   = model.steps(load).end_strain / model.steps(load).strain_step +
-                            rounds_of_cracks * growth / std::log1p(model.growth_step);
-      return points * solutions_when_cracking * solution;
-    }
-  } // namespace
-
   std::string QuasiStaticScene::forecast() const
   {
     const Stopwatch         set_up;
@@ -192,7 +161,7 @@ namespace apps
       {
         text += fmt::format("  {:<12} at least {:.0f} points to its stop strain\n", name_of(load),
                             model.steps(load).end_strain / model.steps(load).strain_step);
-        seconds += set_up_seconds + expected_seconds(model, packing, load);
+        seconds += set_up_seconds + expected_path_seconds(loaded, model.material.materials(), model.steps(load));
       }
     return text + duration_line(seconds);
   }

@@ -1,0 +1,62 @@
+#include "apps/drivers/structure/gauges.h"
+
+#include "apps/drivers/continuum/gauge_column.h"
+
+namespace apps
+{
+  void DisplacementGaugesSection::declare(Section &root)
+  {
+    root
+      .section("Gauges",
+               "One sub-section per displacement of particles that is recorded; its name is the column of series.csv")
+      .named_sections("GAUGE", [this](Section &opened) {
+        DisplacementGauge &added = gauges.emplace_back();
+        added.name               = opened.name();
+        opened.text("Group", added.group, Need::optional).means("Of particles whose mean displacement is measured");
+        opened.text("Other group", added.other, Need::optional)
+          .means("From which it is measured, as the opening of a notch is; empty: from where it was");
+        opened.choice("Component", added.axis, {{"x", 0}, {"y", 1}, {"z", 2}}, Need::required)
+          .means("Of the displacement");
+      });
+  }
+
+  void DisplacementGaugesSection::validate(const Section &root, const int dimension, const GroupNames &names) const
+  {
+    for (const DisplacementGauge &gauge : gauges)
+      {
+        const Section &s = *root.find_section("Gauges")->find_section(gauge.name);
+        if (gauge.name.find_first_of(",\"") != std::string::npos)
+          throw base::InputError(s.place().text() + ": Gauges/" + gauge.name +
+                                 ": a name without commas and quotes, please: it is a column of series.csv.");
+        names.require(s, "Group", gauge.group);
+        if (!gauge.other.empty())
+          names.require(s, "Other group", gauge.other);
+        if (gauge.axis >= dimension)
+          s.refuse("Component", "in two dimensions the axes are x and y.");
+      }
+  }
+
+  std::vector<postprocess::SeriesColumn> DisplacementGaugesSection::columns() const
+  {
+    std::vector<postprocess::SeriesColumn> all;
+    for (const DisplacementGauge &gauge : gauges)
+      all.push_back({column_name(gauge.name), "m"});
+    return all;
+  }
+
+  std::vector<double> DisplacementGaugesSection::read(const std::vector<Eigen::Vector3d> &displacement,
+                                                      const ParticleGroups               &groups) const
+  {
+    const auto mean = [&](const std::string &group, const int axis) {
+      double      sum     = 0;
+      const auto &members = groups.at(group);
+      for (const std::size_t i : members)
+        sum += displacement[i][axis];
+      return sum / static_cast<double>(members.size());
+    };
+    std::vector<double> values;
+    for (const DisplacementGauge &gauge : gauges)
+      values.push_back(mean(gauge.group, gauge.axis) - (gauge.other.empty() ? 0.0 : mean(gauge.other, gauge.axis)));
+    return values;
+  }
+} // namespace apps

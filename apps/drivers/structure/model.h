@@ -1,0 +1,72 @@
+#pragma once
+
+#include "apps/drivers/continuum/model.h"
+#include "apps/drivers/coupled/handshakes.h"
+#include "apps/drivers/structure/gauges.h"
+#include "apps/drivers/structure/supports.h"
+#include "apps/scene/material_section.h"
+#include "apps/scene/region.h"
+#include "apps/scene/specimen_section.h"
+#include "dem/model/particles.h"
+#include "dem/statics/quasi_static_path.h"
+
+#include <list>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace apps
+{
+  /** Sub-section of "Voids": a place without particles, as a notch is. */
+  struct VoidSection
+  {
+    std::string name;
+    Region      region;
+  };
+
+  /** Section "Path": how a structure is led along its equilibria. */
+  struct PathSection
+  {
+    double end = 0, step = 0, stop_fraction = 0.2, growth_step = 0.2, tolerance = 1e-7, damping = 0.7;
+
+    void declare(Section &root);
+    /** @throws base::InputError */
+    void                       validate(const Section &root) const;
+    dem::QuasiStaticParameters parameters() const;
+  };
+
+  /** Everything that a scene of kind "structure" says. */
+  struct StructureModel
+  {
+    SpecimenSection           source;
+    MaterialSection           material;
+    int                       dimension = 3;
+    bool                      rotations = true;
+    std::list<VoidSection>    voids;
+    GroupsSection             groups;
+    ParticleSupportsSection   supports;
+    DisplacementGaugesSection gauges;
+    ContinuumModel            continuum; ///< where there are handshakes
+    HandshakesSection         handshakes;
+    PathSection               path;
+    std::int64_t              snapshot_interval   = 20; ///< points of the path
+    double                    checkpoint_interval = 600;
+    std::string               horizontal, vertical; ///< columns of the curve, as the scene asks for them
+
+    void declare(Section &root);
+    /** @throws base::InputError */
+    void validate(const Section &root) const;
+
+    bool has_solid() const { return !handshakes.empty(); }
+    /** Of the specimen what is in no void and, beside a solid, in a region or its overlap. @param cell as specimen_particles() has it @throws as make_packing() */
+    dem::Packing   packing(std::optional<dem::Packing> *cell = nullptr) const;
+    ParticleGroups groups_in(const dem::Packing &packing) const;
+    /** The particles alone, held and led. @throws base::InputError */
+    dem::LoadedNetwork particles(const dem::Packing &packing, const ParticleGroups &groups) const;
+    dem::ParticleShape shape() const { return {dimension, 0, source.thickness}; }
+    dem::Physics       physics() const;
+
+  private:
+    void declare_output(Section &root);
+  };
+} // namespace apps

@@ -1,0 +1,122 @@
+#include "apps/drivers/structure/report.h"
+
+#include "apps/drivers/parts/drawn_curve.h"
+#include "apps/drivers/parts/series_figures.h"
+#include "apps/drivers/parts/summary_head.h"
+#include "apps/process/progress.h"
+#include "apps/results/warning.h"
+#include "dem/observation/crack.h"
+#include "postprocess/plot.h"
+#include "postprocess/summary.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace apps
+{
+  nlohmann::json StructureReport::figures() const
+  {
+    nlohmann::json found = nlohmann::json::object();
+    for (const postprocess::SeriesColumn &column : structure.told())
+      found[column.name] = figure_of(series, column.name, column.unit, "load_factor");
+    const dem::Crack crack = dem::measure_crack(structure.particle_output(), structure.link_output(), model.shape());
+    found["crack"]       = {{"links", crack.links}, {"cracked", crack.cracked}, {"area", quantity(crack.area, "m^2")}};
+    found["load_factor"] = quantity(series.column("load_factor").back(), "-");
+    return found;
+  }
+
+  std::size_t StructureReport::points_by(const dem::StepControl control) const
+  {
+    const auto &points = structure.way().points();
+    return static_cast<std::size_t>(
+      std::count_if(points.begin() + 1, points.end(), [&](const auto &p) { return p.control == control; }));
+  }
+
+  nlohmann::json StructureReport::energy() const
+  {
+    nlohmann::json    terms  = {{"balance_error", worst_residual(series)}, {"unit", "J"}};
+    const std::string prefix = "energy_";
+    for (const std::string &name : series.names)
+      if (name.rfind(prefix, 0) == 0)
+        terms[name.substr(prefix.size())] = series.column(name).back();
+    return terms;
+  }
+
+  nlohmann::json StructureReport::cost() const
+  {
+    std::int64_t solutions = 0;
+    for (const dem::QuasiStaticPoint &p : structure.way().points())
+      solutions += p.iterations;
+    nlohmann::json found = {{"particles", structure.network().network.particles()},
+                            {"links", structure.network().network.links.size()},
+                            {"solutions", solutions},
+                            {"threads", omp_get_max_threads()},
+                            {"wall_seconds", wall_seconds}};
+    if (const StructureSolid *solid = structure.surrounding())
+      found.update({{"elements", solid->elements()}, {"unknowns", solid->unknowns()}, {"joints", solid->joints()}});
+    return found;
+  }
+
+  nlohmann::json StructureReport::summary() const
+  {
+    nlohmann::json summary = summary_head(request, "structure");
+    summary["figures"]     = figures();
+    summary["points"]      = {{"strain", points_by(dem::StepControl::strain)},
+                              {"opening", points_by(dem::StepControl::opening)},
+                              {"relaxed", points_by(dem::StepControl::relaxed)}};
+    summary["warnings"]    = nlohmann::json::array();
+    summary["energy"]      = energy();
+    summary["cost"]        = cost();
+    structure.material_counts().put_into(summary);
+    if (medium && structure.surrounding())
+      summary["medium"] = {
+        {"difference_of_stiffness", quantity(structure.surrounding()->difference_from(*medium), "-")}};
+    auto handshake = model.handshakes.handshakes.begin();
+    for (const auto &[all, damaged] : structure.shared_bonds())
+      summary["handshakes"][(handshake++)->name] = {{"bonds", all}, {"damaged", damaged}};
+    return summary;
+  }
+
+  void StructureReport::write(const std::filesystem::path &folder) const
+  {
+    postprocess::write_json(folder / "summary.json", summary());
+    const auto [horizontal, vertical] = structure.curve();
+    postprocess::PlotPanel panel =
+      drawn_curve(series, horizontal, vertical, std::filesystem::path(request.scene_file).stem().string());
+    postprocess::PlotSeries &curve = panel.series.front(); // from the state before the first point
+    curve.x.insert(curve.x.begin(), 0.0);
+    curve.y.insert(curve.y.begin(), 0.0);
+    warn_of_missing("curve.png", postprocess::plot(folder / "curve.png", {panel}));
+  }
+
+  std::string StructureReport::text() const
+  {
+    std::string text;
+    for (const postprocess::SeriesColumn &column : structure.told())
+      {
+        const auto &values = series.column(column.name);
+        text += fmt::format("{:<40} {:.6g} {} at its peak, {:.6g} at the end\n", column.name, values[peak_row(values)],
+                            column.unit, values.back());
+      }
+    const dem::Crack crack = dem::measure_crack(structure.particle_output(), structure.link_output(), model.shape());
+    text += fmt::format("crack        {} of {} links cracked, {:.4g} m^2\n", crack.cracked, crack.links, crack.area);
+    if (medium && structure.surrounding())
+      text += fmt::format("medium       stiffness of the solid differs by {:.2g} from that of the particles\n",
+                          structure.surrounding()->difference_from(*medium));
+    auto handshake = model.handshakes.handshakes.begin();
+    for (const auto &[all, damaged] : structure.shared_bonds())
+      text +=
+        fmt::format("handshake    {}: {} of {} bonds in the overlap damaged\n", (handshake++)->name, damaged, all);
+    text += fmt::format("path         {} points led by the load factor, {} by opening, {} relaxed (cascades)\n",
+                        points_by(dem::StepControl::strain), points_by(dem::StepControl::opening),
+                        points_by(dem::StepControl::relaxed));
+    text += fmt::format("energy       balance error {:.1e} at worst\n", worst_residual(series));
+    text += fmt::format("cost         {} with {} threads\n", duration_text(wall_seconds), omp_get_max_threads());
+    return text;
+  }
+} // namespace apps

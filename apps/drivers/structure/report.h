@@ -1,0 +1,36 @@
+#pragma once
+
+#include "apps/drivers/structure/structure.h"
+#include "apps/scene/scene.h"
+#include "postprocess/csv_table.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <filesystem>
+#include <string>
+
+namespace apps
+{
+  /** What a complete run of kind "structure" tells: for programs, for the eye, for the terminal. */
+  struct StructureReport
+  {
+    const RunRequest                    &request;
+    const StructureModel                &model;
+    const Structure                     &structure;
+    const std::optional<ParticleMedium> &medium; ///< of the particles, where it is known
+    postprocess::CsvTable                series; ///< complete
+    double                               wall_seconds;
+
+    /** summary.json and curve.png. @throws postprocess::OutputError. */
+    void        write(const std::filesystem::path &folder) const;
+    std::string text() const;
+
+  private:
+    nlohmann::json summary() const;
+    nlohmann::json figures() const;
+    nlohmann::json energy() const;
+    nlohmann::json cost() const;
+    /** Points of the path that were controlled so. */
+    std::size_t points_by(dem::StepControl control) const;
+  };
+} // namespace apps

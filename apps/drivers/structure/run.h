@@ -1,0 +1,58 @@
+#pragma once
+
+#include "apps/drivers/structure/structure.h"
+#include "apps/scene/scene.h"
+#include "postprocess/pvd.h"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace apps
+{
+  /**
+   * The work of a scene of kind "structure".
+   *
+   * In the result folder, besides what every run has (life_cycle.h): packing.h5; structure.pvd, which shows solid, particles and links
+   * together, with the snapshots and lists of each; and at the end summary.json, curve.png and crack.png.
+   */
+  class StructureRun : public RunWork
+  {
+  public:
+    StructureRun(const RunRequest &request, const StructureModel &model);
+
+    /** @return exit status: 0, or 130 after an interrupt. Throws as Scene::run(). */
+    int execute();
+
+  private:
+    void                                   prepare() override;
+    void                                   begin(const std::filesystem::path &folder, const Record &record) override;
+    void                                   reopen(const std::filesystem::path &folder) override;
+    void                                   visit_state(RunState &state) override;
+    std::vector<postprocess::SeriesColumn> series_columns() const override { return structure->columns(); }
+    std::string                            size() const override { return structure->size(); }
+    std::string                            stage() const override { return "equilibrium"; }
+    double                                 done() const override;
+    std::string                            details() const override;
+    bool                                   finished() const override { return structure->way().finished(); }
+    void                                   advance(const Record &record) override;
+    void                                   leave_last_state() override { snapshot(); }
+    std::string                            finish(const std::filesystem::path &folder, double wall_seconds) override;
+
+    void        make_structure();
+    void        open(const std::filesystem::path &folder);
+    bool        snapshot_due() const;
+    void        snapshot();
+    void        list_together() const;
+    std::string draw_crack(const std::filesystem::path &file) const;
+
+    RunRequest                                request;
+    const StructureModel                     &model;
+    dem::Packing                              packing;
+    std::optional<ParticleMedium>             medium; ///< that the particles are to the solid, where it is known
+    std::unique_ptr<Structure>                structure;
+    std::filesystem::path                     location;
+    std::optional<postprocess::PvdCollection> particles, links, solids;
+  };
+} // namespace apps

@@ -1,0 +1,46 @@
+#include "apps/drivers/structure/scene.h"
+
+#include "apps/drivers/parts/duration.h"
+#include "apps/drivers/parts/path_forecast.h"
+#include "apps/drivers/structure/run.h"
+#include "apps/process/mpi_session.h"
+
+#include <fmt/format.h>
+
+namespace apps
+{
+  std::string StructureScene::forecast() const
+  {
+    start_mpi();
+    const Stopwatch                     watch;
+    std::optional<dem::Packing>         cell;
+    const dem::Packing                  packing = model.packing(&cell);
+    const std::optional<ParticleMedium> medium =
+      model.has_solid() ? medium_of(cell, model.source, model.material, model.dimension, model.rotations) :
+                          std::nullopt;
+    const Structure structure(model, packing, medium); // refuses what a run would refuse
+    const double    set_up = watch.seconds();
+    std::string     text;
+    text += fmt::format("  particles    {}\n  links        {}\n", structure.network().network.particles(),
+                        structure.network().network.links.size());
+    text += structure.material_counts().text();
+    text += fmt::format("  groups       {}\n", text_of(model.groups_in(packing)));
+    if (const StructureSolid *solid = structure.surrounding())
+      {
+        text += fmt::format("  elements     {}\n  unknowns     {}, of which particles see {} nodes\n",
+                            solid->elements(), solid->unknowns(), solid->joints());
+        auto handshake = model.handshakes.handshakes.begin();
+        for (const auto &[all, damaged] : structure.shared_bonds())
+          text += fmt::format("  handshake    {}: {} bonds in the overlap\n", (handshake++)->name, all);
+      }
+    const dem::QuasiStaticParameters path = model.path.parameters();
+    text += fmt::format("  path         at least {:.0f} points to its end\n", path.end_strain / path.strain_step);
+    return text + duration_line(set_up + expected_path_seconds(structure.network(), model.material.materials(), path));
+  }
+
+  int StructureScene::run(const RunRequest &request) const
+  {
+    start_mpi();
+    return StructureRun(request, model).execute();
+  }
+} // namespace apps

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "apps/drivers/structure/model.h"
+#include "apps/scene/scene.h"
+
+namespace apps
+{
+  /** Scene kind "structure": particles, and a solid around them, led along their equilibria without inertia (doc/theory/static-handshake.md). */
+  class StructureScene : public Scene
+  {
+  public:
+    void        declare(Section &root) override { model.declare(root); }
+    void        validate(const Section &root) const override { model.validate(root); }
+    std::string forecast() const override;
+    int         run(const RunRequest &request) const override;
+
+  private:
+    StructureModel model;
+  };
+} // namespace apps

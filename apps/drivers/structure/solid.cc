@@ -1,0 +1,133 @@
+#include "apps/drivers/structure/solid.h"
+
+#include "apps/drivers/continuum/gauges.h"
+#include "apps/drivers/continuum/picture.h"
+#include "apps/drivers/continuum/snapshot.h"
+#include "apps/drivers/coupled/taken_places.h"
+#include "coupling/volume/static_handshake.h"
+#include "fem/mesh/extent.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace apps
+{
+  namespace
+  {
+    template <int dim>
+    class SurroundingSolid : public StructureSolid
+    {
+    public:
+      SurroundingSolid(const StructureModel &model, dem::LoadedNetwork particles)
+        : solid(made(model))
+        , both(std::move(particles), *solid, parameters(model))
+        , gauges(*solid, model.continuum)
+      {
+      }
+
+      const dem::LoadedNetwork &network() const override { return both.network(); }
+      std::vector<GaugeColumn>  columns() const override { return gauges.columns(); }
+
+      std::vector<double> read(const dem::LoadedMotion &motion) const override
+      {
+        const State     now = state(motion);
+        ContinuumEnergy unused;
+        return gauges.read({&now.displacement, &now.internal, &now.external}, unused);
+      }
+
+      std::vector<std::vector<std::size_t>> shared_links() const override { return both.shared_links(); }
+      std::size_t elements() const override { return solid->mesh().triangulation->n_global_active_cells(); }
+      std::size_t unknowns() const override { return solid->dofs().n_dofs(); }
+      std::size_t joints() const override { return static_cast<std::size_t>(both.network().body->joints()); }
+
+      double difference_from(const ParticleMedium &medium) const override
+      {
+        double largest = 0;
+        for (const auto &[name, number] : solid->mesh().materials)
+          largest = std::max(largest, (solid->material(number).elastic_stiffness() - medium.stiffness).norm() /
+                                        medium.stiffness.norm());
+        return largest;
+      }
+
+      std::string write(const std::filesystem::path &folder,
+                        const std::size_t            number,
+                        const double                 time,
+                        const dem::LoadedMotion     &motion) const override
+      {
+        State now = state(motion);
+        now.internal -= now.external;
+        now.internal.update_ghost_values();
+        return write_solid(*solid, now.displacement, now.internal, {folder / "solid", "solid", number, time});
+      }
+
+      std::vector<std::vector<Eigen::Vector2d>>
+      outlines(const dem::LoadedMotion &motion, const double magnify, int &across) const override
+      {
+        fem::Vector displacement = both.displacement(motion);
+        displacement *= magnify;
+        displacement.update_ghost_values();
+        const SolidCut cut = cut_of(*solid, displacement, thinnest_axis());
+        across             = cut.across;
+        std::vector<std::vector<Eigen::Vector2d>> polygons;
+        for (const postprocess::PictureFacet &facet : cut.facets)
+          {
+            auto &corners = polygons.emplace_back();
+            for (const auto &corner : facet.corner)
+              corners.emplace_back(corner[0], corner[1]);
+          }
+        return polygons;
+      }
+
+    private:
+      struct State
+      {
+        fem::Vector displacement, internal, external;
+      };
+
+      static std::unique_ptr<fem::Solid<dim>> made(const StructureModel &model)
+      {
+        TakenPlaces taken = taken_by(model.handshakes);
+        taken.holds       = true;
+        return make_solid<dim>(model.continuum, taken);
+      }
+
+      static std::vector<coupling::VolumeCouplingParameters> parameters(const StructureModel &model)
+      {
+        std::vector<coupling::VolumeCouplingParameters> all;
+        for (const HandshakeSection &handshake : model.handshakes.handshakes)
+          all.push_back(handshake.parameters(0, 0)); // nothing is absorbed
+        return all;
+      }
+
+      /** A beam or a plate is seen from its side. */
+      unsigned int thinnest_axis() const
+      {
+        const auto   extent = fem::extent_of(solid->mesh());
+        unsigned int found  = dim - 1;
+        for (unsigned int c = dim - 1; c-- > 0;)
+          if (extent.high[c] - extent.low[c] < extent.high[found] - extent.low[found])
+            found = c;
+        return dim == 2 ? 2 : found;
+      }
+
+      State state(const dem::LoadedMotion &motion) const
+      {
+        State now{both.displacement(motion), solid->make_vector(), solid->make_vector()};
+        solid->internal_force(now.displacement, now.internal);
+        solid->external_force(motion.loads[both.network().led], now.external);
+        return now;
+      }
+
+      std::unique_ptr<fem::Solid<dim>> solid;
+      coupling::StaticHandshake<dim>   both;
+      ContinuumGauges<dim>             gauges;
+    };
+  } // namespace
+
+  std::unique_ptr<StructureSolid> surround(const StructureModel &model, dem::LoadedNetwork particles)
+  {
+    if (model.dimension == 2)
+      return std::make_unique<SurroundingSolid<2>>(model, std::move(particles));
+    return std::make_unique<SurroundingSolid<3>>(model, std::move(particles));
+  }
+} // namespace apps

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "apps/drivers/continuum/gauge_column.h"
+#include "apps/drivers/coupled/particle_medium.h"
+#include "apps/drivers/structure/model.h"
+
+#include <Eigen/Core>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace apps
+{
+  /** The solid around the particles of a structure, whatever the dimension. */
+  class StructureSolid
+  {
+  public:
+    virtual ~StructureSolid() = default;
+
+    /** Particles and joints, tied. */
+    virtual const dem::LoadedNetwork &network() const = 0;
+
+    virtual std::vector<GaugeColumn> columns() const                             = 0;
+    virtual std::vector<double>      read(const dem::LoadedMotion &motion) const = 0;
+
+    /** Links with an end in the overlap of each handshake, in the scene's order. */
+    virtual std::vector<std::vector<std::size_t>> shared_links() const = 0;
+    virtual std::size_t                           elements() const     = 0;
+    virtual std::size_t                           unknowns() const     = 0;
+    virtual std::size_t                           joints() const       = 0;
+
+    /** Largest difference of a material's stiffness from that of the particles, over its norm. */
+    virtual double difference_from(const ParticleMedium &medium) const = 0;
+
+    /** @param number of the snapshot. @return name of its file in the folder. @throws postprocess::OutputError */
+    virtual std::string write(const std::filesystem::path &folder,
+                              std::size_t                  number,
+                              double                       time,
+                              const dem::LoadedMotion     &motion) const = 0;
+
+    /** Corners of its elements in the plane of a picture, displacements magnified. @param across axis of the picture, found here */
+    virtual std::vector<std::vector<Eigen::Vector2d>>
+    outlines(const dem::LoadedMotion &motion, double magnify, int &across) const = 0;
+  };
+
+  /** @param particles held and led. The model must outlive the solid. @throws base::InputError */
+  std::unique_ptr<StructureSolid> surround(const StructureModel &model, dem::LoadedNetwork particles);
+} // namespace apps

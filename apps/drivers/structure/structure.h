@@ -1,0 +1,63 @@
+#pragma once
+
+#include "apps/drivers/coupled/particle_medium.h"
+#include "apps/drivers/parts/material_counts.h"
+#include "apps/drivers/structure/solid.h"
+#include "apps/results/run_work.h"
+#include "dem/observation/path_output.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace apps
+{
+  /** Particles and the solid around them, if there is one, and the path along which they are led. */
+  class Structure
+  {
+  public:
+    /** @param medium of the particles, where it is known. The model must outlive it. @throws base::InputError */
+    Structure(const StructureModel &model, const dem::Packing &packing, const std::optional<ParticleMedium> &medium);
+    Structure(const Structure &)            = delete;
+    Structure &operator=(const Structure &) = delete;
+
+    const dem::LoadedNetwork    &network() const { return solid ? solid->network() : *alone; }
+    const StructureSolid        *surrounding() const { return solid.get(); } ///< none: particles alone
+    dem::QuasiStaticPath        &way() { return path; }
+    const dem::QuasiStaticPath  &way() const { return path; }
+    const dem::QuasiStaticPoint &last() const { return path.points().back(); }
+    double                       load_factor() const { return last().strain[network().led]; }
+    const MaterialCounts        &material_counts() const { return materials; }
+    std::string                  size() const; ///< "175 particles, 1203 links, 600 elements"
+
+    dem::ParticleOutput particle_output() const;
+    dem::LinkOutput     link_output() const { return dem::links_of(network(), path); }
+
+    /** Of series.csv; the first are the point and the load factor. */
+    std::vector<postprocess::SeriesColumn> columns() const;
+    /** Columns that the summary tells of. */
+    std::vector<postprocess::SeriesColumn> told() const;
+    /** Columns of the curve. @throws base::InputError where the scene asks for one that there is not */
+    std::pair<std::string, std::string> curve() const;
+    SeriesRow                           row() const; ///< of the last point
+    /** @throws StoppedShort where more of an overlap is damaged than its limit */
+    void watch() const;
+    /** Bonds in the overlap of each handshake: all, and damaged ones. */
+    std::vector<std::pair<std::size_t, std::size_t>> shared_bonds() const;
+
+  private:
+    std::vector<double>             reactions() const;
+    std::unique_ptr<StructureSolid> make_solid(const dem::Packing                  &packing,
+                                               const std::optional<ParticleMedium> &medium) const;
+
+    const StructureModel             &model;
+    ParticleGroups                    groups;
+    std::vector<double>               radius;
+    std::unique_ptr<StructureSolid>   solid;
+    std::optional<dem::LoadedNetwork> alone; ///< where there is no solid
+    MaterialCounts                    materials;
+    dem::QuasiStaticPath              path;
+  };
+} // namespace apps

@@ -1,0 +1,78 @@
+#pragma once
+
+#include "coupling/volume/parameters.h"
+#include "dem/statics/loaded_network.h"
+#include "fem/solvers/condensed_solid.h"
+
+#include <array>
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace coupling
+{
+  /**
+   * The equilibrium of particles inside a linear solid (doc/theory/static-handshake.md): their network, tied to the nodes of the solid
+   * around them, of which nothing else is left than how it answers there.
+   */
+  template <int dim>
+  class StaticHandshake
+  {
+  public:
+    /**
+     * @param particles their free network, with what holds or leads particles beside the solid; links share, or go, in the overlaps
+     * @param solid made with Overlap::of_solid() as its share, unless particles are slaved; must outlive this
+     * @throws base::InputError where there are no particles in an overlap, where one of them is not in the solid, and as
+     * fem::CondensedSolid does
+     */
+    StaticHandshake(dem::LoadedNetwork                           particles,
+                    fem::Solid<dim>                             &solid,
+                    const std::vector<VolumeCouplingParameters> &handshakes);
+
+    /** Particles and joints; the led parameter is the load factor of the solid. */
+    dem::LoadedNetwork       &network() { return loaded; }
+    const dem::LoadedNetwork &network() const { return loaded; }
+
+    /** Of the whole solid [m]. */
+    fem::Vector displacement(const dem::LoadedMotion &motion) const;
+
+    /** Links with an end in an overlap, by handshake. */
+    const std::vector<std::vector<std::size_t>> &shared_links() const { return shared; }
+
+  private:
+    using Dof = dealii::types::global_dof_index;
+
+    /** Weight of a node at a particle of an overlap. */
+    struct Entry
+    {
+      std::size_t     row, joint; ///< of the particle among those of its overlap
+      double          weight;
+      Eigen::Vector3d gradient; ///< of the weight with the place [1/m]
+    };
+
+    std::size_t        joint_of(const std::array<Dof, dim> &displacements);
+    std::vector<Entry> enter(const std::vector<std::size_t> &particles);
+    void               share(const VolumeCouplingParameters &handshake, const std::vector<std::size_t> &particles);
+    void               find_shared_links();
+    void               add_body();
+    /** Particles move and turn as the solid does where they are. */
+    std::vector<dem::Tie> slaved(const std::vector<std::size_t> &particles, const std::vector<Entry> &entries) const;
+    /**
+     * How much of each particle lies between the two sides of an overlap, by what the weights of its links differ from its own: on these,
+     * and no others, do even stresses that share evenly leave a force.
+     */
+    std::vector<double> parts_within(const Overlap &overlap, const std::vector<std::size_t> &particles) const;
+    /** Displacements are the same in the mean around each node, or at each particle. */
+    std::vector<dem::Tie> kept_together(const VolumeCouplingParameters &handshake,
+                                        const std::vector<std::size_t> &particles,
+                                        const std::vector<Entry>       &entries) const;
+
+    fem::Solid<dim>                        &solid;
+    dem::LoadedNetwork                      loaded;
+    std::map<Dof, std::size_t>              number; ///< of a joint, by its first displacement
+    std::vector<std::array<Dof, dim>>       joints;
+    std::vector<std::vector<std::size_t>>   in_overlap;
+    std::vector<std::vector<std::size_t>>   shared;
+    std::optional<fem::CondensedSolid<dim>> body;
+  };
+} // namespace coupling
