@@ -1,5 +1,7 @@
 #include "dem/statics/tangent_system.h"
 
+#include "dem/statics/surrounded_system.h"
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <Eigen/SparseCore>
@@ -61,69 +63,16 @@ namespace dem
       for (int p = 0; p < 6; ++p)
         if (loaded.network.dimension == 3 || p < 2 || p == 5)
           all.push_back(p);
-      weak_diagonal                         = undamaged_diagonal();
+      weak_diagonal = undamaged_diagonal();
+      around        = std::make_unique<SurroundedSystem>(loaded, unknown, count, weak_diagonal.mean());
       lu.umfpackControl()[UMFPACK_ORDERING] = UMFPACK_ORDERING_METIS;
-      lu.umfpackControl()[UMFPACK_STRATEGY] = loaded.ties ? UMFPACK_STRATEGY_AUTO : UMFPACK_STRATEGY_SYMMETRIC;
-      lu.umfpackControl()[UMFPACK_IRSTEP]   = 0; // what a solution leaves is in the next residual
-      surround();
-      lu.analyzePattern(whole());
+      lu.umfpackControl()[UMFPACK_STRATEGY] =
+        around->has_multipliers() ? UMFPACK_STRATEGY_AUTO : UMFPACK_STRATEGY_SYMMETRIC;
+      lu.umfpackControl()[UMFPACK_IRSTEP] = 0; // what a solution leaves is in the next residual
+      lu.analyzePattern(around->whole(matrix));
     }
 
-    bool is_surrounded() const { return loaded.body || loaded.ties; }
-
-    /** What a body and ties add to the system, whatever the links do. */
-    void surround()
-    {
-      if (!is_surrounded())
-        return;
-      std::vector<Eigen::Triplet<double>> entries;
-      const std::size_t                   joints = motions * loaded.network.particles();
-      const auto                          joint  = [&](const Eigen::Index x) {
-        return unknown[joints + motions * static_cast<std::size_t>(x / 3) + static_cast<std::size_t>(x % 3)];
-      };
-      if (loaded.body)
-        for (Eigen::Index column = 0; column < loaded.body->stiffness.cols(); ++column)
-          for (Sparse::InnerIterator entry(loaded.body->stiffness, column); entry; ++entry)
-            if (joint(entry.row()) >= 0 && joint(column) >= 0)
-              entries.emplace_back(joint(entry.row()), joint(column), entry.value());
-      const int borne = loaded.ties ? static_cast<int>(loaded.ties->rows().rows()) : 0;
-      if (loaded.ties)
-        {
-          // As large as stiffnesses, so that pivots can be compared.
-          const double  size = weak_diagonal.mean();
-          const Sparse &rows = loaded.ties->rows();
-          for (Eigen::Index column = 0; column < rows.cols(); ++column)
-            for (Sparse::InnerIterator entry(rows, column); entry; ++entry)
-              if (const int u = unknown[static_cast<std::size_t>(column)]; u >= 0)
-                {
-                  entries.emplace_back(count + static_cast<int>(entry.row()), u, size * entry.value());
-                  entries.emplace_back(u, count + static_cast<int>(entry.row()), size * entry.value());
-                }
-        }
-      around.resize(count + borne, count + borne);
-      around.setFromTriplets(entries.begin(), entries.end());
-    }
-
-    /** The system of links, body and ties. */
-    const Sparse &whole()
-    {
-      if (!is_surrounded())
-        return matrix;
-      matrix.conservativeResize(around.rows(), around.cols());
-      all_together = matrix + around;
-      matrix.conservativeResize(count, count);
-      return all_together;
-    }
-
-    /** Solutions for all unknowns; multipliers of ties are left out. */
-    Eigen::MatrixXd solve(const Eigen::MatrixXd &right)
-    {
-      if (!is_surrounded())
-        return lu.solve(right);
-      Eigen::MatrixXd extended = Eigen::MatrixXd::Zero(around.rows(), right.cols());
-      extended.topRows(count)  = right;
-      return Eigen::MatrixXd(lu.solve(extended)).topRows(count);
-    }
+    Eigen::MatrixXd solve(const Eigen::MatrixXd &right) { return around->motions_of(lu.solve(around->forces(right))); }
 
     void number_unknowns()
     {
@@ -222,7 +171,7 @@ namespace dem
     bool factorize(const std::vector<base::Matrix6> &stiffness)
     {
       assemble(stiffness);
-      lu.factorize(whole());
+      lu.factorize(around->whole(matrix));
       return lu.info() == Eigen::Success;
     }
 
@@ -337,14 +286,16 @@ namespace dem
       answers        = {constant, per_step};
     }
 
-    const LoadedNetwork     &loaded;
-    double                   scale;
-    int                      count = 0;
-    std::vector<int>         unknown, first;       ///< of each motion, -1 where held; of each particle, and the end
-    std::vector<int>         moving;               ///< load parameters that are free or led
-    std::vector<int>         all;                  ///< load parameters that there are, in the plane or in space
-    Sparse                   matrix;               ///< of the links
-    Sparse                   around, all_together; ///< see surround(); with the links
+    const LoadedNetwork &loaded;
+    double               scale;
+    int                  count = 0;
+    std::vector<int>     unknown, first; ///< of each motion, -1 where held; of each particle, and the end
+    std::vector<int>     moving;         ///< load parameters that are free or led
+    std::vector<int>     all;            ///< load parameters that there are, in the plane or in space
+    Sparse               matrix;         ///< of the links
+
+    std::unique_ptr<SurroundedSystem> around;
+
     std::vector<BlockPlaces> places;
     Eigen::VectorXd          weak_diagonal;
     Eigen::UmfPackLU<Sparse> lu;

@@ -5,6 +5,8 @@
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseQR>
 
+#include <cmath>
+
 namespace dem
 {
   namespace
@@ -60,9 +62,61 @@ namespace dem
     }
   } // namespace
 
+  namespace
+  {
+    /** Of each row the motion that no other has; empty where one has none that weighs enough. */
+    std::vector<Eigen::Index> motions_of_their_own(const Sparse &rows)
+    {
+      constexpr double                                   enough = 0.1; // of a row's length
+      const Eigen::SparseMatrix<double, Eigen::RowMajor> by_row = rows;
+      std::vector<Eigen::Index>                          own;
+      for (Eigen::Index row = 0; row < rows.rows(); ++row)
+        {
+          Eigen::Index best = -1;
+          double       most = enough;
+          for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator entry(by_row, row); entry; ++entry)
+            if (rows.col(entry.col()).nonZeros() == 1 && std::fabs(entry.value()) > most)
+              {
+                best = entry.col();
+                most = std::fabs(entry.value());
+              }
+          if (best < 0)
+            return {};
+          own.push_back(best);
+        }
+      return own;
+    }
+
+    Sparse leading(const Sparse &rows)
+    {
+      const std::vector<Eigen::Index> own = motions_of_their_own(rows);
+      if (own.empty())
+        return Sparse(rows.cols(), 0);
+      std::vector<Eigen::Index> led_by(static_cast<std::size_t>(rows.cols()), -1); // the row
+      for (std::size_t row = 0; row < own.size(); ++row)
+        led_by[static_cast<std::size_t>(own[row])] = static_cast<Eigen::Index>(row);
+      std::vector<Eigen::Triplet<double>> entries;
+      for (Eigen::Index column = 0; column < rows.cols(); ++column)
+        {
+          if (led_by[static_cast<std::size_t>(column)] >= 0)
+            continue;
+          entries.emplace_back(column, column, 1.0);
+          for (Sparse::InnerIterator entry(rows, column); entry; ++entry)
+            {
+              const Eigen::Index led = own[static_cast<std::size_t>(entry.row())];
+              entries.emplace_back(led, column, -entry.value() / rows.coeff(entry.row(), led));
+            }
+        }
+      Sparse result(rows.cols(), rows.cols());
+      result.setFromTriplets(entries.begin(), entries.end());
+      return result;
+    }
+  } // namespace
+
   Ties::Ties(const std::vector<Tie> &ties, const std::vector<HeldMotions> &held, const double length)
     : scale(length)
     , conditions(independent(rows_of(ties, held, length)))
+    , leaders(leading(conditions))
     , factor(Sparse(conditions * conditions.transpose()))
   {
   }

@@ -41,6 +41,12 @@ namespace dem
     /** A row for each condition that is left, a column for each of the carriers' motions, rotations times the scale. */
     const Eigen::SparseMatrix<double> &rows() const { return conditions; }
 
+    /**
+     * All motions (rows) by those that lead (columns; numbered as all are, led ones have none), where each condition has a motion that no other
+     * knows, as slaves have: then these can be left out of a system altogether. Without columns otherwise.
+     */
+    const Eigen::SparseMatrix<double> &by_leaders() const { return leaders; }
+
     /** Takes from forces and moments what the ties bear. */
     void release(CarrierMotions &forces) const;
 
@@ -64,7 +70,7 @@ namespace dem
     Eigen::VectorXd lengths_of(const CarrierMotions &motion, double factor_of_rotations) const;
 
     double                                             scale;
-    Eigen::SparseMatrix<double>                        conditions;
+    Eigen::SparseMatrix<double>                        conditions, leaders;
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor; ///< of the conditions times their transpose
   };
 } // namespace dem

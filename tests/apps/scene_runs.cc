@@ -40,12 +40,15 @@ namespace apps_tests
       }
   }
 
-  Results results_of(const ScratchFolder &folder, const std::string &scene, const std::vector<std::string> &changes)
+  Results results_of(const ScratchFolder            &folder,
+                     const std::string              &scene,
+                     const std::vector<std::string> &changes,
+                     const std::vector<std::string> &word_columns)
   {
     const Outcome outcome = outcome_of(folder, "run", scene, changes);
     INFO(outcome.err);
     REQUIRE(outcome.status == 0);
     return {nlohmann::json::parse(content_of(folder / "results/summary.json")),
-            postprocess::read_csv_table(folder / "results/series.csv", true)};
+            postprocess::read_csv_table(folder / "results/series.csv", true, word_columns)};
   }
 } // namespace apps_tests

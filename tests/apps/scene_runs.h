@@ -34,7 +34,9 @@ namespace apps_tests
                   const std::string              &words,
                   const std::vector<std::string> &commands = {"check", "run"});
 
-  /** Of a run, which must end well. */
-  Results
-  results_of(const ScratchFolder &folder, const std::string &scene, const std::vector<std::string> &changes = {});
+  /** Of a run, which must end well. @param word_columns of its series */
+  Results results_of(const ScratchFolder            &folder,
+                     const std::string              &scene,
+                     const std::vector<std::string> &changes      = {},
+                     const std::vector<std::string> &word_columns = {});
 } // namespace apps_tests

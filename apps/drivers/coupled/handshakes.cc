@@ -1,5 +1,7 @@
 #include "apps/drivers/coupled/handshakes.h"
 
+#include "apps/drivers/coupled/element_region.h"
+
 #include <algorithm>
 #include <vector>
 
@@ -8,9 +10,10 @@ namespace apps
   using coupling::VolumeMethod;
   using Eigen::Vector3d;
 
-  void HandshakeSection::declare(Section &s, const bool moves)
+  void HandshakeSection::declare(Section &s, const ContinuumModel &around, const bool moves)
   {
-    name = s.name();
+    name  = s.name();
+    solid = &around;
     if (!moves)
       {
         method  = VolumeMethod::slaved;
@@ -52,8 +55,9 @@ namespace apps
 
   void HandshakeSection::declare_region(Section &s)
   {
-    s.choice("Region", region, {{"box", Region::box}, {"ball", Region::ball}}, Need::optional)
-      .means("Shape of what is the particles' alone");
+    s.choice("Region", region, {{"box", Region::box}, {"ball", Region::ball}, {"elements", Region::elements}},
+             Need::optional)
+      .means("Shape of what is the particles' alone; elements: the place of a group of the mesh");
     const auto is = [this](const Region wanted) { return [this, wanted] { return region == wanted; }; };
     s.vector("Low", low, "m", Range(), Need::required)
       .means("Corner of the box; far outside the solid along an axis where there is no end")
@@ -64,6 +68,10 @@ namespace apps
     s.vector("Centre", centre, "m", Range(), Need::required)
       .means("Of the ball, in the plane of the disc")
       .only_if(is(Region::ball), "Region = ball");
+    s.text("Elements", elements, Need::required)
+      .means("Group of elements, a name of Continuum/Materials, whose place the particles take; the mesh has to go on "
+             "around it")
+      .only_if(is(Region::elements), "Region = elements");
     s.number("Radius", radius, "m", Range::positive(), Need::required)
       .means("Of the ball: particles within this of the centre")
       .only_if(is(Region::ball), "Region = ball");
@@ -94,8 +102,11 @@ namespace apps
   coupling::Overlap HandshakeSection::overlap() const
   {
     coupling::Overlap made;
-    made.distance = region == Region::box ? coupling::distance_from_box(Vector3d(low.data()), Vector3d(high.data())) :
-                                            coupling::distance_from_ball(Vector3d(centre.data()), radius);
+    if (region == Region::elements && !from_elements)
+      from_elements = distance_from_elements(solid->mesh, solid->solid.dimension, elements);
+    made.distance = region == Region::box  ? coupling::distance_from_box(Vector3d(low.data()), Vector3d(high.data())) :
+                    region == Region::ball ? coupling::distance_from_ball(Vector3d(centre.data()), radius) :
+                                             from_elements;
     made.width    = width;
     return made;
   }
@@ -115,14 +126,15 @@ namespace apps
     return made;
   }
 
-  void HandshakesSection::declare(Section &root, const bool moves)
+  void HandshakesSection::declare(Section &root, const ContinuumModel &around, const bool moves)
   {
     root
       .section("Handshakes",
                "One sub-section per region of particles inside the solid; its name is part of the columns "
                "of series.csv")
-      .named_sections("HANDSHAKE",
-                      [this, moves](Section &opened) { handshakes.emplace_back().declare(opened, moves); });
+      .named_sections("HANDSHAKE", [this, &around, moves](Section &opened) {
+        handshakes.emplace_back().declare(opened, around, moves);
+      });
   }
 
   void HandshakesSection::validate(const Section &root, const int dimension) const

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/drivers/continuum/model.h"
 #include "apps/drivers/particles/groups.h"
 #include "apps/scene/section.h"
 #include "coupling/volume/parameters.h"
@@ -18,7 +19,8 @@ namespace apps
     enum class Region
     {
       box,
-      ball
+      ball,
+      elements
     };
     enum class Ties
     {
@@ -31,6 +33,7 @@ namespace apps
     Region                        region = Region::box;
     std::array<double, 3>         low{}, high{}, centre{}; ///< [m]
     double                        radius = 0, width = 0;   ///< [m]
+    std::string                   elements;                ///< group of the mesh that particles take the place of
     coupling::VolumeMethod        method    = coupling::VolumeMethod::multipliers;
     bool                          absorbs   = true;
     Ties                          ties      = Ties::coarse;
@@ -38,13 +41,20 @@ namespace apps
     coupling::AbsorberProportions proportions;
     double                        energy_limit = 0.01, damage_limit = 0.01;
 
-    /** @param moves whether both sides are in motion, or led along equilibria, where particles are slaved unless a scene says otherwise */
-    void              declare(Section &section, bool moves);
+    /**
+     * @param around the particles, outlives this @param moves whether both sides are in motion, or led along equilibria, where particles are
+     * slaved unless a scene says otherwise
+     */
+    void declare(Section &section, const ContinuumModel &around, bool moves);
+    /** @throws base::InputError for elements that there are not */
     coupling::Overlap overlap() const;
     /** @param element_size of the solid in the overlap [m] @param wave_speed of compression there [m/s] */
     coupling::VolumeCouplingParameters parameters(double element_size, double wave_speed) const;
 
   private:
+    const ContinuumModel                                  *solid = nullptr;
+    mutable std::function<double(const Eigen::Vector3d &)> from_elements; ///< found when first asked for
+
     void declare_ties_in_motion(Section &section);
     void declare_region(Section &section);
     void declare_absorber(Section &section);
@@ -55,8 +65,8 @@ namespace apps
   {
     std::list<HandshakeSection> handshakes;
 
-    /** @param moves as above */
-    void declare(Section &root, bool moves = true);
+    /** @param around, moves as above */
+    void declare(Section &root, const ContinuumModel &around, bool moves = true);
     /** @throws base::InputError for a region that is none, or a method that wants an overlap without one */
     void validate(const Section &root, int dimension) const;
     bool empty() const { return handshakes.empty(); }

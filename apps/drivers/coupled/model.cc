@@ -13,7 +13,7 @@ namespace apps
       scene.section("Continuum", "The solid; sections of a scene of kind continuum, in explicit motion"));
     particles.declare_as_part(scene.section("Particles", "The particles; sections of a scene of kind particles"));
     couplings.declare(scene);
-    handshakes.declare(scene);
+    handshakes.declare(scene, continuum);
     particles.gravity.start = GravitySection::Start::none;
     particles.declare_course(scene);
     scene.find_section("Gravity")

@@ -69,7 +69,7 @@ namespace apps
                    "its loads and displacements in proportion to t");
     solid.only_if([this] { return has_solid(); }, "section Handshakes is there");
     continuum.declare_as_static_part(solid);
-    handshakes.declare(root, false);
+    handshakes.declare(root, continuum, false);
     path.declare(root);
     gauges.declare(root);
     declare_output(root);

@@ -14,6 +14,8 @@ namespace apps
     std::string forecast() const override;
     int         run(const RunRequest &request) const override;
 
+    const StructureModel &parameters() const { return model; }
+
   private:
     StructureModel model;
   };

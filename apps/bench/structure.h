@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace apps
+{
+  /** What `breccia bench structure` is asked. */
+  struct StructureBench
+  {
+    std::string              whole, scene; ///< all of particles; with a core of them
+    std::vector<std::string> overrides;    ///< of both scenes
+    std::filesystem::path    folder;
+    bool                     quick = false; ///< one method only
+  };
+
+  /**
+   * A notched beam with a core of particles against the same beam all of particles: error of peak load, and of the opening at it, over cost,
+   * by method, width of the core and size of elements. The scenes are of kind structure, in space; the second has one handshake in a box, and
+   * both lead a group `load` along z and have a gauge `opening`.
+   *
+   * Written after every case to structure.csv and structure.md, at the end to structure.png.
+   *
+   * @return exit status. @throws base::InputError, postprocess::OutputError.
+   */
+  int run_structure_bench(const StructureBench &bench);
+} // namespace apps

@@ -1,0 +1,106 @@
+#include "dem/statics/surrounded_system.h"
+
+namespace dem
+{
+  SurroundedSystem::SurroundedSystem(const LoadedNetwork    &loaded,
+                                     const std::vector<int> &unknown,
+                                     const int               unknowns,
+                                     const double            size)
+    : count(unknowns)
+    , surrounded(loaded.body || loaded.ties)
+    , around(unknowns, unknowns)
+  {
+    if (loaded.body)
+      add_body(loaded, unknown);
+    if (!loaded.ties)
+      return;
+    if (loaded.ties->by_leaders().cols() > 0)
+      add_leaders(loaded.ties->by_leaders(), unknown);
+    else
+      add_multipliers(loaded.ties->rows(), unknown, size);
+  }
+
+  void SurroundedSystem::add_body(const LoadedNetwork &loaded, const std::vector<int> &unknown)
+  {
+    const std::size_t                   first = motions * loaded.network.particles();
+    std::vector<Eigen::Triplet<double>> entries;
+    const auto                          joint = [&](const Eigen::Index x) {
+      return unknown[first + motions * static_cast<std::size_t>(x / 3) + static_cast<std::size_t>(x % 3)];
+    };
+    for (Eigen::Index column = 0; column < loaded.body->stiffness.cols(); ++column)
+      for (Sparse::InnerIterator entry(loaded.body->stiffness, column); entry; ++entry)
+        if (joint(entry.row()) >= 0 && joint(column) >= 0)
+          entries.emplace_back(joint(entry.row()), joint(column), entry.value());
+    around.setFromTriplets(entries.begin(), entries.end());
+  }
+
+  void SurroundedSystem::add_leaders(const Sparse &by_leaders, const std::vector<int> &unknown)
+  {
+    std::vector<Eigen::Triplet<double>> entries;
+    int                                 leading = 0;
+    for (Eigen::Index column = 0; column < by_leaders.cols(); ++column)
+      {
+        if (by_leaders.col(column).nonZeros() == 0 || unknown[static_cast<std::size_t>(column)] < 0)
+          continue;
+        for (Sparse::InnerIterator entry(by_leaders, column); entry; ++entry)
+          if (const int led = unknown[static_cast<std::size_t>(entry.row())]; led >= 0)
+            entries.emplace_back(led, leading, entry.value());
+        ++leading;
+      }
+    leaders.resize(count, leading);
+    leaders.setFromTriplets(entries.begin(), entries.end());
+  }
+
+  void SurroundedSystem::add_multipliers(const Sparse &ties, const std::vector<int> &unknown, const double size)
+  {
+    borne = static_cast<int>(ties.rows());
+    std::vector<Eigen::Triplet<double>> entries;
+    for (Eigen::Index column = 0; column < around.cols(); ++column)
+      for (Sparse::InnerIterator entry(around, column); entry; ++entry)
+        entries.emplace_back(entry.row(), column, entry.value());
+    for (Eigen::Index column = 0; column < ties.cols(); ++column)
+      for (Sparse::InnerIterator entry(ties, column); entry; ++entry)
+        if (const int u = unknown[static_cast<std::size_t>(column)]; u >= 0)
+          {
+            // As large as stiffnesses, so that pivots can be compared.
+            const int multiplier = count + static_cast<int>(entry.row());
+            entries.emplace_back(multiplier, u, size * entry.value());
+            entries.emplace_back(u, multiplier, size * entry.value());
+          }
+    around.resize(count + borne, count + borne);
+    around.setFromTriplets(entries.begin(), entries.end());
+  }
+
+  const SurroundedSystem::Sparse &SurroundedSystem::whole(const Sparse &links)
+  {
+    if (!surrounded)
+      return links;
+    if (borne == 0)
+      sum = links + around;
+    else
+      {
+        Sparse extended = links;
+        extended.conservativeResize(around.rows(), around.cols());
+        sum = extended + around;
+      }
+    if (leaders.cols() > 0)
+      sum = Sparse(leaders.transpose() * Sparse(sum * leaders));
+    return sum;
+  }
+
+  Eigen::MatrixXd SurroundedSystem::forces(const Eigen::MatrixXd &on_unknowns) const
+  {
+    if (leaders.cols() > 0)
+      return leaders.transpose() * on_unknowns;
+    Eigen::MatrixXd extended = Eigen::MatrixXd::Zero(count + borne, on_unknowns.cols());
+    extended.topRows(count)  = on_unknowns;
+    return extended;
+  }
+
+  Eigen::MatrixXd SurroundedSystem::motions_of(const Eigen::MatrixXd &solution) const
+  {
+    if (leaders.cols() > 0)
+      return leaders * solution;
+    return solution.topRows(count);
+  }
+} // namespace dem

@@ -1,0 +1,121 @@
+// Structures of particles and a solid around them in equilibrium, through the program.
+#include "apps/drivers/coupled/element_region.h"
+#include "apps/process/mpi_session.h"
+#include "tests/apps/interrupted_runs.h"
+#include "tests/apps/scene_runs.h"
+#include "tests/places.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+
+using namespace apps_tests;
+using Catch::Contains;
+
+namespace
+{
+  std::string shipped_beam(const char *name) { return places::sources() + "/apps/scenes/" + name; }
+
+  Results bent(const char *scene, const std::vector<std::string> &changes = {})
+  {
+    const ScratchFolder folder;
+    return results_of(folder, shipped_beam(scene), changes, {"control"});
+  }
+
+  double peak_load(const Results &results)
+  {
+    const auto &load = results.series.column("reaction_load_z");
+    return -*std::min_element(load.begin(), load.end());
+  }
+
+  std::string kept_of_structure(const std::filesystem::path &results)
+  {
+    return listing_of(results / "solid") + listing_of(results / "particles") + listing_of(results / "links") +
+           content_of(results / "series.csv") + content_of(results / "structure.pvd");
+  }
+} // namespace
+
+TEST_CASE("A beam with a core of particles is in equilibrium at every point of its path, with its energies in balance",
+          "[apps][structure][volume]")
+{
+  const Results found = bent("bending_with_core.prm", {"Path/End=2e-5"});
+  const auto   &load = found.series.column("reaction_load_z"), &left = found.series.column("reaction_left_support_z"),
+             &right = found.series.column("reaction_right_support_z"), &work = found.series.column("energy_work"),
+             &residual = found.series.column("energy_residual"), &solid = found.series.column("energy_solid_stored"),
+             &stored = found.series.column("energy_stored");
+  REQUIRE(load.size() >= 20);
+  for (std::size_t i = 0; i < load.size(); ++i)
+    {
+      CHECK(std::fabs(load[i] + left[i] + right[i]) < 1e-5 * std::fabs(load[i]));
+      CHECK(std::fabs(residual[i]) < 0.01 * work[i]);
+      CHECK(solid[i] > 0);
+      CHECK(solid[i] < stored[i]); // the whole of which it is a part
+    }
+  CHECK(found.series.column("mean_damage").back() > 0);
+  CHECK(found.summary["medium"]["difference_of_stiffness"]["value"] == 0);
+  CHECK(found.summary["handshakes"]["core"]["damaged"] == 0);
+}
+
+TEST_CASE(
+  "Places are as far from a group of elements as from the box that it fills, and free surfaces are no ends of it",
+  "[apps][structure][volume]")
+{
+  apps::start_mpi();
+  apps::MeshSection mesh;
+  mesh.source = apps::MeshSection::Source::file;
+  mesh.file = places::sources() + "/meshes/snap_back_bar.msh"; // "weak" from 0.5 to 0.55 of 1 m, over the whole height
+  const auto distance = apps::distance_from_elements(mesh, 2, "weak");
+  for (const double x : {0.0, 0.3, 0.499, 0.51, 0.525, 0.549, 0.56, 1.0})
+    for (const double y : {-0.01, 0.0, 0.02, 0.05})
+      {
+        const double along = std::max(0.5 - x, x - 0.55), off = std::max(0.0, -y);
+        INFO(x << ", " << y);
+        CHECK(distance({x, y, 0}) == Approx(std::copysign(std::hypot(along, off), along)).margin(1e-12));
+      }
+  CHECK_THROWS_WITH(apps::distance_from_elements(mesh, 2, "week"), Contains("Did you mean \"weak\""));
+}
+
+TEST_CASE("A beam with a core of particles bears what one all of particles bears", "[apps][structure][volume][slow]")
+{
+  // Until a little past the peak.
+  const Results core = bent("bending_with_core.prm", {"Path/Stop fraction=0.9"}),
+                all  = bent("bending_of_particles.prm", {"Path/Stop fraction=0.9"});
+  CHECK(peak_load(core) == Approx(peak_load(all)).epsilon(0.02));
+}
+
+TEST_CASE("A structure that cannot be led is refused by name", "[apps][structure][volume]")
+{
+  const ScratchFolder folder;
+  const std::string   scene   = shipped_beam("bending_with_core.prm");
+  const auto          refused = [&](const std::vector<std::string> &changes, const char *words) {
+    is_refused(folder, scene, changes, words);
+  };
+  refused({"Path/Step=1"}, "must not be above End");
+  refused({"Supports/load/Displacement z=-t*t"}, "times t, the load factor");
+  refused({"Supports/load/Displacement z=-1e-5"}, "times t, the load factor");
+  refused({"Supports/lode/Displacement z=-t"}, "Did you mean");
+  refused({"Gauges/opening/Other group=lip"}, "no such group");
+  refused({"Continuum/Model/Analysis=explicit"}, "Analysis");
+  refused({"Continuum/Model/Large displacement=true"}, "Large displacement");
+  refused({"Continuum/Supports/left support/Displacement z=1e-6"}, "in proportion to t");
+  refused({"Handshakes/core/High=0.072, 1, 1"}, "Let the region end where elements do");
+  refused({"Groups/load/Lower=1, 1, 1", "Groups/load/Upper=2, 2, 2"}, "no particle's centre lies in it");
+  refused({"Output/Curve vertical=lode"}, "Curve vertical");
+  refused({"Specimen/Source=file", "Specimen/File=" + places::sources() + "/meshes/reference_cube.txt",
+           "Groups/load/Lower=-1, -1, -1", "Groups/left lip/Lower=-1, -1, -1", "Groups/right lip/Lower=-1, -1, -1",
+           "Groups/right lip/Upper=1, 1, 1", "Handshakes/core/Low=-1, -1, -1"},
+          "Homogenised wants");
+}
+
+TEST_CASE("An interrupted or killed path of particles inside a solid goes on to the same bits",
+          "[apps][structure][volume][slow][S13]")
+{
+  const ScratchFolder            folder;
+  const std::vector<std::string> words = {
+    "run", shipped_beam("bending_with_core.prm"), "-s", "Output/Checkpoint interval=0.01",
+    "-s",  "Output/Points per snapshot=5",        "-s", "Path/End=3e-5"};
+  goes_on_to_the_same_bits(folder, {words, {"solid/solid_000002.vtu", "checkpoint.h5"}, kept_of_structure},
+                           {SIGINT, SIGKILL});
+}
