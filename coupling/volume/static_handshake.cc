@@ -6,6 +6,7 @@
 #include "fem/solid/point_search.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 namespace coupling
@@ -38,6 +39,11 @@ namespace coupling
         in_overlap.push_back(overlapping_particles(loaded.network.centre, h, [this](const Vector3d &place) {
           return solid.point_search().find(point_in<dim>(place)).has_value();
         }));
+        for (const std::size_t i : in_overlap.back())
+          if (!loaded.carried[i].isZero(0))
+            throw base::InputError(
+              "coupling " + h.name + ": particle " + std::to_string(i + 1) +
+              " lies in the overlap, and a support leads it. Lead particles of the region, or the solid.");
         entries.push_back(enter(in_overlap.back()));
         share(h, in_overlap.back());
       }

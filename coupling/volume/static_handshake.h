@@ -22,7 +22,7 @@ namespace coupling
     /**
      * @param particles their free network, with what holds or leads particles beside the solid; links share, or go, in the overlaps
      * @param solid made with Overlap::of_solid() as its share, unless particles are slaved; must outlive this
-     * @throws base::InputError where there are no particles in an overlap, where one of them is not in the solid, and as
+     * @throws base::InputError where there are no particles in an overlap, where one of them is not in the solid or led, and as
      * fem::CondensedSolid does
      */
     StaticHandshake(dem::LoadedNetwork                           particles,

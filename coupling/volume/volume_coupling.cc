@@ -2,6 +2,7 @@
 
 #include "base/errors.h"
 #include "coupling/volume/bond_shares.h"
+#include "coupling/volume/overlapping_particles.h"
 #include "dem/model/particles.h"
 #include "fem/solid/point_search.h"
 
@@ -78,12 +79,6 @@ namespace coupling
   } // namespace
 
   template <int dim>
-  void VolumeCoupling<dim>::refuse(const std::size_t particle, const std::string &why) const
-  {
-    throw base::InputError("coupling " + own.name + ": particle " + std::to_string(particle + 1) + " " + why);
-  }
-
-  template <int dim>
   bool VolumeCoupling<dim>::lies_in_solid(const Vector3d &place) const
   {
     dealii::Point<dim> where;
@@ -95,38 +90,31 @@ namespace coupling
   template <int dim>
   void VolumeCoupling<dim>::find_particles()
   {
-    const std::size_t bonded = bonded_particles(specimen);
-    std::vector<std::size_t>
-      beside; // in the absorber's layer; at its start nothing is damped, and one-sided averages do not matter
     std::vector<Vector3d> all;
     for (std::size_t i = 0; i < specimen.counts().particles; ++i)
       all.push_back(specimen.particle(i).position);
+    const std::size_t bonded = bonded_particles(specimen);
+    std::vector<bool> inside(all.size(), false);
+    for (const std::size_t i :
+         overlapping_particles({all.begin(), all.begin() + static_cast<std::ptrdiff_t>(bonded)}, own,
+                               [this](const Vector3d &place) { return lies_in_solid(place); }))
+      inside[i] = true;
+    std::vector<std::size_t>
+      beside; // in the absorber's layer; at its start nothing is damped, and one-sided averages do not matter
     // In the specimen's own order: neighbours are next to each other in memory.
     for (const std::int32_t number : dem::hilbert_order(all))
       {
-        const auto i = static_cast<std::size_t>(number);
-        if (i >= bonded)
-          continue;
-        const Vector3d place    = all[i];
-        const double   distance = own.overlap.distance(place);
-        if (own.overlap.contains(place))
+        const auto   i        = static_cast<std::size_t>(number);
+        const double distance = own.overlap.distance(all[i]);
+        if (inside[i])
           {
-            if (!node_map.enter(place))
-              refuse(i, "lies in the overlap, but not in the solid. Let the mesh reach through the overlap.");
+            node_map.enter(all[i]);
             watched.push_back(i);
-            continue;
           }
-        if (own.absorbs && distance < 0 && distance > -own.layer)
+        else if (i < bonded && own.absorbs && distance < 0 && distance > -own.layer)
           beside.push_back(i);
-        if (distance > 0 && lies_in_solid(place))
-          refuse(i, "lies in the solid beyond the overlap. Let particles end with it.");
-        if (own.method != VolumeMethod::multipliers && distance < 0 && lies_in_solid(place))
-          refuse(i, "lies in the particles' own region, and in an element that reaches into it. Let the region end "
-                    "where elements do.");
       }
-    overlapping = watched.size();
-    if (overlapping == 0)
-      throw base::InputError("coupling " + own.name + ": no particle lies in the overlap.");
+    overlapping   = watched.size();
     at_particles  = node_map.take();
     overlap_nodes = static_cast<Index>(node_map.nodes().size());
     watched.insert(watched.end(), beside.begin(), beside.end());

@@ -81,12 +81,11 @@ namespace coupling
     /** All, and damaged ones. */
     std::pair<std::size_t, std::size_t> count_shared_bonds() const;
 
-    [[noreturn]] void refuse(std::size_t particle, const std::string &why) const;
-    bool              lies_in_solid(const Eigen::Vector3d &place) const;
-    void              find_particles();
-    void              share();
-    void              leave();
-    void              weigh_nodes();
+    bool lies_in_solid(const Eigen::Vector3d &place) const;
+    void find_particles();
+    void share();
+    void leave();
+    void weigh_nodes();
     /** Multipliers for so many steps of the particles in one of the solid. */
     void tie(double steps);
     void make_absorber();

@@ -1,8 +1,4 @@
 // Particles inside a solid, through the program: the published example, refusals, resuming; waves from one into the other.
-#include "apps/drivers/coupled/body.h"
-#include "apps/drivers/coupled/scene.h"
-#include "apps/drivers/read_scene.h"
-#include "apps/process/mpi_session.h"
 #include "tests/apps/interrupted_runs.h"
 #include "tests/apps/scene_runs.h"
 #include "tests/apps/scenes.h"
@@ -56,33 +52,6 @@ TEST_CASE("A beam with a core of particles: the published example's particles, e
   for (const double residual : series.column("energy_residual"))
     CHECK(std::fabs(residual) < 0.01 * energy);
   CHECK(std::fabs(series.column("core_made").back()) < 1e-9 * energy);
-}
-
-// Where it is hit, the disc itself drives the first rows apart; the published impactor, a clump, has not been compared.
-TEST_CASE("A beam with a core of particles that is hit is bent open in its bottom fibre below the impactor first",
-          "[apps][coupled][volume][slow]")
-{
-  apps::start_mpi();
-  const apps::CheckedScene  scene   = apps::read_scene(shipped("beam_with_core.prm"), {});
-  const apps::CoupledModel &model   = dynamic_cast<const apps::CoupledScene &>(*scene.scene).parameters();
-  const dem::Packing        packing = model.packing();
-  const auto                body    = apps::make_coupled_body(model, packing);
-  body->start();
-  std::vector<Eigen::Vector3d> damaged;
-  while (damaged.empty() && body->time() < 1e-3)
-    {
-      body->advance(1);
-      const dem::LinkOutput links = body->particles().specimen().links();
-      for (std::size_t l = 0; l < links.damage.size(); ++l)
-        if (links.kind[l] != dem::LinkOutput::contact && links.damage[l] > 0 && links.load[l].contact.y() < 0.09)
-          damaged.push_back(links.load[l].contact);
-    }
-  REQUIRE(!damaged.empty());
-  for (const Eigen::Vector3d &place : damaged)
-    {
-      CHECK(place.y() < 0.012); // of 0.12: the two rows at the bottom
-      CHECK(std::fabs(place.x()) < 0.02);
-    }
 }
 
 TEST_CASE("A beam with a core of particles takes a blow as one all of particles does, until it is cut through",

@@ -103,6 +103,7 @@ TEST_CASE("A structure that cannot be led is refused by name", "[apps][structure
   refused({"Handshakes/core/High=0.072, 1, 1"}, "Let the region end where elements do");
   refused({"Groups/load/Lower=1, 1, 1", "Groups/load/Upper=2, 2, 2"}, "no particle's centre lies in it");
   refused({"Output/Curve vertical=lode"}, "Curve vertical");
+  refused({"Groups/load/Lower=0.046, -1, -1", "Groups/load/Upper=0.049, 1, 1"}, "a support leads it");
   refused({"Specimen/Source=file", "Specimen/File=" + places::sources() + "/meshes/reference_cube.txt",
            "Groups/load/Lower=-1, -1, -1", "Groups/left lip/Lower=-1, -1, -1", "Groups/right lip/Lower=-1, -1, -1",
            "Groups/right lip/Upper=1, 1, 1", "Handshakes/core/Low=-1, -1, -1"},
