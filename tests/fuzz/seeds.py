@@ -2,7 +2,7 @@
 
 import math
 
-from seeds_of_couplings import CONTACT, COUPLED, HANDSHAKE, TRANSMISSION, hexagonal
+from seeds_of_couplings import CONTACT, COUPLED, HANDSHAKE, STRUCTURE, TRANSMISSION, hexagonal
 
 CPM = """  set Law = CPM
   subsection CPM
@@ -527,7 +527,7 @@ end
 SCENES = {"uniaxial": UNIAXIAL, "cell": CELL, "quasi_static": QUASI_STATIC, "homogenisation": HOMOGENISATION,
           "generated": GENERATED, "continuum_static": CONTINUUM_STATIC, "continuum_explicit": CONTINUUM_EXPLICIT,
           "sequential": SEQUENTIAL, "particles": PARTICLES, "coupled": COUPLED, "contact": CONTACT,
-          "handshake": HANDSHAKE, "transmission": TRANSMISSION}
+          "handshake": HANDSHAKE, "transmission": TRANSMISSION, "structure": STRUCTURE}
 
 FILES = {"packing.txt": packing(), "cell.txt": periodic_cell(), "hexagonal.txt": hexagonal(),
          "two.msh": MESH_2, "two4.msh": MESH_4, "link.csv": LINK_PATH, "point.csv": POINT_PATH}

@@ -261,3 +261,99 @@ subsection Waves
   set Layer          = 2
 end
 """
+
+
+STRUCTURE = """set Kind = structure
+subsection Specimen
+  set Source            = file
+  set File              = hexagonal.txt
+  set Thickness         = 0.01
+  set Interaction ratio = 1.5
+end
+subsection Material
+  set Law = CPM
+  subsection CPM
+    set Normal modulus       = 785.4e6
+    set Shear ratio          = 0.25
+    set Limit elastic strain = 3e-4
+    set Relative ductility   = 20
+    set Cohesion             = 78.54e6
+    set Friction coefficient = 0
+  end
+end
+subsection Physics
+  set Dimension = 2
+end
+subsection Voids
+  subsection notch
+    set Shape = box
+    set Lower = -0.004, -1, -1
+    set Upper = 0.004, 0.02, 1
+  end
+end
+subsection Groups
+  subsection load
+    set Shape = box
+    set Lower = -0.008, 0.045, -1
+    set Upper = 0.008, 1, 1
+  end
+end
+subsection Supports
+  subsection load
+    set Displacement x = 0
+    set Displacement y = -t
+  end
+end
+subsection Continuum
+  subsection Model
+    set Dimension = 2
+    set Plane     = stress
+    set Thickness = 0.01
+  end
+  subsection Mesh
+    set Source = bodies
+    subsection Boxes
+      subsection beam
+        set Corner      = -0.15, 0, 0
+        set Size        = 0.3, 0.06, 0
+        set Divisions x = 10
+        set Divisions y = 2
+        set Material    = concrete
+      end
+    end
+  end
+  subsection Materials
+    subsection concrete
+      set Law = isotropic elastic
+      subsection isotropic elastic
+        set Young modulus = 1e9
+        set Poisson ratio = 0.2
+      end
+    end
+  end
+  subsection Supports
+    subsection left
+      set From           = -0.15, 0, 0
+      set Displacement y = 0
+    end
+    subsection right
+      set From           = 0.15, 0, 0
+      set Displacement y = 0
+    end
+  end
+end
+subsection Handshakes
+  subsection core
+    set Low     = -0.03, -1, -1
+    set High    = 0.03, 1, 1
+    set Overlap = 0.03
+  end
+end
+subsection Path
+  set End  = 1e-4
+  set Step = 1e-5
+end
+subsection Output
+  set Points per snapshot = 5
+end
+"""
