@@ -103,7 +103,7 @@ TEST_CASE("describe finds entries and sections by name wherever they are, and sa
   const Outcome       cohesion = run(folder.path(), {"describe", "cohesion"});
   REQUIRE(cohesion.status == 0);
   CHECK_THAT(cohesion.out, Contains("subsection CPM") && Contains("set Cohesion =") && !Contains("Shear ratio"));
-  CHECK_THAT(cohesion.out, Contains("# Scenes of kind cell, particles, quasi_static, uniaxial\n"));
+  CHECK_THAT(cohesion.out, Contains("# Scenes of kind cell, particles, quasi_static, structure, uniaxial\n"));
 
   const Outcome cpm = run(folder.path(), {"describe", "CPM"}); // of one material, and of each of several
   REQUIRE(cpm.status == 0);
