@@ -2,11 +2,30 @@
 
 #include "coupling/volume/overlap.h"
 #include "dem/specimen/specimen.h"
+#include "dem/statics/elastic_network.h"
 
 #include <vector>
 
 namespace coupling
 {
+  /** A cohesive link, by the numbers of its particles. */
+  struct Bond
+  {
+    std::size_t     first, second;
+    Eigen::Vector3d contact; ///< where both act on each other [m]
+    double          length;  ///< from centre to centre, to the nearest image [m]
+  };
+
+  /** Particles and what bonds them, as far as shares are asked for. */
+  struct BondedParticles
+  {
+    std::vector<Eigen::Vector3d> centre; ///< [m]
+    std::vector<Bond>            bonds;
+  };
+
+  BondedParticles bonded_particles(const dem::Specimen &specimen);
+  BondedParticles bonded_particles(const dem::ElasticNetwork &network);
+
   /** Share of bonds in a place; particles of another body may be beyond the overlap, and share with nobody. */
   double share_of_bonds(const Overlap &overlap, const Eigen::Vector3d &place);
 
@@ -19,8 +38,15 @@ namespace coupling
   };
 
   /**
-   * Of each particle, by packing number. Where particles end with the overlap, each bond that goes inward has lost its counterpart
+   * Of each particle. Where particles end with the overlap, each bond that goes inward has lost its counterpart
    * (doc/theory/volume-coupling.md, 2).
    */
-  std::vector<BondShare> bond_shares(const dem::Specimen &specimen, const Overlap &overlap);
+  std::vector<BondShare> bond_shares(const BondedParticles &all, const Overlap &overlap);
+
+  /**
+   * How much of each of some particles lies between the two sides of an overlap, by what the weights of its bonds differ from its own: on
+   * these, and no others, do even stresses that share evenly leave a force (doc/theory/static-handshake.md, 2).
+   */
+  std::vector<double>
+  parts_within(const BondedParticles &all, const Overlap &overlap, const std::vector<std::size_t> &particles);
 } // namespace coupling

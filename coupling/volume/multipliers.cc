@@ -72,13 +72,13 @@ namespace coupling
       throw std::runtime_error("the system of the multipliers cannot be factored.");
   }
 
-  Multipliers::Multipliers(const WeightRows   &weights,
-                           const CarrierRows  &particles,
-                           const CarrierRows  &nodes,
-                           const Compatibility compatibility,
-                           const bool          lumped)
-    : rows_on_particles(compatibility == Compatibility::strict ? identity(weights.rows()) :
-                                                                 WeightRows(weights.transpose()))
+  Multipliers::Multipliers(const WeightRows  &weights,
+                           const CarrierRows &particles,
+                           const CarrierRows &nodes,
+                           const VectorXd    &parts,
+                           const bool         lumped)
+    : rows_on_particles(parts.size() == 0 ? identity(weights.rows()) :
+                                            WeightRows(weights.transpose() * parts.asDiagonal()))
     , rows_on_nodes(rows_on_particles * weights)
     , of_particles(rows_on_particles.transpose())
     , of_nodes(rows_on_nodes.transpose())

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "coupling/volume/parameters.h"
-
 #include <Eigen/SparseCore>
 
 #include <vector>
@@ -28,13 +26,14 @@ namespace coupling
   public:
     /**
      * @param weights of the nodes (columns) at the particles (rows) @param particles, nodes their inverse masses, zero where motion is
-     * prescribed [1/kg] @param lumped rows of the system are summed up on the diagonal: cheap, dissipative, and not exact
+     * prescribed [1/kg] @param parts where it is the mean of the difference around each node that is made zero: how much each particle counts
+     * in it [-]; empty where it is the difference at each particle @param lumped rows of the system are summed up on the diagonal: cheap, dissipative, and not exact
      */
-    Multipliers(const WeightRows  &weights,
-                const CarrierRows &particles,
-                const CarrierRows &nodes,
-                Compatibility      compatibility,
-                bool               lumped);
+    Multipliers(const WeightRows      &weights,
+                const CarrierRows     &particles,
+                const CarrierRows     &nodes,
+                const Eigen::VectorXd &parts,
+                bool                   lumped);
 
     /** What the velocities [m/s] lack. */
     CarrierChanges changes(const CarrierRows &particles, const CarrierRows &nodes) const;

@@ -22,7 +22,7 @@ namespace coupling
   double Overlap::of_particles(const Vector3d &place) const
   {
     const double d = distance(place);
-    return d <= 0 ? 1.0 : std::clamp(1 - d / width, least, 1 - least);
+    return d <= 0 ? 1.0 : std::max(1 - d / width, least);
   }
 
   std::function<double(const Vector3d &)> distance_from_box(const Vector3d &low, const Vector3d &high)

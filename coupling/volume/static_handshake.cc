@@ -197,31 +197,6 @@ namespace coupling
   }
 
   template <int dim>
-  std::vector<double> StaticHandshake<dim>::parts_within(const Overlap                  &overlap,
-                                                         const std::vector<std::size_t> &particles) const
-  {
-    const auto         &centre = loaded.network.centre;
-    std::vector<double> changed(centre.size(), 0), inward(changed), outward(changed), longest(changed);
-    for (const dem::ElasticLink &link : loaded.network.links)
-      for (const auto &[here, there] : {std::pair{link.first, link.second}, std::pair{link.second, link.first}})
-        {
-          const double further = overlap.distance(centre[there]) - overlap.distance(centre[here]);
-          const double own     = std::clamp(1 - overlap.distance(centre[here]) / overlap.width, 0.0, 1.0);
-          const double share   = share_of_bonds(overlap, centre[link.first] + link.arm_first * link.direction);
-          changed[here] += 2 * overlap.width * (own - share) * further;
-          (further < 0 ? inward : outward)[here] += further * further;
-          longest[here] = std::max(longest[here], link.branch.norm());
-        }
-    std::vector<double> parts;
-    for (const std::size_t i : particles)
-      {
-        const bool ends = overlap.distance(centre[i]) + longest[i] > overlap.width;
-        parts.push_back(changed[i] / (ends ? 2 * inward[i] : inward[i] + outward[i]));
-      }
-    return parts;
-  }
-
-  template <int dim>
   std::vector<dem::Tie> StaticHandshake<dim>::kept_together(const VolumeCouplingParameters &handshake,
                                                             const std::vector<std::size_t> &particles,
                                                             const std::vector<Entry>       &entries) const
@@ -236,7 +211,7 @@ namespace coupling
     of_particles.setIdentity();
     if (handshake.compatibility == Compatibility::coarse)
       {
-        const std::vector<double> parts = parts_within(handshake.overlap, particles);
+        const std::vector<double> parts = parts_within(bonded_particles(loaded.network), handshake.overlap, particles);
         of_particles                    = of_joints.transpose();
         for (Index row = 0; row < of_particles.rows(); ++row)
           for (Rows::InnerIterator e(of_particles, row); e; ++e)

@@ -57,11 +57,6 @@ namespace coupling
     void               add_body();
     /** Particles move and turn as the solid does where they are. */
     std::vector<dem::Tie> slaved(const std::vector<std::size_t> &particles, const std::vector<Entry> &entries) const;
-    /**
-     * How much of each particle lies between the two sides of an overlap, by what the weights of its links differ from its own: on these,
-     * and no others, do even stresses that share evenly leave a force.
-     */
-    std::vector<double> parts_within(const Overlap &overlap, const std::vector<std::size_t> &particles) const;
     /** Displacements are the same in the mean around each node, or at each particle. */
     std::vector<dem::Tie> kept_together(const VolumeCouplingParameters &handshake,
                                         const std::vector<std::size_t> &particles,

@@ -74,7 +74,8 @@ namespace coupling
     void visit_state(base::StateVisitor &visitor);
 
   private:
-    using Entry = typename NodeMap<dim>::Entry;
+    using Entry                       = typename NodeMap<dim>::Entry;
+    static constexpr std::size_t axes = 6; ///< of a particle in a correction
     /** Velocities along the axes of particles in a correction. */
     using CorrectedRows = Eigen::Map<CarrierRows, Eigen::Unaligned, Eigen::OuterStride<>>;
 
@@ -117,6 +118,8 @@ namespace coupling
     std::vector<Eigen::Vector3d> places; ///< of the watched, undeformed [m]
     std::size_t                  overlapping = 0;
     Eigen::VectorXd              whole_mass; ///< of the watched, as if they shared with nobody [kg]
+    Eigen::VectorXd
+                 parts; ///< of the particles of the overlap that lie between its sides, where multipliers ask for them
     CarrierRows  mass, inverse_mass, node_mass, inverse_node_mass; ///< as they count; zero inverse: prescribed
     double       ratio         = 0;                                ///< of steps for which the multipliers are
     Eigen::Index overlap_nodes = 0;                                ///< nodes that weigh on its particles: the first

@@ -55,9 +55,6 @@ namespace dem
   {
     borne = static_cast<int>(ties.rows());
     std::vector<Eigen::Triplet<double>> entries;
-    for (Eigen::Index column = 0; column < around.cols(); ++column)
-      for (Sparse::InnerIterator entry(around, column); entry; ++entry)
-        entries.emplace_back(entry.row(), column, entry.value());
     for (Eigen::Index column = 0; column < ties.cols(); ++column)
       for (Sparse::InnerIterator entry(ties, column); entry; ++entry)
         if (const int u = unknown[static_cast<std::size_t>(column)]; u >= 0)
@@ -67,8 +64,10 @@ namespace dem
             entries.emplace_back(multiplier, u, size * entry.value());
             entries.emplace_back(u, multiplier, size * entry.value());
           }
-    around.resize(count + borne, count + borne);
-    around.setFromTriplets(entries.begin(), entries.end());
+    Sparse border(count + borne, count + borne);
+    border.setFromTriplets(entries.begin(), entries.end());
+    around.conservativeResize(count + borne, count + borne);
+    around += border;
   }
 
   const SurroundedSystem::Sparse &SurroundedSystem::whole(const Sparse &links)

@@ -60,10 +60,7 @@ namespace dem
       result.setFromTriplets(kept.begin(), kept.end());
       return result;
     }
-  } // namespace
 
-  namespace
-  {
     /** Of each row the motion that no other has; empty where one has none that weighs enough. */
     std::vector<Eigen::Index> motions_of_their_own(const Sparse &rows)
     {

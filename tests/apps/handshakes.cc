@@ -142,3 +142,13 @@ TEST_CASE("bench volume has every method, at each wavelength, with what a step c
     CHECK_THAT(csv, Contains(std::string("\n") + method + ",0.08,"));
   CHECK(std::filesystem::file_size(folder / "bench/volume.png") > 0);
 }
+
+TEST_CASE("What a mismatch of media reflects is said where other materials are named beside that of the packing too",
+          "[apps][coupled][volume]")
+{
+  const ScratchFolder folder;
+  const Outcome       large =
+    outcome_of(folder, "check", shipped("plate_impact.prm"), {"Particles/Specimen/Generator/Particle radius=0.005"});
+  CHECK(large.status == 0);
+  CHECK_THAT(large.out + large.err, Contains("impedances reflect"));
+}

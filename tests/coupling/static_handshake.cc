@@ -101,11 +101,6 @@ namespace
       high[0]      = own_length + divisions[0] * element;
       for (int d = 1; d < dim; ++d)
         high[d] = across * spacing;
-      const fem::BuildMesh<dim> build = [=](dealii::Triangulation<dim> &mesh) {
-        dealii::GridGenerator::subdivided_hyper_rectangle(mesh, divisions, low, high, true);
-        for (const auto &cell : mesh.active_cell_iterators())
-          cell->set_material_id(0);
-      };
       fem::SolidOptions options;
       options.thickness = spacing;
       if (shared)
@@ -113,7 +108,7 @@ namespace
           return overlap.of_solid(Vector3d(place.data()));
         };
       auto made = std::make_unique<fem::Solid<dim>>(
-        fem::make_mesh<dim>(build, fem::ElementFamily::hypercube, MPI_COMM_SELF), options);
+        fem::make_mesh<dim>(box<dim>(low, high, divisions), fem::ElementFamily::hypercube, MPI_COMM_SELF), options);
       made->assign("0", fem::make_points(elastic((dim == 3 ? M_PI / 4 : 1) * modulus, 0), fem::Plane::strain));
       fem::Loads<dim> loads;
       loads.may_move_freely = true;

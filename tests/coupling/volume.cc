@@ -1,9 +1,6 @@
 // Particles inside a solid: what the handshake keeps, whatever its method.
-#include "coupling/concurrent/concurrent_motion.h"
-#include "dem/laws/elastic_links.h"
-#include "dem/packing/lattice.h"
+#include "tests/coupling/volume_fixture.h"
 #include "tests/dem/memory_state.h"
-#include "tests/fem/solid_fixture.h"
 
 #include <catch2/catch.hpp>
 
@@ -12,181 +9,10 @@
 #include <cmath>
 #include <memory>
 
-using Eigen::Vector3d;
+using namespace volume;
 
 namespace
 {
-  constexpr double spacing = 0.01, modulus = 25e9, density = 2400;
-
-  /** A bar of particles from x = 0 on that goes over into one of elements: three elements of two spacings in the overlap. */
-  template <int dim>
-  struct Bar
-  {
-    static constexpr double element = 2 * spacing, overlap_width = 3 * element, own_length = 10 * spacing;
-    static constexpr int    across = 4; // particles
-
-    explicit Bar(coupling::VolumeCouplingParameters p,
-                 const double                       step_factor   = 0.8,
-                 const int                          largest_ratio = 1,
-                 const double                       softer        = 1)
-      : Bar(std::move(p), step_factor, largest_ratio, softer, overlap())
-    {
-    }
-
-    static coupling::Overlap overlap()
-    {
-      return {[](const Vector3d &place) { return place.x() - own_length; }, overlap_width};
-    }
-
-    static dem::Packing packing()
-    {
-      const int    along   = static_cast<int>(std::lround((own_length + overlap_width) / spacing));
-      dem::Packing lattice = dem::make_lattice(dim == 3 ? dem::Lattice::simple_cubic : dem::Lattice::square,
-                                               spacing / 2, {along, across, dim == 3 ? across : 1});
-      lattice.periodic_cell.reset();
-      return lattice;
-    }
-
-    static dem::Specimen specimen(const double step_factor)
-    {
-      dem::SpecimenParameters p;
-      p.physics.dimension = dim;
-      p.physics.damage = p.physics.friction = p.physics.contacts = false;
-      p.density                                                  = density;
-      p.thickness                                                = spacing;
-      p.interaction_ratio = 1.5; // diagonals too: a square alone has no shear stiffness
-      p.step_factor       = step_factor;
-      return dem::Specimen(packing(), p, dem::elastic_links(modulus, 0.3));
-    }
-
-    static fem::Solid<dim> elements(const coupling::Overlap &overlap, const bool shared)
-    {
-      const double              height = across * spacing;
-      dealii::Point<dim>        low, high;
-      std::vector<unsigned int> divisions(dim, across / 2);
-      low[0]       = own_length;
-      high[0]      = own_length + 8 * element;
-      divisions[0] = 8;
-      for (int d = 1; d < dim; ++d)
-        high[d] = height;
-      const fem::BuildMesh<dim> build = [=](dealii::Triangulation<dim> &mesh) {
-        dealii::GridGenerator::subdivided_hyper_rectangle(mesh, divisions, low, high, true);
-        for (const auto &cell : mesh.active_cell_iterators())
-          cell->set_material_id(0);
-      };
-      fem::SolidOptions options;
-      options.thickness = spacing;
-      if (shared)
-        options.share = [overlap](const std::array<double, 3> &place) {
-          return overlap.of_solid(Vector3d(place.data()));
-        };
-      return fem::Solid<dim>(fem::make_mesh<dim>(build, fem::ElementFamily::hypercube, MPI_COMM_SELF), options);
-    }
-
-    Bar(coupling::VolumeCouplingParameters p,
-        const double                       step_factor,
-        const int                          largest_ratio,
-        const double                       softer,
-        const coupling::Overlap           &overlap)
-      : particles(specimen(step_factor))
-      , solid(elements(overlap, p.method == coupling::VolumeMethod::multipliers))
-    {
-      solid.assign("0", fem::make_points(elastic(modulus / softer, 0.2), fem::Plane::strain));
-      fem::Loads<dim> loads;
-      loads.may_move_freely = true;
-      solid.set_loads(loads);
-      fem::ExplicitOptions explicitly;
-      explicitly.density = {{"0", density}};
-      motion             = std::make_unique<fem::ExplicitSolver<dim>>(solid, explicitly);
-      participant        = std::make_unique<coupling::SolidParticipant<dim>>(solid, *motion);
-      both               = std::make_unique<coupling::ConcurrentMotion<dim>>(particles, solid, *motion, *participant);
-      both->set_largest_ratio(largest_ratio);
-      p.name    = "bar";
-      p.overlap = overlap;
-      if (p.absorbs)
-        coupling::set_absorber(p, {}, element, std::sqrt(modulus / density));
-      coupled = &both->add_volume(p);
-    }
-
-    /** Of both sides, each particle and node. */
-    void set_velocity(const std::function<Vector3d(const Vector3d &)> &velocity,
-                      const Vector3d                                  &spin = Vector3d::Zero())
-    {
-      for (std::size_t i = 0; i < particles.counts().particles; ++i)
-        particles.set_velocity(i, velocity(particles.particle(i).position), spin);
-      motion->set_velocity([&](const dealii::Point<dim> &x, double) {
-        const Vector3d         v = velocity({x[0], x[1], dim == 3 ? x[dim - 1] : 0.0});
-        dealii::Tensor<1, dim> t;
-        for (int d = 0; d < dim; ++d)
-          t[d] = v[d];
-        return t;
-      });
-    }
-
-    /** Irregular, of all wavelengths [m/s]. */
-    static Vector3d noise(const Vector3d &place)
-    {
-      const double k = place.dot(Vector3d(1.0, 7.3, 3.1)) / spacing;
-      Vector3d     v(std::sin(12.9898 * k), std::sin(3.7 + 78.233 * k), dim == 3 ? std::sin(1.3 + 37.7 * k) : 0.0);
-      return 1e-3 * v;
-    }
-
-    double energy() const
-    {
-      const auto of_particles = coupling::ParticleParticipant(const_cast<dem::Specimen &>(particles)).energy();
-      const auto of_solid     = participant->energy();
-      return of_particles.kinetic + of_particles.internal + of_solid.kinetic + of_solid.internal;
-    }
-
-    Vector3d momentum() const
-    {
-      return coupling::momentum_of(coupling::ParticleParticipant(const_cast<dem::Specimen &>(particles))).linear +
-             coupling::momentum_of(*participant).linear;
-    }
-
-    void advance(const int windows)
-    {
-      for (int w = 0; w < windows; ++w)
-        both->advance(1);
-    }
-
-    dem::Specimen                                    particles;
-    fem::Solid<dim>                                  solid;
-    std::unique_ptr<fem::ExplicitSolver<dim>>        motion;
-    std::unique_ptr<coupling::SolidParticipant<dim>> participant;
-    std::unique_ptr<coupling::ConcurrentMotion<dim>> both;
-    const coupling::VolumeCoupling<dim>             *coupled = nullptr;
-  };
-
-  using coupling::Compatibility;
-  using coupling::VolumeMethod;
-
-  coupling::VolumeCouplingParameters
-  tied(const Compatibility compatibility, const bool lumped = false, const bool absorbs = false)
-  {
-    coupling::VolumeCouplingParameters p;
-    p.compatibility = compatibility;
-    p.lumped        = lumped;
-    p.absorbs       = absorbs;
-    return p;
-  }
-
-  coupling::VolumeCouplingParameters led(const VolumeMethod method)
-  {
-    coupling::VolumeCouplingParameters p;
-    p.method = method;
-    return p;
-  }
-
-  const std::vector<std::pair<std::string, coupling::VolumeCouplingParameters>> &methods()
-  {
-    static const std::vector<std::pair<std::string, coupling::VolumeCouplingParameters>> all = {
-      {"coarse", tied(Compatibility::coarse)},       {"strict", tied(Compatibility::strict)},
-      {"lumped", tied(Compatibility::strict, true)}, {"absorber", tied(Compatibility::coarse, false, true)},
-      {"slaved", led(VolumeMethod::slaved)},         {"legacy", led(VolumeMethod::legacy)}};
-    return all;
-  }
-
   /**
    * Of particles and nodes from a motion as a whole, over its largest velocity, after some steps. That part is looked at which changes its sign with the
    * motion: a turn of elements of small displacements strains them in second order.
@@ -389,11 +215,12 @@ TEST_CASE("volume coupling: multipliers and absorber leave translation, rotation
   const coupling::CarrierRows       particles = cube.even_of_particles(), nodes = IrregularCube::even_of_nodes();
   const coupling::FineScaleAbsorber absorber({0.2, 3}, cube.carriers);
   CHECK(absorber.changes(particles, nodes, 5).particles.norm() <= 1e-10 * particles.norm());
-  for (const Compatibility compatibility : {Compatibility::coarse, Compatibility::strict})
+  const Eigen::VectorXd alike = Eigen::VectorXd::Ones(IrregularCube::count), strict;
+  for (const Eigen::VectorXd &parts : {alike, strict})
     for (const bool lumped : {false, true})
       {
-        const coupling::Multipliers ties(cube.weights, cube.carriers.inverse_mass, cube.inverse_node_masses,
-                                         compatibility, lumped);
+        const coupling::Multipliers ties(cube.weights, cube.carriers.inverse_mass, cube.inverse_node_masses, parts,
+                                         lumped);
         const auto                  change = ties.changes(particles, nodes);
         CHECK(change.particles.norm() + change.nodes.norm() <= 1e-10 * particles.norm());
       }
@@ -424,7 +251,7 @@ TEST_CASE("volume coupling: multipliers leave nothing of what they forbid, and a
   const IrregularCube         cube;
   const coupling::CarrierRows noise = IrregularCube::noise(), even = IrregularCube::even_of_nodes();
   const coupling::Multipliers ties(cube.weights, cube.carriers.inverse_mass, cube.inverse_node_masses,
-                                   Compatibility::coarse, false);
+                                   Eigen::VectorXd::Ones(IrregularCube::count), false);
   const auto                  change = ties.changes(noise, even);
   const coupling::CarrierRows v = noise + change.particles, nodes = even + change.nodes;
   const coupling::CarrierRows left = cube.weights.transpose() * (v - cube.weights * nodes);
@@ -442,7 +269,7 @@ TEST_CASE("volume coupling: S10, a solid a hundred times as soft, fifty steps of
       {
         INFO(name);
         // A fifth of the stable step of the particles: fifty of them in one of the solid.
-        Bar<2> bar(method, 0.2, 50, 100);
+        Bar<2> bar(method, {0.2, 50, 100, 1.5, {}, {}, {}});
         bar.set_velocity(Bar<2>::noise);
         bar.advance(5);
         const double energy = bar.energy(), made = bar.coupled->balance().made();
@@ -461,7 +288,7 @@ TEST_CASE("volume coupling: S10, a solid a hundred times as soft, fifty steps of
 TEST_CASE("volume coupling: a million steps close to the critical one neither make nor lose energy",
           "[coupling][volume][slow]")
 {
-  Bar<2> bar(tied(Compatibility::coarse), 0.99);
+  Bar<2> bar(tied(Compatibility::coarse), {0.99, 1, 1, 1.5, {}, {}, {}});
   bar.set_velocity(Bar<2>::noise);
   bar.advance(5);
   const double energy = bar.energy(), made = bar.coupled->balance().made();
@@ -509,7 +336,7 @@ TEST_CASE(
 TEST_CASE("volume coupling: a million steps close to the critical one never add energy, with an absorber",
           "[coupling][volume][slow]")
 {
-  Bar<2> bar(tied(Compatibility::coarse, false, true), 0.99);
+  Bar<2> bar(tied(Compatibility::coarse, false, true), {0.99, 1, 1, 1.5, {}, {}, {}});
   bar.set_velocity(Bar<2>::noise);
   bar.advance(5);
   const double energy = bar.energy();

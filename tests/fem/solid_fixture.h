@@ -21,16 +21,26 @@ inline fem::IsotropicElastic elastic(const double young, const double poisson)
 
 /// A box with boundaries named 0 (x low), 1 (x high), 2, 3, 4, 5.
 template <int dim>
-fem::BuildMesh<dim>
-box(const dealii::Point<dim> &corner, const std::vector<unsigned int> &elements, const double distortion = 0)
+fem::BuildMesh<dim> box(const dealii::Point<dim>        &low,
+                        const dealii::Point<dim>        &high,
+                        const std::vector<unsigned int> &elements,
+                        const double                     distortion = 0)
 {
   return [=](dealii::Triangulation<dim> &mesh) {
-    dealii::GridGenerator::subdivided_hyper_rectangle(mesh, elements, dealii::Point<dim>(), corner, true);
+    dealii::GridGenerator::subdivided_hyper_rectangle(mesh, elements, low, high, true);
     for (const auto &cell : mesh.active_cell_iterators()) // the generator colours octants
       cell->set_material_id(0);
     if (distortion > 0)
       dealii::GridTools::distort_random(distortion, mesh, true, 20);
   };
+}
+
+/// The same from the origin on.
+template <int dim>
+fem::BuildMesh<dim>
+box(const dealii::Point<dim> &corner, const std::vector<unsigned int> &elements, const double distortion = 0)
+{
+  return box<dim>(dealii::Point<dim>(), corner, elements, distortion);
 }
 
 /// A solid of one material under loads, and its static solver.

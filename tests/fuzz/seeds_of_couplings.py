@@ -159,9 +159,7 @@ def hexagonal(radius=0.005, length=0.3, height=0.06):
     return "\n".join(lines) + "\n"
 
 
-HANDSHAKE = """set Kind = coupled
-subsection Continuum
-  subsection Model
+BEAM_OF_ELEMENTS = """  subsection Model
     set Dimension = 2
     set Plane     = stress
     set Thickness = 0.01
@@ -178,7 +176,11 @@ subsection Continuum
       end
     end
   end
-  subsection Materials
+"""
+
+HANDSHAKE = """set Kind = coupled
+subsection Continuum
+""" + BEAM_OF_ELEMENTS + """  subsection Materials
     subsection concrete
       set Law     = isotropic elastic
       set Density = 2000
@@ -305,24 +307,7 @@ subsection Supports
   end
 end
 subsection Continuum
-  subsection Model
-    set Dimension = 2
-    set Plane     = stress
-    set Thickness = 0.01
-  end
-  subsection Mesh
-    set Source = bodies
-    subsection Boxes
-      subsection beam
-        set Corner      = -0.15, 0, 0
-        set Size        = 0.3, 0.06, 0
-        set Divisions x = 10
-        set Divisions y = 2
-        set Material    = concrete
-      end
-    end
-  end
-  subsection Materials
+""" + BEAM_OF_ELEMENTS + """  subsection Materials
     subsection concrete
       set Law = isotropic elastic
       subsection isotropic elastic

@@ -36,7 +36,7 @@ namespace
     wave.element                  = 4;
     wave.shear                    = shear;
     wave.step_factor              = 0.69; // 0.4 of the table's unit
-    wave.method.proportions.grid  = 0.87;
+    wave.method.proportions.grid  = 0.8675;
     wave.method.proportions.phase = 0.25;
     return wave;
   }
@@ -148,7 +148,7 @@ namespace
   {
     return [name](const double wavelength) {
       apps::WaveCase wave           = chain(name, wavelength);
-      wave.method.proportions.grid  = 0.826;
+      wave.method.proportions.grid  = 0.8243;
       wave.method.proportions.phase = 0.25;
       return wave;
     };

@@ -25,33 +25,33 @@ namespace apps
                 Need::optional)
         .means("Which of the three stiffnesses of the file");
     }
-
-    base::Stiffness stiffness_in(const std::string &file, const std::string &way)
-    {
-      std::ifstream stream(file);
-      if (!stream)
-        throw base::InputError(file + ": cannot be opened.");
-      const nlohmann::json json = nlohmann::json::parse(stream, nullptr, false);
-      const auto           path = nlohmann::json::json_pointer("/" + way + "/stiffness");
-      base::Stiffness      D;
-      try
-        {
-          for (std::size_t i = 0; i < 6; ++i)
-            for (std::size_t j = 0; j < 6; ++j)
-              D(static_cast<int>(i), static_cast<int>(j)) = json.at(path).at(i).at(j).get<double>();
-        }
-      catch (const nlohmann::json::exception &)
-        {
-          throw base::InputError(file + ": has no 6 x 6 matrix of numbers at \"" + path.to_string() +
-                                 "\". Give a homogenised.json of breccia homogenise.");
-        }
-      // A stiffness from an iterative solution is symmetric to its tolerance only.
-      const base::Stiffness symmetric = 0.5 * (D + D.transpose());
-      if ((D - symmetric).norm() > 1e-6 * D.norm())
-        throw base::InputError(file + ": the matrix at \"" + path.to_string() + "\" is not symmetric.");
-      return symmetric;
-    }
   } // namespace
+
+  base::Stiffness stiffness_in(const std::string &file, const std::string &way)
+  {
+    std::ifstream stream(file);
+    if (!stream)
+      throw base::InputError(file + ": cannot be opened.");
+    const nlohmann::json json = nlohmann::json::parse(stream, nullptr, false);
+    const auto           path = nlohmann::json::json_pointer("/" + way + "/stiffness");
+    base::Stiffness      D;
+    try
+      {
+        for (std::size_t i = 0; i < 6; ++i)
+          for (std::size_t j = 0; j < 6; ++j)
+            D(static_cast<int>(i), static_cast<int>(j)) = json.at(path).at(i).at(j).get<double>();
+      }
+    catch (const nlohmann::json::exception &)
+      {
+        throw base::InputError(file + ": has no 6 x 6 matrix of numbers at \"" + path.to_string() +
+                               "\". Give a homogenised.json of breccia homogenise.");
+      }
+    // A stiffness from an iterative solution is symmetric to its tolerance only.
+    const base::Stiffness symmetric = 0.5 * (D + D.transpose());
+    if ((D - symmetric).norm() > 1e-6 * D.norm())
+      throw base::InputError(file + ": the matrix at \"" + path.to_string() + "\" is not symmetric.");
+    return symmetric;
+  }
 
   void MaterialOfGroup::declare(Section &section, const std::function<bool()> &is_explicit, const bool holds_particles)
   {

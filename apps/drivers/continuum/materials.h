@@ -8,6 +8,9 @@
 
 namespace apps
 {
+  /** A stiffness of homogenised.json, symmetric. @param way "relaxed", "affine" or "statistics" @throws base::InputError */
+  base::Stiffness stiffness_in(const std::string &file, const std::string &way);
+
   /** Sub-section of "Materials": the law of one group of elements. */
   struct MaterialOfGroup
   {

@@ -466,7 +466,7 @@ namespace apps
   std::unique_ptr<CoupledBody>
   make_coupled_body(const CoupledModel &model, const dem::Packing &packing, const std::optional<ParticleMedium> &medium)
   {
-    homogenise(model.continuum.materials, medium);
+    give_medium(model.continuum.materials, medium);
     if (model.dimension() == 2)
       return std::make_unique<Body<2>>(model, packing, medium);
     return std::make_unique<Body<3>>(model, packing, medium);

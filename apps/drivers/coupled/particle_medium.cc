@@ -1,5 +1,7 @@
 #include "apps/drivers/coupled/particle_medium.h"
 
+#include "apps/drivers/homogenisation/report.h"
+#include "apps/drivers/parts/specimen_packing.h"
 #include "base/errors.h"
 #include "dem/homogenisation/relaxed_stiffness.h"
 #include "dem/homogenisation/resisted_strains.h"
@@ -20,24 +22,32 @@ namespace apps
                                           const int                          dimension,
                                           const bool                         rotations)
   {
-    if (!cell || !material.named.empty() || dimension != 3)
+    // Regions are places in the scene, which the cell of a packing is not part of.
+    if (!cell || !material.regions.empty() || dimension != 3)
       return std::nullopt;
+    dem::Packing numbered = *cell;
+    material.number(numbered, dimension, origin_of(specimen));
     dem::NetworkParameters links;
     links.rotations                     = rotations;
     links.interaction_ratio             = specimen.interaction_ratio;
-    const dem::ElasticNetwork   network = dem::make_network(*cell, links, material.materials());
+    const dem::LinkMaterials    known   = material.materials();
+    const dem::ElasticNetwork   network = dem::make_network(numbered, links, known);
     const dem::RelaxedStiffness found   = dem::relaxed_stiffness(network);
     if (!found.solver.converged || found.resisted < dem::strains_of(dimension))
       return std::nullopt;
-    const dem::ParticleShape shape{dimension, specimen.density, 0};
-    ParticleMedium           medium;
-    medium.stiffness = found.stiffness;
-    for (const double radius : cell->radius)
-      medium.density += specimen.density * shape.volume(radius) / network.volume;
+    const dem::ParticleShape  shape{dimension, specimen.density, 0};
+    const std::vector<double> densities = known.densities(specimen.density);
+    ParticleMedium            medium;
+    medium.stiffness = 0.5 * (found.stiffness + found.stiffness.transpose());
+    for (std::size_t i = 0; i < numbered.size(); ++i)
+      {
+        const std::size_t of = numbered.material.empty() ? 0 : static_cast<std::size_t>(numbered.material[i]);
+        medium.density += densities.at(of) * shape.volume(numbered.radius[i]) / network.volume;
+      }
     return medium;
   }
 
-  void homogenise(const MaterialsSection &materials, const std::optional<ParticleMedium> &medium)
+  void give_medium(const MaterialsSection &materials, const std::optional<ParticleMedium> &medium)
   {
     for (const auto &group : materials.groups)
       {
@@ -54,13 +64,7 @@ namespace apps
 
   void ParticleMedium::write(const std::filesystem::path &file) const
   {
-    nlohmann::json rows = nlohmann::json::array();
-    for (int i = 0; i < 6; ++i)
-      {
-        const Eigen::Matrix<double, 1, 6> row = stiffness.row(i);
-        rows.push_back(std::vector<double>(row.data(), row.data() + 6));
-      }
-    postprocess::write_json(file, {{"relaxed", {{"stiffness", rows}}}, {"density", density}});
+    postprocess::write_json(file, {{"relaxed", {{"stiffness", json_of(stiffness)}}}, {"density", density}});
   }
 
   std::optional<ParticleMedium> ParticleMedium::kept_in(const std::filesystem::path &folder)
@@ -69,21 +73,11 @@ namespace apps
     if (!std::filesystem::exists(file))
       return std::nullopt;
     std::ifstream        stream(file);
-    const nlohmann::json json = nlohmann::json::parse(stream, nullptr, false);
-    ParticleMedium       medium;
-    try
-      {
-        for (std::size_t i = 0; i < 6; ++i)
-          for (std::size_t j = 0; j < 6; ++j)
-            medium.stiffness(static_cast<int>(i), static_cast<int>(j)) =
-              json.at("relaxed").at("stiffness").at(i).at(j).get<double>();
-        medium.density = json.at("density").get<double>();
-      }
-    catch (const nlohmann::json::exception &)
-      {
-        throw base::InputError(file.string() + ": cannot be read. Begin the run anew.");
-      }
-    return medium;
+    const nlohmann::json json    = nlohmann::json::parse(stream, nullptr, false);
+    const auto           density = json.find("density");
+    if (!json.is_object() || density == json.end() || !density->is_number())
+      throw base::InputError(file.string() + ": cannot be read. Begin the run anew.");
+    return ParticleMedium{stiffness_in(file, "relaxed"), density->get<double>()};
   }
 
   Mismatch reflected_by_mismatch(const ParticleMedium &medium, const base::Stiffness &solid, const double density)

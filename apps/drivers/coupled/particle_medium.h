@@ -26,7 +26,7 @@ namespace apps
   };
 
   /**
-   * None where there is no periodic cell, or several materials, or a plane; and where the cell does not resist every strain.
+   * None where there is no periodic cell, or a plane, or materials by regions; and where the cell does not resist every strain.
    * @param rotations whether particles spin
    */
   std::optional<ParticleMedium> medium_of(const std::optional<dem::Packing> &cell,
@@ -36,7 +36,7 @@ namespace apps
                                           bool                               rotations);
 
   /** Materials that are homogenised become the medium. @throws base::InputError where there is none */
-  void homogenise(const MaterialsSection &materials, const std::optional<ParticleMedium> &medium);
+  void give_medium(const MaterialsSection &materials, const std::optional<ParticleMedium> &medium);
 
   /** Elastic waves along an axis, at right angles to an interface: energy that media of other impedances reflect, of compression and of shear. */
   struct Mismatch

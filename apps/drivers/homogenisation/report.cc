@@ -10,21 +10,21 @@
 
 namespace apps
 {
+  nlohmann::json json_of(const base::Stiffness &D)
+  {
+    nlohmann::json rows = nlohmann::json::array();
+    for (int i = 0; i < 6; ++i)
+      {
+        nlohmann::json row = nlohmann::json::array();
+        for (int j = 0; j < 6; ++j)
+          row.push_back(D(i, j));
+        rows.push_back(row);
+      }
+    return rows;
+  }
+
   namespace
   {
-    nlohmann::json matrix(const dem::MacroscopicStiffness &D)
-    {
-      nlohmann::json rows = nlohmann::json::array();
-      for (int i = 0; i < 6; ++i)
-        {
-          nlohmann::json row = nlohmann::json::array();
-          for (int j = 0; j < 6; ++j)
-            row.push_back(D(i, j));
-          rows.push_back(row);
-        }
-      return rows;
-    }
-
     /** What a cell without moduli does resist, in one sentence; "" if it has them. */
     std::string shortcoming(const HomogenisationAnswer &answer)
     {
@@ -123,7 +123,7 @@ namespace apps
     for (const HomogenisationWay &way : homogenisation_ways)
       {
         const FoundStiffness &f = answer.*way.found;
-        json[way.name]          = {{"E", nullptr}, {"nu", nullptr}, {"stiffness", matrix(f.stiffness)}};
+        json[way.name]          = {{"E", nullptr}, {"nu", nullptr}, {"stiffness", json_of(f.stiffness)}};
         if (f.constants)
           json[way.name].update({{"E", f.constants->young}, {"nu", f.constants->poisson}});
         json[way.name]["resisted_strains"] = f.resisted;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/drivers/homogenisation/moduli.h"
+#include "base/voigt.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -28,6 +29,9 @@ namespace apps
 
   /** Scatter over packings, a line per way; empty for less than two. */
   std::string scatter_table(const std::vector<HomogenisationAnswer> &answers);
+
+  /** The six rows of a stiffness. */
+  nlohmann::json json_of(const base::Stiffness &D);
 
   /** What homogenised.json holds for one packing. */
   nlohmann::json json_of(const HomogenisationAnswer &answer);

@@ -28,7 +28,7 @@ namespace apps
   {
     if (!model.has_solid())
       return nullptr;
-    homogenise(model.continuum.materials, medium);
+    give_medium(model.continuum.materials, medium);
     return surround(model, model.particles(packing, groups));
   }
 
