@@ -63,9 +63,14 @@ TEST_CASE("check counts what a run writes: a million snapshots take longer than 
     CHECK_THAT(said, Contains("duration     roughly ") && !Contains(" s, on this machine")); // a minute or more
 }
 
-TEST_CASE("check says the longest duration of a run that a stop condition may end", "[apps]")
+TEST_CASE("check says the longest duration of a run that a stop condition may end, and the shortest where it waits",
+          "[apps]")
 {
-  for (const std::string &said : forecasts_of({"bonded_beam.prm", "snap_back.prm"}))
+  for (const std::string &said : forecasts_of({"snap_back.prm"}))
+    CHECK_THAT(said, Contains("duration     at most "));
+  for (const std::string &said : forecasts_of({"bonded_beam.prm"}))
+    CHECK_THAT(said, Contains("duration     from ") && Contains(" s to "));
+  for (const std::string &said : forecasts_of({"bonded_beam.prm"}, {"-s", "Stop/equilibrium/From time=0"}))
     CHECK_THAT(said, Contains("duration     at most "));
 }
 

@@ -256,4 +256,9 @@ TEST_CASE("point-test refuses a bad path, constant or material with its place", 
   refused("strain_xx\n11\n", m1, "a strain of more than 1000 %");
   refused("strain_xx\n1e300\n", with(m1, "Largest increment=2e-4"),
           "strain increment of 1e+300 in one step"); // not in 301 digits
+  // A law that fails nowhere answered with infinite stresses, and status 0.
+  const Constants elastic = {"Young modulus=30e9", "Poisson ratio=0.2"};
+  refused("strain_xx\n1e-4\n1e300\n", elastic, "row 2: a strain of 1e+300: must be from -1000 to 1000",
+          "isotropic elastic");
+  refused("stress_xx\n1e308\n", elastic, "row 1: a strain of 3e+297: must be from -1000 to 1000", "isotropic elastic");
 }

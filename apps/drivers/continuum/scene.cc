@@ -44,8 +44,9 @@ namespace apps
         }
       try
         {
-          const bool may_stop = model.is_static() && model.control.stop_fraction > 0;
-          text += stoppable_duration_line(set_up_seconds + expected_seconds<dim>(model, states), may_stop);
+          const bool   may_stop = model.is_static() && model.control.stop_fraction > 0;
+          const double whole    = set_up_seconds + expected_seconds<dim>(model, states);
+          text += stoppable_duration_line(whole, may_stop ? 0 : whole);
         }
       catch (const std::runtime_error &failure)
         {

@@ -94,9 +94,9 @@ namespace apps
           seconds_per_window(*body) +
           body->steps().particle_steps * dearer_step_when_piled_up(model.particles, specimen, surface_contact(model));
         const double windows = windows_of(*body, model.particles.end_time);
-        const double seconds = set_up_seconds + windows * cost + writing_seconds(*body, model.particles.output);
+        const double motion  = windows * cost + writing_seconds(*body, model.particles.output);
         text += fmt::format("  windows      {:.0f}{}\n", windows, fewer);
-        text += stoppable_duration_line(seconds, *fewer != 0);
+        text += model.particles.stops.duration_line(set_up_seconds, motion, model.particles.end_time);
       }
     catch (const std::runtime_error &failure)
       {

@@ -57,9 +57,9 @@ namespace apps
         snapshots.open(folder, "particles", !model.walls.walls.empty());
         snapshots.take(specimen);
       });
-    const double seconds = set_up_seconds + steps * step + static_cast<double>(model.output.samples) * row +
-                           static_cast<double>(std::min(model.output.snapshots, model.output.samples)) * snapshot;
-    return text + stoppable_duration_line(seconds, !model.stops.stops.empty());
+    const double motion = steps * step + static_cast<double>(model.output.samples) * row +
+                          static_cast<double>(std::min(model.output.snapshots, model.output.samples)) * snapshot;
+    return text + model.stops.duration_line(set_up_seconds, motion, model.end_time);
   }
 
   int ParticlesScene::run(const RunRequest &request) const { return ParticlesRun(request, model).execute(); }

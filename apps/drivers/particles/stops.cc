@@ -1,5 +1,6 @@
 #include "apps/drivers/particles/stops.h"
 
+#include "apps/drivers/parts/run_forecast.h"
 #include "apps/scene/nearest_name.h"
 
 #include <algorithm>
@@ -34,6 +35,14 @@ namespace apps
       if (std::find(columns.begin(), columns.end(), stop.column) == columns.end())
         root.find_section("Stop")->find_section(stop.name)->refuse("Column", "series.csv has no such column. " +
                                                                                did_you_mean(stop.column, columns));
+  }
+
+  std::string StopsSection::duration_line(const double set_up, const double motion, const double end_time) const
+  {
+    double looked_at = end_time;
+    for (const StopSection &stop : stops)
+      looked_at = std::min(looked_at, stop.from_time);
+    return stoppable_duration_line(set_up + motion, looked_at > 0 ? set_up + motion * looked_at / end_time : 0);
   }
 
   std::string StopsSection::fulfilled(const std::vector<std::string> &columns, const std::vector<double> &row) const

@@ -36,10 +36,17 @@ namespace apps
     return watch.seconds();
   }
 
-  /** The line of a duration; the longest one where a stop condition may end the run at any time. */
-  inline std::string stoppable_duration_line(const double seconds, const bool may_stop)
+  /**
+   * The line of a duration that a stop condition may cut short.
+   * @param whole    without one [s]
+   * @param earliest from when on one is asked for [s]; 0: at any time; `whole`: there is none
+   */
+  inline std::string stoppable_duration_line(const double whole, const double earliest)
   {
-    return may_stop ? fmt::format("  duration     at most {}, on this machine as it is now\n", duration_text(seconds)) :
-                      duration_line(seconds);
+    if (earliest >= whole)
+      return duration_line(whole);
+    return fmt::format("  duration     {}, on this machine as it is now\n",
+                       earliest > 0 ? "from " + duration_text(earliest) + " to " + duration_text(whole) :
+                                      "at most " + duration_text(whole));
   }
 } // namespace apps

@@ -6,11 +6,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace apps
 {
   namespace
   {
+    constexpr double largest_strain = 1e3; ///< of a point: past anything that has a meaning
+
     std::string advice(const MaterialPath &path)
     {
       const bool stresses =
@@ -63,6 +66,11 @@ namespace apps
         {
           throw base::InputError(fmt::format("{}: row {}: {} {}", path.origin, row + 1, failure.what(), advice(path)));
         }
+      // A negated comparison: not a number is refused as well. The stress of any strain within is a number.
+      for (const double strain : point.strain())
+        if (!(std::fabs(strain) <= largest_strain))
+          throw base::InputError(fmt::format("{}: row {}: a strain of {:.6g}: must be from {} to {}.", path.origin,
+                                             row + 1, strain, -largest_strain, largest_strain));
     }
   } // namespace
 
