@@ -4,6 +4,8 @@
 
 #include <deal.II/dofs/dof_accessor.h>
 
+#include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -18,6 +20,17 @@ namespace coupling
       if (vertices == 4)
         return {0, 1, 3, 2};
       return vertices == 3 ? std::vector<unsigned int>{0, 1, 2} : std::vector<unsigned int>{0, 1};
+    }
+
+    /** Which side of a face is out of its cell. @param ring its corners */
+    template <int dim>
+    signed char
+    outward(const BoundaryFacets &found, const std::vector<std::int32_t> &ring, const Eigen::Vector3d &within)
+    {
+      std::array<Eigen::Vector3d, 3> corner;
+      for (std::size_t c = 0; c < 3; ++c)
+        corner[c] = found.mesh.vertex[static_cast<std::size_t>(ring[std::min<std::size_t>(c, ring.size() - 1)])];
+      return dem::facet_normal(corner, dim == 2).dot(corner[0] - within) > 0 ? 1 : -1;
     }
 
     /** Four triangles about a vertex that is the mean of the corners. @param ring corners around the face */
@@ -46,6 +59,7 @@ namespace coupling
       ids.insert(solid.mesh().boundary(name));
     std::map<std::size_t, std::int32_t>    vertex_of; // by the carrier
     std::vector<std::vector<std::int32_t>> faces;
+    std::vector<signed char>               leaves; // the body, each face's normal
     BoundaryFacets                         found;
     found.mesh.corners       = dim;
     const auto vertex_number = [&](const std::size_t carrier) {
@@ -64,17 +78,25 @@ namespace coupling
             auto &corners = faces.emplace_back();
             for (const unsigned int v : around(face->n_vertices()))
               corners.push_back(vertex_number(participant.carrier_of(face->vertex_dof_index(v, 0))));
+            Eigen::Vector3d within = Eigen::Vector3d::Zero();
+            for (const unsigned int v : cell->vertex_indices())
+              within += participant.position(participant.carrier_of(cell->vertex_dof_index(v, 0))) / cell->n_vertices();
+            leaves.push_back(outward<dim>(found, corners, within));
           }
-    for (const auto &corner : faces)
-      if (corner.size() < 4)
-        found.mesh.facet.push_back({corner[0], corner[1], corner.size() == 3 ? corner[2] : 0});
-      else if (split == QuadrilateralSplit::middle)
-        split_about_middle(corner, found);
-      else
-        {
-          found.mesh.facet.push_back({corner[0], corner[1], corner[2]});
-          found.mesh.facet.push_back({corner[0], corner[2], corner[3]});
-        }
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      {
+        const std::vector<std::int32_t> &corner = faces[f];
+        if (corner.size() < 4)
+          found.mesh.facet.push_back({corner[0], corner[1], corner.size() == 3 ? corner[2] : 0});
+        else if (split == QuadrilateralSplit::middle)
+          split_about_middle(corner, found);
+        else
+          {
+            found.mesh.facet.push_back({corner[0], corner[1], corner[2]});
+            found.mesh.facet.push_back({corner[0], corner[2], corner[3]});
+          }
+        found.mesh.outward.resize(found.mesh.facet.size(), leaves[f]);
+      }
     if (found.mesh.facet.empty())
       throw base::InputError("surface: this part of the boundary has no faces.");
     return found;

@@ -57,7 +57,7 @@ namespace coupling
       return most;
     }
 
-    /** Facets push from both sides: a particle beyond them would be pushed further in, or never be seen. */
+    /** A particle that begins behind the facets would be pushed further in, or never be seen. */
     template <int dim>
     void refuse_inside(const dem::Specimen             &specimen,
                        const fem::Solid<dim>           &solid,

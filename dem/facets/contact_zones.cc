@@ -37,6 +37,17 @@ namespace dem
       return below <= rounding * radius ? 1.0 : above / (above + below);
     }
 
+    /**
+     * What all points but the deepest count for. Near the centre their caps are half of the sphere, and shares of a whole contact that
+     * is as strong as any would make and lose much energy.
+     */
+    double counts_of_others(const double deepest, const double radius)
+    {
+      constexpr double none = 0.3, whole = 0.6;
+      const double     x = std::min(std::max((deepest / radius - none) / (whole - none), 0.0), 1.0);
+      return x * x * (3 - 2 * x);
+    }
+
     using Cluster = ZoneRoom::Cluster;
 
     /** Of the same contact, in a hollow; others weigh nothing. */
@@ -85,7 +96,9 @@ namespace dem
           }
     }
 
-    void add_zone(ZoneRoom &room, const Cluster &cluster, const Eigen::Vector3d &centre, const double radius)
+    /** @param others what the points count for beside the deepest of all, if that is one of them */
+    void add_zone(
+      ZoneRoom &room, const Cluster &cluster, const Eigen::Vector3d &centre, const double radius, const double others)
     {
       const auto          &points = cluster.points;
       std::vector<double> &weight = room.weight;
@@ -102,6 +115,13 @@ namespace dem
         {
           std::fill(weight.begin(), weight.end(), 0.0);
           sum = weight.front() = 1;
+        }
+      if (others < 1)
+        {
+          for (double &w : weight)
+            w *= others / sum;
+          weight.front() += 1 - others;
+          sum = 1;
         }
       const NearPoint &deepest = *points.front();
       ContactZone     &zone    = room.zones.add();
@@ -139,6 +159,12 @@ namespace dem
     });
     room.clusters.clear();
     room.zones.clear();
+    const double others = near.empty() ? 1.0 : counts_of_others(near.front().distance, radius);
+    if (others == 0)
+      {
+        prefer_inside(near, 0, radius);
+        near.resize(1);
+      }
     for (std::size_t k = 0; k < near.size(); ++k)
       {
         prefer_inside(near, k, radius);
@@ -165,7 +191,12 @@ namespace dem
           }
       }
     part_caps(room.clusters, radius);
-    for (const Cluster &cluster : room.clusters)
-      add_zone(room, cluster, centre, radius);
+    for (std::size_t k = 0; k < room.clusters.size(); ++k)
+      {
+        Cluster &cluster = room.clusters[k];
+        if (others < 1)
+          cluster.share = k == 0 ? 1 - (1 - cluster.share) * others : cluster.share * others;
+        add_zone(room, cluster, centre, radius, k == 0 ? others : 1.0);
+      }
   }
 } // namespace dem

@@ -11,10 +11,10 @@ namespace dem
   /** Nearest point of one facet within the radius of a sphere. */
   struct NearPoint
   {
-    std::int32_t    facet; ///< of its surface
-    FacetPoint      point;
-    double          distance;  ///< from the centre [m], in (0, radius)
-    Eigen::Vector3d direction; ///< from the centre, unit
+    std::int32_t facet; ///< of its surface
+    FacetPoint   point;
+    double       distance; ///< from the centre [m], in (0, radius); of a centre within a body negative, in (-radius, 0)
+    Eigen::Vector3d direction; ///< from the centre, unit; from within a body the other way: into it
   };
 
   /** Where a sphere touches a surface: one contact, whatever the number of facets that it stands on. */
@@ -58,7 +58,8 @@ namespace dem
    * within that cap is the same contact: always where the surface is flat or convex there (the point then lies in the plane or beyond
    * it), so that faces, edges and corners count once. In a hollow it lies above the plane; both then weigh in the mean place by their
    * heights above each other's planes, which vanish where either begins or ends to be, so that place and force are continuous. Points
-   * outside the cap are zones of their own, grown from nothing while the caps part.
+   * outside the cap are zones of their own, grown from nothing while the caps part. All but the deepest fade out as it comes nearer
+   * to the centre than 0.6 radii, and count for nothing from 0.3 on: the push is then the slope of the square of its overlap.
    *
    * @param near within the radius; is sorted @param room whose zones are found
    */

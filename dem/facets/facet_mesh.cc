@@ -81,8 +81,18 @@ namespace dem
       check_in_plane(mesh, name);
     else if (mesh.corners == 2)
       refuse(name, "is made of segments; in three dimensions a wall is made of triangles.");
+    if (!mesh.outward.empty() && mesh.outward.size() != mesh.size())
+      refuse(name, "has " + std::to_string(mesh.size()) + " facets, and says of " +
+                     std::to_string(mesh.outward.size()) + " which way is out.");
     for (std::size_t f = 0; f < mesh.size(); ++f)
       check_facet(mesh, name, f);
+  }
+
+  Eigen::Vector3d facet_normal(const std::array<Eigen::Vector3d, 3> &corner, const bool segment)
+  {
+    const Eigen::Vector3d edge = corner[1] - corner[0];
+    return segment ? Eigen::Vector3d(-edge.y(), edge.x(), 0).normalized() :
+                     edge.cross(corner[2] - corner[0]).normalized();
   }
 
   FacetPoint closest_on_segment(const std::array<Eigen::Vector3d, 3> &corner, const Eigen::Vector3d &x)

@@ -13,8 +13,9 @@ namespace dem
    * What a surface is made of: triangles; in the plane segments; or one unbounded plane (in the plane: a line), which is all that lies
    * on the far side of its normal as well.
    *
-   * Triangles and segments have no thickness and push from both sides. Nothing is asked of how they hang together: two facets may
-   * share corners by number, by place, or not at all.
+   * Triangles and segments have no thickness and push from both sides, and no centre of a particle goes through them; unless they
+   * bound a body: then they push out of it, from within as well. Nothing is asked of how they hang together: two facets may share
+   * corners by number, by place, or not at all.
    */
   struct FacetMesh
   {
@@ -22,6 +23,7 @@ namespace dem
     std::vector<std::array<std::int32_t, 3>> facet;       ///< numbers of vertices; only the first `corners` count
     int                                      corners = 3; ///< of each facet: 3, 2 (segments) or 1 (a plane through it)
     Eigen::Vector3d                          normal  = {0, 0, 0}; ///< of a plane, unit, to where the particles are
+    std::vector<signed char> outward; ///< of facets that bound a body: 1 where facet_normal() leaves it, -1 where not
 
     std::size_t size() const { return facet.size(); }
     bool        is_plane() const { return corners == 1; }
@@ -42,6 +44,9 @@ namespace dem
     Eigen::Vector3d       place;  ///< [m]
     std::array<double, 3> weight; ///< shape functions N_i of the corners there; sum 1, sum of N_i x_i is the place
   };
+
+  /** Unit normal: of a triangle by the right hand about its corners, of a segment to the left. */
+  Eigen::Vector3d facet_normal(const std::array<Eigen::Vector3d, 3> &corner, bool segment);
 
   /** Point of a triangle that is nearest to x; C. Ericson, Real-Time Collision Detection (2005), 5.1.5. */
   FacetPoint closest_on_triangle(const std::array<Eigen::Vector3d, 3> &corner, const Eigen::Vector3d &x);

@@ -68,13 +68,7 @@ namespace dem
         found.low  = found.low.cwiseMin(corner(c));
         found.high = found.high.cwiseMax(corner(c));
       }
-    if (mesh.corners == 3)
-      found.normal = (corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized();
-    else
-      {
-        const Eigen::Vector3d edge = (corner(1) - corner(0)).normalized();
-        found.normal               = {-edge.y(), edge.x(), 0};
-      }
+    found.normal = facet_normal({{corner(0), corner(1), mesh.corners == 3 ? corner(2) : corner(1)}}, mesh.corners == 2);
     return found;
   }
 

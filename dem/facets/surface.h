@@ -104,6 +104,8 @@ namespace dem
     Surface(const SurfaceParameters &parameters, bool friction, std::vector<bool> particles = {});
 
     bool meets_particle(const std::int32_t i) const { return meets.empty() || meets[static_cast<std::size_t>(i)]; }
+    /** Facets that bound a body push a centre out of it that has sunk in, where contacts act at the nearest point. */
+    bool holds_from_within() const { return !mesh.outward.empty() && skin == 0 && !footprint.given(); }
     /** How far from its centre a particle of this radius looks for facets [m]. */
     double look(const double radius) const { return footprint.given() ? Footprint::reach * radius : radius; }
     /** Of a facet where it is now; of a plane signed [m]. */

@@ -1,6 +1,7 @@
 // Where particles touch surfaces, how hard, and with what history.
 
 #include "base/errors.h"
+#include "dem/facets/crossing.h"
 #include "dem/facets/surface_contacts.h"
 #include "dem/kernels/kinematics.h"
 
@@ -31,7 +32,8 @@ namespace dem
     {
       std::ostringstream message;
       message << "particle " << p.number[static_cast<std::size_t>(i)] + 1 << " has sunk into wall " << surface.name
-              << " by its radius. Raise the wall's Effective modulus, or lower the load or Time/Step factor.";
+              << (surface.holds_from_within() ? " by twice its radius" : " by its radius")
+              << ". Raise the wall's Effective modulus, or lower the load or Time/Step factor.";
       throw base::NumericalError(message.str());
     }
   } // namespace
@@ -141,6 +143,35 @@ namespace dem
         }
       return true;
     }
+
+    /**
+     * Which side of the surface a centre is on. Within a body, what counts is the nearest point alone, at a negative distance and with
+     * the direction that it had outside; false where the centre has gone through facets that let nobody through.
+     *
+     * @param was_within after the step before @param points within reach, of all facets
+     */
+    bool finds_side(const Surface          &surface,
+                    const Eigen::Vector3d  &centre,
+                    const Eigen::Vector3d  &moved,
+                    const bool              was_within,
+                    std::vector<NearPoint> &points)
+    {
+      if (points.empty())
+        return !was_within;
+      if (!was_within && !goes_through(surface, points, centre, moved))
+        return true;
+      if (!surface.holds_from_within())
+        return false;
+      NearPoint nearest = *std::min_element(points.begin(), points.end(), [](const NearPoint &a, const NearPoint &b) {
+        return a.distance != b.distance ? a.distance < b.distance : a.facet < b.facet;
+      });
+      if (!lies_behind(surface, points, nearest, centre))
+        return true;
+      nearest.distance *= -1;
+      nearest.direction *= -1;
+      points.assign(1, nearest);
+      return true;
+    }
   } // namespace
 
   void SurfaceContacts::touch(const Particles     &particles,
@@ -160,9 +191,16 @@ namespace dem
         while (to != end && to->surface == s)
           ++to;
         const Surface &surface = all[static_cast<std::size_t>(s)];
-        const bool     outside = points_within(surface, near, from, to, centre, radius, block.room->near);
-        from                   = to;
-        if (!outside)
+        while (before != contacts.end() && before->particle == i && before->surface < s)
+          ++before;
+        auto before_end = before;
+        while (before_end != contacts.end() && before_end->particle == i && before_end->surface == s)
+          ++before_end;
+        const bool was_within = std::any_of(before, before_end, [](const SurfaceContact &c) { return c.distance < 0; });
+        const bool holds      = points_within(surface, near, from, to, centre, radius, block.room->near) &&
+                           finds_side(surface, centre, record(particles.motion, i, 0), was_within, block.room->near);
+        from = to;
+        if (!holds)
           {
             block.sunk      = i;
             block.sunk_into = s;
@@ -170,11 +208,6 @@ namespace dem
           }
         if (block.room->near.empty())
           continue;
-        while (before != contacts.end() && before->particle == i && before->surface < s)
-          ++before;
-        auto before_end = before;
-        while (before_end != contacts.end() && before_end->particle == i && before_end->surface == s)
-          ++before_end;
         block.room->fresh.clear();
         if (surface.footprint.given())
           gather_beside(particles, listed, surface, block);

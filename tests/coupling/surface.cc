@@ -16,12 +16,12 @@ namespace
     coupling::ConcurrentMotion<3> both;
 
     /** A spinning ball on its way to an edge of the free block, which it leaves again. */
-    explicit Collision(const double step_factor = 0.2)
+    explicit Collision(const double step_factor = 0.2, const dem::LinearContactParameters &contact = rough())
       : block(3)
       , specimen(ball(0.02, {0.03, 0.062, 0.1205}, {2, -1, -5}, {40, 100, -60}, step_factor))
       , both(specimen, block.solid, *block.motion, *block.participant)
     {
-      both.add_surface({"block", {}, rough()});
+      both.add_surface({"block", {}, contact});
     }
     const coupling::SurfaceCoupling<3> &surface() const { return *both.surfaces().front(); }
     /** Half the longest step of both. */
@@ -82,6 +82,36 @@ TEST_CASE("surface coupling: a closed system keeps its momentum, and power is th
   CHECK(most < 1e-12 * start.norm());
   const coupling::SurfaceBalance b = c.parted(start.norm());
   CHECK(std::fabs(b.made()) < 1e-12 * std::fabs(b.work_on_solid));
+}
+
+TEST_CASE(
+  "surface coupling: a ball that sinks in by more than its radius is pushed out again, with momenta and energy kept",
+  "[coupling]")
+{
+  // It went through the face, and on through the block, without a word.
+  dem::LinearContactParameters soft = rough();
+  soft.effective_modulus            = 9e4;
+  Collision      c(0.2, soft);
+  const double   step  = c.step();
+  const Vector3d start = c.total_momentum();
+  c.both.advance(step);
+  const Vector3d turning = c.total_angular_momentum();
+  const double   energy  = c.energy();
+  double         deepest = 0, most = 0;
+  for (int n = 0; n < 20000 && (deepest == 0 || c.specimen.surface(c.surface().surface()).touching > 0); ++n)
+    {
+      c.both.advance(step);
+      for (const auto &contact : c.specimen.wall_contacts())
+        deepest = std::max(deepest, contact.overlap);
+      most = std::max(most, std::fabs(c.energy() - energy));
+    }
+  CHECK(deepest > 1.1 * 0.02);
+  CHECK(c.specimen.particle(0).velocity.z() > 0);
+  CHECK(most < 1e-3 * energy);
+  c.both.advance(step);
+  c.parted(start.norm());
+  CHECK((c.total_momentum() - start).norm() < 1e-12 * start.norm());
+  CHECK((c.total_angular_momentum() - turning).norm() < 1e-10 * turning.norm());
 }
 
 TEST_CASE("surface coupling: energy of a glancing collision is kept to a thousandth", "[coupling]")

@@ -247,7 +247,10 @@ namespace apps
   } // namespace
 
   template <int dim>
-  SolidCut cut_of(const fem::Solid<dim> &solid, const fem::Vector &displacement, const unsigned int across)
+  SolidCut cut_of(const fem::Solid<dim>       &solid,
+                  const fem::Vector           &displacement,
+                  const unsigned int           across,
+                  const std::optional<double> &through)
   {
     const unsigned int             along = dim == 3 ? across : 1;
     SolidCut                       cut;
@@ -273,8 +276,8 @@ namespace apps
     // Of what moves next to most the place that is most in the middle; and just inside of elements, whose faces belong to none.
     if (dim == 3)
       each_vertex([&](const auto &cell, const dealii::Point<dim> &vertex, const double squared) {
-        const double off = std::fabs(vertex[along] - 0.5 * (low + high));
-        if (squared < 0.8 * most || off >= nearest)
+        const double off = std::fabs(vertex[along] - through.value_or(0.5 * (low + high)));
+        if ((!through && squared < 0.8 * most) || off >= nearest)
           return;
         nearest        = off;
         plane.position = vertex[along] + 1e-3 * (cell->center()[along] - vertex[along]);
@@ -304,8 +307,8 @@ namespace apps
     return cut;
   }
 
-  template SolidCut cut_of(const fem::Solid<2> &, const fem::Vector &, unsigned int);
-  template SolidCut cut_of(const fem::Solid<3> &, const fem::Vector &, unsigned int);
+  template SolidCut cut_of(const fem::Solid<2> &, const fem::Vector &, unsigned int, const std::optional<double> &);
+  template SolidCut cut_of(const fem::Solid<3> &, const fem::Vector &, unsigned int, const std::optional<double> &);
 
   unsigned int calmest_axis(const fem::Solid<3> &solid, const fem::Vector &displacement)
   {

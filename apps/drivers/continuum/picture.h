@@ -4,6 +4,7 @@
 #include "postprocess/field_picture.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,9 +19,16 @@ namespace apps
     bool                                   in_space = false;
   };
 
-  /** All of a plane solid; one in space across an axis, where it moves most. On one rank. */
+  /**
+   * All of a plane solid; one in space across an axis. On one rank.
+   *
+   * @param through the cut passes as near to it as elements let it [m]; without, where the solid moves most
+   */
   template <int dim>
-  SolidCut cut_of(const fem::Solid<dim> &solid, const fem::Vector &displacement, unsigned int across = 1);
+  SolidCut cut_of(const fem::Solid<dim>       &solid,
+                  const fem::Vector           &displacement,
+                  unsigned int                 across  = 1,
+                  const std::optional<double> &through = std::nullopt);
 
   /** The axis along which a solid in space moves least: a cut across it shows how it moves. On one rank. */
   unsigned int calmest_axis(const fem::Solid<3> &solid, const fem::Vector &displacement);

@@ -31,6 +31,21 @@ namespace apps
   {
     constexpr const char *axes[3] = {"_x", "_y", "_z"};
 
+    /** Particles that a cut meets. */
+    std::vector<postprocess::PictureCircle> circles_in(const SolidCut &cut, const dem::ParticleOutput &particles)
+    {
+      std::vector<postprocess::PictureCircle> circles;
+      for (std::size_t i = 0; i < particles.position.size(); ++i)
+        {
+          const Vector3d &at    = particles.position[i];
+          const double    off   = cut.in_space ? at[cut.across] - cut.position : 0.0;
+          const double    round = particles.radius[i] * particles.radius[i] - off * off;
+          if (round > 0)
+            circles.push_back({{at[cut.right], at[cut.up]}, std::sqrt(round)});
+        }
+      return circles;
+    }
+
     template <int dim>
     class Body : public CoupledBody
     {
@@ -270,16 +285,19 @@ namespace apps
 
       std::string draw(const std::filesystem::path &file, const std::string &title) const override
       {
-        const SolidCut                          cut       = cut_of(*solid, motion->displacement());
         const dem::ParticleOutput               particles = body.specimen().particles();
-        std::vector<postprocess::PictureCircle> circles;
-        for (std::size_t i = 0; i < particles.position.size(); ++i)
+        SolidCut                                cut       = cut_of(*solid, motion->displacement());
+        std::vector<postprocess::PictureCircle> circles   = circles_in(cut, particles);
+        if (circles.empty() && !particles.position.empty() && dim == 3)
           {
-            const Vector3d &at    = particles.position[i];
-            const double    off   = dim == 3 ? at[cut.across] - cut.position : 0.0;
-            const double    round = particles.radius[i] * particles.radius[i] - off * off;
-            if (round > 0)
-              circles.push_back({{at[cut.right], at[cut.up]}, std::sqrt(round)});
+            // A picture of both: through the particle that is nearest to the cut.
+            const auto place   = [&cut](const Vector3d &x) { return x[cut.across]; };
+            const auto nearest = std::min_element(
+              particles.position.begin(), particles.position.end(), [&](const Vector3d &a, const Vector3d &b) {
+                return std::fabs(place(a) - cut.position) < std::fabs(place(b) - cut.position);
+              });
+            cut     = cut_of(*solid, motion->displacement(), static_cast<unsigned int>(cut.across), place(*nearest));
+            circles = circles_in(cut, particles);
           }
         return draw_cut(file, cut, title, std::move(circles));
       }
