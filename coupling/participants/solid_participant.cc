@@ -179,10 +179,7 @@ namespace coupling
   template <int dim>
   void SolidParticipant<dim>::save()
   {
-    saved = Saved{motion.state(), {}};
-    solid.visit_histories([&](const fem::PointQuantity &of, const double *values) {
-      saved->histories.insert(saved->histories.end(), values, values + of.values());
-    });
+    saved = Saved{motion.state(), solid.saved_points()};
   }
 
   template <int dim>
@@ -191,11 +188,7 @@ namespace coupling
     if (!saved)
       throw std::logic_error("participant: no state has been saved.");
     motion.restore(saved->motion);
-    std::size_t next = 0;
-    solid.visit_histories([&](const fem::PointQuantity &of, double *values) {
-      std::copy_n(saved->histories.begin() + static_cast<std::ptrdiff_t>(next), of.values(), values);
-      next += static_cast<std::size_t>(of.values());
-    });
+    solid.restore_points(saved->points);
   }
 
   template class SolidParticipant<2>;

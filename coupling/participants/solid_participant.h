@@ -56,8 +56,8 @@ namespace coupling
     };
     struct Saved
     {
-      fem::ExplicitState  motion;
-      std::vector<double> histories; ///< of all points, in the order of Solid::visit_histories()
+      fem::ExplicitState motion;
+      base::Column       points; ///< Solid::saved_points()
     };
 
     Eigen::Vector3d value(const fem::Vector &field, std::size_t carrier) const;

@@ -128,15 +128,27 @@ namespace dem
     return result;
   }
 
-  void DamagingLinks::commit()
+  LinkLosses DamagingLinks::lost_with_trial() const
   {
+    LinkLosses lost{lost_by_damage, lost_by_sliding};
     for (std::size_t i = 0; i < size(); ++i)
       {
-        lost_by_sliding += answer[i].friction;
+        lost.sliding += answer[i].friction;
         // What the law sums up in its updates, and what it knows by the closed form.
-        lost_by_damage += answer[i].damage + answer[i].released;
-        lost_by_damage += law->damage_dissipation(pair_of(i), geometry(i, trial_strain[i]), row(trial, i)) -
-                          law->damage_dissipation(pair_of(i), geometry(i, strain[i]), row(state, i));
+        lost.damage += answer[i].damage + answer[i].released;
+        lost.damage += law->damage_dissipation(pair_of(i), geometry(i, trial_strain[i]), row(trial, i)) -
+                       law->damage_dissipation(pair_of(i), geometry(i, strain[i]), row(state, i));
+      }
+    return lost;
+  }
+
+  void DamagingLinks::commit()
+  {
+    const LinkLosses lost = lost_with_trial();
+    lost_by_damage        = lost.damage;
+    lost_by_sliding       = lost.sliding;
+    for (std::size_t i = 0; i < size(); ++i)
+      {
         if (growth(i) > 0)
           grown[i] = 1;
         slid[i] = answer[i].slides;
@@ -188,6 +200,32 @@ namespace dem
     for (std::size_t i = 0; i < size(); ++i)
       sum += law->stored(pair_of(i), geometry(i, strain[i]), row(state, i));
     return sum;
+  }
+
+  double DamagingLinks::stored_in_trial() const
+  {
+    double sum = 0;
+    for (std::size_t i = 0; i < size(); ++i)
+      sum += law->stored(pair_of(i), geometry(i, trial_strain[i]), row(trial, i));
+    return sum;
+  }
+
+  bool DamagingLinks::is_undamaged() const
+  {
+    constexpr double rounding = 1e-12;
+    for (std::size_t i = 0; i < size(); ++i)
+      {
+        if (growth(i) > 0 || answer[i].slides)
+          return false;
+        const ElasticLink &l       = loaded->network.links[i];
+        base::Matrix6      tangent = law->tangent(pair_of(i), step_of(i), row(state, i), row(trial, i), LinkTangent());
+        tangent.topRows<3>() *= l.area;
+        tangent.leftCols<3>() /= l.reference;
+        const base::Matrix6 first = undamaged_stiffness(l);
+        if ((tangent - first).cwiseAbs().maxCoeff() > rounding * first.cwiseAbs().maxCoeff())
+          return false;
+      }
+    return true;
   }
 
   void DamagingLinks::visit_state(base::StateVisitor &visitor)

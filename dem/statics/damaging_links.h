@@ -16,6 +16,12 @@ namespace dem
     secant      ///< positive definite
   };
 
+  /** Energy that links have lost [J]. */
+  struct LinkLosses
+  {
+    double damage = 0, sliding = 0;
+  };
+
   /**
    * The links of a network at small strain: geometry stays, strains follow from the motion, damage and sliding from their law. A
    * trial is evaluated from the committed state as often as wanted, and becomes the state by commit().
@@ -58,6 +64,11 @@ namespace dem
     double damage_work() const { return lost_by_damage; }   ///< energy lost to damage in committed steps [J]
     double sliding_work() const { return lost_by_sliding; } ///< energy lost to sliding in committed steps [J]
     double stored() const;                                  ///< energy stored in the links, committed [J]
+    double stored_in_trial() const;                         ///< the same of the trial [J]
+    /** All that is lost if the trial is committed. */
+    LinkLosses lost_with_trial() const;
+    /** Whether in the trial every link answers to a further step with the stiffness that it was made with. */
+    bool is_undamaged() const;
 
     /** Committed state; call evaluate() after reading. */
     void visit_state(base::StateVisitor &visitor);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <stdexcept>
 #include <utility>
 
 namespace dem
@@ -41,16 +42,20 @@ namespace dem
     }
   } // namespace
 
-  RespondingCell::RespondingCell(std::shared_ptr<const LoadedNetwork> network,
-                                 const LinkMaterials                 &materials,
-                                 const CellResponseParameters        &asked)
+  RespondingCell::RespondingCell(std::shared_ptr<const LoadedNetwork>   network,
+                                 const LinkMaterials                   &materials,
+                                 const CellResponseParameters          &asked,
+                                 std::shared_ptr<const ElasticResponse> undamaged)
     : cell(std::move(network))
     , scale(mean_arm(cell->network))
     , parameters(asked)
-    , committed{DamagingLinks(*cell, materials), LoadedMotion(cell->held.size()), {}, 0, 0}
+    , committed{DamagingLinks(*cell, materials), LoadedMotion(cell->held.size()), {}, 0, 0, undamaged ? 1 : 0}
     , trial(committed)
+    , elastic(std::move(undamaged))
   {
     check(*cell, parameters);
+    if (elastic && elastic->motion.size() != cell->network.particles())
+      throw std::invalid_argument("cell: the elastic response is that of another cell.");
     evaluate(trial.motion);
     committed = trial;
   }
@@ -61,6 +66,7 @@ namespace dem
     , parameters(other.parameters)
     , committed(other.committed)
     , trial(other.trial)
+    , elastic(other.elastic)
     , answer(other.answer)
   {
   }
@@ -68,12 +74,13 @@ namespace dem
   RespondingCell &RespondingCell::operator=(const RespondingCell &other)
   {
     if (cell != other.cell)
-      system.reset();
+      own.reset();
     cell       = other.cell;
     scale      = other.scale;
     parameters = other.parameters;
     committed  = other.committed;
     trial      = other.trial;
+    elastic    = other.elastic;
     answer     = other.answer;
     return *this;
   }
@@ -88,11 +95,75 @@ namespace dem
 
   CellResponse RespondingCell::respond(const base::Vector6 &strain)
   {
+    if (!own)
+      own = std::make_unique<TangentSystem>(*cell);
+    return respond(strain, *own);
+  }
+
+  CellResponse RespondingCell::respond(const base::Vector6 &strain, TangentSystem &shared, const bool with_tangent)
+  {
     check(*cell, strain);
-    if (!system)
-      system = std::make_unique<TangentSystem>(*cell);
-    trial                        = committed;
-    answer                       = CellResponse();
+    system = &shared;
+    trial  = committed;
+    answer = CellResponse();
+    if (strain != committed.motion.loads && !respond_elastically(strain))
+      walk_to(strain);
+    answer.stress   = trial.unbalanced.loads / cell->volume;
+    answer.residual = trial.unbalanced.residual;
+    if (with_tangent)
+      answer.tangent = tangent(shared);
+    return answer;
+  }
+
+  base::Matrix6 RespondingCell::tangent(TangentSystem &shared)
+  {
+    if (trial.is_elastic)
+      return elastic->stiffness;
+    base::Matrix6       D;
+    const LinkStiffness kind =
+      trial.motion.loads == committed.motion.loads ? LinkStiffness::onward : LinkStiffness::consistent;
+    if (!shared.condense(trial.links.stiffness(kind), D))
+      throw base::NumericalError("cell: its stiffness has no finite tangent; something holds it no more.");
+    ++answer.iterations;
+    return D / cell->volume;
+  }
+
+  base::Matrix6 RespondingCell::unloading_stiffness(TangentSystem &shared) const
+  {
+    base::Matrix6 D;
+    if (!shared.condense(committed.links.stiffness(LinkStiffness::secant), D))
+      throw base::NumericalError("cell: its secant stiffness cannot be condensed; something holds it no more.");
+    return D / cell->volume;
+  }
+
+  bool RespondingCell::respond_elastically(const base::Vector6 &strain)
+  {
+    if (!committed.is_elastic)
+      return false;
+    const base::Vector6   force = trial.unbalanced.loads, change = strain - trial.motion.loads;
+    const Eigen::Vector3d held   = (elastic->motion.front() * strain).head<3>(); // the first particle stays where it is
+    LoadedMotion         &motion = trial.motion;
+    for (std::size_t i = 0; i < elastic->motion.size(); ++i)
+      {
+        const auto k            = static_cast<Eigen::Index>(i);
+        motion.particles.col(k) = elastic->motion[i] * strain;
+        motion.particles.col(k).head<3>() -= held;
+      }
+    motion.loads = strain;
+    evaluate(motion);
+    if (trial.unbalanced.residual <= parameters.tolerance && trial.links.is_undamaged())
+      {
+        trial.external_work += 0.5 * (force + trial.unbalanced.loads).dot(change);
+        answer.parts = 1;
+        return true;
+      }
+    trial            = committed;
+    trial.is_elastic = 0;
+    return false;
+  }
+
+  void RespondingCell::walk_to(const base::Vector6 &strain)
+  {
     constexpr double    smallest = 1.0 / 64;
     const base::Vector6 whole    = strain - trial.motion.loads;
     double              done = 0, part = 1;
@@ -120,13 +191,6 @@ namespace dem
             done += part;
           }
       }
-    answer.stress   = trial.unbalanced.loads / cell->volume;
-    answer.residual = trial.unbalanced.residual;
-    if (!system->condense(trial.links.stiffness(LinkStiffness::consistent), answer.tangent))
-      throw base::NumericalError("cell: its stiffness has no finite tangent; something holds it no more.");
-    ++answer.iterations;
-    answer.tangent /= cell->volume;
-    return answer;
   }
 
   bool RespondingCell::attempt(const base::Vector6 &strain, const LinkStiffness stiffness, const bool limited)
@@ -218,12 +282,19 @@ namespace dem
             committed.links.sliding_work(), committed.damped};
   }
 
+  CellEnergy RespondingCell::energy_of_trial() const
+  {
+    const LinkLosses lost = trial.links.lost_with_trial();
+    return {trial.external_work, trial.links.stored_in_trial(), lost.damage, lost.sliding, trial.damped};
+  }
+
   void RespondingCell::visit_state(base::StateVisitor &visitor)
   {
     committed.links.visit_state(visitor);
     committed.motion.visit_state(visitor);
     visitor.scalar("external_work", committed.external_work);
     visitor.scalar("damped", committed.damped);
+    visitor.scalar("is_elastic", committed.is_elastic);
     trial = committed;
     evaluate(trial.motion);
     committed = trial;

@@ -28,13 +28,22 @@ namespace dem
     double residual() const { return external_work - stored - damage - friction - damped; }
   };
 
+  /** How a cell answers while none of its links damages or slides: linear in the strain (dem/homogenisation/relaxed_stiffness.h). */
+  struct ElasticResponse
+  {
+    base::Matrix6 stiffness = base::Matrix6::Zero(); ///< [Pa]
+    std::vector<base::Matrix6>
+      motion; ///< of each particle beyond the affine field, a column per strain component [m], [-]
+  };
+
   /** What a cell answers to a strain. */
   struct CellResponse
   {
     base::Vector6 stress = base::Vector6::Zero(); ///< mean [Pa], order 11 22 33 23 31 12
     /**
      * Derivative of the stress by the strain with all particles in equilibrium, consistent with the links' update [Pa]; where
-     * the step was taken in parts, with the last of them.
+     * the step was taken in parts, with the last of them; at the committed strain itself that of links which go on as in the step
+     * before. Zero unless it was asked for.
      */
     base::Matrix6 tangent          = base::Matrix6::Zero();
     int           iterations       = 0; ///< linear solutions
@@ -53,10 +62,15 @@ namespace dem
   class RespondingCell
   {
   public:
-    /** @param cell from strained_cell() @throws base::InputError for parameters out of range */
-    RespondingCell(std::shared_ptr<const LoadedNetwork> cell,
-                   const LinkMaterials                 &materials,
-                   const CellResponseParameters        &parameters = {});
+    /**
+     * @param cell from strained_cell()
+     * @param elastic of the same cell; as long as it is an equilibrium that no link leaves, it is the answer, and nothing is solved
+     * @throws base::InputError for parameters out of range
+     */
+    RespondingCell(std::shared_ptr<const LoadedNetwork>   cell,
+                   const LinkMaterials                   &materials,
+                   const CellResponseParameters          &parameters = {},
+                   std::shared_ptr<const ElasticResponse> elastic    = {});
     RespondingCell(const RespondingCell &);
     RespondingCell &operator=(const RespondingCell &);
     ~RespondingCell();
@@ -66,11 +80,18 @@ namespace dem
      * @throws base::InputError for a strain that is not finite or leaves the plane; NumericalError if no equilibrium is found
      */
     CellResponse respond(const base::Vector6 &strain);
-    void         commit();
+    /** The same with a linear system that cells of one network may share, one thread after the other. */
+    CellResponse respond(const base::Vector6 &strain, TangentSystem &shared, bool with_tangent = true);
+    /** CellResponse::tangent of the last answer. @throws base::NumericalError if there is none */
+    base::Matrix6 tangent(TangentSystem &shared);
+    void          commit();
+    /** Of the committed state, if no link damaged or slid further: every link answers with its secant [Pa]. */
+    base::Matrix6 unloading_stiffness(TangentSystem &shared) const;
 
     /** Of the committed state. */
     const base::Vector6 &strain() const { return committed.motion.loads; }
     CellEnergy           energy() const;
+    CellEnergy           energy_of_trial() const; ///< as it would be if the last answer were committed
     const DamagingLinks &links() const { return committed.links; }
     const LoadedMotion  &motion() const { return committed.motion; }
 
@@ -84,20 +105,26 @@ namespace dem
       LoadedMotion  motion;
       Unbalanced    unbalanced;
       double        external_work = 0, damped = 0;
+      std::int64_t  is_elastic = 1; ///< all answers so far were those of the undamaged cell
     };
 
     void evaluate(const LoadedMotion &motion);
+    /** Whether the elastic solution is an equilibrium in which every link still has its first stiffness; then it is the trial. */
+    bool respond_elastically(const base::Vector6 &strain);
+    void walk_to(const base::Vector6 &strain);
     bool attempt(const base::Vector6 &strain, LinkStiffness stiffness, bool limited);
     bool iterate(LinkStiffness stiffness);
     void relax(const base::Vector6 &strain);
     /** Make the trial the state that the next part starts from. */
     void go_on_from_here();
 
-    std::shared_ptr<const LoadedNetwork> cell;
-    double                               scale; ///< that makes forces of moments [m]
-    CellResponseParameters               parameters;
-    State                                committed, trial;
-    std::unique_ptr<TangentSystem>       system; ///< each copy has its own, made when first needed
-    CellResponse                         answer; ///< under way
+    std::shared_ptr<const LoadedNetwork>   cell;
+    double                                 scale; ///< that makes forces of moments [m]
+    CellResponseParameters                 parameters;
+    State                                  committed, trial;
+    std::shared_ptr<const ElasticResponse> elastic;          ///< nullptr: always solved for
+    std::unique_ptr<TangentSystem>         own;              ///< each copy has its own, made when first needed
+    TangentSystem                         *system = nullptr; ///< in use
+    CellResponse                           answer;           ///< under way
   };
 } // namespace dem

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <mutex>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -301,18 +302,28 @@ namespace dem
     Eigen::UmfPackLU<Sparse> lu;
   };
 
-  TangentSystem::TangentSystem(const LoadedNetwork &loaded)
-    : self(std::make_unique<Implementation>(loaded))
+  TangentSystem::TangentSystem(const LoadedNetwork &network)
+    : loaded(network)
   {
   }
 
   TangentSystem::~TangentSystem() = default;
 
-  double TangentSystem::length_scale() const { return self->scale; }
+  TangentSystem::Implementation &TangentSystem::made()
+  {
+    // METIS draws from the process's one source of random numbers, which it sets at each start.
+    static std::mutex                 one_at_a_time;
+    const std::lock_guard<std::mutex> lock(one_at_a_time);
+    if (!self)
+      self = std::make_unique<Implementation>(loaded);
+    return *self;
+  }
+
+  double TangentSystem::length_scale() const { return mean_arm(loaded.network); }
 
   bool TangentSystem::solve(const std::vector<base::Matrix6> &stiffness, const Unbalanced &unbalanced, Answer &answer)
   {
-    Implementation &s = *self;
+    Implementation &s = made();
     if (!s.factorize(stiffness))
       return false;
     Eigen::MatrixXd right(s.count, static_cast<Eigen::Index>(s.moving.size()) + 1);
@@ -339,7 +350,7 @@ namespace dem
                                 const base::Vector6              &change,
                                 LoadedMotion                     &correction)
   {
-    Implementation &s = *self;
+    Implementation &s = made();
     if (!s.factorize(stiffness))
       return false;
     Eigen::VectorXd right = s.forces_of(unbalanced);
@@ -353,7 +364,7 @@ namespace dem
 
   bool TangentSystem::condense(const std::vector<base::Matrix6> &stiffness, base::Matrix6 &forces)
   {
-    Implementation &s = *self;
+    Implementation &s = made();
     if (!s.factorize(stiffness))
       return false;
     const Eigen::MatrixXd right = -s.load_columns(stiffness, s.all);

@@ -19,6 +19,7 @@ namespace dem
   class TangentSystem
   {
   public:
+    /** @param loaded must outlive this object */
     explicit TangentSystem(const LoadedNetwork &loaded);
     ~TangentSystem();
 
@@ -56,6 +57,9 @@ namespace dem
 
   private:
     struct Implementation;
+    Implementation &made(); ///< laid out and ordered when first needed, by one thread after the other
+
+    const LoadedNetwork            &loaded;
     std::unique_ptr<Implementation> self;
   };
 } // namespace dem

@@ -27,7 +27,8 @@ namespace fem
     {
       nowhere, ///< kept for the next step and in checkpoints only
       fields,  ///< also in ParaView files and point-test
-      series   ///< its largest value also in series.csv, as largest_<name>
+      series,  ///< its largest value also in series.csv, as largest_<name>
+      counted  ///< 0 or 1; the number of points with 1 also in series.csv, as points_<name>
     };
 
     const char *name;    ///< without blanks: "plastic_strain"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/state.h"
 #include "fem/materials/dissipation.h"
 #include "fem/materials/element_extent.h"
 #include "fem/materials/initial_state.h"
@@ -62,6 +63,10 @@ namespace fem
     /// Visits the committed history of a point; writing through the pointers changes it (restart).
     virtual void visit(std::size_t point, const StateColumn &column) = 0;
 
+    /// What all points remember beside the columns of their histories, after these were visited; its size may differ from state to state.
+    virtual void visit_more(base::StateVisitor & /*visitor*/) {}
+    virtual bool remembers_more() const { return false; }
+
     /// What a point could give back, at the strain and stress that its committed history belongs to [J/m^3].
     virtual double stored_energy(std::size_t point, const base::Voigt &strain, const base::Voigt &stress) const = 0;
 
@@ -73,6 +78,9 @@ namespace fem
 
     /// Whether stress is linear in strain: one iteration is then enough, and the tangent symmetric.
     virtual bool linear() const = 0;
+
+    /// Whether it takes Green strains of any size, and answers with second Piola-Kirchhoff stresses.
+    virtual bool takes_large_strains() const { return linear(); }
 
     /// Over which the damage of neighbours is averaged [m]; 0: each point is for itself.
     virtual double averaging_length() const { return 0; }

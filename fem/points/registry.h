@@ -57,6 +57,7 @@ namespace fem
     virtual bool has_history() const         = 0;
     virtual bool takes_initial_state() const = 0; ///< stress and damage, from particles
     virtual bool takes_stiffness() const     = 0; ///< in place of its constants
+    virtual bool takes_large_strains() const { return !has_history(); }
 
     /// Whether a constant says how the computation is done, and nothing about the material.
     virtual bool is_numerical(const std::string &key) const = 0;

@@ -72,7 +72,7 @@ namespace fem
           known += (known.empty() ? "" : ", ") + entry.first;
         throw base::InputError("material = " + material_name + ": the mesh has no such group. It has: " + known + ".");
       }
-    if (settings.large_displacement && !law->linear())
+    if (settings.large_displacement && !law->takes_large_strains())
       throw base::InputError(std::string(law->material_name()) +
                              ": is a small-strain law. Large displacements need an elastic material.");
     materials[material_name] = std::move(law);
@@ -114,6 +114,7 @@ namespace fem
         }
     for (auto &law : materials)
       law.second->allocate(count[law.second.get()]);
+    place_gathered_points();
     if (NonlocalCoupling<dim>::wanted(*this))
       {
         if (settings.share)
@@ -173,6 +174,7 @@ namespace fem
     each_of(wanted, [](auto &sum) { sum = 0; });
     if (nonlocal)
       nonlocal->flow(displacement, stiffness);
+    gather(displacement, stiffness);
 
     // A failure is told once all ranks know of it: the others wait for this one in what follows.
     ElementSweep<dim> at_hand(*this);
@@ -249,6 +251,7 @@ namespace fem
     PointAnswer       answer;
     if (nonlocal)
       nonlocal->flow(displacement, false);
+    gather(displacement, false);
     for (const auto &cell : dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
         {
@@ -263,14 +266,6 @@ namespace fem
               visit({cell, place, volume, strain, answer.stress, e.material, e.first + q});
             }
         }
-  }
-
-  template <int dim>
-  void Solid<dim>::visit_histories(const StateColumn &column)
-  {
-    for (const ElementPoints &e : elements)
-      for (std::size_t q = 0; q < points.size(); ++q)
-        e.material->visit(e.first + q, column);
   }
 
   template <int dim>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/state.h"
 #include "fem/mesh/mesh.h"
 #include "fem/points/material_points.h"
 #include "fem/solid/element_blocks.h"
@@ -126,6 +127,19 @@ namespace fem
     /// Shows the committed history of every locally owned point, always in the same order; writing through the pointers changes it.
     void visit_histories(const StateColumn &column);
 
+    /// All that the locally owned points remember: their histories, and what their materials remember beside them.
+    void visit_state(base::StateVisitor &visitor);
+
+    /// The same in memory, and back.
+    base::Column saved_points();
+    void         restore_points(const base::Column &saved);
+
+    /// What users should know of the state by the materials of all ranks, and how it came about.
+    std::vector<std::string> notes() const;
+
+    /// Why no state after this one is worth anything, by one of the materials of any rank; "": none.
+    std::string end_of_validity() const;
+
     /// Homogeneous constraints: the supported degrees of freedom.
     const dealii::AffineConstraints<double> &constraints() const { return supports; }
 
@@ -197,6 +211,8 @@ namespace fem
     };
 
     void allocate_points();
+    void place_gathered_points();
+    void gather(const Vector &displacement, bool with_tangent);
     void place_supports();
     void add_prescribed(dealii::types::global_dof_index dof,
                         unsigned int                    component,
@@ -233,10 +249,11 @@ namespace fem
     mutable std::shared_ptr<const PointSearch<dim>>            search;
     std::vector<ElementPoints>                                 elements;
     std::unique_ptr<NonlocalCoupling<dim>>                     nonlocal; // where damage is averaged over a length
-    Loads<dim>                                                 loads;
-    std::map<dealii::types::global_dof_index, PrescribedDof>   prescribed_dofs; // relevant ones
-    std::vector<NodalForce>                                    nodal_forces;
-    std::vector<SurfacePoint>                                  surface_points;
-    Vector                                                     steady_body_force; // integrated once, if it is steady
+    bool       gathers = false;                                          // answers of some points are found together
+    Loads<dim> loads;
+    std::map<dealii::types::global_dof_index, PrescribedDof> prescribed_dofs; // relevant ones
+    std::vector<NodalForce>                                  nodal_forces;
+    std::vector<SurfacePoint>                                surface_points;
+    Vector                                                   steady_body_force; // integrated once, if it is steady
   };
 }

@@ -17,25 +17,6 @@ namespace fem
     constexpr unsigned int most_steps = 300, easy_iterations = 6;
     constexpr double       softer = 0.5, stiffer = 4;
     constexpr double       runaway = 0.02; // way over the size of the solid, beyond what small strains are good for
-
-    template <int dim>
-    std::vector<double> histories_of(Solid<dim> &solid)
-    {
-      std::vector<double> values;
-      solid.visit_histories(
-        [&](const PointQuantity &of, const double *first) { values.insert(values.end(), first, first + of.values()); });
-      return values;
-    }
-
-    template <int dim>
-    void put_histories(Solid<dim> &solid, const std::vector<double> &values)
-    {
-      auto next = values.begin();
-      solid.visit_histories([&](const PointQuantity &of, double *first) {
-        std::copy_n(next, of.values(), first);
-        next += of.values();
-      });
-    }
   }
 
   template <int dim>
@@ -44,13 +25,13 @@ namespace fem
     StepReport report = advance_to(time);
     if (report.converged || solid.linear())
       return report;
-    const StaticState         before    = state();
-    const std::vector<double> histories = histories_of(solid);
-    report                              = relax(time);
-    damper                              = 0;
+    const StaticState  before = state();
+    const base::Column points = solid.saved_points();
+    report                    = relax(time);
+    damper                    = 0;
     if (!report.converged)
       {
-        put_histories(solid, histories);
+        solid.restore_points(points);
         restore(before);
       }
     return report;

@@ -76,8 +76,12 @@ namespace apps
   void ContinuumGauges<dim>::watch_histories()
   {
     using Quantity = fem::PointQuantity;
-    watched        = {{"largest_damage", "-", Quantity::Role::damage, ""},
-                      {"largest_crack_opening", "m", Quantity::Role::crack_opening, ""}};
+    for (const auto &group : solid.groups())
+      for (const Quantity &of : group.second->quantities())
+        if (of.shown == Quantity::Shown::counted && std::find(counted.begin(), counted.end(), of.name) == counted.end())
+          counted.push_back(of.name);
+    watched = {{"largest_damage", "-", Quantity::Role::damage, ""},
+               {"largest_crack_opening", "m", Quantity::Role::crack_opening, ""}};
     for (const auto &group : solid.groups())
       for (const Quantity &of : group.second->quantities())
         if (of.shown == Quantity::Shown::series && of.kind == Quantity::Kind::number &&
@@ -99,6 +103,8 @@ namespace apps
     all.push_back({{"energy_dissipated", "J"}, Told::last, "dissipated_energy"});
     for (const Watched &w : watched)
       all.push_back({{w.name, w.unit}, Told::last, w.name});
+    for (const std::string &name : counted)
+      all.push_back({{"points_" + name, ""}, Told::last, "points_" + name});
     return all;
   }
 
@@ -112,7 +118,7 @@ namespace apps
   typename ContinuumGauges<dim>::Points ContinuumGauges<dim>::read_points(const fem::Vector &displacement,
                                                                           const double       work) const
   {
-    Points found{work, std::vector<double>(watched.size(), 0.0)};
+    Points found{work, std::vector<double>(watched.size(), 0.0), std::vector<double>(counted.size(), 0.0)};
     if (solid.linear()) // nothing is dissipated
       return found;
     found.stored = 0;
@@ -122,12 +128,16 @@ namespace apps
         for (std::size_t w = 0; w < watched.size(); ++w)
           if (watched[w].is(of))
             found.largest[w] = std::max(found.largest[w], *value);
+        for (std::size_t c = 0; c < counted.size(); ++c)
+          found.count[c] += counted[c] == of.name ? *value : 0;
       });
     });
     const MPI_Comm comm = solid.communicator();
     found.stored        = sum(found.stored, comm);
     for (double &largest : found.largest)
       largest = max(largest, comm);
+    for (double &count : found.count)
+      count = sum(count, comm);
     return found;
   }
 
@@ -164,6 +174,7 @@ namespace apps
       energy.dissipated = energy.internal - energy.stored;
     row.insert(row.end(), {points.stored, energy.dissipated});
     row.insert(row.end(), points.largest.begin(), points.largest.end());
+    row.insert(row.end(), points.count.begin(), points.count.end());
     return row;
   }
 

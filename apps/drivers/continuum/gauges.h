@@ -61,6 +61,7 @@ namespace apps
     {
       double              stored = 0;
       std::vector<double> largest; ///< of each watched quantity, 0 at least
+      std::vector<double> count;   ///< of points that have each counted one
     };
 
     void   watch_histories();
@@ -71,5 +72,6 @@ namespace apps
     std::vector<Resultant>    loads, reactions;
     std::vector<Displacement> displacements;
     std::vector<Watched>      watched;
+    std::vector<std::string>  counted; ///< quantities of which the series has the number of points
   };
 } // namespace apps

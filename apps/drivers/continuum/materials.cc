@@ -1,5 +1,6 @@
 #include "apps/drivers/continuum/materials.h"
 
+#include "apps/drivers/continuum/cells.h"
 #include "apps/scene/constant_entries.h"
 
 #include <nlohmann/json.hpp>
@@ -55,14 +56,15 @@ namespace apps
 
   void MaterialOfGroup::declare(Section &section, const std::function<bool()> &is_explicit, const bool holds_particles)
   {
-    const auto              &kinds = fem::material_kinds();
+    auto kinds = fem::material_kinds();
+    kinds.push_back(cells_kind());
     std::vector<std::string> names;
     for (const auto &kind : kinds)
       names.push_back(kind->name());
     law = kinds.front().get();
     section
       .choice_of(
-        "Law", names, 0, [this, &kinds](const std::size_t i) { law = kinds.at(i).get(); }, Need::required)
+        "Law", names, 0, [this, kinds](const std::size_t i) { law = kinds.at(i).get(); }, Need::required)
       .means("Law of the group; the section of its name holds its constants");
     section.number("Density", density, "kg/m^3", Range::positive(), Need::required)
       .means("Mass per volume")
@@ -82,6 +84,8 @@ namespace apps
             .means("Stiffness and density are those of the particles inside the solid, found from their periodic cell");
         const std::size_t first = entries.entries().size();
         block.constants->visit(ConstantEntries{entries});
+        if (auto *cells = dynamic_cast<CellsConstants *>(block.constants.get()))
+          cells->declare(entries);
         for (std::size_t i = first; kind->takes_stiffness() && i < entries.entries().size(); ++i)
           entries.entries()[i]->only_if([&block] { return block.stiffness_file.empty() && !block.homogenised; },
                                         holds_particles ? "there is no Stiffness file, and Homogenised = false" :
@@ -118,6 +122,11 @@ namespace apps
       }
   }
 
+  const CellsConstants *MaterialOfGroup::cells() const
+  {
+    return dynamic_cast<const CellsConstants *>(chosen().constants.get());
+  }
+
   void MaterialOfGroup::require_element_size(const double size) const
   {
     try
@@ -146,14 +155,16 @@ namespace apps
     for (const auto &group : groups)
       {
         const Section &s = *root.find_section("Materials")->find_section(group->group);
-        if (large_displacement && group->law->has_history())
+        if (large_displacement && !group->law->takes_large_strains())
           s.refuse("Law", "is a small-strain law. Large displacements need an elastic material.");
         const std::string &file = group->chosen().stiffness_file;
         if (!file.empty() && !std::filesystem::is_regular_file(file))
           s.find_section(group->law->name())
             ->refuse("Stiffness file",
                      "there is no such file (" + std::filesystem::absolute(file).lexically_normal().string() + ").");
-        if (!group->is_homogenised())
+        if (const CellsConstants *cells = group->cells())
+          cells->validate(*s.find_section(group->law->name()));
+        else if (!group->is_homogenised())
           group->make_points(fem::Plane::strain); // refuses constants that do not fit together
       }
   }

@@ -11,6 +11,8 @@ namespace apps
   /** A stiffness of homogenised.json, symmetric. @param way "relaxed", "affine" or "statistics" @throws base::InputError */
   base::Stiffness stiffness_in(const std::string &file, const std::string &way);
 
+  class CellsConstants;
+
   /** Sub-section of "Materials": the law of one group of elements. */
   struct MaterialOfGroup
   {
@@ -37,6 +39,8 @@ namespace apps
     void become(const base::Stiffness &stiffness, double density);
 
     const Block &chosen() const { return blocks.at(law->name()); }
+    /** Of a group whose points are cells; nullptr otherwise. */
+    const CellsConstants *cells() const;
 
     /** Room for points of this law. @throws base::InputError naming the group and the constant that is refused. */
     std::unique_ptr<fem::MaterialPoints> make_points(fem::Plane plane) const;

@@ -175,6 +175,7 @@ namespace apps
     analysis->visit_state(state);
     if (least_left > 0)
       watch.visit_state(state, *solid);
+    invalid = solid->end_of_validity();
   }
 
   template <int dim>
@@ -236,6 +237,7 @@ namespace apps
             return;
           record(row());
           snapshot_if_due();
+          invalid = solid->end_of_validity();
         });
       }
     catch (const StoppedShort &stop)
@@ -261,7 +263,7 @@ namespace apps
   std::string ContinuumRun<dim>::finish(const std::filesystem::path &folder, const double wall_seconds)
   {
     // The way to the end asks for a snapshot there; a run that stopped early shows where.
-    if (was_stopped || has_softened || !failure.empty() || snapshots_due < model.output.snapshots)
+    if (was_stopped || has_softened || !failure.empty() || !invalid.empty() || snapshots_due < model.output.snapshots)
       snapshot();
     ContinuumSize size;
     size.elements             = static_cast<double>(solid->mesh().triangulation->n_global_active_cells());
@@ -272,8 +274,9 @@ namespace apps
     std::string       undrawn;
     if (!model.contacts.empty()) // on one rank
       undrawn = draw_bodies();
-    const bool  at_end = analysis->coordinate() >= analysis->end() * (1 - 1e-9);
-    std::string words;
+    const std::vector<std::string> notes  = solid->notes();
+    const bool                     at_end = analysis->coordinate() >= analysis->end() * (1 - 1e-9);
+    std::string                    words;
     on_first_rank([&] {
       warn_of_missing("damage.png", problem);
       warn_of_missing("bodies.png", undrawn);
@@ -290,6 +293,8 @@ namespace apps
                                    model.is_static() && !settle,
                                    analysis->contact_figures(),
                                    model.references,
+                                   notes,
+                                   !invalid.empty() ? "end of validity: " + invalid :
                                    !failure.empty() ? no_equilibrium + failure :
                                    was_stopped      ? "stop fraction" :
                                    has_softened     ? softened :

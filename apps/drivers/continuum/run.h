@@ -62,9 +62,12 @@ namespace apps
     std::string stage() const override;
     double      done() const override;
     std::string details() const override { return analysis->details(); }
-    bool finished() const override { return was_stopped || has_softened || !failure.empty() || analysis->finished(); }
-    void advance(const Record &record) override;
-    void leave_last_state() override { snapshot(); }
+    bool        finished() const override
+    {
+      return was_stopped || has_softened || !failure.empty() || !invalid.empty() || analysis->finished();
+    }
+    void        advance(const Record &record) override;
+    void        leave_last_state() override { snapshot(); }
     std::string finish(const std::filesystem::path &folder, double wall_seconds) override;
 
     void        open(const std::filesystem::path &folder);
@@ -94,5 +97,6 @@ namespace apps
     bool         was_stopped = false, has_softened = false, failure_is_an_end = false;
     double       least_left = 0; ///< see end_where_little_is_left(); 0: not asked for
     std::string  failure;        ///< that was the end; "": none
+    std::string  invalid;        ///< why no state after the last would be worth anything; "": none
   };
 } // namespace apps

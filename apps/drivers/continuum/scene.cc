@@ -1,5 +1,6 @@
 #include "apps/drivers/continuum/scene.h"
 
+#include "apps/drivers/continuum/cells.h"
 #include "apps/drivers/continuum/expected_duration.h"
 #include "apps/drivers/continuum/run.h"
 #include "apps/drivers/continuum/solid.h"
@@ -26,6 +27,9 @@ namespace apps
         text += fmt::format("  warning      {}\n", warning);
       text += fmt::format("  elements     {}\n", run.body().mesh().triangulation->n_global_active_cells());
       text += fmt::format("  unknowns     {}\n", run.body().dofs().n_dofs());
+      for (const auto &group : model.materials.groups)
+        if (const CellsConstants *cells = group->cells())
+          text += fmt::format("  {:<12} {}\n", group->group, cells->forecast());
       const std::string solver = run.computation().linear_solver();
       double            states;
       if (model.is_static())

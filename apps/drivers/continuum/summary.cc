@@ -78,11 +78,13 @@ namespace apps
     summary["ended_by"]    = ended_by;
     summary["figures"]     = figures();
     summary["warnings"]    = warnings();
-    summary["cost"]        = {{"elements", size.elements},
-                              {"unknowns", size.unknowns},
-                              {"integration_points", size.points},
-                              {"ranks", rank_count()},
-                              {"wall_seconds", wall_seconds}};
+    if (!notes.empty())
+      summary["notes"] = notes;
+    summary["cost"] = {{"elements", size.elements},
+                       {"unknowns", size.unknowns},
+                       {"integration_points", size.points},
+                       {"ranks", rank_count()},
+                       {"wall_seconds", wall_seconds}};
     for (const auto &[name, value] : cost)
       summary["cost"][name] = value;
     if (!linear_solver.empty())
@@ -118,6 +120,8 @@ namespace apps
       text += fmt::format("{:<40} {:.6g} {}\n", name, figure["value"].get<double>(), figure["unit"].get<std::string>());
     if (contact && contact->touched())
       text += contact->text();
+    for (const std::string &note : notes)
+      text += fmt::format("note         {}\n", note);
     for (const std::string &warning : warnings())
       text += fmt::format("warning      {}\n", warning);
     text += fmt::format("energy       balance error {:.1e} at worst\n", worst_residual(series));

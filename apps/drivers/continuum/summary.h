@@ -38,7 +38,9 @@ namespace apps
     bool                          from_rest; ///< the state before the first row of the series is nothing at all
     const ContactFigures         *contact;   ///< nullptr: nothing can touch
     ReferencesSection             references;
-    std::string ended_by; ///< "end", "stop fraction", "steps at most", softened, or no_equilibrium and why
+    std::vector<std::string>      notes; ///< of the materials
+    std::string
+      ended_by; ///< "end", "stop fraction", "steps at most", softened, no_equilibrium and why, or "end of validity: " and why
 
     /** summary.json and curve.png. @throws postprocess::OutputError. */
     void write(const std::filesystem::path &folder) const;

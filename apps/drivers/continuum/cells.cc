@@ -1,0 +1,156 @@
+#include "apps/drivers/continuum/cells.h"
+
+#include "apps/drivers/parts/specimen_packing.h"
+#include "fem/points/driven_point.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <stdexcept>
+
+namespace apps
+{
+  void CellsConstants::visit(const fem::ConstantReceiver &number)
+  {
+    number("Promotion", promotion, "-",
+           "exertion of a link (1 where it damages or slides) at which the particles answer in place of the cell's "
+           "elastic stiffness; with less the stress is the same, and more cells cost time",
+           1e-6, 1, false);
+    number("Tolerance", tolerance, "-",
+           "unbalanced force over link forces of a cell, both as root of the sum of squares", 1e-13, 1e-2, false);
+    number("Growth step", growth_step, "-",
+           "largest growth of any link's damaging strain in one part of a step, over itself", 1e-4, 10, false);
+  }
+
+  void CellsConstants::declare(Section &block)
+  {
+    block.flag("From the start", from_start)
+      .means("The particles of all cells answer from the first step on; for comparison, and for laws that are not "
+             "linear to begin with");
+    block.flag("Elastic by solving", only_solved)
+      .means("Promoted cells solve for equilibrium also where no link has damaged or slid; for comparison of costs");
+    block.integer("Packings", packings, "", Range::between(1, 1e6), Need::optional)
+      .means(
+        "Different packings of the generator, with seeds from its own on; the points of the mesh take them in turn");
+    block
+      .choice("When localised", localised,
+              {{"stop", coupling::Localised::stop},
+               {"crack band", coupling::Localised::crack_band},
+               {"refuse", coupling::Localised::refuse},
+               {"go on", coupling::Localised::go_on}},
+              Need::optional)
+      .means("What becomes of a cell whose tangent has lost ellipticity. stop: the run ends with that state; crack "
+             "band: it goes on as a layer of its element, the rest of which unloads; refuse: the solver looks for "
+             "another state with shorter steps; go on: what follows hangs on the size of the elements");
+    block.flag("Rotations", rotations).means("Particles spin; off: they only translate");
+    SpecimenSection::Use use;
+    use.inertia = use.box = false;
+    use.cell              = true;
+    source.declare(block, dimension, use);
+    material.declare(block, false);
+  }
+
+  void CellsConstants::validate(const Section &block) const
+  {
+    source.validate(block, dimension);
+    material.validate(block, dimension);
+    if (packings > 1 && source.source == SpecimenSection::Source::file)
+      block.refuse("Packings", "a file has one packing. Leave it at 1, or generate them.");
+    if (only_solved && !from_start && promotion < 1)
+      return; // promoted cells that solve are a fair comparison too
+  }
+
+  coupling::CellParameters CellsConstants::parameters() const
+  {
+    coupling::CellParameters p;
+    p.links.rotations         = rotations;
+    p.links.interaction_ratio = source.interaction_ratio;
+    p.promotion               = promotion;
+    p.from_start              = from_start;
+    p.only_solved             = only_solved;
+    p.response.tolerance      = tolerance;
+    p.response.growth_step    = growth_step;
+    return p;
+  }
+
+  const std::vector<std::shared_ptr<const coupling::PreparedCell>> &CellsConstants::prepared() const
+  {
+    for (std::int64_t i = static_cast<std::int64_t>(made.size()); i < packings; ++i)
+      {
+        SpecimenSection one = source;
+        one.generator.seed += i;
+        made.push_back(std::make_shared<coupling::PreparedCell>(make_packing(one, material, dimension),
+                                                                material.materials(), parameters()));
+      }
+    return made;
+  }
+
+  std::unique_ptr<fem::MaterialPoints> CellsConstants::make_points(const fem::Plane plane) const
+  {
+    coupling::CellPointsParameters p;
+    p.cells     = prepared();
+    p.localised = localised;
+    return std::make_unique<coupling::CellPoints>(p, plane);
+  }
+
+  std::string CellsConstants::forecast() const
+  {
+    const coupling::PreparedCell &cell = *prepared().front();
+    const base::Stiffness        &D    = cell.stiffness();
+    return fmt::format("{} of {} particles and {} links, stiffness D11 {:.4g}, D22 {:.4g}, D33 {:.4g} Pa, {}",
+                       packings == 1 ? "cells" : fmt::format("cells in {} packings", packings), cell.particles(),
+                       cell.links(), D(0, 0), D(1, 1), D(2, 2),
+                       from_start ? "promoted from the start" : fmt::format("promoted at {:g}", promotion));
+  }
+
+  std::unique_ptr<fem::MaterialConstants> CellsConstants::copy() const
+  {
+    return std::make_unique<CellsConstants>(*this);
+  }
+
+  std::unique_ptr<fem::DrivenPoint> CellsConstants::make_point() const
+  {
+    throw std::logic_error("cells: are not driven alone; scenes of kind cell and quasi_static do that.");
+  }
+
+  void CellsConstants::take_stiffness(const base::Stiffness &)
+  {
+    throw std::logic_error("cells: have other constants than a stiffness.");
+  }
+
+  fem::UniaxialStrengths CellsConstants::uniaxial_strengths() const
+  {
+    throw std::logic_error("cells: take no initial state.");
+  }
+
+  double CellsConstants::largest_element_size() const { return std::numeric_limits<double>::infinity(); }
+
+  namespace
+  {
+    class CellsKind : public fem::MaterialKind
+    {
+    public:
+      std::string name() const override { return coupling::CellPoints::name; }
+      std::string meaning() const override { return "A periodic cell of particles behind each integration point"; }
+      std::unique_ptr<fem::MaterialConstants> constants() const override { return std::make_unique<CellsConstants>(); }
+      std::vector<fem::PointQuantity>         quantities() const override
+      {
+        std::vector<fem::PointQuantity> all;
+        coupling::CellPoints::Record    record;
+        coupling::CellPoints::describe(record, [&all](const fem::PointQuantity &of, double *) { all.push_back(of); });
+        return all;
+      }
+      bool has_history() const override { return true; }
+      bool takes_initial_state() const override { return false; }
+      bool takes_stiffness() const override { return false; }
+      bool takes_large_strains() const override { return true; }
+      bool is_numerical(const std::string &key) const override { return key == "Tolerance" || key == "Growth step"; }
+    };
+  } // namespace
+
+  std::shared_ptr<const fem::MaterialKind> cells_kind()
+  {
+    static const auto kind = std::make_shared<const CellsKind>();
+    return kind;
+  }
+} // namespace apps

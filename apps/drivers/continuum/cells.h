@@ -1,0 +1,55 @@
+#pragma once
+
+#include "apps/scene/material_section.h"
+#include "apps/scene/specimen_section.h"
+#include "coupling/multiscale/cell_points.h"
+#include "fem/points/registry.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace apps
+{
+  /** The block "cells" of a group of elements: particles behind its integration points (doc/theory/multiscale.md). */
+  class CellsConstants : public fem::MaterialConstants
+  {
+  public:
+    /** Its numbers. */
+    void visit(const fem::ConstantReceiver &number) override;
+    /** Everything else: packing and material of the particles, what becomes of cells that localise. */
+    void declare(Section &block);
+    /** @throws base::InputError */
+    void validate(const Section &block) const;
+    /** Particles and links of a cell, for `check`. Makes the packings. */
+    std::string forecast() const;
+
+    std::unique_ptr<fem::MaterialPoints> make_points(fem::Plane plane) const override;
+
+    void                                    check() const override {}
+    std::unique_ptr<fem::MaterialConstants> copy() const override;
+    std::unique_ptr<fem::DrivenPoint>       make_point() const override;
+    void                                    take_stiffness(const base::Stiffness &) override;
+    fem::UniaxialStrengths                  uniaxial_strengths() const override;
+    double                                  averaging_length() const override { return 0; }
+    double                                  largest_element_size() const override;
+    void                                    require_element_size(double) const override {}
+
+  private:
+    const std::vector<std::shared_ptr<const coupling::PreparedCell>> &prepared() const;
+    coupling::CellParameters                                          parameters() const;
+
+    SpecimenSection     source;
+    MaterialSection     material;
+    int                 dimension = 3;
+    bool                rotations = true, from_start = false, only_solved = false;
+    std::int64_t        packings  = 1;
+    double              promotion = 0.9, tolerance = 1e-9, growth_step = 0.5;
+    coupling::Localised localised = coupling::Localised::stop;
+
+    mutable std::vector<std::shared_ptr<const coupling::PreparedCell>> made; ///< once, when first asked for
+  };
+
+  /** Law = cells. */
+  std::shared_ptr<const fem::MaterialKind> cells_kind();
+} // namespace apps

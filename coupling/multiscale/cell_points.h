@@ -1,0 +1,146 @@
+#pragma once
+
+#include "coupling/multiscale/crack_band.h"
+#include "coupling/multiscale/prepared_cell.h"
+#include "fem/points/gathered_points.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace coupling
+{
+  /** What becomes of a cell whose tangent has lost ellipticity. */
+  enum class Localised
+  {
+    stop,       ///< the run ends with that state
+    crack_band, ///< it goes on as a layer of its element
+    refuse,     ///< such a state is none: the solver looks for another, with shorter steps
+    go_on       ///< as if nothing were: what follows hangs on the size of the elements
+  };
+
+  /** How points are given cells. */
+  struct CellPointsParameters
+  {
+    std::vector<std::shared_ptr<const PreparedCell>>
+              cells; ///< at least one; points take them in turn, by their number in the mesh
+    Localised localised     = Localised::stop;
+    bool      large_strains = false; ///< strains are Green's: see Stretch; a solid says so itself
+    bool      plane         = false; ///< the model is plane: bands stand upright on it; likewise
+  };
+
+  /**
+   * Integration points whose answer is that of a cell of particles: of its elastic stiffness until some link could leave elasticity, and
+   * from then on of the particles in equilibrium (doc/theory/multiscale.md). Only those that have left it take memory. Cells are
+   * spread over threads, with the same bits for any number.
+   */
+  class CellPoints : public fem::GatheredPoints
+  {
+  public:
+    /** Columns of a point's history. */
+    struct Record
+    {
+      double      promoted  = 0; ///< 1: the particles answer
+      double      since     = 0; ///< number of the state in which they took over, the first loaded one is 1
+      double      damage    = 0; ///< mean over the links
+      double      localised = 0; ///< 1: the tangent has lost ellipticity
+      base::Voigt strain    = base::Voigt::Zero(); ///< that the cell saw in the committed state
+
+      friend bool operator==(const Record &a, const Record &b)
+      {
+        return a.promoted == b.promoted && a.since == b.since && a.damage == b.damage && a.localised == b.localised &&
+               a.strain == b.strain;
+      }
+    };
+
+    /** A cell that has localised. */
+    struct Localisation
+    {
+      Eigen::Vector3d place = {0, 0, 0}, normal = {0, 0, 0}; ///< [m], unit
+      std::int64_t    state = 0;                             ///< in which
+    };
+
+    /** @throws base::InputError for in plane stress, which is not built */
+    CellPoints(CellPointsParameters parameters, fem::Plane plane);
+
+    const char *material_name() const override { return name; }
+    /** Of the cells; of several that of the first, scaled so that none is stiffer in any strain. */
+    const base::Stiffness &elastic_stiffness() const override { return stiffest; }
+    bool                   linear() const override { return false; }
+    bool                   takes_large_strains() const override { return true; }
+    bool                   takes_initial_state() const override { return false; }
+    void                   allocate(std::size_t n_points) override;
+    void                   place(std::vector<Site> sites, const Setting &setting) override;
+    void                   gather(const std::vector<base::Voigt> &strains, bool with_tangent) override;
+    void                   evaluate(std::size_t               point,
+                                    const base::Voigt        &strain,
+                                    const fem::ElementExtent &element,
+                                    bool                      with_tangent,
+                                    fem::PointAnswer         &answer) override;
+    void                   commit() override;
+    void        set_initial(std::size_t, const fem::InitialPointState &, const fem::ElementExtent &) override;
+    std::string end_of_validity() const override { return end; }
+    std::vector<std::string> notes() const override;
+
+    std::vector<fem::PointQuantity> quantities() const override;
+    void                            visit(std::size_t point, const fem::StateColumn &column) override;
+    bool                            remembers_more() const override { return true; }
+    void                            visit_more(base::StateVisitor &visitor) override;
+
+    double stored_energy(std::size_t point, const base::Voigt &strain, const base::Voigt &stress) const override;
+    fem::Dissipation dissipated(std::size_t point, const fem::ElementExtent &element) const override;
+
+    std::size_t                      promoted() const; ///< of the committed state
+    const std::vector<Localisation> &localisations() const { return found; }
+    const Record                    &record(const std::size_t point) const { return points.at(point).record; }
+    /** nullptr while it is elastic. */
+    const dem::RespondingCell *cell(const std::size_t point) const { return points.at(point).cell.get(); }
+    /** nullptr while it is not a layer of its element. */
+    const CrackBand *band(const std::size_t point) const
+    {
+      return points.at(point).band ? &*points.at(point).band : nullptr;
+    }
+
+    static constexpr const char *name = "cells";
+
+    /** The columns of a record. */
+    static void describe(Record &record, const fem::StateColumn &column);
+
+  private:
+    struct Point
+    {
+      Record                               record;
+      std::shared_ptr<const PreparedCell>  prepared;
+      std::unique_ptr<dem::RespondingCell> cell;  ///< of a promoted point
+      std::unique_ptr<dem::RespondingCell> fresh; ///< that would take over, should the trial be committed
+      std::optional<CrackBand>             band;
+
+      // The trial.
+      bool             known = false, has_tangent = false, is_promoted = false;
+      base::Voigt      strain = base::Voigt::Zero(), law_strain = base::Voigt::Zero();
+      fem::PointAnswer answer, of_law;               ///< as the solid wants it, and for the strain that the law sees
+      base::Voigt      stress = base::Voigt::Zero(); ///< of the law, of the committed state
+      std::string      failure;
+    };
+
+    void find(Point &point, const base::Voigt &strain, bool with_tangent) const;
+    void find_law(Point &point, bool with_tangent) const;
+    void ask_cell(Point &point, bool with_tangent) const;
+    void commit(Point &point) const;
+    /** The plane of a committed cell that has just lost ellipticity. */
+    std::optional<Eigen::Vector3d>
+                lost_plane(Point &point, const base::Voigt &strain_before, const base::Voigt &stress_before) const;
+    void        localise(std::size_t number, const Eigen::Vector3d &normal);
+    std::string text_of(const Localisation &localisation) const;
+    void        visit_localisations(base::StateVisitor &visitor);
+
+    CellPointsParameters      parameters;
+    base::Stiffness           stiffest;
+    std::vector<Point>        points;
+    std::vector<Site>         sites;
+    std::vector<Localisation> found;
+    std::string               end;
+    std::int64_t              states = 0; ///< committed so far
+  };
+} // namespace coupling

@@ -1,0 +1,83 @@
+#include "coupling/multiscale/crack_band.h"
+
+#include "coupling/multiscale/ellipticity.h"
+#include "fem/materials/response.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+
+namespace coupling
+{
+  using Eigen::Matrix3d;
+  using Eigen::Vector3d;
+
+  CrackBand::CrackBand(const Vector3d        &normal,
+                       const double           share_,
+                       const base::Voigt     &strain,
+                       const base::Voigt     &stress,
+                       const base::Stiffness &unloading_)
+    : direction(normal)
+    , share(share_)
+    , strain_then(strain)
+    , stress_then(stress)
+    , unloading(unloading_)
+  {
+  }
+
+  base::Voigt CrackBand::outside(const base::Voigt &strain) const
+  {
+    return strain - share * (jump_strain(direction) * trial_jump);
+  }
+
+  CrackBand::Answer CrackBand::respond(const base::Voigt &strain, const Cell &cell)
+  {
+    constexpr int                     most      = 30;
+    constexpr double                  tolerance = 1e-9;
+    const Eigen::Matrix<double, 6, 3> N         = jump_strain(direction);
+    const double                      rest      = 1 - share;
+    trial_jump                                  = jump;
+    for (int i = 0; i < most; ++i)
+      {
+        const Answer      band    = cell(strain + rest * (N * trial_jump));
+        const base::Voigt beside  = stress_then + unloading * (outside(strain) - strain_then);
+        const Vector3d    missing = N.transpose() * (band.stress - beside);
+        const Matrix3d    K       = N.transpose() * (rest * band.tangent + share * unloading) * N;
+        const Matrix3d    inverse = K.inverse();
+        if (missing.norm() <= tolerance * std::max(beside.norm(), 1e-6 * stress_then.norm()))
+          {
+            // In a stable solid the layers hold each other: otherwise the band snaps open.
+            if (!(K.determinant() > 0))
+              throw fem::MaterialFailure(
+                "the crack band snaps back: the element is too wide for its cell along the normal.");
+            const base::Stiffness difference = band.tangent - unloading;
+            return {share * band.stress + rest * beside,
+                    share * band.tangent + rest * unloading -
+                      share * rest * difference * N * inverse * N.transpose() * difference};
+          }
+        if (!inverse.allFinite())
+          break;
+        trial_jump -= inverse * missing;
+      }
+    throw fem::MaterialFailure("the crack band and the parts beside it find no common traction. Shorten the step.");
+  }
+
+  double CrackBand::stored_outside(const base::Voigt &strain) const
+  {
+    const base::Voigt change = outside(strain) - strain_then;
+    return (1 - share) * change.dot(stress_then + 0.5 * (unloading * change));
+  }
+
+  void CrackBand::visit_state(base::StateVisitor &visitor)
+  {
+    base::Column row;
+    const auto   put = [&](const auto &m) { row.insert(row.end(), m.data(), m.data() + m.size()); };
+    put(direction), put(jump), put(strain_then), put(stress_then), put(unloading);
+    visitor.column("crack_band", row);
+    const double *next = row.data();
+    const auto    take = [&](auto &m) { std::copy_n(next, m.size(), m.data()), next += m.size(); };
+    take(direction), take(jump), take(strain_then), take(stress_then), take(unloading);
+    trial_jump = jump;
+    visitor.scalar("share", share);
+  }
+} // namespace coupling

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "base/state.h"
+#include "base/voigt.h"
+
+#include <Eigen/Core>
+
+#include <functional>
+
+namespace coupling
+{
+  /**
+   * An element in which a localised cell is only a layer: a band as wide as the cell, with normal n, between parts that unload. Both have
+   * the same traction on the plane, and their strains differ by a jump a n^T (doc/theory/multiscale.md, 5; crack band: Bazant and Oh,
+   * 1983, Materials and Structures 16, 155). The element dissipates per area what the cell does, whatever its size.
+   */
+  class CrackBand
+  {
+  public:
+    /** What the cell answers. */
+    struct Answer
+    {
+      base::Voigt     stress;
+      base::Stiffness tangent;
+    };
+    using Cell = std::function<Answer(const base::Voigt &strain)>;
+
+    CrackBand() = default;
+    /**
+     * From now on. @param share of the band in the element, width of the cell over that of the element along n, in (0, 1]
+     * @param strain,stress,unloading of the cell now: elsewhere stress + unloading (strain' - strain)
+     */
+    CrackBand(const Eigen::Vector3d &normal,
+              double                 share,
+              const base::Voigt     &strain,
+              const base::Voigt     &stress,
+              const base::Stiffness &unloading);
+
+    /**
+     * Answer of the whole. The last strain that the cell is asked for is that of the band.
+     * @throws fem::MaterialFailure where the layers find no common traction: the element is too wide, and snaps back
+     */
+    Answer respond(const base::Voigt &strain, const Cell &cell);
+    /** The last answer becomes the state. */
+    void commit() { jump = trial_jump; }
+
+    double                 share_of_cell() const { return share; }
+    const Eigen::Vector3d &normal() const { return direction; }
+    /** Opening of the band in the last answer, over the width of the element [-]. */
+    const Eigen::Vector3d &last_jump() const { return trial_jump; }
+    /** What the parts outside give back on the way to where they are in the last answer, per volume of the element [J/m^3]. */
+    double stored_outside(const base::Voigt &strain) const;
+
+    void visit_state(base::StateVisitor &visitor);
+
+  private:
+    base::Voigt outside(const base::Voigt &strain) const; ///< their strain
+
+    Eigen::Vector3d direction = {1, 0, 0}, jump = {0, 0, 0}, trial_jump = {0, 0, 0};
+    double          share       = 1;
+    base::Voigt     strain_then = base::Voigt::Zero(), stress_then = base::Voigt::Zero();
+    base::Stiffness unloading = base::Stiffness::Zero();
+  };
+} // namespace coupling

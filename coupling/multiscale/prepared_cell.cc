@@ -1,0 +1,72 @@
+#include "coupling/multiscale/prepared_cell.h"
+
+#include "base/errors.h"
+#include "dem/homogenisation/resisted_strains.h"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace coupling
+{
+  PreparedCell::PreparedCell(const dem::Packing       &packing,
+                             const dem::LinkMaterials &materials,
+                             const CellParameters     &parameters)
+    : radius(packing.radius)
+    , material(packing.material)
+  {
+    if (!packing.periodic_cell)
+      throw base::InputError("cells: the packing has no periodic cell. Take one of breccia pack, or the generator.");
+    if (parameters.links.dimension != 3)
+      throw base::InputError("cells: are of spheres, in three dimensions.");
+    edges                       = *packing.periodic_cell;
+    dem::ElasticNetwork   links = dem::make_network(packing, parameters.links, materials);
+    dem::SolverParameters solver;
+    solver.tolerance               = 1e-13;
+    dem::RelaxedStiffness solution = dem::relaxed_stiffness(links, solver);
+    if (solution.resisted < dem::strains_of(3))
+      throw base::InputError("cells: the packing resists only " + std::to_string(solution.resisted) +
+                             " of six strains. Raise the interaction ratio, or take a denser packing.");
+    if (!parameters.from_start)
+      range.emplace(links, materials, solution, parameters.promotion);
+    relaxed =
+      std::make_shared<dem::ElasticResponse>(dem::ElasticResponse{solution.stiffness, std::move(solution.motion)});
+    network = std::make_shared<dem::LoadedNetwork>(dem::strained_cell(std::move(links)));
+    for (int thread = 0; thread < omp_get_num_procs() || thread < omp_get_max_threads(); ++thread)
+      systems.emplace_back(*network); // costs nothing until it is used
+    virgin = std::make_unique<dem::RespondingCell>(network, materials, parameters.response,
+                                                   parameters.only_solved ? nullptr : relaxed);
+  }
+
+  double PreparedCell::density(const std::vector<double> &of_materials) const
+  {
+    double mass = 0;
+    for (std::size_t i = 0; i < radius.size(); ++i)
+      mass += of_materials.at(material.empty() ? 0 : static_cast<std::size_t>(material[i])) * 4.0 / 3.0 * M_PI *
+              std::pow(radius[i], 3);
+    return mass / volume();
+  }
+
+  std::unique_ptr<dem::RespondingCell> PreparedCell::promoted_at(const base::Voigt  &strain,
+                                                                 dem::TangentSystem &system) const
+  {
+    auto cell = std::make_unique<dem::RespondingCell>(*virgin);
+    if (!strain.isZero(0))
+      {
+        cell->respond(strain, system, false);
+        cell->commit();
+      }
+    return cell;
+  }
+
+  dem::TangentSystem &PreparedCell::system_of_thread(const int thread) const
+  {
+    return systems.at(static_cast<std::size_t>(thread));
+  }
+
+  double PreparedCell::length_along(const Eigen::Vector3d &normal) const
+  {
+    return (normal.cwiseAbs().cwiseProduct(edges)).maxCoeff();
+  }
+} // namespace coupling

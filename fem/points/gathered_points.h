@@ -1,0 +1,46 @@
+#pragma once
+
+#include "fem/points/material_points.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace fem
+{
+  /**
+   * Points whose answers are dear: they are found together before a sweep asks for each, so that they can be spread over threads.
+   *
+   * An answer that was found in vain is told by evaluate(), which throws it. evaluate() of a strain that was not gathered finds it then.
+   */
+  class GatheredPoints : public MaterialPoints
+  {
+  public:
+    /// A point's number in the whole mesh, the same for any number of ranks, and its undeformed place [m].
+    struct Site
+    {
+      std::uint64_t   number = 0;
+      Eigen::Vector3d place  = Eigen::Vector3d::Zero();
+      ElementExtent   element;
+    };
+
+    /// What kind of model they are in.
+    struct Setting
+    {
+      bool plane         = false; ///< nothing varies along z
+      bool large_strains = false; ///< strains are Green's, stresses are to be second Piola-Kirchhoff's
+    };
+
+    /// Where its points are, in their order; after allocate().
+    virtual void place(std::vector<Site> sites, const Setting &setting) = 0;
+
+    /// Finds the answers to one strain per point. Throws nothing that hangs on a strain.
+    virtual void gather(const std::vector<base::Voigt> &strains, bool with_tangent) = 0;
+
+    /// What a user should know of the committed state and how it came about, one sentence each.
+    virtual std::vector<std::string> notes() const { return {}; }
+
+    /// Why no state after the committed one is worth anything; "": none. A run ends there.
+    virtual std::string end_of_validity() const { return ""; }
+  };
+}
