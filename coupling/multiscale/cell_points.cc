@@ -248,7 +248,7 @@ namespace coupling
     dem::TangentSystem &system = point.prepared->system_of_thread(0);
     const base::Voigt   strain = point.record.strain;
     point.band.emplace(normal, std::min(1.0, length / width), strain, point.stress,
-                       point.cell->unloading_stiffness(system));
+                       point.cell->unloading_stiffness(system), point.cell->energy().stored / point.prepared->volume());
   }
 
   std::string CellPoints::text_of(const Localisation &localisation) const

@@ -16,9 +16,11 @@ namespace coupling
                        const double           share_,
                        const base::Voigt     &strain,
                        const base::Voigt     &stress,
-                       const base::Stiffness &unloading_)
+                       const base::Stiffness &unloading_,
+                       const double           stored)
     : direction(normal)
     , share(share_)
+    , stored_then(stored)
     , strain_then(strain)
     , stress_then(stress)
     , unloading(unloading_)
@@ -65,7 +67,7 @@ namespace coupling
   double CrackBand::stored_outside(const base::Voigt &strain) const
   {
     const base::Voigt change = outside(strain) - strain_then;
-    return (1 - share) * change.dot(stress_then + 0.5 * (unloading * change));
+    return (1 - share) * (stored_then + change.dot(stress_then + 0.5 * (unloading * change)));
   }
 
   void CrackBand::visit_state(base::StateVisitor &visitor)
@@ -79,5 +81,6 @@ namespace coupling
     take(direction), take(jump), take(strain_then), take(stress_then), take(unloading);
     trial_jump = jump;
     visitor.scalar("share", share);
+    visitor.scalar("stored_then", stored_then);
   }
 } // namespace coupling

@@ -29,12 +29,14 @@ namespace coupling
     /**
      * From now on. @param share of the band in the element, width of the cell over that of the element along n, in (0, 1]
      * @param strain,stress,unloading of the cell now: elsewhere stress + unloading (strain' - strain)
+     * @param stored in the cell now [J/m^3]
      */
     CrackBand(const Eigen::Vector3d &normal,
               double                 share,
               const base::Voigt     &strain,
               const base::Voigt     &stress,
-              const base::Stiffness &unloading);
+              const base::Stiffness &unloading,
+              double                 stored);
 
     /**
      * Answer of the whole. The last strain that the cell is asked for is that of the band.
@@ -48,7 +50,7 @@ namespace coupling
     const Eigen::Vector3d &normal() const { return direction; }
     /** Opening of the band in the last answer, over the width of the element [-]. */
     const Eigen::Vector3d &last_jump() const { return trial_jump; }
-    /** What the parts outside give back on the way to where they are in the last answer, per volume of the element [J/m^3]. */
+    /** What the parts outside have stored in the last answer, per volume of the element [J/m^3]. */
     double stored_outside(const base::Voigt &strain) const;
 
     void visit_state(base::StateVisitor &visitor);
@@ -57,7 +59,7 @@ namespace coupling
     base::Voigt outside(const base::Voigt &strain) const; ///< their strain
 
     Eigen::Vector3d direction = {1, 0, 0}, jump = {0, 0, 0}, trial_jump = {0, 0, 0};
-    double          share       = 1;
+    double          share = 1, stored_then = 0;
     base::Voigt     strain_then = base::Voigt::Zero(), stress_then = base::Voigt::Zero();
     base::Stiffness unloading = base::Stiffness::Zero();
   };

@@ -435,6 +435,7 @@ namespace fem
 
     f_before.swap(f_int);
     e_before.swap(f_ext);
+    solid.begin_motion(length);
     internal_force_at(u, f_int);
     if (!solid.linear())
       solid.commit();

@@ -34,6 +34,9 @@ namespace fem
     /// Where its points are, in their order; after allocate().
     virtual void place(std::vector<Site> sites, const Setting &setting) = 0;
 
+    /// The strains that are gathered next are those at the end of a step in time of this length [s].
+    virtual void begin_motion(double /*length*/) {}
+
     /// Finds the answers to one strain per point. Throws nothing that hangs on a strain.
     virtual void gather(const std::vector<base::Voigt> &strains, bool with_tangent) = 0;
 

@@ -44,6 +44,15 @@ namespace fem
   }
 
   template <int dim>
+  void Solid<dim>::begin_motion(const double length)
+  {
+    if (gathers)
+      for (const auto &law : materials)
+        if (auto *gathered = dynamic_cast<GatheredPoints *>(law.second.get()))
+          gathered->begin_motion(length);
+  }
+
+  template <int dim>
   void Solid<dim>::gather(const Vector &displacement, const bool with_tangent)
   {
     if (!gathers)
@@ -152,6 +161,8 @@ namespace fem
     return all;
   }
 
+  template void                     Solid<2>::begin_motion(double);
+  template void                     Solid<3>::begin_motion(double);
   template void                     Solid<2>::place_gathered_points();
   template void                     Solid<3>::place_gathered_points();
   template void                     Solid<2>::gather(const Vector &, bool);

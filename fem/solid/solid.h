@@ -115,6 +115,9 @@ namespace fem
     /// A solver looks for another step from the committed histories: nothing of an attempt before shall matter.
     void begin_step();
 
+    /// The next sweep is at the end of a step in time of this length [s].
+    void begin_motion(double length);
+
     /// What the points dissipate from their committed to their trial histories, in a step that began with begin_step() [J].
     Dissipation dissipated() const;
 

@@ -1,6 +1,7 @@
 #include "apps/drivers/continuum/cells.h"
 
 #include "apps/drivers/parts/specimen_packing.h"
+#include "coupling/multiscale/moving_cells.h"
 #include "fem/points/driven_point.h"
 
 #include <fmt/format.h>
@@ -24,6 +25,21 @@ namespace apps
 
   void CellsConstants::declare(Section &block)
   {
+    const auto  in_motion = [this] { return moves; };
+    const char *when      = "Answer = motion";
+    block.choice("Answer", moves, {{"equilibrium", false}, {"motion", true}}, Need::optional)
+      .means(
+        "equilibrium: of the particles at each strain; motion: they have inertia, and take steps while an explicit "
+        "solid takes one (no promotion, no tangent)");
+    block.number("Particle density", density, "kg/m^3", Range::positive(), Need::required)
+      .means("Of the particles, not of the bulk")
+      .only_if(in_motion, when);
+    block.number("Particle damping", damping, "-", Range::from_up_to(0, 1), Need::optional)
+      .means("Local (Cundall) damping of their motion about the cell's")
+      .only_if(in_motion, when);
+    block.integer("Particle steps", steps, "", Range::between(0, 1e6), Need::optional)
+      .means("In one of the solid; 0: as many as their stable step asks for")
+      .only_if(in_motion, when);
     block.flag("From the start", from_start)
       .means("The particles of all cells answer from the first step on; for comparison, and for laws that are not "
              "linear to begin with");
@@ -56,8 +72,6 @@ namespace apps
     material.validate(block, dimension);
     if (packings > 1 && source.source == SpecimenSection::Source::file)
       block.refuse("Packings", "a file has one packing. Leave it at 1, or generate them.");
-    if (only_solved && !from_start && promotion < 1)
-      return; // promoted cells that solve are a fair comparison too
   }
 
   coupling::CellParameters CellsConstants::parameters() const
@@ -79,14 +93,29 @@ namespace apps
       {
         SpecimenSection one = source;
         one.generator.seed += i;
-        made.push_back(std::make_shared<coupling::PreparedCell>(make_packing(one, material, dimension),
-                                                                material.materials(), parameters()));
+        packed.push_back(make_packing(one, material, dimension));
+        made.push_back(std::make_shared<coupling::PreparedCell>(packed.back(), material.materials(), parameters()));
       }
     return made;
   }
 
+  std::unique_ptr<fem::MaterialPoints> CellsConstants::moving(const fem::Plane plane) const
+  {
+    coupling::CellPointsParameters still;
+    still.cells = prepared();
+    coupling::MovingCellsParameters p{packed, material.materials(), {}, steps, {}};
+    p.stiffness                  = coupling::CellPoints(still, plane).elastic_stiffness();
+    p.specimen.physics.rotations = rotations;
+    p.specimen.density           = density;
+    p.specimen.damping           = damping;
+    p.specimen.interaction_ratio = source.interaction_ratio;
+    return std::make_unique<coupling::MovingCells>(std::move(p), plane);
+  }
+
   std::unique_ptr<fem::MaterialPoints> CellsConstants::make_points(const fem::Plane plane) const
   {
+    if (moves)
+      return moving(plane);
     coupling::CellPointsParameters p;
     p.cells     = prepared();
     p.localised = localised;
@@ -100,7 +129,9 @@ namespace apps
     return fmt::format("{} of {} particles and {} links, stiffness D11 {:.4g}, D22 {:.4g}, D33 {:.4g} Pa, {}",
                        packings == 1 ? "cells" : fmt::format("cells in {} packings", packings), cell.particles(),
                        cell.links(), D(0, 0), D(1, 1), D(2, 2),
-                       from_start ? "promoted from the start" : fmt::format("promoted at {:g}", promotion));
+                       moves      ? "in motion" :
+                       from_start ? "promoted from the start" :
+                                    fmt::format("promoted at {:g}", promotion));
   }
 
   std::unique_ptr<fem::MaterialConstants> CellsConstants::copy() const

@@ -3,6 +3,7 @@
 #include "apps/scene/material_section.h"
 #include "apps/scene/specimen_section.h"
 #include "coupling/multiscale/cell_points.h"
+#include "dem/model/packing.h"
 #include "fem/points/registry.h"
 
 #include <memory>
@@ -36,18 +37,25 @@ namespace apps
     void                                    require_element_size(double) const override {}
 
   private:
+    std::unique_ptr<fem::MaterialPoints> moving(fem::Plane plane) const;
+
     const std::vector<std::shared_ptr<const coupling::PreparedCell>> &prepared() const;
     coupling::CellParameters                                          parameters() const;
 
     SpecimenSection     source;
     MaterialSection     material;
+    bool                moves   = false; ///< the particles have inertia
+    double              density = 0, damping = 0.2;
+    std::int64_t        steps     = 0;
     int                 dimension = 3;
     bool                rotations = true, from_start = false, only_solved = false;
     std::int64_t        packings  = 1;
     double              promotion = 0.9, tolerance = 1e-9, growth_step = 0.5;
     coupling::Localised localised = coupling::Localised::stop;
 
-    mutable std::vector<std::shared_ptr<const coupling::PreparedCell>> made; ///< once, when first asked for
+    mutable std::vector<std::shared_ptr<const coupling::PreparedCell>>
+                                      made; ///< once, when first asked for, as the next
+    mutable std::vector<dem::Packing> packed;
   };
 
   /** Law = cells. */

@@ -230,7 +230,7 @@ namespace apps
     }
 
     /** So that the largest displacement shows as a twentieth of the extent; a round number. */
-    double magnification(const std::vector<double> &facets)
+    double magnification_of(const std::vector<double> &facets)
     {
       double low = 1e300, high = -1e300, most = 0;
       for (std::size_t i = 0; i < facets.size(); i += facet_length)
@@ -361,7 +361,7 @@ namespace apps
       all.insert(all.end(), part.begin(), part.end());
     if (!is_first_rank())
       return "";
-    const double                           magnify = magnification(all);
+    const double                           magnify = magnification_of(all);
     std::vector<postprocess::PictureFacet> facets(all.size() / facet_length);
     for (std::size_t i = 0; i < facets.size(); ++i)
       {

@@ -1,0 +1,269 @@
+#include "apps/bench/multiscale.h"
+
+#include "apps/bench/results.h"
+#include "apps/bench/scene_variant.h"
+#include "apps/drivers/continuum/analysis.h"
+#include "apps/drivers/continuum/gauges.h"
+#include "apps/drivers/continuum/scene.h"
+#include "apps/drivers/continuum/solid.h"
+#include "apps/process/mpi_session.h"
+#include "apps/process/stopwatch.h"
+#include "coupling/multiscale/cell_points.h"
+#include "dem/laws/cpm.h"
+#include "dem/packing/compaction.h"
+
+#include <fmt/format.h>
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace apps
+{
+  namespace
+  {
+    /** Curve of a beam, and what it has cost. */
+    struct CellRow
+    {
+      std::string         study, value;
+      double              promoted = 0, points = 0; ///< at the end, of all
+      std::vector<double> abscissa, force;          ///< coordinate of the analysis, reaction [N]
+      double              cost = 0;                 ///< processor time, packings and set-up left out [s]
+    };
+
+    std::size_t column_named(const ContinuumGauges<2> &gauges, const std::string &name)
+    {
+      const auto columns = gauges.columns();
+      for (std::size_t c = 0; c < columns.size(); ++c)
+        if (columns[c].column.name == name)
+          return c;
+      throw base::InputError("this bench needs a column " + name +
+                             " of series.csv: a support \"load\" that is led along y, and a group of cells.");
+    }
+
+    CellRow follow(const SceneVariant &variant, const MultiscaleBench &bench)
+    {
+      const CheckedScene    checked = variant.of(bench.scene, bench.overrides);
+      const ContinuumModel &model   = scene_of_kind<ContinuumScene>(checked, "continuum").parameters();
+      if (model.solid.dimension != 2 || !model.is_static())
+        refuse_scene(checked, "Model: must be plane and static.");
+      const auto               solid    = make_solid<2>(model);
+      const auto               analysis = make_static_analysis<2>(*solid, model);
+      const ContinuumGauges<2> gauges(*solid, model);
+      const std::size_t load = column_named(gauges, "reaction_load_y"), took = column_named(gauges, "points_promoted");
+      CellRow           row{variant.study, variant.value};
+      row.points =
+        static_cast<double>(solid->mesh().triangulation->n_global_active_cells() * solid->quadrature().size());
+      const double start = processor_seconds();
+      try
+        {
+          while (!analysis->finished() && solid->end_of_validity().empty())
+            {
+              analysis->advance();
+              ContinuumEnergy energy = analysis->energy();
+              const auto      values = gauges.read(analysis->state(), energy);
+              row.abscissa.push_back(analysis->coordinate());
+              row.force.push_back(std::fabs(values[load]));
+              row.promoted = values[took];
+            }
+        }
+      catch (const fem::NoEquilibrium &end)
+        {
+          fmt::print("  {} {}: {}\n", row.study, row.value, end.what());
+        }
+      row.cost = processor_seconds() - start;
+      return row;
+    }
+
+    /** Force of a curve where another one has a point, between two of its own. */
+    double force_at(const CellRow &row, const double x)
+    {
+      const auto above = std::lower_bound(row.abscissa.begin(), row.abscissa.end(), x);
+      const auto i     = static_cast<std::size_t>(above - row.abscissa.begin());
+      if (i == 0)
+        return row.force.front() * x / row.abscissa.front();
+      const double part = (x - row.abscissa[i - 1]) / (row.abscissa[i] - row.abscissa[i - 1]);
+      return row.force[i - 1] + part * (row.force[i] - row.force[i - 1]);
+    }
+
+    /** Largest difference of the curves as far as both go, over the peak of the reference. */
+    double error_of(const CellRow &row, const CellRow &reference)
+    {
+      double       worst = 0;
+      const double peak  = *std::max_element(reference.force.begin(), reference.force.end());
+      for (std::size_t i = 0; i < reference.abscissa.size(); ++i)
+        if (reference.abscissa[i] <= row.abscissa.back())
+          worst = std::max(worst, std::fabs(force_at(row, reference.abscissa[i]) - reference.force[i]) / peak);
+      return worst;
+    }
+
+    std::vector<SceneVariant> cell_variants(const bool quick)
+    {
+      const std::string         cells = "Materials/solid/cells/";
+      std::vector<SceneVariant> all   = {
+          {"cells everywhere", "all solved for", {cells + "From the start=true", cells + "Elastic by solving=true"}},
+          {"cells everywhere", "elastic known", {cells + "From the start=true"}},
+          {"promotion", "0.9", {}}};
+      if (quick)
+        return {all.back()};
+      all.push_back({"promotion", "0.5", {cells + "Promotion=0.5"}});
+      all.push_back({"promotion", "1", {cells + "Promotion=1"}});
+      all.push_back({"tolerance", "1e-6", {cells + "Tolerance=1e-6"}});
+      all.push_back({"tolerance", "1e-4", {cells + "Tolerance=1e-4"}});
+      for (const int n : {32, 100}) // cells of the same size, of finer or coarser particles
+        all.push_back(
+          {"particles",
+           std::to_string(n),
+           {cells + "Specimen/Generator/Cell particles=" + std::to_string(n),
+            cells + fmt::format("Specimen/Generator/Particle radius={:.6g}", 0.0012 * std::cbrt(64.0 / n))}});
+      return all;
+    }
+
+    /** What cells alone cost. */
+    struct AloneRow
+    {
+      std::size_t particles = 0, links = 0;
+      double      bound = 0, looked = 0;     ///< of an elastic point: told by the bound, by looking at all links [s]
+      double      elastic = 0, damaging = 0; ///< of a promoted cell: an increment [s]
+      double      sixteen[2] = {0, 0};       ///< of so many damaging cells, by one thread and by two [s]
+    };
+
+    double seconds_of(const std::function<void()> &work, const int times)
+    {
+      work();
+      const Stopwatch watch;
+      for (int i = 0; i < times; ++i)
+        work();
+      return watch.seconds() / times;
+    }
+
+    AloneRow alone(const std::size_t particles)
+    {
+      dem::CompactionParameters packing;
+      packing.radius = 1e-3;
+      packing.count  = particles;
+      dem::CpmParameters law;
+      law.normal_modulus       = 25e9;
+      law.shear_ratio          = 0.2;
+      law.limit_elastic_strain = 1e-4;
+      law.relative_ductility   = 30;
+      law.cohesion             = 3e6;
+      law.friction_coefficient = 0.8;
+      coupling::CellParameters cell;
+      cell.links.interaction_ratio = 1.5;
+      cell.from_start              = true;
+      const dem::Packing packed    = dem::compact(packing).packing;
+      const auto         promoted  = std::make_shared<coupling::PreparedCell>(packed, law, cell);
+      cell.from_start              = false;
+      const auto elastic           = std::make_shared<coupling::PreparedCell>(packed, law, cell);
+
+      AloneRow          row{elastic->particles(), elastic->links()};
+      const base::Voigt unit = (base::Voigt() << 1, -0.2, -0.2, 0, 0, 0).finished();
+      double            sum = 0, size = 1e-7;
+      row.bound  = seconds_of([&] { sum += elastic->elastic_range()->surely_below(size * unit) ? 1 : 0; }, 1000);
+      row.looked = seconds_of([&] { sum += elastic->elastic_range()->nearest(size * unit).exertion; }, 20);
+      while (!elastic->is_left_by(size * unit))
+        size *= 1.02;
+      const auto ask = [&](const std::size_t n, const double strain, const int threads) {
+        coupling::CellPoints points({{promoted}, coupling::Localised::go_on}, fem::Plane::strain);
+        points.allocate(n);
+        omp_set_num_threads(threads);
+        const auto gather = [&](const double to) {
+          points.gather(std::vector<base::Voigt>(n, to * unit), true);
+          points.commit();
+        };
+        gather(0.9 * size);
+        gather(strain > size ? 1.1 * size : 0.95 * size);
+        const Stopwatch watch;
+        gather(strain);
+        omp_set_num_threads(1);
+        return watch.seconds();
+      };
+      row.elastic  = std::min(ask(1, size, 1), ask(1, size, 1));
+      row.damaging = ask(1, 1.2 * size, 1);
+      for (const int threads : {1, 2})
+        row.sixteen[threads - 1] = ask(16, 1.2 * size, threads);
+      return row;
+    }
+
+    std::string table_of(const std::vector<AloneRow> &rows)
+    {
+      std::string md =
+        "| Particles | Links | Elastic point, by the bound [us] | by looking [us] | Promoted, elastic increment [ms] | "
+        "damaging [ms] | 16 damaging, 1 thread [s] | 2 threads [s] | Speed-up "
+        "|\n|---|---|---|---|---|---|---|---|---|\n";
+      for (const AloneRow &r : rows)
+        md += fmt::format("| {} | {} | {:.2f} | {:.0f} | {:.2f} | {:.0f} | {:.2f} | {:.2f} | {:.2f} |\n", r.particles,
+                          r.links, 1e6 * r.bound, 1e6 * r.looked, 1e3 * r.elastic, 1e3 * r.damaging, r.sixteen[0],
+                          r.sixteen[1], r.sixteen[0] / r.sixteen[1]);
+      return md + "\n";
+    }
+
+    void write(const BenchResults &results, const std::vector<AloneRow> &cells, const std::vector<CellRow> &rows)
+    {
+      std::string csv = "study,value,promoted,points,peak [N],error_of_curve [-],cost [s]\n";
+      std::string md  = table_of(cells);
+      md += "| Study | | Promoted | of | Peak [N] | Error of the curve | Cost [s] | Cheaper "
+            "|\n|---|---|---|---|---|---|---|---|\n";
+      for (const CellRow &r : rows)
+        {
+          const double peak = *std::max_element(r.force.begin(), r.force.end()), error = error_of(r, rows.front());
+          csv += fmt::format("{},{},{},{},{},{},{}\n", r.study, r.value, r.promoted, r.points, peak, error, r.cost);
+          md += fmt::format("| {} | {} | {:.0f} | {:.0f} | {:.2f} | {:.3f} % | {:.1f} | {:.1f} |\n", r.study, r.value,
+                            r.promoted, r.points, peak, 100 * error, r.cost, rows.front().cost / r.cost);
+        }
+      results.write(csv, md);
+    }
+
+    postprocess::PlotPanel cost_panel(const std::vector<CellRow> &rows)
+    {
+      postprocess::PlotPanel panel;
+      panel.title   = "curve against that of cells everywhere";
+      panel.x_label = "Cost over theirs";
+      panel.y_label = "Error";
+      panel.log_x = panel.log_y = true;
+      for (std::size_t k = 1; k < rows.size(); ++k)
+        {
+          if (k == 1 || rows[k].study != rows[k - 1].study)
+            {
+              panel.series.emplace_back();
+              panel.series.back().name  = rows[k].study;
+              panel.series.back().style = postprocess::PlotSeries::Style::points;
+            }
+          panel.series.back().x.push_back(rows[k].cost / rows.front().cost);
+          panel.series.back().y.push_back(std::max(1e-12, error_of(rows[k], rows.front())));
+        }
+      return panel;
+    }
+  } // namespace
+
+  int run_multiscale_bench(const MultiscaleBench &bench)
+  {
+    start_mpi();
+    const BenchResults    results(bench.folder, "multiscale");
+    std::vector<AloneRow> cells;
+    std::vector<CellRow>  rows;
+    for (const std::size_t particles :
+         bench.quick ? std::vector<std::size_t>{64} : std::vector<std::size_t>{64, 250, 1000})
+      {
+        cells.push_back(alone(particles));
+        fmt::print("{}", table_of({cells.back()}));
+        std::fflush(stdout);
+      }
+    omp_set_num_threads(bench.threads);
+    for (const SceneVariant &variant : cell_variants(bench.quick))
+      {
+        rows.push_back(follow(variant, bench));
+        write(results, cells, rows);
+        const CellRow &row = rows.back();
+        fmt::print(
+          "{:<17} {:<15} {:.0f} of {:.0f} promoted, error of the curve {:.3f} %, {:.1f} s ({:.1f} times cheaper)\n",
+          row.study, row.value, row.promoted, row.points, 100 * error_of(row, rows.front()), row.cost,
+          rows.front().cost / row.cost);
+        std::fflush(stdout);
+      }
+    return results.finish(rows.size() > 1 ? std::vector{cost_panel(rows)} : std::vector<postprocess::PlotPanel>{});
+  }
+} // namespace apps

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace apps
+{
+  /** What `breccia bench multiscale` is asked. */
+  struct MultiscaleBench
+  {
+    std::string              scene;     ///< of kind continuum, in the plane, with cells
+    std::vector<std::string> overrides; ///< of it
+    std::filesystem::path    folder;
+    int                      threads = 1;
+    bool                     quick   = false; ///< small cells, and the scene as it is only
+  };
+
+  /**
+   * Cells behind integration points: what one costs (elastic, damaging, many of them on threads), and a scene with cells where they are needed
+   * against the same with cells everywhere, by promotion threshold, size and tolerance of the cells: error of the curve over cost.
+   *
+   * The scene has a group `solid` of cells and a reaction at a support `load` along y. Written after every case to multiscale.csv and
+   * multiscale.md, at the end to multiscale.png.
+   *
+   * @return exit status. @throws base::InputError, postprocess::OutputError.
+   */
+  int run_multiscale_bench(const MultiscaleBench &bench);
+} // namespace apps

@@ -1,0 +1,29 @@
+#include "apps/bench/multiscale.h"
+#include "apps/commands/command.h"
+#include "apps/commands/scene_options.h"
+
+#include <memory>
+
+namespace apps
+{
+  void add_multiscale_bench(CLI::App &bench, Action &chosen)
+  {
+    const auto options = std::make_shared<MultiscaleBench>();
+    options->scene     = "apps/scenes/cells_in_beam.prm";
+    options->folder    = "output/bench_multiscale";
+    CLI::App &command  = *bench.add_subcommand(
+       "multiscale", "Cells behind integration points: what one costs, and where needed against everywhere");
+    command.add_option("scene", options->scene, "Plane scene of kind continuum with cells; default: " + options->scene)
+      ->type_name("SCENE");
+    add_overrides(command, options->overrides, "Set an entry of the scene; repeatable");
+    add_threads(command, options->threads);
+    add_bench_folder(command, options->folder);
+    command.add_flag("--quick", options->quick, "Small cells, and the scene as it is only");
+    command.callback([options, &chosen] {
+      chosen = [options] {
+        use_threads(options->threads);
+        return run_multiscale_bench(*options);
+      };
+    });
+  }
+} // namespace apps

@@ -1,0 +1,163 @@
+#include "coupling/multiscale/moving_cells.h"
+
+#include "base/errors.h"
+#include "coupling/multiscale/stretch.h"
+
+#include <Eigen/LU>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace coupling
+{
+  using Eigen::Matrix3d;
+
+  MovingCells::MovingCells(MovingCellsParameters given, const fem::Plane plane)
+    : parameters(std::move(given))
+  {
+    if (plane == fem::Plane::stress)
+      throw base::InputError("cells are not built for plane stress. Set Model/Plane = strain, or Model/Dimension = 3.");
+    if (parameters.packings.empty())
+      throw std::invalid_argument("moving cells: at least one packing is needed.");
+    for (const dem::Packing &packing : parameters.packings)
+      if (!packing.periodic_cell)
+        throw base::InputError("cells: the packing has no periodic cell. Take one of breccia pack, or the generator.");
+    parameters.specimen.physics.periodic = true;
+  }
+
+  MovingCells::~MovingCells() = default;
+
+  void MovingCells::allocate(const std::size_t n_points)
+  {
+    points.clear();
+    points.resize(n_points);
+  }
+
+  void MovingCells::place(std::vector<Site> sites, const Setting &setting)
+  {
+    large_strains = setting.large_strains;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      {
+        const dem::Packing &packing = parameters.packings[sites[i].number % parameters.packings.size()];
+        points[i].specimen = std::make_unique<dem::Specimen>(packing, parameters.specimen, parameters.materials);
+        points[i].volume   = points[i].specimen->cell().volume;
+      }
+  }
+
+  void MovingCells::begin_motion(const double asked) { length = asked; }
+
+  Matrix3d MovingCells::deformation(const base::Voigt &strain) const
+  {
+    return Matrix3d::Identity() + base::strain_tensor(large_strains ? Stretch(strain).strain() : strain);
+  }
+
+  void MovingCells::gather(const std::vector<base::Voigt> &strains, bool)
+  {
+    if (length == 0)
+      return; // no time passes: what was found still stands
+    const auto n = static_cast<std::int64_t>(points.size());
+#pragma omp parallel for schedule(dynamic)
+    for (std::int64_t i = 0; i < n; ++i)
+      {
+        Point &point = points[static_cast<std::size_t>(i)];
+        try
+          {
+            point.failure.clear();
+            lead(point, strains[static_cast<std::size_t>(i)]);
+          }
+        catch (const std::exception &problem) // no exception may leave a thread
+          {
+            point.failure = problem.what();
+          }
+      }
+    length = 0;
+  }
+
+  void MovingCells::lead(Point &point, const base::Voigt &strain) const
+  {
+    dem::Specimen     &specimen = *point.specimen;
+    const std::int64_t least    = static_cast<std::int64_t>(std::ceil(length / specimen.longest_step() * (1 - 1e-9)));
+    const std::int64_t steps    = parameters.steps > 0 ? parameters.steps : std::max<std::int64_t>(1, least);
+    if (steps < least)
+      throw fem::MaterialFailure("the cell's stable step is " + std::to_string(specimen.longest_step()) +
+                                 " s: it wants " + std::to_string(least) + " steps in one of the solid.");
+    const double step = length / static_cast<double>(steps);
+    specimen.set_time_step(step);
+    const Matrix3d from = deformation(point.strain), to = deformation(strain);
+    for (std::int64_t k = 1; k <= steps; ++k)
+      {
+        const Matrix3d next = from + static_cast<double>(k) / static_cast<double>(steps) * (to - from);
+        specimen.set_velocity_gradient((next * specimen.cell().deformation.inverse() - Matrix3d::Identity()) / step);
+        specimen.advance(1);
+      }
+    point.strain                = strain;
+    const dem::CellState cell   = specimen.cell();
+    const Matrix3d       cauchy = 0.5 * (cell.stress + cell.stress.transpose());
+    if (large_strains)
+      {
+        const Matrix3d back = cell.deformation_at_forces.inverse();
+        point.stress = base::stress_voigt(cell.deformation_at_forces.determinant() * back * cauchy * back.transpose());
+      }
+    else
+      point.stress = base::stress_voigt(cauchy);
+    Matrix3d inertia = Matrix3d::Zero();
+    for (std::size_t i = 0; i < specimen.counts().particles; ++i)
+      {
+        const dem::ParticleState particle = specimen.particle(i);
+        inertia -= particle.mass * particle.velocity * particle.velocity.transpose();
+      }
+    point.inertia = base::stress_voigt(inertia / cell.volume);
+  }
+
+  void MovingCells::evaluate(const std::size_t  number,
+                             const base::Voigt &strain,
+                             const fem::ElementExtent &,
+                             const bool        with_tangent,
+                             fem::PointAnswer &answer)
+  {
+    const Point &point = points.at(number);
+    if (!point.failure.empty())
+      throw fem::MaterialFailure(point.failure);
+    if (with_tangent || strain != point.strain)
+      throw fem::MaterialFailure("a cell in motion answers to the steps of an explicit analysis only.");
+    answer.stress = point.stress;
+  }
+
+  void MovingCells::set_initial(std::size_t, const fem::InitialPointState &, const fem::ElementExtent &)
+  {
+    throw base::InputError("cells: no initial state can be given to them.");
+  }
+
+  std::vector<fem::PointQuantity> MovingCells::quantities() const
+  {
+    using Kind  = fem::PointQuantity::Kind;
+    using Role  = fem::PointQuantity::Role;
+    using Shown = fem::PointQuantity::Shown;
+    return {{"inertia_stress", "Pa", "of the particles' own motion, not in the stress", Kind::stress},
+            {"strain_of_cell", "-", "", Kind::strain, Role::other, Shown::nowhere},
+            {"stress_of_cell", "Pa", "", Kind::stress, Role::other, Shown::nowhere}};
+  }
+
+  void MovingCells::visit(const std::size_t number, const fem::StateColumn &column)
+  {
+    Point     &point = points.at(number);
+    const auto all   = quantities();
+    column(all[0], point.inertia.data());
+    column(all[1], point.strain.data());
+    column(all[2], point.stress.data());
+  }
+
+  void MovingCells::visit_more(base::StateVisitor &visitor)
+  {
+    for (Point &point : points)
+      point.specimen->visit_state(visitor);
+  }
+
+  double MovingCells::stored_energy(const std::size_t number, const base::Voigt &, const base::Voigt &) const
+  {
+    const Point &point = points.at(number);
+    return (point.specimen->energy().elastic + point.specimen->energy().kinetic) / point.volume;
+  }
+
+  base::Voigt MovingCells::inertia_part(const std::size_t number) const { return points.at(number).inertia; }
+} // namespace coupling

@@ -1,0 +1,83 @@
+#pragma once
+
+#include "coupling/multiscale/prepared_cell.h"
+#include "dem/specimen/specimen.h"
+#include "fem/points/gathered_points.h"
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <vector>
+
+namespace coupling
+{
+  /** What cells in motion are made of. */
+  struct MovingCellsParameters
+  {
+    std::vector<dem::Packing>
+                            packings; ///< at least one, periodic; points take them in turn, by their number in the mesh
+    dem::LinkMaterials      materials;
+    dem::SpecimenParameters specimen; ///< density, damping, interaction ratio; rotations
+    std::int64_t    steps = 0; ///< of the particles in one of the solid; 0: as many as their stable step asks for
+    base::Stiffness stiffness =
+      base::Stiffness::Zero(); ///< of the cells before anything has happened, for the solid's step [Pa]
+  };
+
+  /**
+   * Integration points whose cells move with the solid, step by step (doc/theory/multiscale.md, 6): each is a specimen of particles in a
+   * periodic cell, which is led from deformation to deformation evenly while the solid makes a step. Explicit motion only: a cell cannot be
+   * asked twice. The stress is that of the link forces; what the motion of the particles about the cell's would add is told apart.
+   */
+  class MovingCells : public fem::GatheredPoints
+  {
+  public:
+    /** @throws base::InputError in plane stress, and as dem::Specimen */
+    MovingCells(MovingCellsParameters parameters, fem::Plane plane);
+    ~MovingCells() override;
+
+    const char            *material_name() const override { return "cells"; }
+    const base::Stiffness &elastic_stiffness() const override { return parameters.stiffness; }
+    bool                   linear() const override { return false; }
+    bool                   takes_large_strains() const override { return true; }
+    bool                   takes_initial_state() const override { return false; }
+    void                   allocate(std::size_t n_points) override;
+    void                   place(std::vector<Site> sites, const Setting &setting) override;
+    void                   begin_motion(double length) override;
+    void                   gather(const std::vector<base::Voigt> &strains, bool with_tangent) override;
+    void                   evaluate(std::size_t               point,
+                                    const base::Voigt        &strain,
+                                    const fem::ElementExtent &element,
+                                    bool                      with_tangent,
+                                    fem::PointAnswer         &answer) override;
+    void                   commit() override {}
+    void set_initial(std::size_t, const fem::InitialPointState &, const fem::ElementExtent &) override;
+
+    std::vector<fem::PointQuantity> quantities() const override;
+    void                            visit(std::size_t point, const fem::StateColumn &column) override;
+    bool                            remembers_more() const override { return true; }
+    void                            visit_more(base::StateVisitor &visitor) override;
+    double stored_energy(std::size_t point, const base::Voigt &strain, const base::Voigt &stress) const override;
+    fem::Dissipation dissipated(std::size_t, const fem::ElementExtent &) const override { return {}; }
+
+    /** Stress that the particles' own motion would add, - sum m v v / V, at a point now [Pa]. */
+    base::Voigt inertia_part(std::size_t point) const;
+
+  private:
+    struct Point
+    {
+      std::unique_ptr<dem::Specimen> specimen;
+      base::Voigt                    strain = base::Voigt::Zero(), stress = base::Voigt::Zero(); ///< last led to
+      base::Voigt                    inertia = base::Voigt::Zero();
+      double                         volume  = 0; ///< at the start [m^3]
+      std::string                    failure;
+    };
+
+    void            lead(Point &point, const base::Voigt &strain) const;
+    Eigen::Matrix3d deformation(const base::Voigt &strain) const;
+
+    MovingCellsParameters parameters;
+    bool                  large_strains = false;
+    double                length        = 0; ///< of the step under way [s]; 0: none
+    std::vector<Point>    points;
+  };
+} // namespace coupling

@@ -1,0 +1,96 @@
+// Scenes whose integration points are cells of particles.
+#include "tests/apps/scene_runs.h"
+#include "tests/places.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+using namespace apps_tests;
+using Catch::Contains;
+
+namespace
+{
+  const std::string cells = "Materials/solid/cells/";
+
+  /** A coarse plate with small cells, in a few steps. */
+  std::vector<std::string> small_plate(const std::vector<std::string> &more = {})
+  {
+    std::vector<std::string> all = {"Mesh/Plate with hole/Radial divisions=3",
+                                    "Mesh/Plate with hole/Angular divisions=3",
+                                    cells + "Specimen/Generator/Cell particles=32",
+                                    "Control/First step=0.2",
+                                    "Control/Largest step=0.2",
+                                    "Control/End=1"};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+
+  std::string scene(const std::string &name) { return places::sources() + "/apps/scenes/" + name; }
+} // namespace
+
+TEST_CASE("Cells in motion behind two of three cubes share strain as springs in series, as published",
+          "[apps][cells][slow]")
+{
+  // J. Stransky, PhD thesis, CTU Prague 2018, example multi1: shares 0.341, 0.220, 0.439 of top, middle and bottom in the limit of slow
+  // loading, constrained moduli 4.4444, 6.9 and 3.45 MPa; each to 5 %.
+  const ScratchFolder folder;
+  const Results       run    = results_of(folder, scene("three_cubes.prm"),
+                                          {"Boundary conditions/head/Displacement z=-0.05*t", "Motion/End time=0.8"});
+  const auto          last   = [&](const char *column) { return run.series.column(column).back(); };
+  const double        pushed = 0.05 * last("time"), lower = -last("displacement_lower_joint_z"),
+               upper = -last("displacement_upper_joint_z");
+  CHECK((pushed - upper) / pushed == Approx(0.341).epsilon(0.05));
+  CHECK((upper - lower) / pushed == Approx(0.220).epsilon(0.05));
+  CHECK(lower / pushed == Approx(0.439).epsilon(0.05));
+  CHECK(-last("reaction_head_z") / (pushed - upper) == Approx(4.4444e6).epsilon(1e-3));
+  CHECK(last("reaction_base_z") / lower == Approx(3.45e6).epsilon(0.05));
+  // Between head and base some inertia is left: the mean of both acts in the middle.
+  CHECK(0.5 * (last("reaction_base_z") - last("reaction_head_z")) / (upper - lower) == Approx(6.9e6).epsilon(0.07));
+}
+
+TEST_CASE("A scene with cells says what they are, how many are particles and where", "[apps][cells]")
+{
+  const ScratchFolder folder;
+  const Outcome       check = outcome_of(folder, "check", scene("cells_at_hole.prm"), small_plate());
+  CHECK(check.status == 0);
+  CHECK_THAT(check.out, Contains("cells of 32 particles") && Contains("promoted at 0.9"));
+  const Results run      = results_of(folder, scene("cells_at_hole.prm"), small_plate());
+  const auto   &promoted = run.series.column("points_promoted");
+  CHECK(promoted.front() == 0);
+  CHECK(promoted.back() > 0);
+  CHECK(promoted.back() < 36);
+  CHECK(run.balance_error() < 0.01);
+  bool shown = false;
+  for (const auto &entry : std::filesystem::recursive_directory_iterator(folder.path()))
+    if (entry.path().extension() == ".vtu")
+      {
+        std::ifstream     file(entry.path(), std::ios::binary);
+        const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+        shown = shown || (text.find("Name=\"promoted\"") != std::string::npos &&
+                          text.find("Name=\"promoted_in_state\"") != std::string::npos);
+      }
+  CHECK(shown);
+}
+
+TEST_CASE("A run with cells ends where the first one localises, and names it", "[apps][cells][slow]")
+{
+  const ScratchFolder folder;
+  const Results       run =
+    results_of(folder, scene("cells_at_hole.prm"),
+               small_plate({"Control/End=20", cells + "Material/CPM/Relative ductility=30", "Output/Snapshots=1"}));
+  CHECK_THAT(run.summary["ended_by"].get<std::string>(),
+             Contains("end of validity: the cell at") && Contains("has localised") && Contains("normal"));
+  CHECK(run.summary["notes"].size() >= 1);
+  CHECK(run.series.column("points_localised").back() >= 1);
+}
+
+TEST_CASE("Scenes with cells that cannot be are refused", "[apps][cells]")
+{
+  const ScratchFolder folder;
+  is_refused(folder, scene("cells_at_hole.prm"), {"Model/Plane=stress"}, "not built for plane stress");
+  is_refused(folder, scene("cells_at_hole.prm"), {cells + "Promotion=0"}, "Promotion");
+}
