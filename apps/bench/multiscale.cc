@@ -53,7 +53,7 @@ namespace apps
       const auto               analysis = make_static_analysis<2>(*solid, model);
       const ContinuumGauges<2> gauges(*solid, model);
       const std::size_t load = column_named(gauges, "reaction_load_y"), took = column_named(gauges, "points_promoted");
-      CellRow           row{variant.study, variant.value};
+      CellRow           row{variant.study, variant.value, 0, 0, {}, {}, 0};
       row.points =
         static_cast<double>(solid->mesh().triangulation->n_global_active_cells() * solid->quadrature().size());
       const double start = processor_seconds();
