@@ -63,7 +63,7 @@ TEST_CASE("Cells in motion behind two of three cubes share strain as springs in 
   const ScratchFolder folder;
   const Results       run =
     results_of(folder, scene("three_cubes.prm"),
-               {"Boundary conditions/head/Displacement z=-0.05*t", "Motion/End time=0.4", "Motion/Damping=5"});
+               {"Boundary conditions/head/Displacement z=-0.05*t", "Motion/End time=0.8", "Motion/Damping=5"});
   const auto   last   = [&](const char *column) { return run.series.column(column).back(); };
   const double pushed = 0.05 * last("time"), lower = -last("displacement_lower_joint_z"),
                upper = -last("displacement_upper_joint_z");
