@@ -13,7 +13,7 @@ namespace apps
     std::vector<std::string> overrides; ///< of it
     std::filesystem::path    folder;
     int                      threads = 1;
-    bool                     quick   = false; ///< small cells, and the scene as it is only
+    bool                     quick   = false; ///< small cells, and two runs of the scene only
   };
 
   /**

@@ -18,7 +18,7 @@ namespace apps
     add_overrides(command, options->overrides, "Set an entry of the scene; repeatable");
     add_threads(command, options->threads);
     add_bench_folder(command, options->folder);
-    command.add_flag("--quick", options->quick, "Small cells, and the scene as it is only");
+    command.add_flag("--quick", options->quick, "Small cells, and two runs of the scene only");
     command.callback([options, &chosen] {
       chosen = [options] {
         use_threads(options->threads);
