@@ -23,6 +23,7 @@ namespace dem::link_update
     }
     static constexpr int shear_column(const int i) { return State::numbers + P::across * i; }
     static constexpr int bending_column(const int i) { return shear_column(State::shears) + P::across * i; }
+    static constexpr int axis_column(const int i) { return bending_column(State::bendings) + P::across * i; }
   };
 
   template <typename P>
@@ -39,6 +40,8 @@ namespace dem::link_update
           state.shear[i][c] = load(history.column[H::shear_column(i) + c] + l);
         for (int i = 0; i < S::bendings; ++i)
           state.bending[i][c] = load(history.column[H::bending_column(i) + c] + l);
+        for (int i = 0; i < S::axes; ++i)
+          state.axis[i][c] = load(history.column[H::axis_column(i) + c] + l);
       }
   }
 
@@ -72,5 +75,8 @@ namespace dem::link_update
     for (int i = 0; i < S::bendings; ++i)
       for (int c = 0; c < P::across; ++c)
         store(state.bending[i][c], history.column[H::bending_column(i) + c] + l);
+    for (int i = 0; i < S::axes; ++i)
+      for (int c = 0; c < P::across; ++c)
+        store(state.axis[i][c], history.column[H::axis_column(i) + c] + l);
   }
 } // namespace dem::link_update

@@ -1,8 +1,11 @@
 #pragma once
 
 #include "base/column.h"
+#include "dem/kernels/element_rows.h"
 #include "dem/kernels/link_update_types.h"
 #include "dem/model/link_law.h"
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
@@ -43,6 +46,18 @@ namespace dem
     return false;
   }
 
+  /** Law::has_rows, false for a law that does not speak of it. */
+  template <typename Law>
+  constexpr bool law_has_rows(decltype(Law::has_rows, 0))
+  {
+    return Law::has_rows;
+  }
+  template <typename Law>
+  constexpr bool law_has_rows(...)
+  {
+    return false;
+  }
+
   /**
    * Makes of a law, as it is written in its own file, the LinkLaw that everybody else works with.
    *
@@ -53,7 +68,12 @@ namespace dem
    *   resting_shear, acts(state, strain)                            place of a shear vector that stays zero while acts() is false,
    *                                                                 for laws with a moment: it is neither turned nor written then
    *   Constants, State<T, m>                                        types; State is a LinkState
-   *   history()                                                     quantities of numbers, shears, bendings, in this order
+   *   has_rows, rows(constants, m), rows_of(constants, m), begin_rows(constants, link, m, numbers, rows)
+   *                                                                 for laws that remember further numbers, as many as the
+   *                                                                 constants say: quantities, their number, and those of a new
+   *                                                                 link; the State has them as ElementRows<T> rows
+   *   history()                                                     quantities of numbers (those in space, of which links in the
+   *                                                                 plane may have only the first), shears, bendings, axes
    *   put(constants, record), gathered(packs, first)                constants as numbers in records of eight, and back as packs
    *   reference_length(link), begin(constants, link, numbers)       a new link
    *   update(constants, motion, state, work)                        one step, for double and for Pack
@@ -100,17 +120,23 @@ namespace dem
     std::vector<LinkQuantity> columns() const override
     {
       using S                          = typename Law::template State<double, 3>;
+      using InPlane                    = typename Law::template State<double, 1>;
       const auto                given  = Law::history();
       const int                 across = dimension == 3 ? 3 : 1;
       std::vector<LinkQuantity> all_columns;
-      for (int i = 0; i < S::numbers + S::shears + S::bendings; ++i)
-        for (int c = 0; c < (i < S::numbers ? 1 : across); ++c)
+      for (int i = 0; i < (dimension == 3 ? S::numbers : InPlane::numbers); ++i)
+        all_columns.push_back(given[static_cast<std::size_t>(i)]);
+      const int vectors = S::shears + S::bendings + (dimension == 3 ? S::axes : InPlane::axes);
+      for (int i = 0; i < vectors; ++i)
+        for (int c = 0; c < across; ++c)
           {
-            LinkQuantity quantity = given[static_cast<std::size_t>(i)];
-            if (i >= S::numbers)
-              quantity.name += "_" + std::to_string(c);
+            LinkQuantity quantity = given[static_cast<std::size_t>(S::numbers + i)];
+            quantity.name += "_" + std::to_string(c);
             all_columns.push_back(std::move(quantity));
           }
+      if constexpr (law_has_rows<Law>(0))
+        for (const LinkQuantity &quantity : Law::rows(all.front(), across))
+          all_columns.push_back(quantity);
       return all_columns;
     }
 
@@ -118,6 +144,12 @@ namespace dem
     void   begin(const std::size_t pair, const NewLink &link, double *history) const override
     {
       Law::begin(all[pair], link, history);
+      if constexpr (SpaceState::axes > 0)
+        if (dimension == 3)
+          for (int i = 0; i < SpaceState::axes; ++i)
+            put_axis(link, history + SpaceState::columns - 3 * (SpaceState::axes - i));
+      if constexpr (law_has_rows<Law>(0))
+        Law::begin_rows(all[pair], link, dimension == 3 ? 3 : 1, history, history + columns_before_rows());
     }
 
     LinkStiffnesses stiffness(const std::size_t pair, const LinkGeometry &link, const double *history) const override
@@ -164,7 +196,14 @@ namespace dem
     update(const std::size_t pair, const LinkStep &step, const double *before, double *history) const override
     {
       require_space();
-      SpaceState                  state  = state_of<3>(before);
+      SpaceState state = state_of<3>(before);
+      if constexpr (law_has_rows<Law>(0))
+        {
+          const std::size_t first = columns_before_rows();
+          if (before != history)
+            std::copy_n(before + first, Law::rows_of(all.front(), 3), history + first);
+          state.rows = {history + first, history + first};
+        }
       const LinkMotion<double, 3> motion = motion_of(step, state);
       LinkWork<double>            work;
       const auto                  answer = Law::update(all[pair], motion, state, work);
@@ -194,6 +233,21 @@ namespace dem
     static constexpr std::size_t record = 8 * Law::records;
     using SpaceState                    = typename Law::template State<double, 3>;
 
+    /** Across the link: in the plane n turned by +90 degrees; in space the same where that can be. */
+    static void put_axis(const NewLink &link, double *axis)
+    {
+      Eigen::Vector3d across = Eigen::Vector3d::UnitZ().cross(link.direction);
+      if (across.norm() < 0.1)
+        across = Eigen::Vector3d::UnitX().cross(link.direction);
+      across.normalize();
+      std::copy_n(across.data(), 3, axis);
+    }
+
+    std::size_t columns_before_rows() const
+    {
+      return static_cast<std::size_t>(dimension == 3 ? SpaceState::columns : Law::template State<double, 1>::columns);
+    }
+
     static Eigen::Vector3d vector(const Vec<double, 3> &v) { return {v[0], v[1], v[2]}; }
 
     void require_space() const
@@ -214,6 +268,11 @@ namespace dem
       for (int i = 0; i < state.bendings; ++i)
         for (int c = 0; c < m; ++c)
           state.bending[i][c] = *history++;
+      for (int i = 0; i < state.axes; ++i)
+        for (int c = 0; c < m; ++c)
+          state.axis[i][c] = *history++;
+      if constexpr (law_has_rows<Law>(0))
+        state.rows.from = history;
       return state;
     }
 
@@ -228,6 +287,9 @@ namespace dem
       for (int i = 0; i < state.bendings; ++i)
         for (int c = 0; c < m; ++c)
           *history++ = state.bending[i][c];
+      for (int i = 0; i < state.axes; ++i)
+        for (int c = 0; c < m; ++c)
+          *history++ = state.axis[i][c];
     }
 
     /** Add the step's increments to the state, as the kernel does. */
@@ -240,7 +302,9 @@ namespace dem
       motion.reference         = step.geometry.reference;
       motion.inverse_reference = 1.0 / step.geometry.reference;
       motion.area              = step.geometry.area;
-      motion.twist_increment   = step.twist_increment;
+      for (int c = 0; c < 3; ++c)
+        motion.direction[c] = step.direction[c];
+      motion.twist_increment = step.twist_increment;
       for (int c = 0; c < 3; ++c)
         {
           motion.shear_increment[c]   = step.shear_increment[c];

@@ -122,6 +122,8 @@ namespace dem::link_update
 
     State state;
     load_history<P>(history, l, state);
+    if constexpr (law_has_rows<typename P::Law>(0))
+      state.rows = {links.history.data() + State::columns, l};
     const State before    = state;
     const Pack  reference = load(&links.reference_length[l]), area = load(&links.area[l]);
     const Pack  inverse_reference = Pack(1.0) / reference;
@@ -142,6 +144,10 @@ namespace dem::link_update
             state.shear[i] = frame.carried(state.shear[i], frame.slip);
         for (int i = 0; i < State::bendings; ++i)
           state.bending[i] = frame.carried(state.bending[i], pair.turned);
+        for (int i = 0; i < State::axes; ++i)
+          state.axis[i] = frame.turned(state.axis[i]);
+        if constexpr (State::axes > 0)
+          motion.direction = frame.direction;
         answer_pack<P>(links, history, law, l, ends, eccentric, frame, motion, before, rests, state, sums);
       }
     else
@@ -151,6 +157,16 @@ namespace dem::link_update
         motion.shear_increment   = frame.increment;
         motion.bending_increment = {};
         motion.twist_increment   = Pack(0.0);
+        if constexpr (State::axes >
+                      0) // of particles that do not turn: by the smallest rotation, to second order in the step
+          {
+            motion.direction = frame.direction;
+            for (int i = 0; i < State::axes; ++i)
+              {
+                const auto lies = across(frame.direction, state.axis[i]);
+                state.axis[i]   = (Pack(1.0) / square_root(maximum(dot(lies, lies), Pack(0.25)))) * lies;
+              }
+          }
         if constexpr (P::moment)
           {
             motion.bending_increment = {{ends.motion[5]}};

@@ -23,22 +23,25 @@ namespace dem
     T         area;              ///< A [m^2]
     Vec<T, m> shear_increment; ///< tangential displacement of this step at the contact point, over the reference length
     Vec<T, m> bending_increment; ///< relative rotation across the link of this step [rad]; moments only
+    Vec<T, m> direction;         ///< n, in space, of laws with axes only
     T         twist_increment; ///< relative rotation about the link of this step, second less first [rad]; moments only
   };
 
   /**
    * History of a link: numbers; shears (tangential strains, to which the kernel has added the step's increment); bendings (relative
-   * rotations across the link [rad], likewise). What a law remembers beyond that goes into numbers.
+   * rotations across the link [rad], likewise); axes (directions across the link, which turn with the pair). What a law remembers
+   * beyond that goes into numbers.
    */
-  template <typename T, int m, int numbers_, int shears_, int bendings_>
+  template <typename T, int m, int numbers_, int shears_, int bendings_, int axes_ = 0>
   struct LinkState
   {
-    static constexpr int numbers = numbers_, shears = shears_, bendings = bendings_;
-    static constexpr int columns = numbers + m * (shears + bendings);
+    static constexpr int numbers = numbers_, shears = shears_, bendings = bendings_, axes = axes_;
+    static constexpr int columns = numbers + m * (shears + bendings + axes);
 
     T         number[numbers > 0 ? numbers : 1];
     Vec<T, m> shear[shears > 0 ? shears : 1];
     Vec<T, m> bending[bendings > 0 ? bendings : 1];
+    Vec<T, m> axis[axes > 0 ? axes : 1];
   };
 
   /** What a link answers: on its first end, at the contact point; the second end gets the opposite. */

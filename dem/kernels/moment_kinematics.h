@@ -60,6 +60,12 @@ namespace dem
       return across(cosine * vector + cross(axis, vector) + added);
     }
 
+    /** A vector across the link, turned with the pair. */
+    BRECCIA_KERNEL Vec<T, 3> turned(const Vec<T, 3> &vector) const
+    {
+      return across(cosine * vector + cross(axis, vector));
+    }
+
     /** What of a displacement or rotation at the middle of the step lies across the link, carried to the end. */
     BRECCIA_KERNEL Vec<T, 3> across(const Vec<T, 3> &v) const { return v - (inverse_along * dot(direction, v)) * sum; }
     /** And along it. */

@@ -66,14 +66,31 @@ namespace dem
     return all;
   }
 
+  base::Matrix6 IncrementalContact::tangent(const Constants        &k,
+                                            const LinkStep         &step,
+                                            const State<double, 3> &before,
+                                            const State<double, 3> &after,
+                                            const LinkTangent       kind)
+  {
+    Eigen::Vector3d trial = step.shear_increment;
+    for (int c = 0; c < 3; ++c)
+      trial[c] += before.shear[0][c];
+    base::Matrix6 all         = base::Matrix6::Zero();
+    all.topLeftCorner<3, 3>() = linear_contact_tangent(k, step.direction, after.number[0], trial, kind);
+    return all;
+  }
+
   LinearContactParameters LinearContactLaw::mean_of(const Material<LinearContactParameters> &one,
                                                     const Material<LinearContactParameters> &other)
   {
     const LinearContactParameters &a = one.parameters, &b = other.parameters;
-    LinearContactParameters        between;
-    between.effective_modulus    = mean(a.effective_modulus, b.effective_modulus);
-    between.stiffness_ratio      = mean(a.stiffness_ratio, b.stiffness_ratio);
-    between.friction_coefficient = mean_friction(a.friction_coefficient, b.friction_coefficient);
+    if (a.normal_force != b.normal_force)
+      throw base::InputError("linear/Normal force of the materials " + one.name + " and " + other.name +
+                             ": must be the same, absolute or incremental.");
+    LinearContactParameters between = a;
+    between.effective_modulus       = mean(a.effective_modulus, b.effective_modulus);
+    between.stiffness_ratio         = mean(a.stiffness_ratio, b.stiffness_ratio);
+    between.friction_coefficient    = mean_friction(a.friction_coefficient, b.friction_coefficient);
     return between;
   }
 
@@ -85,6 +102,8 @@ namespace dem
     if (!physics.friction)
       for (auto &k : constants)
         k.friction = std::numeric_limits<double>::max(); // sticks for ever: shear stays elastic
+    if (!pairs.empty() && pairs.front().normal_force == NormalForce::incremental)
+      return std::make_shared<LinkLawOf<IncrementalContact>>(std::move(constants), vector_dimension, physics.rotations);
     return std::make_shared<LinkLawOf<LinearContact>>(std::move(constants), vector_dimension, physics.rotations);
   }
 

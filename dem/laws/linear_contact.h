@@ -13,6 +13,13 @@ namespace dem
 {
   struct LinearContactLaw;
 
+  /** How the normal force of a linear contact is found. */
+  enum class NormalForce
+  {
+    absolute,   ///< from the overlap itself: no drift
+    incremental ///< summed up from the changes of the overlap since the contact was made
+  };
+
   /** Constants of linear contacts: stiffness by the deformability method, Coulomb friction. */
   struct LinearContactParameters
   {
@@ -21,6 +28,8 @@ namespace dem
     double effective_modulus    = 0;   ///< E* [Pa]: k_n = A E* / (r_J + r_K)
     double stiffness_ratio      = 2.5; ///< kappa* = k_n/k_s [-]
     double friction_coefficient = 0;   ///< mu [-]
+
+    NormalForce normal_force = NormalForce::absolute;
   };
 
   /** The same as an update takes them. */
@@ -182,6 +191,100 @@ namespace dem
                                          const Eigen::Vector3d        &trial,
                                          LinkTangent                   kind);
 
+  /**
+   * The same in the incremental form of Cundall and Strack (1979): F_n <- min(0, F_n + k_n d delta_n) while the particles overlap,
+   * nothing and forgotten when they part. Of a step in which they meet, only the part in touch counts. It differs from the absolute
+   * form where particles overlapped when the contact was made: that overlap is without force.
+   */
+  struct IncrementalContact
+  {
+    using Constants = LinearContactConstants;
+
+    static constexpr const char *name  = "linear";
+    static constexpr bool        bonds = false, moment = false, breaks_in_place = false, waits = true;
+    static constexpr int         records = 1;
+
+    template <typename T, int m>
+    using State = LinkState<T, m, 1, 1, 0>;
+
+    static std::array<LinkQuantity, 2> history()
+    {
+      return {{{"elastic_normal", "-", "elastic approach over the reference length, zero or negative"},
+               LinearContact::history()[0]}};
+    }
+    static void put(const Constants &k, double *record) { LinearContact::put(k, record); }
+    BRECCIA_KERNEL static LinearContactNumbers<Pack> gathered(const Pack (&c)[1][pack_size], const Constants &k)
+    {
+      return LinearContact::gathered(c, k);
+    }
+    static double reference_length(const NewLink &link) { return LinearContact::reference_length(link); }
+    static void   begin(const Constants &, const NewLink &, double *numbers) { numbers[0] = 0; }
+
+    template <typename Numbers, typename T, int m>
+    BRECCIA_KERNEL static LinkForce<T, m>
+    update(const Numbers &k, const LinkMotion<T, m> &motion, State<T, m> &state, LinkWork<T> &work)
+    {
+      const T nearer  = minimum(motion.strain, T(0.0)) - minimum(motion.strain_before, T(0.0));
+      state.number[0] = select(motion.strain < T(0.0), minimum(state.number[0] + nearer, T(0.0)), T(0.0));
+      return linear_contact_force(k, state.number[0], motion.area, motion.reference, motion.shear_increment,
+                                  state.shear[0], work);
+    }
+    template <typename S>
+    BRECCIA_KERNEL static unsigned changes_numbers(const S &, const S &)
+    {
+      return 1u;
+    }
+
+    template <typename S>
+    static LinkStiffnesses stiffness(const Constants &k, const LinkGeometry &link, const S &state)
+    {
+      return LinearContact::stiffness(k, link, state);
+    }
+    template <typename S>
+    static LinkStiffnesses damaged_stiffness(const Constants &k, const LinkGeometry &link, const S &state)
+    {
+      return LinearContact::damaged_stiffness(k, link, state);
+    }
+    template <typename S>
+    static LinkPhase phase(const Constants &k, const LinkGeometry &link, const S &state)
+    {
+      return LinearContact::phase(k, link, state);
+    }
+    template <typename S>
+    static double stored(const Constants &k, const LinkGeometry &link, const S &state)
+    {
+      LinkGeometry elastic = link;
+      elastic.strain       = state.number[0];
+      return LinearContact::stored(k, elastic, state);
+    }
+    template <typename S>
+    static double damage_dissipation(const Constants &, const LinkGeometry &, const S &)
+    {
+      return 0;
+    }
+    template <typename S>
+    static LinkLoss damage(const Constants &, const LinkGeometry &, const S &)
+    {
+      return {1, 1};
+    }
+    template <typename S>
+    static double damaging_strain(const Constants &, const S &)
+    {
+      return std::numeric_limits<double>::infinity();
+    }
+    template <typename S>
+    static LinkExertion
+    exertion(const Constants &k, const LinkGeometry &link, const S &state, const double normal, const double shear)
+    {
+      return LinearContact::exertion(k, link, state, normal, shear);
+    }
+    static base::Matrix6 tangent(const Constants        &k,
+                                 const LinkStep         &step,
+                                 const State<double, 3> &before,
+                                 const State<double, 3> &after,
+                                 LinkTangent             kind);
+  };
+
   /** Linear contacts as a scene chooses them. */
   struct LinearContactLaw
   {
@@ -190,7 +293,7 @@ namespace dem
     static constexpr const char *name    = "linear";
     static constexpr const char *meaning = "Linear contact with Coulomb friction: no tension, no moment";
 
-    /** Means of modulus and stiffness ratio, and of the friction angle. */
+    /** Means of modulus and stiffness ratio, and of the friction angle. @throws base::InputError if their normal forces differ in kind */
     static LinearContactParameters mean_of(const Material<LinearContactParameters> &one,
                                            const Material<LinearContactParameters> &other);
     static void check(const LinearContactParameters &parameters) { LinearContactConstants{parameters}; }
@@ -200,7 +303,7 @@ namespace dem
     contacts(const std::vector<LinearContactParameters> &pairs, const Physics &physics, int vector_dimension);
 
     template <typename Number, typename Choice>
-    static void describe(LinearContactParameters &p, Number &&number, Choice &&)
+    static void describe(LinearContactParameters &p, Number &&number, Choice &&choice)
     {
       constexpr double smallest = std::numeric_limits<double>::min();
       constexpr double largest  = std::numeric_limits<double>::max();
@@ -210,6 +313,10 @@ namespace dem
              false);
       number("Friction coefficient", p.friction_coefficient, "-",
              "mu, shear force that sliding keeps over the normal one", 0.0, largest, false);
+      choice("Normal force", p.normal_force,
+             {{"absolute", NormalForce::absolute}, {"incremental", NormalForce::incremental}},
+             "absolute: from the overlap; incremental: summed up since they touched, overlaps at the start are without "
+             "force");
     }
   };
 } // namespace dem

@@ -12,6 +12,9 @@ namespace dem
   {
     constexpr double pi = 3.14159265358979323846;
 
+    /** Of the modulus: stresses below are rounding, and break nothing that has no strength. */
+    constexpr double no_stress = 1e-12;
+
     void require(const bool fulfilled, const char *entry, const double value, const char *rule)
     {
       if (fulfilled && std::isfinite(value))
@@ -30,8 +33,8 @@ namespace dem
               "must not be negative; 0 stands for that of the contact.");
       require(p.bond_stiffness_ratio >= 0, "Bond stiffness ratio", p.bond_stiffness_ratio,
               "must not be negative; 0 stands for that of the contact.");
-      require(p.tensile_strength > 0, "Tensile strength", p.tensile_strength, "must be above 0 Pa.");
-      require(p.cohesion > 0, "Cohesion", p.cohesion, "must be above 0 Pa.");
+      require(p.tensile_strength >= 0, "Tensile strength", p.tensile_strength, "must not be negative.");
+      require(p.cohesion >= 0, "Cohesion", p.cohesion, "must not be negative.");
       require(p.friction_angle >= 0 && p.friction_angle < 90, "Friction angle", p.friction_angle,
               "must lie in [0, 90) degrees.");
       require(p.radius_multiplier > 0, "Radius multiplier", p.radius_multiplier, "must be above 0.");
@@ -48,8 +51,8 @@ namespace dem
     friction                = p.friction_coefficient;
     bond_normal             = p.bond_effective_modulus > 0 ? p.bond_effective_modulus : p.effective_modulus;
     bond_shear              = bond_normal / (p.bond_stiffness_ratio > 0 ? p.bond_stiffness_ratio : p.stiffness_ratio);
-    tensile_strength        = p.tensile_strength;
-    cohesion                = p.cohesion;
+    tensile_strength        = std::max(p.tensile_strength, no_stress * bond_normal);
+    cohesion                = std::max(p.cohesion, no_stress * bond_normal);
     tan_angle               = std::tan(p.friction_angle * pi / 180);
     radius_multiplier       = p.radius_multiplier;
     area_factor             = dimension == 3 ? p.radius_multiplier * p.radius_multiplier : p.radius_multiplier;

@@ -333,10 +333,10 @@ namespace dem
              largest, false);
       number("Bond stiffness ratio", p.bond_stiffness_ratio, "-", "k_n/k_s of the bond; 0: that of the contact", 0.0,
              largest, false);
-      number("Tensile strength", p.tensile_strength, "Pa", "sigma_c, tension at the rim that breaks the bond", smallest,
+      number("Tensile strength", p.tensile_strength, "Pa", "sigma_c, tension at the rim that breaks the bond", 0.0,
              largest, true);
-      number("Cohesion", p.cohesion, "Pa", "c, shear stress at the rim that breaks the bond without normal stress",
-             smallest, largest, true);
+      number("Cohesion", p.cohesion, "Pa", "c, shear stress at the rim that breaks the bond without normal stress", 0.0,
+             largest, true);
       number("Friction angle", p.friction_angle, "degrees", "phi, growth of the bond's shear strength with compression",
              0.0, 89.9, false);
       number("Radius multiplier", p.radius_multiplier, "-",

@@ -46,6 +46,9 @@ namespace dem
     double first_radius = 0, second_radius = 0; ///< [m]
     double area      = 0;                       ///< A [m^2]
     double thickness = 0;                       ///< of discs [m]; 0: spheres
+
+    std::int64_t    first_number = 0, second_number = 1; ///< of the particles, which never change
+    Eigen::Vector3d direction = {1, 0, 0};               ///< n, from the first end to the second
   };
 
   /** Undamaged stiffness of a link. */

@@ -207,6 +207,9 @@ namespace dem
         fresh.second_radius = particles.radius_of(K);
         fresh.area          = shape.link_area(fresh.first_radius, fresh.second_radius);
         fresh.thickness     = shape.dimension == 3 ? 0 : shape.thickness;
+        fresh.first_number  = particles.number[J];
+        fresh.second_number = particles.number[K];
+        fresh.direction     = branch_of(particles, links, l).normalized();
 
         links.reference_length[l] = law.reference_length(fresh);
         links.area[l]             = fresh.area;

@@ -94,6 +94,11 @@ namespace dem
     {
       return touching->contacts(physics, physics.dimension);
     }
+    /** The same with vectors of three components in histories: for single links. */
+    std::shared_ptr<const LinkLaw> contacts_in_space(const Physics &physics) const
+    {
+      return touching->contacts(physics, 3);
+    }
     /** The same materials, whose contacts obey another law. @throws base::InputError if it has another number of materials */
     LinkMaterials with_contacts(const LinkMaterials &other) const;
 

@@ -96,7 +96,8 @@ namespace dem
       shape.thickness = p.thickness;
       link.area       = shape.link_area(r_J, r_K);
       link.reference  = length;
-      link.made       = {length, r_J, r_K, link.area, p.dimension == 2 ? p.thickness : 0.0};
+      link.made       = {length,     r_J,         r_K,           link.area, p.dimension == 2 ? p.thickness : 0.0,
+                         pair.first, pair.second, link.direction};
       return link;
     }
 

@@ -1,13 +1,17 @@
-// Link updates per second of the kernels of CPM and parallel bonds, from the 50 mm cube to a million particles, beside the machine's own rates.
+// Link updates per second of the kernels of every law, from the 50 mm cube to a million particles, beside the machine's own rates.
 //
 // Run:     build/release/tests/performance/bench_kernel [particles ...]      (a minute; default 14556 100000 1000000)
 // Expect:  the roofline of one link update, then a row per size, state and number of threads
 //
 // Whole steps of dem::Specimen are timed: link pass, particle pass, accounts, search for contacts. Rotations, damage, friction,
 // contacts and the exactly objective shear update are on.
+#include "dem/laws/contact_bond.h"
 #include "dem/laws/cpm.h"
+#include "dem/laws/flat_joint.h"
+#include "dem/laws/linear_contact.h"
 #include "dem/laws/parallel_bond.h"
 #include "dem/packing/compaction.h"
+#include "dem/packing/lattice.h"
 #include "dem/packing/tiling.h"
 #include "dem/specimen/specimen.h"
 #include "machine_rates.h"
@@ -30,7 +34,11 @@ namespace
     elastic,   ///< below the onset of damage
     softening, ///< every link stretched past it and further at every step: the exponential is evaluated for all
     materials, ///< elastic, and every other particle of a second material: each link gathers its constants
-    cemented   ///< links with moments: linear parallel bonds below their strength
+    cemented,  ///< links with moments: linear parallel bonds below their strength
+    glued,     ///< contact bonds below their strength
+    touching,  ///< linear contacts, pressed
+    jointed,   ///< flat joints of four elements, all bonded
+    slit       ///< flat joints of four elements, none bonded: each is looked at
   };
 
   const char *name_of(const State state)
@@ -45,6 +53,14 @@ namespace
         return "two materials";
       case State::cemented:
         return "parallel bond";
+      case State::glued:
+        return "contact bond";
+      case State::touching:
+        return "linear contact";
+      case State::jointed:
+        return "flat joint";
+      case State::slit:
+        return "flat joint, slit";
       }
     return "";
   }
@@ -72,11 +88,67 @@ namespace
     return p;
   }
 
+  dem::ContactBondParameters glue()
+  {
+    dem::ContactBondParameters p;
+    p.effective_modulus    = 25e9;
+    p.friction_coefficient = 0.8;
+    p.tensile_strength     = 1e9;
+    p.cohesion             = 1e9;
+    return p;
+  }
+
+  dem::LinearContactParameters grains()
+  {
+    dem::LinearContactParameters p;
+    p.effective_modulus    = 25e9;
+    p.friction_coefficient = 0.8;
+    return p;
+  }
+
+  dem::FlatJointParameters joints(const bool slit)
+  {
+    dem::FlatJointParameters p;
+    p.effective_modulus    = 25e9;
+    p.friction_coefficient = 0.8;
+    p.tensile_strength     = 1e9;
+    p.cohesion             = 1e9;
+    p.elements             = 4;
+    p.rings                = 1;
+    p.sectors              = 4;
+    p.slit_fraction        = slit ? 1 : 0;
+    return p;
+  }
+
+  dem::LinkMaterials materials_in(const State state, const dem::CpmMaterials &concretes)
+  {
+    switch (state)
+      {
+      case State::cemented:
+        return cement();
+      case State::glued:
+        return glue();
+      case State::touching:
+        return grains();
+      case State::jointed:
+      case State::slit:
+        return joints(state == State::slit);
+      default:
+        return concretes;
+      }
+  }
+
   /** The periodic cell of the uniaxial scene, repeated and cropped to a cube of about the given number of particles. */
   dem::Packing cube(const dem::Packing &cell, const double particles)
   {
     const double per_volume = static_cast<double>(cell.size()) / cell.periodic_cell->prod();
     return dem::tile_and_crop(cell, Eigen::Vector3d::Constant(std::cbrt(particles / per_volume))).packing;
+  }
+
+  bool flat(const dem::Packing &packing)
+  {
+    return std::all_of(packing.centre.begin(), packing.centre.end(),
+                       [](const Eigen::Vector3d &x) { return x.z() == 0; });
   }
 
   dem::Specimen specimen_in(const State state, const dem::Packing &packing)
@@ -93,13 +165,24 @@ namespace
         for (std::size_t i = 0; i < packing.size(); ++i)
           particles.material.push_back(static_cast<std::int32_t>(i % 2));
       }
-    dem::Specimen specimen = state == State::cemented ? dem::Specimen(particles, parameters, cement()) :
-                                                        dem::Specimen(particles, parameters, materials);
+    const bool plane = flat(packing);
+    if (plane)
+      {
+        parameters.physics.dimension = 2;
+        parameters.thickness         = 1e-3;
+        parameters.interaction_ratio = 1.1;
+        particles.periodic_cell.reset();
+      }
+    dem::Specimen specimen(particles, parameters, materials_in(state, materials));
     // A uniform expansion: the lower strain rate stays elastic for the steps timed; the higher one is past the onset of damage in
     // every link before they begin, and far from breaking one when they end.
-    const double rate = state == State::softening ? 100.0 : 1e-2;
+    // Contacts, and joints of which nothing is bonded, are pressed together instead.
+    const double rate = state == State::softening                        ? 100.0 :
+                        state == State::touching || state == State::slit ? -1e-2 :
+                                                                           1e-2;
     for (std::size_t i = 0; i < packing.size(); ++i)
-      specimen.set_velocity(i, rate * packing.centre[i], Eigen::Vector3d(1.0, -2.0, 0.5));
+      specimen.set_velocity(i, rate * packing.centre[i],
+                            plane ? Eigen::Vector3d(0, 0, 0.5) : Eigen::Vector3d(1.0, -2.0, 0.5));
     return specimen;
   }
 
@@ -107,7 +190,7 @@ namespace
   double updates_per_second(dem::Specimen &specimen, const int threads)
   {
     omp_set_num_threads(threads);
-    const double links = static_cast<double>(specimen.counts().links);
+    const double links = static_cast<double>(specimen.counts().links + specimen.counts().contacts);
     const auto   steps = static_cast<std::int64_t>(std::max(4.0, 8e6 / links));
     specimen.advance(20);
     double best = 0;
@@ -154,9 +237,9 @@ namespace
     std::printf("\n");
   }
 
-  void print_case(const dem::Packing &packing, const int most_threads)
+  void print_case(const dem::Packing &packing, const int most_threads, const std::vector<State> &states)
   {
-    for (const State state : {State::elastic, State::softening, State::materials, State::cemented})
+    for (const State state : states)
       {
         dem::Specimen     specimen = specimen_in(state, packing);
         const dem::Counts counts   = specimen.counts();
@@ -165,9 +248,9 @@ namespace
           {
             const double rate = updates_per_second(specimen, threads);
             alone             = threads == 1 ? rate : alone;
-            std::printf("| %zu | %zu | %s | %d | %.1f | %.1f | %.2f | %.0f |\n", counts.particles, counts.links,
-                        name_of(state), threads, 1e-6 * rate, 1e9 / rate, rate / alone,
-                        static_cast<double>(specimen.bytes()) / static_cast<double>(counts.links));
+            std::printf("| %zu | %zu | %s | %d | %.1f | %.1f | %.2f | %.0f |\n", counts.particles,
+                        counts.links + counts.contacts, name_of(state), threads, 1e-6 * rate, 1e9 / rate, rate / alone,
+                        static_cast<double>(specimen.bytes()) / static_cast<double>(counts.links + counts.contacts));
             std::fflush(stdout);
           }
       }
@@ -195,5 +278,16 @@ int main(int argc, char **argv)
   std::printf("| particles | links | state | threads | M link updates/s | ns per link | over one thread | bytes per "
               "link |\n|---|---|---|---|---|---|---|---|\n");
   for (const double size : sizes)
-    print_case(cube(cell, size), most_threads);
+    print_case(cube(cell, size), most_threads,
+               {State::elastic, State::softening, State::materials, State::cemented, State::glued, State::touching,
+                State::jointed, State::slit});
+  std::printf(
+    "\nDiscs in the plane:\n\n| particles | links | state | threads | M link updates/s | ns per link | over one "
+    "thread | bytes per link |\n|---|---|---|---|---|---|---|---|\n");
+  for (const double size : sizes)
+    {
+      const int edge = static_cast<int>(std::sqrt(size));
+      print_case(dem::make_lattice(dem::Lattice::hexagonal, 1e-3, {edge, edge / 2, 1}), most_threads,
+                 {State::cemented, State::glued, State::touching, State::jointed, State::slit});
+    }
 }

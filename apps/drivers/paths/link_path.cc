@@ -1,29 +1,13 @@
 #include "apps/drivers/paths/link_path.h"
 
+#include "apps/drivers/paths/link_recorder.h"
+
 #include <fmt/format.h>
 
 namespace apps
 {
   namespace
   {
-    /** Columns of a link history, filled row by row in the order in which they were first named. */
-    class Recorder
-    {
-    public:
-      void operator()(const std::string &name, const std::string &unit, const double value)
-      {
-        if (next == history.columns.size())
-          history.columns.push_back({name, unit, {}});
-        history.columns[next++].values.push_back(value);
-      }
-      void end_row() { next = 0; }
-
-      LinkHistory history;
-
-    private:
-      std::size_t next = 0;
-    };
-
     /**
      * One link of any law, in its reference configuration: total strains in, stresses out. It is a link of unit length and unit
      * section, so that forces are stresses and energies are per volume.
@@ -62,7 +46,7 @@ namespace apps
           delete_link();
       }
 
-      void record(Recorder &row) const
+      void record(LinkRecorder &row) const
       {
         const dem::LinkLoss lost = law->damage(0, step.geometry, history.data());
         row("normal_strain", "-", step.geometry.strain);
@@ -83,7 +67,7 @@ namespace apps
 
     private:
       /** Vectors by their components across the link; of elastic shear the plastic part, too. */
-      void record_history(Recorder &row) const
+      void record_history(LinkRecorder &row) const
       {
         const auto ends_with = [](const std::string &text, const std::string &end) {
           return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
@@ -137,8 +121,8 @@ namespace apps
 
   LinkHistory drive(const dem::LinkLawKind &law, const dem::LinkConstants &constants, const LinkPath &path)
   {
-    DrivenLink link(law.materials({{"", &constants, 0}}).bonds_in_space(dem::Physics()));
-    Recorder   recorder;
+    DrivenLink   link(law.materials({{"", &constants, 0}}).bonds_in_space(dem::Physics()));
+    LinkRecorder recorder;
     for (std::size_t row = 0; row < path.normal.size(); ++row)
       {
         link.advance(path.normal[row], path.shear[row]);

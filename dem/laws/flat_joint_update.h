@@ -1,0 +1,279 @@
+#pragma once
+
+#include "dem/laws/flat_joint_opening.h"
+
+#include <cmath>
+
+/** The update of flat joints, for one and for eight side by side; only the source in which they are compiled includes this. */
+namespace dem
+{
+  /** Vectors across the link by their components along the axes of the elements. */
+  template <typename T, int m>
+  struct JointAxes;
+
+  template <typename T>
+  struct JointAxes<T, 3>
+  {
+    Vec<T, 3> first, second;
+
+    template <typename S>
+    BRECCIA_KERNEL JointAxes(const S &state, const Vec<T, 3> &direction)
+      : first(state.axis[0])
+      , second(cross(direction, state.axis[0]))
+    {
+    }
+    /** Of slip, and of rotation about the axes. */
+    BRECCIA_KERNEL Vec<T, 2> slip(const Vec<T, 3> &v) const { return {{dot(v, first), dot(v, second)}}; }
+    BRECCIA_KERNEL Vec<T, 2> turn(const Vec<T, 3> &v) const { return slip(v); }
+    BRECCIA_KERNEL Vec<T, 3> of_slip(const Vec<T, 2> &v) const { return v[0] * first + v[1] * second; }
+    BRECCIA_KERNEL Vec<T, 3> of_turn(const Vec<T, 2> &v) const { return of_slip(v); }
+  };
+
+  /** In the plane axis 1 lies in it, and axis 2 is z. */
+  template <typename T>
+  struct JointAxes<T, 1>
+  {
+    template <typename S>
+    BRECCIA_KERNEL JointAxes(const S &, const Vec<T, 1> &)
+    {
+    }
+    BRECCIA_KERNEL Vec<T, 2> slip(const Vec<T, 1> &v) const { return {{v[0], T(0.0)}}; }
+    BRECCIA_KERNEL Vec<T, 2> turn(const Vec<T, 1> &v) const { return {{T(0.0), v[0]}}; }
+    BRECCIA_KERNEL Vec<T, 1> of_slip(const Vec<T, 2> &v) const { return {{v[0]}}; }
+    BRECCIA_KERNEL Vec<T, 1> of_turn(const Vec<T, 2> &v) const { return {{v[1]}}; }
+  };
+
+  /** Sums over the elements: forces over modulus or stress, moments over R, and what the specimen asks for. */
+  template <typename T>
+  struct JointSums
+  {
+    T             push{0.0}, moment_1{0.0}, moment_2{0.0}; ///< along the link, stresses
+    Vec<T, 2>     shear{{T(0.0), T(0.0)}};
+    T             twisting{0.0};
+    T             energy{0.0}, released{0.0}, friction{0.0}; ///< per volume A L0
+    T             bonded{0.0}, broken{0.0}, lowest{1e300};   ///< lowest: gap of all elements' ends
+    Comparison<T> slides{false}, breaks{false};
+  };
+
+  /** Whether no element of a bonded joint can break in this step; never says so wrongly, and is exact in the plane. */
+  template <typename K, typename T, int m, typename S>
+  BRECCIA_KERNEL Comparison<T> joint_is_safe(const K &k, const T &opened, const T &per_radian, const S &state)
+  {
+    const auto magnitude = [](const T &v) { return maximum(v, T(0.0) - v); };
+    T          bend, slip;
+    if constexpr (m == 1)
+      {
+        bend = magnitude(state.number[FlatJoint::turn_2]);
+        slip = magnitude(state.number[FlatJoint::slip_1]);
+      }
+    else
+      {
+        const Vec<T, 2> bent = joint_turn<m>(state), slid = joint_slip<m>(state);
+        bend = square_root(dot(bent, bent));
+        slip = square_root(dot(slid, slid));
+      }
+    const T rim     = T(k.layout->reach) * per_radian;
+    const T most    = T(k.joint_normal) * (opened + rim * bend);
+    const T sliding = T(k.joint_shear) * (slip + rim * magnitude(state.number[FlatJoint::twist]));
+    return most < T(k.tensile_strength) && sliding < T(k.cohesion) - most * T(k.tan_angle);
+  }
+
+  /** One element: breaks or holds, pushes and slides; its state and slip are stored where it is not bonded. */
+  template <typename K, typename T, typename S>
+  BRECCIA_KERNEL void advance_element(const K               &k,
+                                      const int              number,
+                                      const int              width,
+                                      const JointOpening<T> &now,
+                                      const JointOpening<T> &change,
+                                      const Comparison<T>   &active,
+                                      const S               &state,
+                                      JointSums<T>          &sums)
+  {
+    const FlatJointLayout          &layout = *k.layout;
+    const FlatJointLayout::Element &e      = layout.elements[static_cast<std::size_t>(number)];
+    const int                       row    = FlatJoint::elements + width * number;
+    const T                         was    = state.rows.get(row);
+    const auto                      bonded = active && was < T(0.5);
+    const Vec<T, 2>                 moved = now.slip_at(e), added = change.slip_at(e);
+
+    Vec<T, 2> trial, kept;
+    kept[0]  = state.rows.get(row + 1);
+    kept[1]  = width == 3 ? state.rows.get(row + 2) : T(0.0);
+    trial[0] = select(bonded, moved[0], kept[0] + added[0]);
+    trial[1] = select(bonded, moved[1], kept[1] + added[1]);
+
+    const T    stiff = T(k.joint_normal), shear2 = T(k.joint_shear * k.joint_shear) * dot(trial, trial);
+    const T    stress  = stiff * now.gap_at(e);
+    const T    limit   = maximum(T(k.cohesion) - stress * T(k.tan_angle), T(0.0));
+    const auto torn    = bonded && stress >= T(k.tensile_strength);
+    const auto sheared = bonded && !torn && shear2 >= limit * limit;
+    const auto breaks = torn || sheared, holds = bonded && !breaks, loose = active && !holds;
+
+    const ElementPush<T> held = bonded_push(e, now), pushed = free_push(layout, e, now);
+    const auto           of   = [&](const T &whole, const T &free) { return select(holds, whole, free); };
+    const T              push = of(held.stress, pushed.stress);
+
+    const T         cap    = T(0.0) - T(k.friction) * stiff * pushed.stress;
+    const auto      slides = loose && shear2 > cap * cap;
+    const T         size   = square_root(select(slides, shear2, T(1.0)));
+    const T         keep   = select(slides, cap / size, T(1.0));
+    const Vec<T, 2> slip   = keep * trial;
+
+    const T share = select(active, T(e.share), T(0.0));
+    sums.push     = sums.push + share * stiff * push;
+    sums.moment_1 = sums.moment_1 + share * stiff * (T(e.x2) * push + of(held.moment_1, pushed.moment_1));
+    sums.moment_2 = sums.moment_2 + share * stiff * (of(held.moment_2, pushed.moment_2) - T(e.x1) * push);
+    sums.shear    = sums.shear + (share * T(k.joint_shear)) * slip;
+    sums.twisting = sums.twisting + share * T(k.joint_shear) * (T(e.x1) * slip[1] - T(e.x2) * slip[0]);
+    sums.energy =
+      sums.energy + share * (stiff * of(held.energy, pushed.energy) + T(0.5) * T(k.joint_shear) * dot(slip, slip));
+    sums.bonded  = sums.bonded + select(holds, T(1.0), T(0.0));
+    sums.slides  = sums.slides || slides;
+    const T bend = T(layout.half_width) * maximum(now.b2, T(0.0) - now.b2);
+    sums.lowest  = minimum(sums.lowest, now.gap_at(e) - bend);
+
+    if (any(slides || breaks))
+      {
+        // Mean of the stresses before and after times what slipped; of second order in the step.
+        const T done  = T(0.5 * k.joint_shear) * dot(trial - added + slip, trial - slip);
+        sums.friction = sums.friction + share * select(breaks, T(0.0), maximum(done, T(0.0)));
+        sums.released = sums.released + select(breaks, share * done, T(0.0));
+      }
+    if (any(breaks))
+      {
+        // Forces of before and after have each worked over half the step; the rest of what was stored is set free.
+        const JointOpening<T> before = {now.gap - change.gap, now.b1 - change.b1, now.b2 - change.b2,
+                                        now.slip - change.slip, now.twist - change.twist};
+        const ElementPush<T>  had    = bonded_push(e, before);
+        const T               worked = (had.stress + pushed.stress) * change.gap_at(e) +
+                         (had.moment_1 + pushed.moment_1) * change.b1 + (had.moment_2 + pushed.moment_2) * change.b2;
+        sums.released =
+          sums.released + select(breaks, share * stiff * (had.energy - pushed.energy + T(0.5) * worked), T(0.0));
+        sums.broken = sums.broken + select(breaks, T(1.0), T(0.0));
+        sums.breaks = sums.breaks || breaks;
+        state.rows.put(row, select(breaks, select(torn, T(1.0), T(2.0)), was));
+      }
+    if (any(loose))
+      {
+        state.rows.put(row + 1, select(loose, slip[0], kept[0]));
+        if (width == 3)
+          state.rows.put(row + 2, select(loose, slip[1], kept[1]));
+      }
+  }
+
+  /**
+   * Joints of which at least one is not bonded throughout, or may break. Those among them that are take the answer of a bonded one: so
+   * what a joint answers does not hang on its neighbours in the list.
+   */
+  template <typename K, typename T, int m, typename S>
+  BRECCIA_BRANCH void advance_elements(const K                &k,
+                                       const LinkMotion<T, m> &motion,
+                                       const JointAxes<T, m>  &axes,
+                                       S                      &state,
+                                       LinkWork<T>            &work,
+                                       LinkForce<T, m>        &answer)
+  {
+    using J                       = FlatJoint;
+    const int             width   = J::row_width(m);
+    const T               per     = state.number[J::radius] * motion.inverse_reference;
+    const T               opened  = motion.strain - state.number[J::installed];
+    const auto            exists  = motion.area > T(0.0);
+    const T               linear  = state.rows.get(J::replaced);
+    const auto            contact = exists && linear > T(0.5), active = exists && !contact;
+    const Vec<T, 2>       turning = axes.turn(motion.bending_increment);
+    const JointOpening<T> now     = opening_of<m>(state, motion.strain, per);
+    const JointOpening<T> change  = {motion.strain - motion.strain_before, per * turning[0], per * turning[1],
+                                     axes.slip(motion.shear_increment), per * motion.twist_increment};
+
+    JointSums<T> sums;
+    for (int e = 0; e < k.layout->size(); ++e)
+      advance_element(k, e, width, now, change, active, state, sums);
+
+    const T    section = motion.area * T(k.area_factor), lever = section * state.number[J::radius];
+    const T    volume = section * motion.reference;
+    const auto whole  = active && sums.bonded > T(k.layout->size() - 0.5);
+    const auto parted = active && sums.bonded < T(0.5);
+    const auto mine   = active && !whole;
+    const T    broken = state.rows.get(J::broken) + sums.broken;
+    work.friction += select(active, volume * sums.friction, T(0.0));
+    work.released += select(active, volume * sums.released, T(0.0));
+    state.number[J::bonded] = select(active, sums.bonded, state.number[J::bonded]);
+    if (any(sums.breaks))
+      state.rows.put(J::broken, broken);
+
+    const auto put = [&](const Comparison<T> &where, const T &normal, const Vec<T, m> &shear) {
+      answer.normal = select(where, normal, answer.normal);
+      for (int c = 0; c < m; ++c)
+        answer.shear[c] = select(where, shear[c], answer.shear[c]);
+    };
+    put(mine, section * sums.push, section * axes.of_slip(sums.shear));
+    const Vec<T, m> bending = axes.of_turn(Vec<T, 2>{{lever * sums.moment_1, lever * sums.moment_2}});
+    for (int c = 0; c < m; ++c)
+      answer.bending_moment[c] = select(contact, T(0.0), select(mine, bending[c], answer.bending_moment[c]));
+    answer.twisting_moment = select(contact, T(0.0), select(mine, lever * sums.twisting, answer.twisting_moment));
+    answer.slides          = mine && sums.slides;
+    const T    reach       = maximum(state.number[J::installed] + state.rows.get(J::initial_gap), T(0.0));
+    const auto opens       = parted && sums.lowest >= T(0.0) && motion.strain > reach;
+    answer.event           = (parted && sums.breaks) || opens;
+
+    if (any(contact))
+      {
+        const int       first  = J::elements + 1;
+        Vec<T, 2>       slip   = {{state.rows.get(first), width == 3 ? state.rows.get(first + 1) : T(0.0)}};
+        const Vec<T, 2> before = slip;
+        slip                   = slip + change.slip;
+        LinkWork<T> done;
+        const auto  force = linear_contact_force(k, opened, motion.area, motion.reference, change.slip, slip, done);
+        put(contact, force.normal, axes.of_slip(force.shear));
+        work.friction += select(contact, done.friction, T(0.0));
+        answer.slides = answer.slides || (contact && force.slides);
+        answer.event  = answer.event || (contact && motion.strain > maximum(state.number[J::installed], T(0.0)));
+        state.rows.put(first, select(contact, slip[0], before[0]));
+        if (width == 3)
+          state.rows.put(first + 1, select(contact, slip[1], before[1]));
+      }
+
+    // Slid over its length: a linear contact takes over, with the force that it finds.
+    const auto slid = parted && dot(now.slip, now.slip) > T(4.0) * per * per;
+    if (any(slid))
+      {
+        const int       first  = J::elements + 1;
+        const T         normal = T(k.area_factor) * sums.push / T(k.normal);
+        const Vec<T, 2> slip   = (T(k.area_factor) / T(k.shear)) * sums.shear;
+        const T         kept =
+          T(0.5) * motion.area * motion.reference * (T(k.normal) * normal * normal + T(k.shear) * dot(slip, slip));
+        work.released += select(slid, volume * sums.energy - kept, T(0.0));
+        state.number[J::installed] = select(slid, motion.strain - normal, state.number[J::installed]);
+        state.rows.put(J::replaced, select(slid, T(1.0), linear));
+        state.rows.put(first, select(slid, slip[0], state.rows.get(first)));
+        if (width == 3)
+          state.rows.put(first + 1, select(slid, slip[1], state.rows.get(first + 1)));
+      }
+  }
+
+  template <typename K, typename T, int m>
+  BRECCIA_KERNEL LinkForce<T, m>
+                 FlatJoint::update(const K &k, const LinkMotion<T, m> &motion, State<T, m> &state, LinkWork<T> &work)
+  {
+    state.number[twist] = state.number[twist] + motion.twist_increment;
+    const JointAxes<T, m> axes(state, motion.direction);
+    add_to_joint<m>(state, axes.slip(motion.shear_increment), axes.turn(motion.bending_increment));
+    const T opened     = motion.strain - state.number[installed];
+    const T per_radian = state.number[radius] * motion.inverse_reference;
+    const T section    = motion.area * (state.number[radius] * per_radian);
+
+    LinkForce<T, m> answer;
+    answer.normal          = (motion.area * T(k.area_factor)) * (T(k.joint_normal) * opened);
+    answer.shear           = (motion.area * T(k.area_factor * k.joint_shear)) * axes.of_slip(joint_slip<m>(state));
+    answer.bending_moment  = (section * T(k.bending_modulus)) * axes.of_turn(joint_turn<m>(state));
+    answer.twisting_moment = (section * T(k.twisting_modulus)) * state.number[twist];
+    answer.slides = answer.event = Comparison<T>(false);
+
+    const auto bonded_throughout = state.number[bonded] > T(k.layout->size() - 0.5);
+    const auto exists            = motion.area > T(0.0);
+    const auto safe              = bonded_throughout && joint_is_safe<K, T, m>(k, opened, per_radian, state);
+    if (any(exists && !safe))
+      advance_elements(k, motion, axes, state, work, answer);
+    return answer;
+  }
+} // namespace dem

@@ -1,0 +1,225 @@
+// One link of each bonded law along paths of displacements and forces: the exact answers T1 to T12 of doc/theory, to the digits given.
+#include "postprocess/csv_table.h"
+#include "tests/apps/program.h"
+#include "tests/apps/scratch_folder.h"
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include <cmath>
+
+using namespace apps_tests;
+using Catch::Contains;
+
+namespace
+{
+  constexpr double R = 1e-3, modulus = 10.38e9, k_n = modulus / (2 * R), k_s = k_n / 2.5; // [Pa/m]
+  constexpr double tension = 0.29e6;
+
+  using Words = std::vector<std::string>;
+
+  /** What a link of mortar answers. @param more options and constants, the latter as "Key=value" */
+  postprocess::CsvTable mortar(const std::string &law, const std::string &path, const Words &more = {})
+  {
+    const ScratchFolder folder;
+    folder.file("path.csv", path);
+    Words words     = {"link-test", "--law",      law,    "--path",     "path.csv", "-o",
+                       "out.csv",   "--radius-1", "1e-3", "--radius-2", "1e-3"};
+    Words constants = {"Effective modulus=10.38e9", "Stiffness ratio=2.5", "Friction coefficient=0.21"};
+    if (law != "linear")
+      constants.insert(constants.end(), {"Tensile strength=0.29e6", "Cohesion=1.98e6"});
+    if (law == "flat-joint" || law == "parallel-bond")
+      constants.push_back("Friction angle=20.7");
+    for (const std::string &word : more)
+      (word.find('=') != std::string::npos ? constants : words).push_back(word);
+    for (const std::string &constant : constants)
+      words.insert(words.end(), {"-s", constant});
+    const Outcome outcome = run(folder.path(), words);
+    INFO(outcome.err);
+    REQUIRE(outcome.status == 0);
+    return postprocess::read_csv_table(folder / "out.csv");
+  }
+
+  const Words plane = {"--dimension", "2", "--thickness", "1"};
+
+  Words in_plane(Words more)
+  {
+    more.insert(more.end(), plane.begin(), plane.end());
+    return more;
+  }
+
+  /** A column led evenly from zero, the others constant. */
+  std::string ramp(const std::string &names, const std::string &others, const double end, const int rows)
+  {
+    std::string path = names + "\n";
+    for (int i = 1; i <= rows; ++i)
+      path += fmt::format("{}{}\n", end * i / rows, others.empty() ? "" : "," + others);
+    return path;
+  }
+
+  double largest(const std::vector<double> &values)
+  {
+    double most = 0;
+    for (const double v : values)
+      most = std::max(most, std::abs(v));
+    return most;
+  }
+} // namespace
+
+TEST_CASE("link-test breaks bonds in tension at 580 N, all elements at once (T1)", "[apps][laws]")
+{
+  const double opening = tension / k_n;
+  for (const std::string law : {"contact-bond", "parallel-bond", "flat-joint"})
+    {
+      const auto out = mortar(law, ramp("normal_displacement [m]", "", 1.01 * opening, 1010), plane);
+      CHECK(out.column("normal_force")[999] == 0);
+      CHECK(out.column("normal_force")[998] == Approx(579.42).epsilon(1e-9));
+      CHECK(out.column("normal_force")[499] == Approx(modulus * out.column("normal_displacement")[499]).epsilon(1e-12));
+      CHECK(out.column("broken")[998] == 0);
+      CHECK(out.column("broken")[999] == (law == "flat-joint" ? 4 : 1));
+      CHECK(out.column("dissipated_by_damage")[1009] == Approx(0.5 * 580 * opening).epsilon(1e-6));
+    }
+  CHECK(opening == Approx(5.58767e-8).epsilon(1e-6));
+}
+
+TEST_CASE("link-test shears flat joints at c - sigma tan phi, then at friction (T2)", "[apps][laws]")
+{
+  const double published[][3] = {
+    {-5e6, 3.8693426e6, 1.05e6}, {-1e6, 2.3578685e6, 0.21e6}, {0, 1.98e6, 0}, {0.2e6, 1.9044263e6, 0}};
+  for (const auto &[stress, peak, residual] : published)
+    {
+      const int         rows = 20000;
+      const double      end  = 1.01 * peak / k_s;
+      const std::string held = fmt::format("{}", stress / k_n);
+      const auto out = mortar("flat-joint", ramp("shear_displacement_1,normal_displacement", held, end, rows), plane);
+      CHECK(largest(out.column("shear_force_1")) / (2 * R) == Approx(peak).epsilon(1.0 / rows));
+      CHECK(std::abs(out.column("shear_force_1").back()) / (2 * R) == Approx(residual).epsilon(1e-9).margin(1e-3));
+      CHECK(out.column("shear_force_1")[0] < 0); // it opposes the displacement
+      CHECK(out.column("broken").back() == 4);
+    }
+}
+
+TEST_CASE("link-test bends flat joints about a fixed middle (T3)", "[apps][laws]")
+{
+  const double unit           = tension / (k_n * R);
+  const double published[][2] = {{2, 0.386667}, {4, 0.257778}, {8, 0.220952}};
+  for (const auto &[elements, moment] : published)
+    {
+      const double first = unit / (1 - 1 / elements);
+      const auto   out   = mortar("flat-joint", ramp("bending_1 [rad]", "", first, 1000),
+                                  in_plane({fmt::format("Elements={}", elements)}));
+      CHECK(-out.column("bending_moment_1")[998] == Approx(0.999 * moment).epsilon(2e-6));
+      CHECK(out.column("broken")[998] == 0);
+      CHECK(out.column("broken")[999] == 1);
+    }
+  const auto after = mortar("flat-joint", fmt::format("bending_1\n{}\n{}\n", 1.6 * unit, 3 * unit), plane);
+  CHECK(after.column("normal_force")[0] == Approx(-174.0).epsilon(1e-9));
+  CHECK(std::abs(after.column("bending_moment_1")[0]) == Approx(0.174).epsilon(1e-9));
+  CHECK(after.column("normal_force")[1] == Approx(-326.25).epsilon(1e-9));
+  CHECK(std::abs(after.column("bending_moment_1")[1]) == Approx(0.32625).epsilon(1e-9));
+  const auto bond = mortar("parallel-bond", ramp("bending_1", "", unit, 1000), plane);
+  CHECK(-bond.column("bending_moment_1")[998] == Approx(0.999 * 0.193333).epsilon(2e-6));
+  CHECK(bond.column("bending_moment_1")[999] == Approx(0).margin(1e-9));
+  const auto blind = mortar("parallel-bond", ramp("bending_1", "", 5 * unit, 10), in_plane({"Moment contribution=0"}));
+  CHECK(largest(blind.column("broken")) == 0);
+}
+
+TEST_CASE("link-test bends flat joints without axial force until one element is left (T4)", "[apps][laws]")
+{
+  const std::vector<double> four = {0.257778, 0.163125, 0.096667},
+                            six  = {0.232000, 0.167824, 0.114568, 0.072500, 0.042963};
+  for (const auto &moments : {four, six})
+    {
+      const int    n = static_cast<int>(moments.size()) + 1, rows = 4000;
+      const double last = n == 4 ? 4e-4 : 5e-4;
+      const auto   out  = mortar("flat-joint", ramp("bending_1,normal_force [N]", "0", last, rows),
+                                 in_plane({fmt::format("Elements={}", n)}));
+      CHECK(largest(out.column("normal_force")) < 1e-6);
+      CHECK(out.column("broken").back() == n - 1); // the last cannot fail in tension
+      for (int k = 0; k < n - 1; ++k)
+        {
+          const double b = 2 * R * (n - k) / n, l = 2 * R / n;
+          const double turn = 2 * tension / (k_n * (b - l));
+          // The row before the break, and the one after.
+          const auto row = static_cast<std::size_t>(std::ceil(turn / last * rows - 1e-9)) - 1;
+          CHECK(out.column("broken")[row - 1] == k);
+          CHECK(out.column("broken")[row] == k + 1);
+          CHECK(-out.column("bending_moment_1")[row - 1] ==
+                Approx(moments[static_cast<std::size_t>(k)] * out.column("bending_1")[row - 1] / turn).epsilon(1e-5));
+        }
+      const double l = 2 * R / n;
+      CHECK(-out.column("bending_moment_1").back() == Approx(k_n * l * l * l * last / 12).epsilon(1e-6));
+    }
+}
+
+TEST_CASE("link-test closes a slit element partly (T5)", "[apps][laws]")
+{
+  const auto out =
+    mortar("flat-joint", "normal_displacement,bending_1\n-0.2e-6,4e-4\n", in_plane({"Elements=1", "Slit fraction=1"}));
+  CHECK(out.column("normal_force")[0] == Approx(-2335.5).epsilon(1e-9));
+  CHECK(out.column("bending_moment_1")[0] == Approx(-1.16775).epsilon(1e-9));
+  CHECK(out.column("broken")[0] == 0);
+}
+
+TEST_CASE("link-test breaks parallel bonds under an eccentric pull that is held (T6)", "[apps][laws]")
+{
+  const double published[][2] = {{2, 8000}, {3, 10.472}};
+  for (const auto &[dimension, load] : published)
+    {
+      std::string path = "normal_force [N], bending_moment_1 [N m]\n";
+      for (const double part : {0.5, 0.999, 0.9999})
+        path += fmt::format("{},{}\n", part * load, part * load * 0.5e-3);
+      const Words more = {"Tensile strength=10e6", "Cohesion=1e9", "--dimension", fmt::format("{}", int(dimension))};
+      const auto  out  = mortar("parallel-bond", path, more);
+      CHECK(largest(out.column("broken")) == 0);
+      CHECK(out.column("normal_force")[2] == Approx(0.9999 * load).epsilon(1e-9));
+      CHECK(out.column("bending_moment_1")[2] == Approx(0.9999 * load * 0.5e-3).epsilon(1e-9));
+      const ScratchFolder folder;
+      folder.file("path.csv", path + fmt::format("{},{}\n", 1.0001 * load, 1.0001 * load * 0.5e-3));
+      const Outcome outcome =
+        run(folder.path(), {"link-test", "--law", "parallel-bond", "--path", "path.csv", "--dimension",
+                            fmt::format("{}", int(dimension)), "-s", "Effective modulus=10.38e9", "-s",
+                            "Tensile strength=10e6", "-s", "Cohesion=1e9"});
+      CHECK(outcome.status != 0);
+      CHECK_THAT(outcome.err, Contains("row 4"));
+    }
+}
+
+TEST_CASE("link-test goes on with a linear contact when a bond is gone, and slides it", "[apps][laws]")
+{
+  const auto out =
+    mortar("flat-joint", "normal_displacement,shear_displacement_1\n1e-7,0\n-1e-8,0\n-1e-8,1e-6\n", plane);
+  CHECK(out.column("broken") == std::vector<double>{4, 4, 4});
+  CHECK(out.column("normal_force")[0] == 0);
+  CHECK(out.column("normal_force")[1] == Approx(-1e-8 * modulus));
+  CHECK(out.column("shear_force_1")[2] == Approx(-0.21 * 1e-8 * modulus));
+}
+
+TEST_CASE("link-test refuses columns that a law or a plane does not have, with their place", "[apps][S14]")
+{
+  const ScratchFolder folder;
+  const auto          refused = [&](const std::string &path, const Words &more, const std::string &message) {
+    folder.file("path.csv", path);
+    Words words = {"link-test",
+                   "--law",
+                   "contact-bond",
+                   "--path",
+                   "path.csv",
+                   "-s",
+                   "Effective modulus=1e9",
+                   "-s",
+                   "Tensile strength=1e6",
+                   "-s",
+                   "Cohesion=1e6"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome outcome = run(folder.path(), words);
+    CHECK(outcome.status == 2);
+    CHECK_THAT(outcome.err, Contains(message));
+  };
+  refused("normal_displacement,bending_1\n0,0\n", {}, "resists no rotation");
+  refused("normal_displacement,shear_displacement_2\n0,0\n", {"--dimension", "2"}, "a link in the plane has none");
+  refused("normal_displacement,normal_force\n0,0\n", {}, "give one of them");
+  refused("normal_displacement [mm]\n0\n", {}, "must be in [m]");
+  refused("normal_strain,normal_displacement\n0,0\n", {}, "do not go together");
+  refused("normal_displacement\n-1\n", {}, "out of range");
+}

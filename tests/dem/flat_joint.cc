@@ -1,0 +1,321 @@
+// Flat joints in the kernel and in statics against closed forms: doc/theory/flat-joint.md; names T1 to T12 are those of its list.
+#include "dem/laws/flat_joint.h"
+
+#include "clusters.h"
+#include "dem/homogenisation/relaxed_stiffness.h"
+#include "dem/laws/contact_bond.h"
+#include "dem/laws/parallel_bond.h"
+#include "dem/packing/lattice.h"
+#include "dem/statics/elastic_network.h"
+#include "dem/statics/linear_solver.h"
+#include "held_joint.h"
+#include "held_pair.h"
+#include "memory_state.h"
+
+#include <catch2/catch.hpp>
+
+#include <omp.h>
+
+#include <cmath>
+#include <set>
+
+using Eigen::Vector3d;
+
+namespace
+{
+  using namespace held_pair;
+  using held_joint::Joint;
+  using held_joint::mortar;
+
+  MemoryState state_of(dem::Specimen &specimen)
+  {
+    MemoryState         memory;
+    MemoryState::Writer writer(memory);
+    specimen.visit_state(writer);
+    return memory;
+  }
+
+} // namespace
+
+TEST_CASE("flat joint in tension breaks in all elements at once at its strength and then carries nothing (T1)",
+          "[dem][laws]")
+{
+  for (const int dimension : {2, 3})
+    for (const double angle : {0.0, 2.0})
+      {
+        const auto   law      = mortar();
+        const double strength = law.tensile_strength * section(dimension);
+        const double opening  = law.tensile_strength / law.effective_modulus * 2 * R;
+        HeldPair     pair(dimension, law, angle);
+        const int    steps = 1000;
+        pair.lead(opening, 0, 0, steps);
+        pair.specimen.advance(steps / 2 + 1);
+        CHECK(pair.pull() == Approx(0.5 * strength).epsilon(1e-7));
+        const Peak peak = break_it(pair, steps + 2);
+        CHECK(peak.pull <= strength * (1 + 1e-9));
+        CHECK(peak.pull >= strength * (1 - 2.0 / steps));
+        CHECK(pair.specimen.counts().broken == 1);
+        CHECK(pair.pull() == 0);
+        CHECK(pair.specimen.energy().released == Approx(0.5 * strength * opening).epsilon(3.0 / steps));
+        CHECK(pair.specimen.energy().balance_error() < 1e-6);
+      }
+}
+
+TEST_CASE("flat joint bent about its middle cracks at the closed form, and goes on as its crack does (T3)",
+          "[dem][laws]")
+{
+  const double published[][2] = {{2, 0.386667}, {4, 0.257778}, {8, 0.220952}};
+  for (const auto &[elements, moment] : published)
+    {
+      const auto   law   = mortar(static_cast<int>(elements));
+      const double unit  = law.tensile_strength * 2 * R / law.effective_modulus / R; // sigma_c/(k_n R)
+      const double first = unit / (1 - 1 / elements);
+      HeldPair     pair(2, law, 0.4);
+      pair.lead(0, 0, first, 1000);
+      double largest = 0;
+      for (int i = 0; i < 1010; ++i)
+        {
+          pair.specimen.advance(1);
+          largest = std::max(largest, std::abs(pair.moment()));
+        }
+      CHECK(largest <= moment * (1 + 1e-5));
+      CHECK(largest >= moment * (1 - 2e-3));
+    }
+  const auto   law  = mortar(4);
+  const double unit = law.tensile_strength * 2 * R / law.effective_modulus / R;
+  for (const auto &[turn, force, moment] : {std::array<double, 3>{1.6, 174.0, 0.17400}, {3.0, 326.25, 0.32625}})
+    {
+      HeldPair pair(2, law);
+      pair.lead(0, 0, turn * unit, 3000);
+      pair.specimen.advance(3001);
+      CHECK(pair.pull() == Approx(-force).epsilon(1e-6));
+      CHECK(std::abs(pair.moment()) == Approx(moment).epsilon(1e-6));
+      CHECK(pair.intact() == 1);
+      CHECK(pair.specimen.energy().balance_error() < 1e-5);
+    }
+}
+
+TEST_CASE("bonded flat joint is as stiff in bending as the disk or segment, however many elements it has",
+          "[dem][laws]")
+{
+  for (const int dimension : {2, 3})
+    for (const int n : {1, 2, 5})
+      {
+        auto p    = mortar(4 * n);
+        p.rings   = n;
+        p.sectors = 2 + 3 * n;
+        Joint joint(p, dimension);
+        joint.advance(0, Vector3d::Zero(), Vector3d(0, 0, 1e-6));
+        CHECK(joint.answer.moment.z() ==
+              Approx(p.effective_modulus / (2 * R) * second_moment(dimension) * 1e-6).epsilon(1e-12));
+      }
+  // The published ratios of the centroid rule.
+  for (const auto &[rings, sectors, ratio] :
+       {std::array<double, 3>{1, 3, 0.6079}, {1, 6, 0.8106}, {2, 6, 0.8781}, {3, 12, 0.9603}, {4, 16, 0.9773}})
+    CHECK(dem::disk_layout(int(rings), int(sectors), false).second_moment() * 4 == Approx(ratio).margin(5e-5));
+}
+
+TEST_CASE("flat joint of one slit element, partly closed, pushes off its middle (T5)", "[dem][laws]")
+{
+  auto p          = mortar(1);
+  p.slit_fraction = 1;
+  Joint joint(p, 2);
+  joint.advance(-0.2e-6, Vector3d::Zero(), Vector3d(0, 0, 0.4e-6 / R));
+  CHECK(joint.answer.force.x() == Approx(-2335.5).epsilon(1e-9));
+  CHECK(-joint.answer.moment.z() == Approx(-1.16775).epsilon(1e-9));
+}
+
+TEST_CASE("flat joints are bonded, gapped and slit by fractions that hang on the pair alone", "[dem][laws]")
+{
+  auto p                = mortar();
+  p.gapped_fraction     = 0.2;
+  p.slit_fraction       = 0.3;
+  p.mean_gap            = 1e-6;
+  p.gap_deviation       = 1e-6;
+  int              slit = 0, gapped = 0;
+  const int        all_joints = 4000;
+  std::set<double> gaps;
+  for (int i = 1; i <= all_joints; ++i)
+    {
+      const Joint  joint(p, 2, i);
+      const double state = joint.column("element_1_state"), gap = joint.column("initial_gap");
+      slit += state == dem::FlatJoint::slit;
+      gapped += state == dem::FlatJoint::gapped;
+      CHECK((gap > 0) == (state == dem::FlatJoint::gapped));
+      gaps.insert(gap);
+    }
+  CHECK(slit == Approx(0.3 * all_joints).margin(100));
+  CHECK(gapped == Approx(0.2 * all_joints).margin(90));
+  CHECK(gaps.size() == std::size_t(gapped) + 1);
+}
+
+TEST_CASE("broken flat joint that slides over its length becomes a linear contact without a jump", "[dem][laws]")
+{
+  for (const int dimension : {2, 3})
+    {
+      auto p          = mortar();
+      p.slit_fraction = 1;
+      Joint        joint(p, dimension);
+      const double push = 1e-7;
+      joint.advance(-push, Vector3d::Zero(), Vector3d::Zero());
+      const double force = joint.answer.force.x();
+      CHECK(force == Approx(-p.effective_modulus / (2 * R) * section(dimension) * push));
+      const int steps = 2200;
+      for (int i = 0; i < steps; ++i)
+        {
+          joint.advance(-push, Vector3d(0, R / 1000, 0), Vector3d::Zero());
+          REQUIRE(joint.answer.force.x() == Approx(force).epsilon(1e-9));
+          REQUIRE(joint.answer.force.y() == Approx(-p.friction_coefficient * force).epsilon(1e-9));
+        }
+      CHECK(joint.column("replaced") == 1);
+      CHECK(std::abs(joint.work - joint.stored() - joint.lost) < 1e-9 * joint.work);
+      joint.advance(-push, Vector3d::Zero(), Vector3d(0, 0, 1e-5));
+      CHECK(joint.answer.moment.norm() == 0);
+    }
+}
+
+TEST_CASE("static cantilever of flat joints deflects as n shear and bending springs in a row (T7)",
+          "[dem][laws][statics]")
+{
+  const int    n     = 10;
+  const double F     = 1;
+  dem::Packing chain = cluster::cubic_lattice(n + 1, 1, 1, R);
+  for (const int elements : {1, 3, 8})
+    {
+      auto law              = mortar(elements);
+      law.effective_modulus = 10e9;
+      dem::NetworkParameters links;
+      links.dimension                       = 2;
+      links.interaction_ratio               = 1.1;
+      links.thickness                       = thickness;
+      const dem::ElasticNetwork     network = dem::make_network(chain, links, law);
+      std::vector<dem::HeldMotions> held(n + 1, 0);
+      held[0] = dem::HeldMotions(~0u);
+      const dem::StiffnessOperator stiffness(network, held);
+      dem::Fields                  b(dem::motions * dem::load_lanes * (n + 1), 0.0), x(b);
+      std::size_t                  tip = 0;
+      while (stiffness.order()[tip] != n)
+        ++tip;
+      b[(dem::motions * tip + 1) * dem::load_lanes] = F;
+      dem::LaneStrains none;
+      none.fill(base::Vector6::Zero());
+      REQUIRE(dem::solve_linear(stiffness, b, x, none, false, {}).converged);
+      CHECK(x[(dem::motions * tip + 1) * dem::load_lanes] == Approx(4.0150e-7).epsilon(1e-4));
+    }
+}
+
+TEST_CASE("hexagonal crystal of bonds has E = 2 sqrt(3) k_n (k_n + k_s)/(3 k_n + k_s) (T8)", "[dem][laws][statics]")
+{
+  const auto check = [](const dem::LinkMaterials &law, const double ratio, const double E, const double nu) {
+    dem::NetworkParameters links;
+    links.dimension             = 2;
+    links.interaction_ratio     = 1.1;
+    links.thickness             = thickness;
+    const dem::Packing  crystal = dem::make_lattice(dem::Lattice::hexagonal, R, {3, 2, 1});
+    const base::Matrix6 D       = dem::relaxed_stiffness(dem::make_network(crystal, links, law)).stiffness;
+    INFO("ratio " << ratio);
+    CHECK(D(0, 0) - D(0, 1) * D(0, 1) / D(1, 1) == Approx(E).epsilon(1e-6));
+    CHECK(D(0, 1) / D(1, 1) == Approx(nu).epsilon(1e-5).margin(1e-9));
+  };
+  for (const auto &[ratio, E, nu] : {std::array<double, 3>{2.5, 1.426395, 0.176471}, {1, std::sqrt(3.0), 0}})
+    {
+      auto joint            = mortar();
+      joint.stiffness_ratio = ratio;
+      dem::ParallelBondParameters p;
+      p.effective_modulus = joint.effective_modulus;
+      p.stiffness_ratio   = ratio;
+      p.tensile_strength = p.cohesion = 1e6;
+      dem::ContactBondParameters glue;
+      glue.effective_modulus = joint.effective_modulus;
+      glue.stiffness_ratio   = ratio;
+      glue.tensile_strength = glue.cohesion = 1e6;
+      for (const dem::LinkMaterials &law : {dem::LinkMaterials(joint), dem::LinkMaterials(p), dem::LinkMaterials(glue)})
+        check(law, ratio, E * joint.effective_modulus, nu);
+    }
+}
+
+TEST_CASE("flat-jointed body conserves energy and momentum while it breaks, and turns with its axes", "[dem][laws]")
+{
+  for (const int dimension : {2, 3})
+    {
+      dem::Packing            body = cluster::cubic_lattice(4, 3, dimension == 2 ? 1 : 3, R);
+      dem::SpecimenParameters p    = in(dimension);
+      p.step_factor                = 0.1;
+      const auto run               = [&](const double angle, const double scale) {
+        const Eigen::Matrix3d turn   = Eigen::AngleAxisd(angle, Vector3d::UnitZ()).toRotationMatrix();
+        dem::Packing          placed = body;
+        for (auto &x : placed.centre)
+          x = turn * x;
+        dem::Specimen      specimen(placed, p, mortar());
+        dem::UniformRandom random(4);
+        for (std::size_t i = 0; i < body.size(); ++i)
+          {
+            Vector3d v = cluster::random_vector(random), w = 100 * cluster::random_vector(random);
+            if (dimension == 2)
+              v.z() = w.x() = w.y() = 0;
+            specimen.set_velocity(i, turn * (scale * v), turn * (scale / 1e-3 * w));
+          }
+        specimen.advance(2000);
+        return specimen;
+      };
+      const dem::Specimen breaking = run(0, 1e-1);
+      CHECK(breaking.energy().released > 0.01 * breaking.energy().initial);
+      CHECK(breaking.energy().balance_error() < 1e-2);
+      const dem::Specimen straight = run(0, 1e-4), turned = run(0.9, 1e-4);
+      CHECK(straight.energy().balance_error() < 2e-3);
+      const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.9, Vector3d::UnitZ()).toRotationMatrix();
+      const auto            a = straight.particles(), b = turned.particles();
+      double                difference = 0, size = 0;
+      for (std::size_t i = 0; i < a.displacement.size(); ++i)
+        {
+          difference = std::max(difference, (turn * a.displacement[i] - b.displacement[i]).norm());
+          size       = std::max(size, a.displacement[i].norm());
+        }
+      CHECK(difference < 1e-8 * size);
+    }
+}
+
+TEST_CASE("flat-jointed body that breaks has the same bits with 1, 2 and 4 threads, and after a restart", "[dem][laws]")
+{
+  for (const int dimension : {2, 3})
+    {
+      dem::Packing body =
+        dimension == 3 ? cluster::random_cluster(11, 200, 0.7 * R, R) : cluster::cubic_lattice(20, 12, 1, R);
+      dem::SpecimenParameters p = in(dimension);
+      p.interaction_ratio       = 1.2;
+      auto law                  = mortar();
+      law.gapped_fraction = law.slit_fraction = 0.1;
+      law.mean_gap                            = 1e-8;
+      const auto made                         = [&] {
+        dem::Specimen specimen(body, p, law);
+        for (std::size_t i = 0; i < body.size(); ++i)
+          {
+            Vector3d v = 20.0 * body.centre[i] - 0.2 * Vector3d(body.centre[i].y(), 0, 0) / R;
+            if (dimension == 2)
+              v.z() = 0;
+            specimen.set_velocity(i, v, Vector3d(0, 0, 10));
+          }
+        return specimen;
+      };
+      omp_set_num_threads(1);
+      dem::Specimen one = made();
+      one.advance(100);
+      MemoryState half = state_of(one);
+      one.advance(300);
+      REQUIRE(one.counts().broken > 5);
+      const MemoryState end = state_of(one);
+      for (const int threads : {2, 4})
+        {
+          omp_set_num_threads(threads);
+          dem::Specimen several = made();
+          several.advance(400);
+          CHECK(state_of(several) == end);
+        }
+      omp_set_num_threads(1);
+      dem::Specimen       resumed = made();
+      MemoryState::Reader reader(half);
+      resumed.visit_state(reader);
+      resumed.advance(300);
+      CHECK(state_of(resumed) == end);
+    }
+}
