@@ -198,6 +198,8 @@ namespace dem
 
   void FlatJoint::begin(const Constants &k, const NewLink &link, double *numbers)
   {
+    if (link.second_radius == 0 && link.thickness == 0)
+      throw base::InputError("flat-joint: glues discs to walls, not spheres; take parallel-bond for a wall in space.");
     const double reference = reference_length(link);
     numbers[bonded]        = k.layout->size();
     numbers[installed]     = (link.distance - reference) / reference;

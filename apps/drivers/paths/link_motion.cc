@@ -31,6 +31,15 @@ namespace apps
       return dimension == 2 && component == 3 ? 5 : in_space[component];
     }
 
+    /** A column of the link's state that is named as one of the path is another column. */
+    std::string own_name(const std::string &name)
+    {
+      for (const LinkMotionName &taken : link_motion_names)
+        if (name == taken.motion || name == taken.force)
+          return "state_" + name;
+      return name;
+    }
+
     /** A link between two particles at small displacements, with what it has dissipated. */
     class HeldLink
     {
@@ -105,7 +114,7 @@ namespace apps
         row("broken", "", counted);
         for (std::size_t c = 0; c < columns.size(); ++c)
           if (columns[c].name != "broken")
-            row(columns[c].name, columns[c].unit, bonded[c]);
+            row(own_name(columns[c].name), columns[c].unit, bonded[c]);
         const bool nothing = gone && law->bonds();
         row("elastic_energy", "J", nothing ? 0.0 : law->stored(0, geometry_at(motion), history.data()));
         row("dissipated_by_damage", "J",
