@@ -104,7 +104,7 @@ namespace dem
       {
         const std::array<std::int32_t, 3> pair = {first, second,
                                                   particles.cell.repeats() ? particles.cell.enter(shift) : 0};
-        if (!joined(bonds, pair) && !joined(contacts, pair))
+        if (!particles.in_one_body(first, second) && !joined(bonds, pair) && !joined(contacts, pair))
           watched.insert(watched.end(), pair.begin(), pair.end());
       }
     margin       = list_margin - tie * (largest_diameter + list_margin); // nearer than that, none is left out
@@ -126,8 +126,10 @@ namespace dem
     double                     smallest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < watched.size(); i += 3)
       {
-        const std::array<std::int32_t, 3> pair     = {watched[i], watched[i + 1], watched[i + 2]};
-        const double                      distance = watched_gap(particles, pair);
+        const std::array<std::int32_t, 3> pair = {watched[i], watched[i + 1], watched[i + 2]};
+        if (particles.in_one_body(pair[0], pair[1])) // since it was watched for
+          continue;
+        const double distance = watched_gap(particles, pair);
         if (distance < 0 || contacts_wait)
           born.push_back({pair[0], pair[1], pair[2] == 0 ? CellShift{{0, 0, 0}} : particles.cell.shift_of(pair[2])});
         else

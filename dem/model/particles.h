@@ -38,6 +38,20 @@ namespace dem
     std::vector<std::int32_t> made_links;   ///< cohesive links at the start
     std::vector<std::int32_t> broken_links; ///< cohesive links deleted since
     std::vector<std::int32_t> material;     ///< number of each particle's material; empty: there is one
+    std::vector<std::int32_t>
+      body; ///< what each particle moves with: a rigid clump's number, alone or left; empty: all alone
+
+    static constexpr std::int32_t alone = -1;
+    static constexpr std::int32_t left  = -2; ///< to somebody else, whose body its bonds and contacts are part of
+
+    /** Number of the rigid clump that a particle is a pebble of, from 0; below 0: of none. */
+    std::int32_t clump_of(const std::size_t i) const { return body.empty() ? alone : body[i]; }
+    /** Whether two move with the same body, within which nothing touches. */
+    bool in_one_body(const std::int32_t first, const std::int32_t second) const
+    {
+      return !body.empty() && body[static_cast<std::size_t>(first)] != alone &&
+             body[static_cast<std::size_t>(first)] == body[static_cast<std::size_t>(second)];
+    }
 
     const double   *pose_of(const std::size_t i) const { return &pose[record_size * i]; }
     double          radius_of(const std::size_t i) const { return pose[record_size * i + 6]; }

@@ -38,7 +38,10 @@ namespace dem
     }
   } // namespace
 
-  void check_overlaps(const Packing &packing, const std::string &origin, const int dimension)
+  void check_overlaps(const Packing                                       &packing,
+                      const std::string                                   &origin,
+                      const int                                            dimension,
+                      const std::function<bool(std::size_t, std::size_t)> &one_body)
   {
     constexpr double allowed = 0.75; // of the smaller diameter; packings by compaction overlap by a hundredth
     if (packing.periodic_cell)
@@ -52,7 +55,7 @@ namespace dem
             branch[d] += pair.shift[static_cast<std::size_t>(d)] * (*packing.periodic_cell)[d];
         const double smaller = 2 * std::min(packing.radius[first], packing.radius[second]);
         const double overlap = packing.radius[first] + packing.radius[second] - branch.norm();
-        if (overlap <= allowed * smaller)
+        if (overlap <= allowed * smaller || (one_body && one_body(first, second)))
           continue;
         std::ostringstream message;
         message << origin << ": particles " << first + 1 << " and " << second + 1

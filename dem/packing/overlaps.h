@@ -2,6 +2,7 @@
 
 #include "dem/model/packing.h"
 
+#include <functional>
 #include <string>
 
 namespace dem
@@ -14,7 +15,11 @@ namespace dem
    * @param packing as check_packing() lets pass
    * @param origin where it came from, for the message
    * @param dimension 2: discs, which fill no volume
+   * @param one_body whether two may overlap as they like; by default none do
    * @throws base::InputError naming the particles (counted from 1) and the lengths
    */
-  void check_overlaps(const Packing &packing, const std::string &origin, int dimension);
+  void check_overlaps(const Packing                                       &packing,
+                      const std::string                                   &origin,
+                      int                                                  dimension,
+                      const std::function<bool(std::size_t, std::size_t)> &one_body = {});
 } // namespace dem

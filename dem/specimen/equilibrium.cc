@@ -204,7 +204,7 @@ namespace dem
   {
     if (parameters.gravity.isZero(0))
       return 0;
-    double work = 0;
+    double work = clumps.weight_work(parameters.gravity);
     for (std::size_t i = 0; i < particles.count; ++i)
       {
         const Eigen::Vector3d moved(&particles.motion[record_size * i]), start(&particles.reference[3 * i]);
@@ -217,7 +217,8 @@ namespace dem
   {
     const double of_surfaces = surfaces.empty() ? 0.0 : begin_surfaces(); // may shorten the step
     // Velocities are those of half a step before the first forces: so are the energies that the account starts from.
-    double of_links = 0, of_weight = 0;
+    clumps.lead(particles);
+    double of_links = 0, of_weight = 0.5 * time_step * clumps.power_of_weight(parameters.gravity);
     for (std::size_t i = 0; i < particles.count; ++i)
       for (int c = 0; c < 6; ++c)
         {
@@ -353,6 +354,8 @@ namespace dem
       refuse("a periodic cell has no supports and no weight.");
     if (!self->surfaces.empty())
       refuse("walls only push, and the static solver knows no contact. Let the weight settle in motion.");
+    if (!self->clumps.empty())
+      refuse("the static solver knows no clumps. Let the weight settle in motion.");
     return self->find_equilibrium();
   }
 } // namespace dem

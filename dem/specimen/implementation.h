@@ -7,6 +7,7 @@
 #include "dem/kernels/particle_pass.h"
 #include "dem/measures/link_measures.h"
 #include "dem/model/materials.h"
+#include "dem/specimen/clumps.h"
 #include "dem/specimen/specimen.h"
 #include "dem/statics/rigid_motions.h"
 
@@ -86,7 +87,8 @@ namespace dem
     double          space_per_solid = 1; ///< volume with voids over that of the particles, to share out stress
     std::size_t     made_links      = 0;
 
-    std::vector<ParticleBlockAccount> accounts;
+    std::vector<ParticleBlockAccount> accounts; ///< of blocks of particles; where there are clumps, theirs is the last
+    Clumps                            clumps;
     std::vector<HeldGrip>             grips;
     std::vector<std::int32_t>         slot; ///< of each packing number in the particles' order
     std::vector<std::pair<std::int32_t, std::size_t>>
@@ -122,15 +124,21 @@ namespace dem
     /** Contacts that carry something: those that wait do not count. */
     std::size_t              touching_contacts() const;
     std::vector<LawfulLinks> all_links() const { return {{bonds, *bond_law}, {contacts, *contact_law}}; }
-    double                   stable() const
-    {
-      return dem::stable_step(particles, all_links(), parameters.physics.rotations,
-                              surfaces.stiffness_seen(particles, shape, parameters.physics.rotations));
-    }
-    /** The same of one particle. */
+    /** Stable step (5.1) of the present state, of particles and clumps [s]. */
+    double stable() const;
+    /** The same of one particle, or of the clump that it is a pebble of. */
     double stable(std::int32_t particle) const;
+    double stable_of_clump(std::size_t clump) const;
+    /** Take out what bonds particles with each other. @param among whether each particle is one of them */
+    void remove_bonds(const std::vector<bool> &among);
+    void remove_contacts_within_bodies();
     /** Stable step (5.1) of particles that have no links yet: for as many contacts as equal spheres can have at once [s]. */
     double step_of_lone_particles() const;
+    /** Of a pebble the part that it stands for of its clump's [kg]. */
+    double mass_of(const std::size_t i) const
+    {
+      return particles.clump_of(i) < 0 ? particles.mass[i] : clumps.mass_of_pebble(particles, i);
+    }
     /** Particles' kinetic energy with the velocities as they are [J]. */
     double       kinetic_of_velocities() const;
     Surroundings surroundings() const { return surroundings(surfaces.touching()); }

@@ -9,7 +9,7 @@ namespace dem
 {
   double Specimen::Implementation::kinetic_of_velocities() const
   {
-    double sum = 0;
+    double sum = clumps.kinetic_of_velocities();
     for (std::size_t i = 0; i < particles.count; ++i)
       for (int c = 0; c < 6; ++c)
         {
@@ -115,7 +115,7 @@ namespace dem
         out.velocity[to]         = Eigen::Vector3d(&p.velocity[record_size * i]) + p.cell.gradient() * p.position_of(i);
         out.angular_velocity[to] = Eigen::Vector3d(&p.velocity[record_size * i + 3]);
         out.radius[to]           = p.radius_of(i);
-        out.mass[to]             = p.mass[i];
+        out.mass[to]             = self->mass_of(i);
         out.damage[to]           = p.made_links[i] > 0 ? (damage[i] + p.broken_links[i]) / p.made_links[i] : 0.0;
         out.broken_links[to]     = p.broken_links[i];
         if (!p.material.empty())

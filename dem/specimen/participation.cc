@@ -45,7 +45,7 @@ namespace dem
     const double    *v = &p.velocity[record_size * i];
     return {p.position_of(i),   Eigen::Vector3d(&p.motion[record_size * i]),
             Eigen::Vector3d(v), Eigen::Vector3d(v + 3),
-            p.radius_of(i),     p.mass[i],
+            p.radius_of(i),     self->mass_of(i),
             p.inertia[i],       held_axes(&p.inverse_mass[record_size * i])};
   }
 

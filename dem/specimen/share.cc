@@ -5,6 +5,9 @@
 #include "dem/measures/link_measures.h"
 #include "dem/specimen/implementation.h"
 
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
 #include <cmath>
 
 namespace dem
@@ -65,24 +68,50 @@ namespace dem
     self->longest_step = self->time_step = self->parameters.step_factor * self->stable();
   }
 
+  void Specimen::Implementation::remove_bonds(const std::vector<bool> &among)
+  {
+    for (std::size_t l = 0; l < bonds.count; ++l)
+      if (const auto first = static_cast<std::size_t>(bonds.first[l]),
+          second           = static_cast<std::size_t>(bonds.second[l]);
+          bonds.is_alive(l) && among[first] && among[second])
+        {
+          bonds.remove(l);
+          --made_links;
+          --particles.made_links[first];
+          --particles.made_links[second];
+        }
+    bonds.compact(particles.count);
+  }
+
+  void Specimen::Implementation::remove_contacts_within_bodies()
+  {
+    for (std::size_t l = 0; l < contacts.count; ++l)
+      if (contacts.is_alive(l) && particles.in_one_body(contacts.first[l], contacts.second[l]))
+        contacts.remove(l);
+  }
+
   void Specimen::leave(const std::vector<std::size_t> &given, const bool keep_bonds_between)
   {
     refuse_late(*this, "Particles of somebody else");
-    Particles        &p     = self->particles;
-    LinkSet          &bonds = self->bonds;
+    Particles        &p = self->particles;
     std::vector<bool> left(p.count, false);
     for (const std::size_t number : given)
-      left[static_cast<std::size_t>(self->slot.at(number))] = true;
-    for (std::size_t l = 0; l < bonds.count && !keep_bonds_between; ++l)
-      if (bonds.is_alive(l) && left[static_cast<std::size_t>(bonds.first[l])] &&
-          left[static_cast<std::size_t>(bonds.second[l])])
-        {
-          bonds.remove(l);
-          --self->made_links;
-          --p.made_links[static_cast<std::size_t>(bonds.first[l])];
-          --p.made_links[static_cast<std::size_t>(bonds.second[l])];
-        }
-    bonds.compact(p.count);
+      {
+        const auto i = static_cast<std::size_t>(self->slot.at(number));
+        left[i]      = true;
+        if (p.clump_of(i) >= 0)
+          throw base::InputError("Particle " + std::to_string(number + 1) +
+                                 " is a pebble of a clump, and cannot be left to somebody else.");
+      }
+    if (!keep_bonds_between)
+      {
+        self->remove_bonds(left);
+        p.body.resize(p.count, Particles::alone);
+        for (std::size_t i = 0; i < p.count; ++i)
+          if (left[i])
+            p.body[i] = Particles::left;
+        self->remove_contacts_within_bodies();
+      }
     Grip grip;
     grip.particles                           = given;
     grip.prescribed                          = {true, true, true, true, true, true};
@@ -99,4 +128,62 @@ namespace dem
       self->led_by[static_cast<std::size_t>(self->grips[added].members[k])] = {static_cast<std::int32_t>(added), k};
     self->longest_step = self->time_step = self->parameters.step_factor * self->stable();
   }
+
+  namespace
+  {
+    void refuse_clump(const RigidClump &clump, const bool planar)
+    {
+      if (clump.particles.empty())
+        throw base::InputError("Clump: has no particle.");
+      if (!(clump.mass > 0 && std::isfinite(clump.mass)))
+        throw base::InputError("Clump: mass of " + base::number_text(clump.mass) + " kg: must be above 0.");
+      const bool turns =
+        planar ? clump.inertia(2, 2) > 0 : clump.inertia.ldlt().isPositive() && clump.inertia.determinant() > 0;
+      if (!turns || !clump.inertia.allFinite())
+        throw base::InputError("Clump: its inertia must be symmetric and positive.");
+    }
+  } // namespace
+
+  std::size_t Specimen::add_clump(const RigidClump &clump)
+  {
+    refuse_late(*this, "Clumps");
+    const bool planar = self->parameters.physics.dimension == 2;
+    refuse_clump(clump, planar);
+    Particles        &p = self->particles;
+    std::vector<bool> pebble(p.count, false);
+    p.body.resize(p.count, Particles::alone);
+    double whole = 0;
+    for (const std::size_t number : clump.particles)
+      {
+        const auto i = static_cast<std::size_t>(self->slot.at(number));
+        if (p.clump_of(i) >= 0 || p.inverse_mass[record_size * i] == 0)
+          throw base::InputError("Clump: particle " + std::to_string(number + 1) +
+                                 " is held, left to somebody else or a pebble of another clump.");
+        pebble[i] = true;
+        whole += p.mass[i];
+      }
+    std::vector<std::int32_t> members;
+    std::vector<double>       shares;
+    for (std::size_t i = 0; i < p.count; ++i)
+      if (pebble[i])
+        {
+          members.push_back(static_cast<std::int32_t>(i));
+          shares.push_back(p.mass[i] / whole);
+          p.body[i] = static_cast<std::int32_t>(self->clumps.size());
+          p.mass[i] = p.inertia[i] = 0;
+          std::fill_n(&p.inverse_mass[record_size * i], 6, 0.0);
+        }
+    self->clumps.add(clump, members, shares, p, planar);
+    self->accounts.resize(particle_blocks(p.count) + 1);
+    self->remove_bonds(pebble);
+    self->remove_contacts_within_bodies();
+    const double step =
+      self->bond_law->bonds() ? self->stable() : std::min(self->stable(), self->step_of_lone_particles());
+    self->longest_step = self->time_step = self->parameters.step_factor * step;
+    return self->clumps.size() - 1;
+  }
+
+  std::size_t Specimen::clumps() const { return self->clumps.size(); }
+
+  ClumpState Specimen::clump(const std::size_t number) const { return self->clumps.state(number); }
 } // namespace dem

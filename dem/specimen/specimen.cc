@@ -175,18 +175,28 @@ namespace dem
 
   double Specimen::Implementation::step_of_lone_particles() const
   {
-    constexpr double    neighbours = 12; // as many equal spheres touch one
     std::vector<double> none(contact_law->columns().size(), 0.0);
-    double              smallest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < particles.count; ++i)
-      for (std::size_t pair = 0; pair < contact_law->pairs(); ++pair)
-        {
-          const double r = particles.radius_of(i), area = shape.link_area(r, r);
-          const double lever = parameters.physics.rotations ? particles.mass[i] * r * r / particles.inertia[i] : 0.0;
-          const LinkStiffnesses s = contact_law->stiffness(pair, {-1e-9, 2 * r, 2 * r, area}, none.data());
-          const double          k = neighbours * area / (2 * r) * std::max(s.normal, s.shear * (1 + lever));
-          smallest                = std::min(smallest, std::sqrt(2 * particles.mass[i] / k));
-        }
+    const auto          stiffness = [&](const std::size_t i, const std::size_t pair, const double lever) {
+      constexpr double      neighbours = 12; // as many equal spheres touch one
+      const double          r = particles.radius_of(i), area = shape.link_area(r, r);
+      const LinkStiffnesses s = contact_law->stiffness(pair, {-1e-9, 2 * r, 2 * r, area}, none.data());
+      return neighbours * area / (2 * r) * std::max(s.normal, s.shear * (1 + lever));
+    };
+    double smallest = std::numeric_limits<double>::infinity();
+    for (std::size_t pair = 0; pair < contact_law->pairs(); ++pair)
+      {
+        for (std::size_t i = 0; i < particles.count; ++i)
+          if (const double mass = particles.mass[i]; mass > 0)
+            {
+              const double r     = particles.radius_of(i),
+                           lever = parameters.physics.rotations ? mass * r * r / particles.inertia[i] : 0.0;
+              smallest           = std::min(smallest, std::sqrt(2 * mass / stiffness(i, pair, lever)));
+            }
+        for (std::size_t clump = 0; clump < clumps.size(); ++clump)
+          smallest = std::min(smallest, clumps.stable_step(particles, clump, [&](const std::int32_t pebble) {
+            return stiffness(static_cast<std::size_t>(pebble), pair, 0.0);
+          }));
+      }
     return smallest;
   }
 
@@ -278,6 +288,10 @@ namespace dem
   {
     if (self->parameters.physics.periodic)
       throw base::InputError("Grips: a periodic cell has no place for them; it is loaded by its deformation.");
+    for (const std::size_t particle : grip.particles)
+      if (self->particles.clump_of(static_cast<std::size_t>(self->slot.at(particle))) >= 0)
+        throw base::InputError("Grips: particle " + std::to_string(particle + 1) +
+                               " is a pebble of a clump, which moves as a whole. Hold others.");
     HeldGrip held;
     held.grip = grip;
     std::vector<std::pair<std::int32_t, std::size_t>> order;
@@ -335,6 +349,8 @@ namespace dem
     double *v = &self->particles.velocity[record_size * static_cast<std::size_t>(self->slot.at(particle))];
     std::copy_n(velocity.data(), 3, v);
     std::copy_n(spin.data(), 3, v + 3);
+    if (const std::int32_t of = self->particles.clump_of(static_cast<std::size_t>(self->slot[particle])); of >= 0)
+      self->clumps.take_velocities(self->particles, static_cast<std::size_t>(of));
   }
 
   namespace
@@ -403,6 +419,7 @@ namespace dem
         visitor.column(name + "/lost_velocity", s.grips[g].lost_velocity);
         visitor.column(name + "/own_rates", s.grips[g].own_rates);
       }
+    s.clumps.visit_state(visitor);
     visit_kicks(visitor, s.kicks);
     s.visit_glide(visitor);
     s.surfaces.visit_state(visitor);

@@ -10,6 +10,7 @@
 #include "dem/model/materials.h"
 #include "dem/model/packing.h"
 #include "dem/model/physics.h"
+#include "dem/model/rigid_clump.h"
 
 #include <Eigen/Core>
 
@@ -202,9 +203,18 @@ namespace dem
     void share(const std::function<double(const Eigen::Vector3d &)> &of_bonds, const std::vector<double> &of_masses);
     /**
    * Before the first step: leave particles to somebody else who moves them and has their mass. Bonds between two of them go, unless they
-   * are to stay. They rest until a correction of a step says how they move (StepCorrection). @throws base::InputError once there was a step, and in a periodic cell
+   * are to stay, and with these contacts. They rest until a correction of a step says how they move (StepCorrection). @throws base::InputError once there was a step, and in a periodic cell
    */
     void leave(const std::vector<std::size_t> &particles, bool keep_bonds_between);
+
+    /**
+   * Before the first step: particles move as one rigid body from now on (doc/theory/clumps.md). Bonds and contacts between them go.
+   * @return its number, from 0 @throws base::InputError for particles that are held, left to somebody else or of another clump, for a mass or
+   * an inertia that is none, once there was a step, and in a periodic cell
+   */
+    std::size_t add_clump(const RigidClump &clump);
+    std::size_t clumps() const;
+    ClumpState  clump(std::size_t number) const;
 
     /** Prescribe motion of a group from now on. @return its number for reaction(). @throws base::InputError in a periodic cell */
     std::size_t add_grip(const Grip &grip);

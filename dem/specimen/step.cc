@@ -54,6 +54,8 @@ namespace dem
       enter_velocities(partner, before_step);
     select_particle_pass(contacts.alive > 0, parameters.damping > 0, equal_radii, moments(), surroundings(touched))(
       particles, bonds, &contacts, of_surfaces, halves, parameters.damping, parameters.gravity, accounts);
+    if (!clumps.empty())
+      clumps.move(particles, halves, parameters.damping, parameters.gravity, accounts);
     if (!partner.particles)
       return account(halves);
     const auto work = let_correct(halves, partner);
@@ -224,8 +226,28 @@ namespace dem
     return std::sqrt(fastest);
   }
 
+  double Specimen::Implementation::stable() const
+  {
+    double smallest = dem::stable_step(particles, all_links(), parameters.physics.rotations,
+                                       surfaces.stiffness_seen(particles, shape, parameters.physics.rotations));
+    for (std::size_t clump = 0; clump < clumps.size(); ++clump)
+      smallest = std::min(smallest, stable_of_clump(clump));
+    return smallest;
+  }
+
+  double Specimen::Implementation::stable_of_clump(const std::size_t clump) const
+  {
+    return clumps.stable_step(particles, clump, [this](const std::int32_t pebble) {
+      const bool rotations = parameters.physics.rotations;
+      return dem::stiffness_around(particles, all_links(), rotations, pebble,
+                                   surfaces.stiffness_seen(particles, shape, rotations, pebble));
+    });
+  }
+
   double Specimen::Implementation::stable(const std::int32_t particle) const
   {
+    if (const std::int32_t clump = particles.clump_of(static_cast<std::size_t>(particle)); clump >= 0)
+      return stable_of_clump(static_cast<std::size_t>(clump));
     const bool rotations = parameters.physics.rotations;
     return stable_step_of(particles, all_links(), rotations, particle,
                           surfaces.stiffness_seen(particles, shape, rotations, particle));

@@ -255,3 +255,19 @@ TEST_CASE("a grip told one velocity for each particle moves as one told it for a
   CHECK(together.reaction(a) == alone.reaction(b));
   CHECK(together.energy().external_work == Approx(alone.energy().external_work).epsilon(1e-12));
 }
+
+TEST_CASE("particles that were left to somebody else do not touch each other, wherever he moves them", "[dem]")
+{
+  dem::SpecimenParameters p = cluster::bonded(1.1);
+  p.physics.contacts        = true;
+  dem::Specimen row(cluster::cubic_lattice(4, 1, 1, r), p, cluster::concrete());
+  row.leave({2, 3}, false);
+  const double speed = r / (4000 * row.time_step());
+  for (int step = 0; step < 2000; ++step)
+    row.advance({2, 3}, [speed](dem::StepCorrection &correction) {
+      correction.velocity[6] = -speed; // of the second: towards the first, which rests
+    });
+  REQUIRE(row.particle(3).position.x() - row.particle(2).position.x() < 1.6 * r);
+  CHECK(row.counts().contacts == 0);
+  CHECK(row.counts().links == 2);
+}

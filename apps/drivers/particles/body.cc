@@ -10,11 +10,22 @@
 
 namespace apps
 {
+  namespace
+  {
+    dem::Specimen
+    specimen_with_clumps(const ParticlesModel &model, const dem::Packing &packing, const ParticleGroups &groups)
+    {
+      dem::Specimen made(packing, model.parameters(), model.material.materials());
+      model.clumps.make(made, groups);
+      return made;
+    }
+  } // namespace
+
   ParticlesBody::ParticlesBody(const ParticlesModel &what, const dem::Packing &particles)
     : model(&what)
     , packing(&particles)
-    , body(particles, what.parameters(), what.material.materials())
     , groups(what.groups_in(particles))
+    , body(specimen_with_clumps(what, particles, groups))
     , motion(body, what.motion, groups)
     , forces(body, what.forces, groups)
     , walls(body, what.walls)

@@ -43,8 +43,8 @@ namespace apps
   private:
     const ParticlesModel *model;
     const dem::Packing   *packing;
-    dem::Specimen         body;
     ParticleGroups        groups;
+    dem::Specimen         body;
     PrescribedMotion      motion;
     AppliedForces         forces;
     Walls                 walls;

@@ -45,6 +45,7 @@ namespace apps
     material.declare(root);
     declare_physics(root, physics);
     groups.declare(root);
+    clumps.declare(root);
     motion.declare(root);
     forces.declare(root);
     walls.declare(root);
@@ -88,6 +89,7 @@ namespace apps
     GroupNames names;
     more.validate(root, physics.dimension, material, names);
     groups.validate(root, physics.dimension, names);
+    clumps.validate(root, physics.dimension, names);
     motion.validate(root, physics, names);
     forces.validate(root, physics.dimension, names);
     walls.validate(root, physics.dimension);
@@ -101,7 +103,11 @@ namespace apps
   {
     SpecimenSection specimen = source;
     specimen.bonded          = bonded();
-    return more.compose(specimen, material, physics.dimension, keeps, cell);
+    const auto one_body      = [this](const dem::Packing &whole) {
+      return clumps.clumps.empty() ? std::function<bool(std::size_t, std::size_t)>() :
+                                          clumps.one_body(groups_in(whole), whole.size());
+    };
+    return more.compose(specimen, material, physics.dimension, one_body, keeps, cell);
   }
 
   ParticleGroups ParticlesModel::groups_in(const dem::Packing &packing) const

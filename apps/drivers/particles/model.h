@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/drivers/particles/clumps.h"
 #include "apps/drivers/particles/forces.h"
 #include "apps/drivers/particles/gauges.h"
 #include "apps/drivers/particles/initial_velocity.h"
@@ -23,6 +24,7 @@ namespace apps
     double                  end_time = 0; ///< [s]
     GravitySection          gravity;
     GroupsSection           groups;
+    ClumpsSection           clumps;
     PrescribedMotionSection motion;
     ForcesSection           forces;
     WallsSection            walls;

@@ -116,6 +116,7 @@ namespace apps
   dem::Packing MoreParticlesSection::compose(const SpecimenSection                              &specimen,
                                              const MaterialSection                              &materials,
                                              const int                                           dimension,
+                                             const OneBody                                      &one_body,
                                              const std::function<bool(const Eigen::Vector3d &)> &keeps,
                                              std::optional<dem::Packing> *const                  cell) const
   {
@@ -132,7 +133,7 @@ namespace apps
     const std::string origin = added.empty() ? origin_of(specimen) : "Specimen and More particles";
     materials.require_all(whole, origin);
     dem::check_packing(whole, origin);
-    dem::check_overlaps(whole, origin, dimension);
+    dem::check_overlaps(whole, origin, dimension, one_body(whole));
     return whole;
   }
 

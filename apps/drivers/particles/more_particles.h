@@ -26,6 +26,9 @@ namespace apps
     dem::Packing particles() const;
   };
 
+  /** Which two particles of a packing are of one body, and may overlap as they like. */
+  using OneBody = std::function<std::function<bool(std::size_t, std::size_t)>(const dem::Packing &)>;
+
   /** Section "More particles": spheres beside those of the specimen. */
   struct MoreParticlesSection
   {
@@ -34,10 +37,11 @@ namespace apps
     void declare(Section &root);
     /** @param names takes theirs. @throws base::InputError. */
     void validate(const Section &root, int dimension, const MaterialSection &materials, GroupNames &names) const;
-    /** Specimen and added particles together, loose ones last, with their materials. @param cell as specimen_particles() has it @throws base::InputError, and as make_packing() */
+    /** Specimen and added particles together, loose ones last, with their materials. @param one_body what may overlap in it @param cell as specimen_particles() has it @throws base::InputError, and as make_packing() */
     dem::Packing compose(const SpecimenSection                              &specimen,
                          const MaterialSection                              &materials,
                          int                                                 dimension,
+                         const OneBody                                      &one_body,
                          const std::function<bool(const Eigen::Vector3d &)> &keeps = {},
                          std::optional<dem::Packing>                        *cell  = nullptr) const;
 
