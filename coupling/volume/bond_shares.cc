@@ -46,8 +46,11 @@ namespace coupling
   {
     BondedParticles all{network.centre, {}};
     for (const dem::ElasticLink &link : network.links)
-      all.bonds.push_back(
-        {link.first, link.second, network.centre[link.first] + link.arm_first * link.direction, link.branch.norm()});
+      {
+        const auto first = static_cast<std::size_t>(link.first);
+        all.bonds.push_back({first, static_cast<std::size_t>(link.second),
+                             network.centre[first] + link.arm_first * link.direction, link.branch.norm()});
+      }
     return all;
   }
 
