@@ -211,6 +211,16 @@ namespace dem
     else
       search = ContactSearch(particles, 0.0, contact_law->waits()); // any two may be in contact from the start
     make_links(bonds, pairs, particles, shape, *bond_law);
+    if (bonds.logs_breaks)
+      {
+        // Those that never hold do not break.
+        LinkReader reader(particles, bonds, *bond_law);
+        for (std::size_t l = 0; l < bonds.count; ++l)
+          {
+            reader.read(l, Geometry::present);
+            bonds.noted[l] = reader.phase() == LinkPhase::whole ? 0 : 1;
+          }
+      }
     made_links = pairs.size();
     for (const auto &pair : pairs)
       {

@@ -175,7 +175,7 @@ namespace dem
               if (phase == LinkPhase::whole)
                 continue;
               const bool noted = links.logs_breaks && links.noted[l] != 0;
-              if (law.bonds() && !noted && reader.damage().strength > 0) // one that never held does not break
+              if (law.bonds() && !noted)
                 note_crack(reader, l);
               if (phase == LinkPhase::gone)
                 delete_link(links, reader, l);
