@@ -219,23 +219,10 @@ namespace apps
 
     postprocess::PlotPanel cost_panel(const std::vector<CellRow> &rows)
     {
-      postprocess::PlotPanel panel;
-      panel.title   = "curve against that of cells everywhere";
-      panel.x_label = "Cost over theirs";
-      panel.y_label = "Error";
-      panel.log_x = panel.log_y = true;
-      for (std::size_t k = 1; k < rows.size(); ++k)
-        {
-          if (k == 1 || rows[k].study != rows[k - 1].study)
-            {
-              panel.series.emplace_back();
-              panel.series.back().name  = rows[k].study;
-              panel.series.back().style = postprocess::PlotSeries::Style::points;
-            }
-          panel.series.back().x.push_back(rows[k].cost / rows.front().cost);
-          panel.series.back().y.push_back(std::max(1e-12, error_of(rows[k], rows.front())));
-        }
-      return panel;
+      std::vector<CostPoint> points;
+      for (const CellRow &row : rows)
+        points.push_back({row.study, row.cost, std::max(1e-12, error_of(row, rows.front()))});
+      return error_over_cost("curve against that of cells everywhere", "Cost over theirs", points);
     }
   } // namespace
 

@@ -38,4 +38,26 @@ namespace apps
     fmt::print("written to {0}: {1}.csv, {1}.md, {1}.png\n", folder.string(), name);
     return exit_success;
   }
+
+  postprocess::PlotPanel
+  error_over_cost(const std::string &title, const std::string &cost_label, const std::vector<CostPoint> &points)
+  {
+    postprocess::PlotPanel panel;
+    panel.title   = title;
+    panel.x_label = cost_label;
+    panel.y_label = "Error";
+    panel.log_x = panel.log_y = true;
+    for (std::size_t k = 1; k < points.size(); ++k)
+      {
+        if (k == 1 || points[k].study != points[k - 1].study)
+          {
+            panel.series.emplace_back();
+            panel.series.back().name  = points[k].study;
+            panel.series.back().style = postprocess::PlotSeries::Style::points;
+          }
+        panel.series.back().x.push_back(points[k].cost / points.front().cost);
+        panel.series.back().y.push_back(points[k].error);
+      }
+    return panel;
+  }
 } // namespace apps

@@ -28,4 +28,15 @@ namespace apps
     std::filesystem::path folder;
     std::string           name;
   };
+
+  /** What one variant of a study costs, and how far off it is. */
+  struct CostPoint
+  {
+    std::string study;
+    double      cost = 0, error = 0;
+  };
+
+  /** Error over the cost in that of the first, which is the reference and no point itself; a series for each study in a row. */
+  postprocess::PlotPanel
+  error_over_cost(const std::string &title, const std::string &cost_label, const std::vector<CostPoint> &points);
 } // namespace apps

@@ -106,23 +106,10 @@ namespace apps
 
     postprocess::PlotPanel panel_of(const std::vector<BeamRow> &rows)
     {
-      postprocess::PlotPanel panel;
-      panel.title   = "peak load against a beam all of particles";
-      panel.x_label = "Cost over that beam's";
-      panel.y_label = "Error";
-      panel.log_x = panel.log_y = true;
-      for (std::size_t k = 1; k < rows.size(); ++k)
-        {
-          if (k == 1 || rows[k].study != rows[k - 1].study)
-            {
-              panel.series.emplace_back();
-              panel.series.back().name  = rows[k].study;
-              panel.series.back().style = postprocess::PlotSeries::Style::points;
-            }
-          panel.series.back().x.push_back(rows[k].cost / rows.front().cost);
-          panel.series.back().y.push_back(std::fabs(rows[k].peak / rows.front().peak - 1));
-        }
-      return panel;
+      std::vector<CostPoint> points;
+      for (const BeamRow &row : rows)
+        points.push_back({row.study, row.cost, std::fabs(row.peak / rows.front().peak - 1)});
+      return error_over_cost("peak load against a beam all of particles", "Cost over that beam's", points);
     }
   } // namespace
 

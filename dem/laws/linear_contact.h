@@ -196,14 +196,8 @@ namespace dem
    * nothing and forgotten when they part. Of a step in which they meet, only the part in touch counts. It differs from the absolute
    * form where particles overlapped when the contact was made: that overlap is without force.
    */
-  struct IncrementalContact
+  struct IncrementalContact : LinearContact
   {
-    using Constants = LinearContactConstants;
-
-    static constexpr const char *name  = "linear";
-    static constexpr bool        bonds = false, moment = false, breaks_in_place = false, waits = true;
-    static constexpr int         records = 1;
-
     template <typename T, int m>
     using State = LinkState<T, m, 1, 1, 0>;
 
@@ -212,13 +206,7 @@ namespace dem
       return {{{"elastic_normal", "-", "elastic approach over the reference length, zero or negative"},
                LinearContact::history()[0]}};
     }
-    static void put(const Constants &k, double *record) { LinearContact::put(k, record); }
-    BRECCIA_KERNEL static LinearContactNumbers<Pack> gathered(const Pack (&c)[1][pack_size], const Constants &k)
-    {
-      return LinearContact::gathered(c, k);
-    }
-    static double reference_length(const NewLink &link) { return LinearContact::reference_length(link); }
-    static void   begin(const Constants &, const NewLink &, double *numbers) { numbers[0] = 0; }
+    static void begin(const Constants &, const NewLink &, double *numbers) { numbers[0] = 0; }
 
     template <typename Numbers, typename T, int m>
     BRECCIA_KERNEL static LinkForce<T, m>
@@ -234,49 +222,12 @@ namespace dem
     {
       return 1u;
     }
-
-    template <typename S>
-    static LinkStiffnesses stiffness(const Constants &k, const LinkGeometry &link, const S &state)
-    {
-      return LinearContact::stiffness(k, link, state);
-    }
-    template <typename S>
-    static LinkStiffnesses damaged_stiffness(const Constants &k, const LinkGeometry &link, const S &state)
-    {
-      return LinearContact::damaged_stiffness(k, link, state);
-    }
-    template <typename S>
-    static LinkPhase phase(const Constants &k, const LinkGeometry &link, const S &state)
-    {
-      return LinearContact::phase(k, link, state);
-    }
     template <typename S>
     static double stored(const Constants &k, const LinkGeometry &link, const S &state)
     {
       LinkGeometry elastic = link;
       elastic.strain       = state.number[0];
       return LinearContact::stored(k, elastic, state);
-    }
-    template <typename S>
-    static double damage_dissipation(const Constants &, const LinkGeometry &, const S &)
-    {
-      return 0;
-    }
-    template <typename S>
-    static LinkLoss damage(const Constants &, const LinkGeometry &, const S &)
-    {
-      return {1, 1};
-    }
-    template <typename S>
-    static double damaging_strain(const Constants &, const S &)
-    {
-      return std::numeric_limits<double>::infinity();
-    }
-    template <typename S>
-    static LinkExertion
-    exertion(const Constants &k, const LinkGeometry &link, const S &state, const double normal, const double shear)
-    {
-      return LinearContact::exertion(k, link, state, normal, shear);
     }
     static base::Matrix6 tangent(const Constants        &k,
                                  const LinkStep         &step,

@@ -39,8 +39,8 @@ namespace dem
 
     /**
      * Take the step that the pass has just taken with the pebbles.
-     * @param account damping, kinetic energy and the largest displacement are added to @param accounts of the pebbles: what pushes them works on
-     * their true motion
+     * @param accounts of blocks of particles, theirs the last: damping, kinetic energy, what pushing works on their true motion, and the largest
+     * displacement are added there
      */
     void move(Particles                         &particles,
               const StepHalves                  &halves,
@@ -50,8 +50,7 @@ namespace dem
 
     /** [J] */
     double kinetic_of_velocities() const;
-    /** Work of the weight since the start, at t_n; with a step ahead of it as the velocities say [J]. @param ahead [s] */
-    double weight_work(const Eigen::Vector3d &gravity) const;
+    double weight_work(const Eigen::Vector3d &gravity) const;     ///< of the weight since the start, at t_n [J]
     double power_of_weight(const Eigen::Vector3d &gravity) const; ///< [W]
 
     /**

@@ -11,11 +11,9 @@
 #include "dem/statics/quasi_static_path.h"
 #include "held_joint.h"
 #include "held_pair.h"
-#include "memory_state.h"
+#include "same_bits.h"
 
 #include <catch2/catch.hpp>
-
-#include <omp.h>
 
 #include <cmath>
 #include <set>
@@ -27,14 +25,6 @@ namespace
   using namespace held_pair;
   using held_joint::Joint;
   using held_joint::mortar;
-
-  MemoryState state_of(dem::Specimen &specimen)
-  {
-    MemoryState         memory;
-    MemoryState::Writer writer(memory);
-    specimen.visit_state(writer);
-    return memory;
-  }
 
 } // namespace
 
@@ -343,25 +333,6 @@ TEST_CASE("flat-jointed body that breaks has the same bits with 1, 2 and 4 threa
           }
         return specimen;
       };
-      omp_set_num_threads(1);
-      dem::Specimen one = made();
-      one.advance(100);
-      MemoryState half = state_of(one);
-      one.advance(300);
-      REQUIRE(one.counts().broken > 5);
-      const MemoryState end = state_of(one);
-      for (const int threads : {2, 4})
-        {
-          omp_set_num_threads(threads);
-          dem::Specimen several = made();
-          several.advance(400);
-          CHECK(state_of(several) == end);
-        }
-      omp_set_num_threads(1);
-      dem::Specimen       resumed = made();
-      MemoryState::Reader reader(half);
-      resumed.visit_state(reader);
-      resumed.advance(300);
-      CHECK(state_of(resumed) == end);
+      check_same_bits(made, 100, 300, 5);
     }
 }

@@ -5,11 +5,9 @@
 #include "dem/statics/elastic_network.h"
 #include "dem/statics/linear_solver.h"
 #include "held_pair.h"
-#include "memory_state.h"
+#include "same_bits.h"
 
 #include <catch2/catch.hpp>
-
-#include <omp.h>
 
 #include <cmath>
 
@@ -319,30 +317,5 @@ TEST_CASE("parallel-bonded body that breaks has the same bits with 1, 2 and 4 th
       specimen.set_velocity(i, 40.0 * body.centre[i], Vector3d(30, -20, 10));
     return specimen;
   };
-  const auto state_of = [](dem::Specimen &specimen) {
-    MemoryState         memory;
-    MemoryState::Writer writer(memory);
-    specimen.visit_state(writer);
-    return memory;
-  };
-  omp_set_num_threads(1);
-  dem::Specimen one = made();
-  one.advance(300);
-  MemoryState half = state_of(one);
-  one.advance(300);
-  REQUIRE(one.counts().broken > 10);
-  const MemoryState end = state_of(one);
-  for (const int threads : {2, 4})
-    {
-      omp_set_num_threads(threads);
-      dem::Specimen several = made();
-      several.advance(600);
-      CHECK(state_of(several) == end);
-    }
-  omp_set_num_threads(1);
-  dem::Specimen       resumed = made();
-  MemoryState::Reader reader(half);
-  resumed.visit_state(reader);
-  resumed.advance(300);
-  CHECK(state_of(resumed) == end);
+  check_same_bits(made, 300, 300, 10);
 }

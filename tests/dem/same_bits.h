@@ -1,0 +1,45 @@
+#pragma once
+
+#include "dem/specimen/specimen.h"
+#include "tests/dem/memory_state.h"
+
+#include <catch2/catch.hpp>
+
+#include <omp.h>
+
+/**
+ * A specimen goes through the same states to the last bit with 1 to 4 threads, and when it is begun again from the state after some
+ * steps.
+ *
+ * @param made makes it @param first steps until it is kept @param further steps after that @param broken more links than that break on the way
+ */
+template <typename Make>
+void check_same_bits(const Make &made, const int first, const int further, const std::size_t broken)
+{
+  const auto state_of = [](dem::Specimen &specimen) {
+    MemoryState         memory;
+    MemoryState::Writer writer(memory);
+    specimen.visit_state(writer);
+    return memory;
+  };
+  omp_set_num_threads(1);
+  dem::Specimen one = made();
+  one.advance(first);
+  MemoryState half = state_of(one);
+  one.advance(further);
+  REQUIRE(one.counts().broken > broken);
+  const MemoryState end = state_of(one);
+  for (const int threads : {2, 3, 4})
+    {
+      omp_set_num_threads(threads);
+      dem::Specimen several = made();
+      several.advance(first + further);
+      CHECK(state_of(several) == end);
+    }
+  omp_set_num_threads(1);
+  dem::Specimen       resumed = made();
+  MemoryState::Reader reader(half);
+  resumed.visit_state(reader);
+  resumed.advance(further);
+  CHECK(state_of(resumed) == end);
+}
