@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dem/contacts/contact_search.h"
+#include "dem/contacts/deepest_overlap.h"
 #include "dem/facets/glide_pushes.h"
 #include "dem/facets/surface_contacts.h"
 #include "dem/integrators/stable_step.h"
@@ -78,6 +79,7 @@ namespace dem
     ParticleShape                  shape;
     Particles                      particles;
     bool                           equal_radii;
+    double                         smallest_radius; ///< [m]
     LinkSet                        bonds, contacts;
     std::shared_ptr<const LinkLaw> bond_law, contact_law;
     double          start_margin; ///< gap that the interaction ratio leaves between unlinked particles [m]
@@ -214,6 +216,11 @@ namespace dem
     void delete_link(LinkSet &links, const LinkReader &link, std::size_t number);
     /** Make contacts of pairs that have begun to overlap (or, where they wait, may soon), where motion can have made one. */
     void make_contacts();
+    /** Look how deep particles are pressed into each other, as often as they might pass through. @throws base::NumericalError if they do */
+    void           watch_overlaps();
+    DeepestOverlap deepest() const { return deepest_overlap(particles, bonds, contacts); }
+    double         path_unlooked = 0; ///< not below the way of any particle since then [m]
+    double         deepest_seen  = 0; ///< until then
     /** Take out contacts that wait for particles far away by now. */
     void drop_distant_contacts();
     /** Not below the largest displacement of a particle in the step [m]. */
@@ -226,9 +233,8 @@ namespace dem
     double begin_surfaces();
     /** Move the surfaces, and take up what they have done in the halves of this step. */
     void advance_surfaces(const StepHalves &halves);
-    /** A particle that passes its radius in a step may pass a surface unseen. @throws base::NumericalError naming it */
-    void   refuse_too_fast(double largest_of_particles, double largest_of_surfaces) const;
-    double smallest_radius = 0; ///< [m], once there are surfaces
+    /** A particle that passes its radius in a step may pass others, or a surface, unseen. @throws base::NumericalError naming it */
+    void refuse_too_fast(double largest_of_particles, double largest_of_surfaces) const;
     /** NaN and infinity spread to velocities within a step. */
     void check_numbers() const;
   };

@@ -119,10 +119,10 @@ namespace dem
     , particles(make_particles_in_cell(packing, shape, p, materials.several()))
     , equal_radii(std::all_of(
         packing.radius.begin(), packing.radius.end(), [&](const double r) { return r == packing.radius[0]; }))
+    , smallest_radius(*std::min_element(packing.radius.begin(), packing.radius.end()))
     , bond_law(materials.bonds(p.physics))
     , contact_law(materials.contacts(p.physics))
-    , start_margin(2.0 * *std::min_element(packing.radius.begin(), packing.radius.end()) *
-                   std::max((1 - tie) * p.interaction_ratio - 1.0, 0.0))
+    , start_margin(2.0 * smallest_radius * std::max((1 - tie) * p.interaction_ratio - 1.0, 0.0))
     , search(particles, start_margin, contact_law->waits())
     , bond_pass(bond_law->pass(mixture(), p.physics.periodic))
     , contact_pass(contact_law->pass(mixture(), p.physics.periodic))
@@ -288,8 +288,13 @@ namespace dem
   Counts Specimen::counts() const
   {
     const std::size_t in_place = self->bonds.broken();
-    return {self->particles.count,      self->bonds.alive - in_place, self->touching_contacts() + in_place,
-            self->crack_log.size() / 2, self->search.searches(),      self->surfaces.list().size()};
+    return {self->particles.count,
+            self->bonds.alive - in_place,
+            self->touching_contacts() + in_place,
+            self->crack_log.size() / 2,
+            self->search.searches(),
+            self->surfaces.list().size(),
+            std::max(self->deepest_seen, self->deepest().depth)};
   }
 
   std::size_t Specimen::bytes() const { return self->particles.bytes() + self->bonds.bytes() + self->contacts.bytes(); }
@@ -414,7 +419,9 @@ namespace dem
                                                                   {"energy/damped_now", &s.damped_now},
                                                                   {"energy/damped_after", &s.damped_after},
                                                                   {"energy/released", &s.released},
-                                                                  {"energy/broken_damage", &s.broken_damage}})
+                                                                  {"energy/broken_damage", &s.broken_damage},
+                                                                  {"deepest_overlap", &s.deepest_seen},
+                                                                  {"path_unlooked", &s.path_unlooked}})
       visitor.scalar(name, *value);
     for (std::size_t g = 0; g < s.grips.size(); ++g)
       {

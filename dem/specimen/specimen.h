@@ -143,6 +143,8 @@ namespace dem
     std::size_t  particles = 0, links = 0 /* cohesive, alive */, contacts = 0, broken = 0;
     std::int64_t neighbour_searches = 0; ///< since the start: how often motion could have made a contact nobody watched
     std::size_t  wall_contacts      = 0; ///< of particles with surfaces, at t_n
+    double       deepest_overlap =
+      0; ///< that there has been of unbonded particles, over the smaller radius: see DeepestOverlap
   };
 
   /**

@@ -72,7 +72,10 @@ namespace dem
     time += time_step;
     last_step = time_step;
     if (parameters.physics.contacts)
-      make_contacts();
+      {
+        watch_overlaps();
+        make_contacts();
+      }
     if (step_count % steps_between_checks == 0)
       check_numbers();
   }
@@ -251,6 +254,26 @@ namespace dem
     const bool rotations = parameters.physics.rotations;
     return stable_step_of(particles, all_links(), rotations, particle,
                           surfaces.stiffness_seen(particles, shape, rotations, particle));
+  }
+
+  void Specimen::Implementation::watch_overlaps()
+  {
+    const double largest = largest_displacement();
+    refuse_too_fast(largest, 0);
+    path_unlooked += largest;
+    if (path_unlooked < 0.2 * smallest_radius) // two of them come 0.4 radii nearer meanwhile
+      return;
+    path_unlooked                = 0;
+    const DeepestOverlap overlap = deepest();
+    deepest_seen                 = std::max(deepest_seen, overlap.depth);
+    if (overlap.depth < DeepestOverlap::gone_through)
+      return;
+    std::ostringstream message;
+    message << "step " << step_count << ", time " << time << " s: particles " << particles.number[overlap.first] + 1
+            << " and " << particles.number[overlap.second] + 1 << " are pressed into each other by " << overlap.depth
+            << " radii of the smaller one and would pass through: their contact is too soft for what it has to stop. "
+               "Make it stiffer or what meets slower.";
+    throw base::NumericalError(message.str());
   }
 
   void Specimen::Implementation::make_contacts()

@@ -17,7 +17,8 @@ namespace dem
     {
       std::ostringstream message;
       message << "particle " << p.number[i] + 1 << " moves by " << distance << " m in a step, more than its radius ("
-              << p.radius_of(i) << " m): it could pass a wall unseen. Lower Time/Step factor or the speed.";
+              << p.radius_of(i)
+              << " m): it could pass a wall or another one unseen. Lower Time/Step factor or the speed.";
       return message.str();
     }
 
@@ -133,9 +134,6 @@ namespace dem
   {
     if (self->parameters.physics.periodic)
       throw base::InputError("wall " + surface.name + ": a periodic cell has no place for walls.");
-    self->smallest_radius = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < self->particles.count; ++i)
-      self->smallest_radius = std::min(self->smallest_radius, self->particles.radius_of(i));
     std::vector<bool> meets(surface.particles.empty() ? 0 : self->particles.count, false);
     for (const std::size_t number : surface.particles)
       {

@@ -66,8 +66,12 @@ TEST_CASE("check counts what a run writes: a million snapshots take longer than 
 TEST_CASE("check says the longest duration of a run that a stop condition may end, and the shortest where it waits",
           "[apps]")
 {
-  for (const std::string &said : forecasts_of({"snap_back.prm"}))
+  for (const std::string &said : forecasts_of(
+         {"notched_beam.prm"}, {"-s", "Control/Stop fraction=0.2", "-s", "Mesh/Notched beam/Fine size=0.002"}))
     CHECK_THAT(said, Contains("duration     at most "));
+  // A short one is tried to its end.
+  for (const std::string &said : forecasts_of({"snap_back.prm"}, {"-s", "Control/Stop fraction=0.9"}))
+    CHECK_THAT(said, Contains("duration     roughly "));
   for (const std::string &said : forecasts_of({"bonded_beam.prm"}))
     CHECK_THAT(said, Contains("duration     from ") && Contains(" s to "));
   for (const std::string &said : forecasts_of({"bonded_beam.prm"}, {"-s", "Stop/equilibrium/From time=0"}))

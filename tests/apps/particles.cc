@@ -101,6 +101,36 @@ TEST_CASE("A ball falls, bounces and returns as closed forms say, without any bo
   CHECK_FALSE(std::filesystem::exists(folder / "results/crack.png")); // nothing can crack
 }
 
+TEST_CASE("Balls too soft for their speed do not pass through each other unseen", "[apps][particles]")
+{
+  const ScratchFolder folder;
+  folder.file("x.prm", collision);
+  // An oscillator of half a ball's mass: with 1e4 Pa and 10 m/s it would be pressed in by six radii.
+  const Outcome through = outcome_of(
+    folder, "run", "x.prm",
+    {"Material/linear/Effective modulus=1e4", "Initial velocity/first/Velocity x=10", "Time/Step factor=0.001"});
+  CHECK(through.status == 1);
+  CHECK_THAT(through.err, Contains("particles 1 and 2 are pressed into each other by") &&
+                            Contains("too soft for what it has to stop"));
+  // And a step that is longer than a ball could do it in one go.
+  const Outcome at_once = outcome_of(
+    folder, "run", "x.prm", {"Initial velocity/first/Velocity x=1e5", "Time/Step factor=0.8", "Time/End time=0.1"});
+  CHECK(at_once.status == 1);
+  CHECK_THAT(at_once.err, Contains("more than its radius"));
+}
+
+TEST_CASE("A run whose balls were pressed deep into each other says so", "[apps][particles]")
+{
+  const ScratchFolder folder;
+  folder.file("x.prm", collision);
+  CHECK(results_of(folder, "x.prm").summary["warnings"].empty());
+  // Pressed in by v sqrt(m / 2 k) = 0.46 of the radius.
+  const Results deep = results_of(folder, "x.prm", {"Initial velocity/first/Velocity x=25", "Time/End time=0.001"});
+  REQUIRE(deep.summary["warnings"].size() == 1);
+  const auto said = deep.summary["warnings"][0].get<std::string>();
+  CHECK_THAT(said, Contains("pressed into each other by up to 0.4"));
+}
+
 TEST_CASE("Two balls that meet exchange momentum as their masses ask, and lose no energy", "[apps][particles]")
 {
   const ScratchFolder folder;

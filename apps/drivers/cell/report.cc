@@ -1,5 +1,6 @@
 #include "apps/drivers/cell/report.h"
 
+#include "apps/drivers/parts/deep_overlap.h"
 #include "apps/drivers/parts/energy_terms.h"
 #include "apps/drivers/parts/summary_head.h"
 #include "apps/process/progress.h"
@@ -62,12 +63,15 @@ namespace apps
                                {"least_stress", {{"value", vector_of(least)}, {"unit", "Pa"}}},
                                {"end", sample_of(test.curve().back())}};
     summary["localisation"] = localisation;
-    summary["energy"]       = json_of(specimen.energy(), worst_balance_error);
-    summary["cost"]         = {{"particles", specimen.counts().particles},
-                               {"links", specimen.counts().links},
-                               {"steps", specimen.steps()},
-                               {"threads", omp_get_max_threads()},
-                               {"wall_seconds", wall_seconds}};
+    summary["warnings"]     = nlohmann::json::array();
+    if (const std::string doubt = overlap_warning(specimen.counts().deepest_overlap); !doubt.empty())
+      summary["warnings"].push_back(doubt);
+    summary["energy"] = json_of(specimen.energy(), worst_balance_error);
+    summary["cost"]   = {{"particles", specimen.counts().particles},
+                         {"links", specimen.counts().links},
+                         {"steps", specimen.steps()},
+                         {"threads", omp_get_max_threads()},
+                         {"wall_seconds", wall_seconds}};
     materials.put_into(summary);
     return summary;
   }

@@ -6,6 +6,7 @@
 #include "apps/drivers/continuum/summary.h"
 #include "apps/drivers/parts/drawn_curve.h"
 #include "apps/process/mpi_session.h"
+#include "apps/process/stopwatch.h"
 #include "apps/results/life_cycle.h"
 #include "apps/results/warning.h"
 
@@ -95,6 +96,36 @@ namespace apps
   int ContinuumRun<dim>::execute()
   {
     return LifeCycle(request, model.output.checkpoint_interval, *this).execute();
+  }
+
+  template <int dim>
+  typename ContinuumRun<dim>::Rehearsal ContinuumRun<dim>::rehearse(const double states, const double enough)
+  {
+    Rehearsal       found;
+    const Stopwatch watch;
+    try
+      {
+        while (!finished() && found.states < states && (found.states < 2 || watch.seconds() < enough))
+          {
+            in_words_of_a_run([this] {
+              while (!analysis->advance())
+                continue;
+              row();
+              invalid = solid->end_of_validity();
+            });
+            found.first = found.states == 0 ? watch.seconds() : found.first;
+            ++found.states;
+          }
+      }
+    catch (const StoppedShort &stop)
+      {
+        if (found.states == 0)
+          throw;
+        failure = found.failure = stop.what();
+      }
+    found.seconds = watch.seconds();
+    found.ended   = finished();
+    return found;
   }
 
   template <int dim>

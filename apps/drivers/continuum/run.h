@@ -48,6 +48,22 @@ namespace apps
     /** @return exit status: 0, or 130 after an interrupt. Throws as Scene::run(). */
     int execute();
 
+    /** How a run goes, as far as it was tried. */
+    struct Rehearsal
+    {
+      double      first = 0, seconds = 0; ///< of the first state, of all [s]
+      double      states = 0;             ///< recorded: steps, or samples of an explicit motion
+      bool        ended  = false;         ///< for whatever reason
+      std::string failure;                ///< that ended it; "": none
+    };
+
+    /**
+     * Compute the first states and write nothing. The run can no longer be executed then.
+     * @param states as many at most @param enough seconds after which no more than two are computed [s]
+     * @throws StoppedShort if there is not even a first
+     */
+    Rehearsal rehearse(double states, double enough);
+
     const fem::Solid<dim>        &body() const { return *solid; }
     const ContinuumAnalysis<dim> &computation() const { return *analysis; }
 

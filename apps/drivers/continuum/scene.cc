@@ -19,10 +19,10 @@ namespace apps
     template <int dim>
     std::string forecast_of(const ContinuumModel &model)
     {
-      const Stopwatch         set_up;
-      const ContinuumRun<dim> run(RunRequest{}, model); // refuses what a run would refuse
-      const double            set_up_seconds = set_up.seconds();
-      std::string             text;
+      const Stopwatch   set_up;
+      ContinuumRun<dim> run(RunRequest{}, model); // refuses what a run would refuse
+      const double      set_up_seconds = set_up.seconds();
+      std::string       text;
       for (const std::string &warning : coarse_elements(run.body(), model))
         text += fmt::format("  warning      {}\n", warning);
       text += fmt::format("  elements     {}\n", run.body().mesh().triangulation->n_global_active_cells());
@@ -48,8 +48,12 @@ namespace apps
         }
       try
         {
-          const bool   may_stop = model.is_static() && model.control.stop_fraction > 0;
-          const double whole    = set_up_seconds + expected_seconds<dim>(model, states);
+          const ExpectedRun found    = expected(run, model, states);
+          const double      whole    = set_up_seconds + found.seconds;
+          const bool        may_stop = model.is_static() && model.control.stop_fraction > 0 && !found.whole;
+          if (!found.failure.empty())
+            text +=
+              fmt::format("  warning      after {:.0f} steps the next one fails: {}\n", found.states, found.failure);
           text += stoppable_duration_line(whole, may_stop ? 0 : whole);
         }
       catch (const std::runtime_error &failure)

@@ -15,8 +15,9 @@ namespace apps
 {
   MotionReport CoupledReport::common() const
   {
-    return {request, "coupled",     model.particles.stops.what_ended(series), body.time(), materials, start,
-            series,  not_in_balance};
+    return {request,     "coupled",      model.particles.stops.what_ended(series),
+            body.time(), materials,      start,
+            series,      not_in_balance, body.particles().specimen().counts().deepest_overlap};
   }
 
   nlohmann::json CoupledReport::figures() const

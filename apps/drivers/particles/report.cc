@@ -13,8 +13,8 @@ namespace apps
 {
   MotionReport ParticlesReport::common() const
   {
-    return {request, "particles",   model.stops.what_ended(series), specimen.time(), materials, start,
-            series,  not_in_balance};
+    return {request, "particles",    model.stops.what_ended(series),   specimen.time(), materials, start,
+            series,  not_in_balance, specimen.counts().deepest_overlap};
   }
 
   nlohmann::json ParticlesReport::figures() const

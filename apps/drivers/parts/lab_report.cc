@@ -1,5 +1,6 @@
 #include "apps/drivers/parts/lab_report.h"
 
+#include "apps/drivers/parts/deep_overlap.h"
 #include "apps/drivers/parts/summary_head.h"
 
 #include <fmt/format.h>
@@ -71,6 +72,7 @@ namespace apps
     visitor.scalar("crack_area_at_grips", crack.area_at_grips);
     visitor.scalar("section", section);
     visitor.scalar("gauge_length", gauge_length);
+    visitor.scalar("deepest_overlap", deepest_overlap);
   }
 
   nlohmann::json figures_of(const std::vector<LabNotes> &tests)
@@ -119,10 +121,14 @@ namespace apps
   {
     std::vector<std::string> warnings;
     for (const LabNotes &test : tests)
-      if (test.section > 0 && test.crack.touches_grip())
-        warnings.push_back(fmt::format("{}: a crack touches a grip ({:.0f} % of its area is on links of gripped "
-                                       "particles); the strength may be that of the grip",
-                                       test.name, 100 * test.crack.area_at_grips / test.crack.area));
+      {
+        if (test.section > 0 && test.crack.touches_grip())
+          warnings.push_back(fmt::format("{}: a crack touches a grip ({:.0f} % of its area is on links of gripped "
+                                         "particles); the strength may be that of the grip",
+                                         test.name, 100 * test.crack.area_at_grips / test.crack.area));
+        if (const std::string doubt = overlap_warning(test.deepest_overlap); !doubt.empty())
+          warnings.push_back(fmt::format("{}: {}", test.name, doubt));
+      }
     return warnings;
   }
 

@@ -22,6 +22,7 @@ namespace apps
     dem::UniaxialFigures figures;
     dem::Crack           crack;
     double               section = 0, gauge_length = 0; ///< [m^2], [m]; 0: a periodic cell, which has neither
+    double               deepest_overlap = 0;           ///< see dem::Counts
 
     void visit_state(base::StateVisitor &visitor);
   };
@@ -48,7 +49,7 @@ namespace apps
   nlohmann::json figures_of(const std::vector<LabNotes> &tests);
   /** Figures and crack of one test. */
   nlohmann::json json_of(const LabNotes &test);
-  /** What casts doubt on the figures: a crack at a grip. */
+  /** What casts doubt on the figures: a crack at a grip, particles pressed deep into each other. */
   std::vector<std::string> warnings_of(const std::vector<LabNotes> &tests);
   /** One line for the terminal: strength, modulus, crack. */
   std::string text_of(const LabNotes &test);

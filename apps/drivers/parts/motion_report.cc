@@ -1,5 +1,6 @@
 #include "apps/drivers/parts/motion_report.h"
 
+#include "apps/drivers/parts/deep_overlap.h"
 #include "apps/drivers/parts/drawn_curve.h"
 #include "apps/drivers/parts/left_out_of_balance.h"
 #include "apps/drivers/parts/series_figures.h"
@@ -31,6 +32,9 @@ namespace apps
     summary["figures"]     = figures;
     summary["energy"]      = std::move(energy);
     summary["cost"]        = std::move(cost);
+    summary["warnings"]    = nlohmann::json::array();
+    if (const std::string doubt = overlap_warning(deepest_overlap); !doubt.empty())
+      summary["warnings"].push_back(doubt);
     materials.put_into(summary);
     if (start)
       summary["initial_equilibrium"] = json_of(*start);
@@ -46,6 +50,8 @@ namespace apps
     if (start)
       text += fmt::format("start        {}\n", text_of(*start));
     text += fmt::format("energy       balance error {:.1e} of the largest energy\n", worst_residual(series));
+    if (const std::string doubt = overlap_warning(deepest_overlap); !doubt.empty())
+      text += fmt::format("warning      {}\n", doubt);
     return text + balance_note(not_in_balance);
   }
 } // namespace apps

@@ -22,8 +22,9 @@ namespace apps
     double                       end_time; ///< [s]
     const MaterialCounts        &materials;
     const StaticStart           &start;
-    const postprocess::CsvTable &series;         ///< complete
-    const std::string           &not_in_balance; ///< see left_out_of_balance()
+    const postprocess::CsvTable &series;          ///< complete
+    const std::string           &not_in_balance;  ///< see left_out_of_balance()
+    double                       deepest_overlap; ///< see dem::Counts
 
     /**
      * summary.json and curve.png.

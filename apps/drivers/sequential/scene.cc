@@ -152,10 +152,11 @@ namespace apps
     }
 
     /** One continuation, which begins in the virgin solid here. */
+    template <int dim>
     double seconds_of_continuation(const ContinuumModel &model)
     {
-      return model.solid.dimension == 2 ? expected_seconds<2>(model, states_of(model)) :
-                                          expected_seconds<3>(model, states_of(model));
+      ContinuumRun<dim> run(RunRequest{}, model);
+      return expected(run, model, states_of(model)).seconds;
     }
   } // namespace
 
@@ -179,7 +180,9 @@ namespace apps
       seconds += LawIdentification(model, ground.origin, ground.element_size).expected_seconds(ground.packing);
     try
       {
-        seconds += static_cast<double>(model.particles.cases()) * seconds_of_continuation(model.continuum);
+        seconds += static_cast<double>(model.particles.cases()) * (model.continuum.solid.dimension == 2 ?
+                                                                     seconds_of_continuation<2>(model.continuum) :
+                                                                     seconds_of_continuation<3>(model.continuum));
       }
     catch (const std::runtime_error &failure)
       {

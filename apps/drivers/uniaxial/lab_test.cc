@@ -75,10 +75,11 @@ namespace apps
     test.advance(sampling.steps());
     result.stepping_seconds += watch.seconds();
 
-    result.at_end        = specimen.counts();
-    result.steps         = specimen.steps();
-    result.energy        = specimen.energy();
-    result.notes.figures = test.figures();
+    result.at_end                = specimen.counts();
+    result.steps                 = specimen.steps();
+    result.energy                = specimen.energy();
+    result.notes.figures         = test.figures();
+    result.notes.deepest_overlap = result.at_end.deepest_overlap;
     result.link_updates +=
       static_cast<double>(result.steps - before) * static_cast<double>(result.at_end.links + result.at_end.contacts);
     result.worst_balance_error = std::max(result.worst_balance_error, result.energy.balance_error());

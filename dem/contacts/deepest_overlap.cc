@@ -1,0 +1,32 @@
+#include "dem/contacts/deepest_overlap.h"
+
+#include <algorithm>
+
+namespace dem
+{
+  namespace
+  {
+    void look(const Particles &particles, const LinkSet &links, const std::size_t l, DeepestOverlap &deepest)
+    {
+      const std::int32_t first = links.first[l], second = links.second[l];
+      const double       J = particles.radius_of(first), K = particles.radius_of(second);
+      const double       without_force = std::min(links.reference_length[l], J + K);
+      const double       depth         = (without_force - branch_of(particles, links, l).norm()) / std::min(J, K);
+      if (depth > deepest.depth)
+        deepest = {depth, first, second};
+    }
+  } // namespace
+
+  DeepestOverlap deepest_overlap(const Particles &particles, const LinkSet &bonds, const LinkSet &contacts)
+  {
+    DeepestOverlap deepest;
+    for (std::size_t l = 0; l < contacts.count; ++l)
+      if (contacts.is_alive(l))
+        look(particles, contacts, l, deepest);
+    if (bonds.logs_breaks)
+      for (std::size_t l = 0; l < bonds.count; ++l)
+        if (bonds.is_alive(l) && bonds.is_broken(l))
+          look(particles, bonds, l, deepest);
+    return deepest;
+  }
+} // namespace dem
