@@ -108,7 +108,7 @@ TEST_CASE("Balls too soft for their speed do not pass through each other unseen"
   // An oscillator of half a ball's mass: with 1e4 Pa and 10 m/s it would be pressed in by six radii.
   const Outcome through = outcome_of(
     folder, "run", "x.prm",
-    {"Material/linear/Effective modulus=1e4", "Initial velocity/first/Velocity x=10", "Time/Step factor=0.001"});
+    {"Material/linear/Effective modulus=1e4 Pa", "Initial velocity/first/Velocity x=10", "Time/Step factor=0.001"});
   CHECK(through.status == 1);
   CHECK_THAT(through.err, Contains("particles 1 and 2 are pressed into each other by") &&
                             Contains("too soft for what it has to stop"));
