@@ -1,0 +1,180 @@
+#include "tests/verification/row_and_elements.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+
+namespace row_and_elements
+{
+  using Eigen::Index;
+  using Eigen::MatrixXd;
+  using Eigen::VectorXd;
+
+  namespace
+  {
+    constexpr double pi = 3.14159265358979323846;
+
+    /** Points of a line with springs between neighbours. */
+    struct Line
+    {
+      VectorXd place, mass, spring, displacement, velocity;
+
+      explicit Line(const VectorXd &places)
+        : place(places)
+        , mass(VectorXd::Ones(places.size()))
+        , spring(VectorXd::Ones(places.size() - 1))
+        , displacement(VectorXd::Zero(places.size()))
+        , velocity(VectorXd::Zero(places.size()))
+      {
+      }
+
+      void kick(const double time)
+      {
+        const Index    n    = place.size();
+        const VectorXd pull = spring.cwiseProduct(displacement.tail(n - 1) - displacement.head(n - 1));
+        velocity.head(n - 1) += time * pull.cwiseQuotient(mass.head(n - 1));
+        velocity.tail(n - 1) -= time * pull.cwiseQuotient(mass.tail(n - 1));
+      }
+
+      /** Of the first so many points, with displacements and velocities less those of another line. */
+      double energy(const Index points, const Line *less = nullptr) const
+      {
+        VectorXd u = displacement.head(points), v = velocity.head(points);
+        if (less)
+          {
+            u -= less->displacement.head(points);
+            v -= less->velocity.head(points);
+          }
+        const VectorXd stretch = u.tail(points - 1) - u.head(points - 1);
+        return 0.5 * mass.head(points).dot(v.cwiseAbs2()) + 0.5 * spring.head(points - 1).dot(stretch.cwiseAbs2());
+      }
+    };
+
+    struct Packet
+    {
+      double number, frequency, speed, width, centre;
+
+      explicit Packet(const double wavelength)
+        : number(2 * pi / wavelength)
+        , frequency(2 * std::sin(number / 2))
+        , speed(std::cos(number / 2))
+        , width((wavelength > 48 ? 2 : 3) * wavelength)
+        , centre(-4.2 * width)
+      {
+      }
+
+      double at(const double place, const double time) const
+      {
+        const double off = (place - centre - speed * time) / width;
+        return std::exp(-off * off) * std::cos(number * (place - centre) - frequency * time);
+      }
+
+      void start(Line &line, const double step) const
+      {
+        for (Index i = 0; i < line.place.size(); ++i)
+          {
+            line.displacement[i] = at(line.place[i], 0);
+            line.velocity[i]     = (line.displacement[i] - at(line.place[i], -step)) / step; // half a step earlier
+          }
+      }
+    };
+
+    /** What ties the last particles to the first nodes: v - m^-1 B^T l, V + M^-1 (B N)^T l with l = A^-1 B (v - N V). */
+    struct Tie
+    {
+      MatrixXd shape, of_particles, of_nodes; ///< N; what velocities change by for each unlike velocity
+      Index    first = 0;
+
+      Tie(const Row &row, const Line &particles, const Line &nodes)
+      {
+        const Index tied = row.overlap * row.element + 1, corners = row.overlap + 1;
+        first = particles.place.size() - tied;
+        shape = MatrixXd::Zero(tied, corners);
+        for (Index k = 0; k < tied; ++k)
+          {
+            const Index  e  = std::min<Index>(k / row.element, row.overlap - 1);
+            const double in = static_cast<double>(k - e * row.element) / row.element;
+            shape(k, e)     = 1 - in;
+            shape(k, e + 1) = in;
+          }
+        const MatrixXd rows   = row.ties == Ties::coarse ? MatrixXd(shape.transpose()) : MatrixXd::Identity(tied, tied);
+        const MatrixXd light  = particles.mass.tail(tied).cwiseInverse().asDiagonal() * rows.transpose(),
+                       coarse = nodes.mass.head(corners).cwiseInverse().asDiagonal() * (rows * shape).transpose();
+        const MatrixXd system = rows * light + rows * shape * coarse;
+        const MatrixXd solved = row.ties == Ties::lumped ?
+                                  MatrixXd(system.rowwise().sum().cwiseInverse().asDiagonal() * rows) :
+                                  MatrixXd(system.ldlt().solve(rows));
+        of_particles          = light * solved;
+        of_nodes              = coarse * solved;
+      }
+
+      void apply(Line &particles, Line &nodes) const
+      {
+        const VectorXd unlike = particles.velocity.tail(shape.rows()) - shape * nodes.velocity.head(shape.cols());
+        particles.velocity.tail(shape.rows()) -= of_particles * unlike;
+        nodes.velocity.head(shape.cols()) += of_nodes * unlike;
+      }
+    };
+
+    /** The solid's weight at a place, 0 before the overlap and 1 behind it. */
+    double weight(const Row &row, const double place)
+    {
+      constexpr double least = 1e-3;
+      const double     part  = place / (row.overlap * row.element);
+      return place <= 0 ? 0 : part >= 1 ? 1 : std::clamp(part, least, 1 - least);
+    }
+
+    void share(const Row &row, Line &particles)
+    {
+      const Index n = particles.place.size();
+      for (Index i = 0; i + 1 < n; ++i)
+        particles.spring[i] = 1 - weight(row, particles.place[i] + 0.5);
+      for (Index i = 1; i < n; ++i)
+        particles.mass[i] = 0.5 * (particles.spring[i - 1] + (i + 1 < n ? particles.spring[i] : 0.0));
+    }
+
+    void share(const Row &row, Line &nodes, const double h)
+    {
+      nodes.mass.setZero();
+      for (Index e = 0; e + 1 < nodes.place.size(); ++e)
+        {
+          nodes.spring[e] = weight(row, nodes.place[e] + 0.5 * h) / h;
+          for (const double xi : {0.5 - 0.5 / std::sqrt(3.0), 0.5 + 0.5 / std::sqrt(3.0)})
+            {
+              const double mass = 0.5 * h * weight(row, nodes.place[e] + xi * h);
+              nodes.mass[e] += (1 - xi) * mass;
+              nodes.mass[e + 1] += xi * mass;
+            }
+        }
+    }
+  } // namespace
+
+  Answer transmit(const Row &row)
+  {
+    const Packet packet(row.wavelength);
+    const double time = (7.5 * packet.width - packet.centre) / packet.speed, h = row.element;
+    const auto   behind    = static_cast<Index>(8.4 * packet.width + 50),
+               beyond      = static_cast<Index>(time + 5 * packet.width);
+    const Index    in_both = row.overlap * row.element;
+    const VectorXd whole =
+      VectorXd::LinSpaced(behind + beyond + 1, -static_cast<double>(behind), static_cast<double>(beyond));
+    Line alone(whole), particles(whole.head(behind + in_both + 1)),
+      nodes(VectorXd::LinSpaced(beyond / row.element + 1, 0, h * static_cast<double>(beyond / row.element)));
+    packet.start(alone, row.step);
+    packet.start(particles, row.step);
+    share(row, particles);
+    share(row, nodes, h);
+    const double all = alone.energy(alone.place.size());
+    const Tie    tie(row, particles, nodes);
+    for (auto steps = std::llround(time / row.step); steps > 0; --steps)
+      {
+        for (Line *line : {&alone, &particles, &nodes})
+          line->kick(row.step);
+        tie.apply(particles, nodes);
+        for (Line *line : {&alone, &particles, &nodes})
+          line->displacement += row.step * line->velocity;
+      }
+    return {particles.energy(behind - 2, &alone) / all, nodes.energy(nodes.place.size()) / all};
+  }
+} // namespace row_and_elements
