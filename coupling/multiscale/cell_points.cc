@@ -141,7 +141,7 @@ namespace coupling
   void CellPoints::ask_cell(Point &point, const bool with_tangent) const
   {
     dem::RespondingCell &cell   = point.cell ? *point.cell : *point.fresh;
-    dem::TangentSystem  &system = point.prepared->system_of_thread(omp_get_thread_num());
+    dem::CellSystem     &system = point.prepared->system_of_thread(omp_get_thread_num());
     if (!point.band)
       {
         const dem::CellResponse response = cell.respond(point.law_strain, system, with_tangent);
@@ -245,8 +245,8 @@ namespace coupling
         end = text.str();
         return;
       }
-    dem::TangentSystem &system = point.prepared->system_of_thread(0);
-    const base::Voigt   strain = point.record.strain;
+    dem::CellSystem  &system = point.prepared->system_of_thread(0);
+    const base::Voigt strain = point.record.strain;
     point.band.emplace(normal, std::min(1.0, length / width), strain, point.stress,
                        point.cell->unloading_stiffness(system), point.cell->energy().stored / point.prepared->volume());
   }
@@ -306,7 +306,7 @@ namespace coupling
     using Role  = fem::PointQuantity::Role;
     using Shown = fem::PointQuantity::Shown;
     column({"promoted", "-", "1: the particles answer", Kind::number, Role::other, Shown::counted}, &record.promoted);
-    column({"promoted_in_state", "-", "number of the state", Kind::number, Role::other, Shown::fields}, &record.since);
+    column({promoted_in_state, "-", "number of the state", Kind::number, Role::other, Shown::fields}, &record.since);
     column({"damage_of_links", "-", "mean over the links of a cell", Kind::number, Role::damage, Shown::fields},
            &record.damage);
     column({"localised", "-", "1: the cell has lost ellipticity", Kind::number, Role::other, Shown::counted},

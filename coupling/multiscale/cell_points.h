@@ -103,6 +103,8 @@ namespace coupling
     }
 
     static constexpr const char *name = "cells";
+    /** Column of the record that says since when. */
+    static constexpr const char *promoted_in_state = "promoted_in_state";
 
     /** The columns of a record. */
     static void describe(Record &record, const fem::StateColumn &column);

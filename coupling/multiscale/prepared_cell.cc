@@ -48,8 +48,8 @@ namespace coupling
     return mass / volume();
   }
 
-  std::unique_ptr<dem::RespondingCell> PreparedCell::promoted_at(const base::Voigt  &strain,
-                                                                 dem::TangentSystem &system) const
+  std::unique_ptr<dem::RespondingCell> PreparedCell::promoted_at(const base::Voigt &strain,
+                                                                 dem::CellSystem   &system) const
   {
     auto cell = std::make_unique<dem::RespondingCell>(*virgin);
     if (!strain.isZero(0))
@@ -60,7 +60,7 @@ namespace coupling
     return cell;
   }
 
-  dem::TangentSystem &PreparedCell::system_of_thread(const int thread) const
+  dem::CellSystem &PreparedCell::system_of_thread(const int thread) const
   {
     return systems.at(static_cast<std::size_t>(thread));
   }

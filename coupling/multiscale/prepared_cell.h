@@ -47,10 +47,10 @@ namespace coupling
     const ElasticRange *elastic_range() const { return range ? &*range : nullptr; }
 
     /** A cell that has gone elastically to this strain, and holds the static solution there. */
-    std::unique_ptr<dem::RespondingCell> promoted_at(const base::Voigt &strain, dem::TangentSystem &system) const;
+    std::unique_ptr<dem::RespondingCell> promoted_at(const base::Voigt &strain, dem::CellSystem &system) const;
 
     /** The linear system that cells of this packing share in one thread. */
-    dem::TangentSystem &system_of_thread(int thread) const;
+    dem::CellSystem &system_of_thread(int thread) const;
 
     /** Volume over area of a plane that cuts through the cell: from face to opposite face of the edge nearest to the normal [m]. */
     double length_along(const Eigen::Vector3d &normal) const;
@@ -63,6 +63,6 @@ namespace coupling
     Eigen::Vector3d                             edges;
     std::vector<double>                         radius;
     std::vector<std::int32_t>                   material;
-    mutable std::deque<dem::TangentSystem>      systems; ///< of each thread
+    mutable std::deque<dem::CellSystem>         systems; ///< of each thread
   };
 } // namespace coupling

@@ -40,6 +40,19 @@ namespace dem
           throw base::InputError(message.str());
         }
     }
+    /**
+     * Of a linear solution in Newton's method: no more than the next iteration can make use of (Dembo, Eisenstat and Steihaug 1982).
+     * @param residual of the cell before it @param tolerance of the cell
+     */
+    double accuracy_of_step(const double residual, const double tolerance)
+    {
+      return std::max({1e-12, 0.1 * tolerance / residual, std::min(1e-3, residual)});
+    }
+
+    constexpr double accuracy_of_first_step = 1e-4; ///< from a state in equilibrium
+
+    /** Of the linear solutions for a tangent; what they leave comes in squared where links do not slide. */
+    double accuracy_of_tangent(const double tolerance) { return std::max(1e-11, std::min(1e-7, 100 * tolerance)); }
   } // namespace
 
   RespondingCell::RespondingCell(std::shared_ptr<const LoadedNetwork>   network,
@@ -96,11 +109,11 @@ namespace dem
   CellResponse RespondingCell::respond(const base::Vector6 &strain)
   {
     if (!own)
-      own = std::make_unique<TangentSystem>(*cell);
+      own = std::make_unique<CellSystem>(*cell);
     return respond(strain, *own);
   }
 
-  CellResponse RespondingCell::respond(const base::Vector6 &strain, TangentSystem &shared, const bool with_tangent)
+  CellResponse RespondingCell::respond(const base::Vector6 &strain, CellSystem &shared, const bool with_tangent)
   {
     check(*cell, strain);
     system = &shared;
@@ -115,23 +128,24 @@ namespace dem
     return answer;
   }
 
-  base::Matrix6 RespondingCell::tangent(TangentSystem &shared)
+  base::Matrix6 RespondingCell::tangent(CellSystem &shared)
   {
     if (trial.is_elastic)
       return elastic->stiffness;
     base::Matrix6       D;
     const LinkStiffness kind =
       trial.motion.loads == committed.motion.loads ? LinkStiffness::onward : LinkStiffness::consistent;
-    if (!shared.condense(trial.links.stiffness(kind), D))
+    if (!shared.condense(trial.links.stiffness(kind), accuracy_of_tangent(parameters.tolerance), D))
       throw base::NumericalError("cell: its stiffness has no finite tangent; something holds it no more.");
     ++answer.iterations;
     return D / cell->volume;
   }
 
-  base::Matrix6 RespondingCell::unloading_stiffness(TangentSystem &shared) const
+  base::Matrix6 RespondingCell::unloading_stiffness(CellSystem &shared) const
   {
     base::Matrix6 D;
-    if (!shared.condense(committed.links.stiffness(LinkStiffness::secant), D))
+    if (!shared.condense(committed.links.stiffness(LinkStiffness::secant), accuracy_of_tangent(parameters.tolerance),
+                         D))
       throw base::NumericalError("cell: its secant stiffness cannot be condensed; something holds it no more.");
     return D / cell->volume;
   }
@@ -198,8 +212,8 @@ namespace dem
     const LoadedMotion before = trial.motion;
     LoadedMotion       correction;
     ++answer.iterations;
-    bool done =
-      system->solve_led(trial.links.stiffness(stiffness), trial.unbalanced, strain - before.loads, correction);
+    bool done = system->solve(trial.links.stiffness(stiffness), trial.unbalanced, strain - before.loads,
+                              accuracy_of_first_step, correction);
     if (done)
       {
         trial.motion.particles += correction.particles;
@@ -217,7 +231,7 @@ namespace dem
   bool RespondingCell::iterate(const LinkStiffness stiffness)
   {
     const int     most             = parameters.max_iterations * (stiffness == LinkStiffness::secant ? 3 : 1);
-    constexpr int without_progress = 6;
+    constexpr int without_progress = 4;
     double        best             = std::numeric_limits<double>::infinity();
     int           best_at          = 0;
     for (int i = 0; i <= most; ++i)
@@ -234,7 +248,8 @@ namespace dem
           return false;
         LoadedMotion correction;
         ++answer.iterations;
-        if (!system->solve_led(trial.links.stiffness(stiffness), trial.unbalanced, base::Vector6::Zero(), correction))
+        if (!system->solve(trial.links.stiffness(stiffness), trial.unbalanced, base::Vector6::Zero(),
+                           accuracy_of_step(residual, parameters.tolerance), correction))
           return false;
         trial.motion.particles += correction.particles;
         evaluate(trial.motion);

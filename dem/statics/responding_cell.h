@@ -1,8 +1,8 @@
 #pragma once
 
+#include "dem/statics/cell_system.h"
 #include "dem/statics/damaging_links.h"
 #include "dem/statics/link_relaxation.h"
-#include "dem/statics/tangent_system.h"
 
 #include <cstdint>
 #include <memory>
@@ -81,12 +81,12 @@ namespace dem
      */
     CellResponse respond(const base::Vector6 &strain);
     /** The same with a linear system that cells of one network may share, one thread after the other. */
-    CellResponse respond(const base::Vector6 &strain, TangentSystem &shared, bool with_tangent = true);
+    CellResponse respond(const base::Vector6 &strain, CellSystem &shared, bool with_tangent = true);
     /** CellResponse::tangent of the last answer. @throws base::NumericalError if there is none */
-    base::Matrix6 tangent(TangentSystem &shared);
+    base::Matrix6 tangent(CellSystem &shared);
     void          commit();
     /** Of the committed state, if no link damaged or slid further: every link answers with its secant [Pa]. */
-    base::Matrix6 unloading_stiffness(TangentSystem &shared) const;
+    base::Matrix6 unloading_stiffness(CellSystem &shared) const;
 
     /** Of the committed state. */
     const base::Vector6 &strain() const { return committed.motion.loads; }
@@ -123,8 +123,8 @@ namespace dem
     CellResponseParameters                 parameters;
     State                                  committed, trial;
     std::shared_ptr<const ElasticResponse> elastic;          ///< nullptr: always solved for
-    std::unique_ptr<TangentSystem>         own;              ///< each copy has its own, made when first needed
-    TangentSystem                         *system = nullptr; ///< in use
+    std::unique_ptr<CellSystem>            own;              ///< each copy has its own, made when first needed
+    CellSystem                            *system = nullptr; ///< in use
     CellResponse                           answer;           ///< under way
   };
 } // namespace dem

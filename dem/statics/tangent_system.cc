@@ -1,5 +1,6 @@
 #include "dem/statics/tangent_system.h"
 
+#include "dem/statics/slip_matrices.h"
 #include "dem/statics/surrounded_system.h"
 
 #include <Eigen/Geometry>
@@ -20,28 +21,8 @@ namespace dem
   namespace
   {
     using Sparse = Eigen::SparseMatrix<double>;
-    /** Slip and relative rotation of a link's ends per motion of its first (then second) end, rotations as lengths. */
-    using SlipOf = Eigen::Matrix<double, 6, motions>;
 
     constexpr double added_to_diagonal = 1e-9;
-
-    Eigen::Matrix3d cross_matrix(const Eigen::Vector3d &v)
-    {
-      Eigen::Matrix3d m;
-      m << 0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0;
-      return m;
-    }
-
-    /** First and second end. */
-    std::pair<SlipOf, SlipOf> slip_matrices(const ElasticLink &l, const double scale)
-    {
-      const Eigen::Matrix3d turn = cross_matrix(l.direction) / scale;
-      const Eigen::Matrix3d unit = Eigen::Matrix3d::Identity(), none = Eigen::Matrix3d::Zero();
-      SlipOf                J, K;
-      J << -unit, l.arm_first * turn, none, -unit / scale;
-      K << unit, l.arm_second * turn, none, unit / scale;
-      return {J, K};
-    }
   } // namespace
 
   struct TangentSystem::Implementation

@@ -1,0 +1,67 @@
+#include "dem/statics/block_matrix.h"
+
+#include <algorithm>
+
+namespace dem
+{
+  BlockMatrix::BlockMatrix(const int rows, const std::vector<std::pair<int, int>> &joined)
+    : begin_{0}
+  {
+    std::vector<std::vector<int>> neighbours(static_cast<std::size_t>(rows));
+    for (int row = 0; row < rows; ++row)
+      neighbours[static_cast<std::size_t>(row)].push_back(row);
+    for (const auto &[a, b] : joined)
+      {
+        neighbours.at(static_cast<std::size_t>(a)).push_back(b);
+        neighbours.at(static_cast<std::size_t>(b)).push_back(a);
+      }
+    for (std::vector<int> &of_row : neighbours)
+      {
+        std::sort(of_row.begin(), of_row.end());
+        of_row.erase(std::unique(of_row.begin(), of_row.end()), of_row.end());
+        const auto row = static_cast<int>(diagonal_.size());
+        const auto own = std::lower_bound(of_row.begin(), of_row.end(), row) - of_row.begin();
+        diagonal_.push_back(begin_.back() + static_cast<int>(own));
+        columns.insert(columns.end(), of_row.begin(), of_row.end());
+        begin_.push_back(static_cast<int>(columns.size()));
+      }
+    blocks.assign(columns.size(), Block::Zero());
+  }
+
+  int BlockMatrix::place(const int row, const int column) const
+  {
+    const auto first = columns.begin() + begin(row), last = columns.begin() + begin(row + 1);
+    return static_cast<int>(std::lower_bound(first, last, column) - columns.begin());
+  }
+
+  void BlockMatrix::set_zero()
+  {
+    for (Block &b : blocks)
+      b.setZero();
+  }
+
+  void BlockMatrix::hold(const int row, const HeldMotions held, const double unit)
+  {
+    for (int k = begin(row); held != 0 && k < begin(row + 1); ++k)
+      for (int c = 0; c < motions; ++c)
+        if (held >> c & 1)
+          {
+            block(k).row(c).setZero();
+            block(place(column(k), row)).col(c).setZero();
+          }
+    for (int c = 0; c < motions; ++c)
+      if (held >> c & 1)
+        block(diagonal(row))(c, c) = unit;
+  }
+
+  void BlockMatrix::multiply(const Eigen::VectorXd &x, Eigen::VectorXd &y) const
+  {
+    for (int row = 0; row < rows(); ++row)
+      {
+        Eigen::Matrix<double, motions, 1> sum = Eigen::Matrix<double, motions, 1>::Zero();
+        for (int k = begin(row); k < begin(row + 1); ++k)
+          sum.noalias() += block(k) * x.segment<motions>(motions * column(k));
+        y.segment<motions>(motions * row) = sum;
+      }
+  }
+} // namespace dem
