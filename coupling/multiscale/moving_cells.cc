@@ -77,16 +77,19 @@ namespace coupling
   {
     dem::Specimen     &specimen = *point.specimen;
     const std::int64_t least    = static_cast<std::int64_t>(std::ceil(length / specimen.longest_step() * (1 - 1e-9)));
-    const std::int64_t steps    = parameters.steps > 0 ? parameters.steps : std::max<std::int64_t>(1, least);
+    const std::int64_t steps    = parameters.steps > 0 ? parameters.steps : std::max<std::int64_t>(2, least);
     if (steps < least)
       throw fem::MaterialFailure("the cell's stable step is " + std::to_string(specimen.longest_step()) +
                                  " s: it wants " + std::to_string(least) + " steps in one of the solid.");
     const double step = length / static_cast<double>(steps);
     specimen.set_time_step(step);
     const Matrix3d from = deformation(point.strain), to = deformation(strain);
+    // Forces are found at the beginning of a step: in the last one the cell stays, and they are those of the new deformation.
+    const std::int64_t last = std::max<std::int64_t>(1, steps - 1);
     for (std::int64_t k = 1; k <= steps; ++k)
       {
-        const Matrix3d next = from + static_cast<double>(k) / static_cast<double>(steps) * (to - from);
+        const double   part = std::min(1.0, static_cast<double>(k) / static_cast<double>(last));
+        const Matrix3d next = from + part * (to - from);
         specimen.set_velocity_gradient((next * specimen.cell().deformation.inverse() - Matrix3d::Identity()) / step);
         specimen.advance(1);
       }

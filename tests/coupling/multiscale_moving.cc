@@ -1,6 +1,7 @@
 // Cells whose particles move while an explicit solid takes its steps.
 #include "base/flat_state.h"
 #include "coupling/multiscale/moving_cells.h"
+#include "dem/homogenisation/macroscopic_stiffness.h"
 #include "tests/coupling/multiscale_fixture.h"
 
 #include <catch2/catch.hpp>
@@ -57,6 +58,19 @@ TEST_CASE("moving cells: led slowly they come to the stress of the static soluti
   CHECK(of->inertia_part(0).norm() < 1e-6 * expected.norm());
   const double stored = of->stored_energy(0, strain, expected);
   CHECK(stored == Approx(0.5 * strain.dot(expected)).epsilon(2e-3));
+}
+
+TEST_CASE("moving cells: the stress is that of the strain that they are led to, not of the one before",
+          "[coupling][multiscale]")
+{
+  auto of = moving(1);
+  of->begin_motion(1e-9); // the particles have no time to move about
+  const base::Voigt strain = mixed(1e-6);
+  of->gather({strain}, false);
+  const base::Voigt expected =
+    dem::affine_stiffness(dem::make_network(homogenisation_fixture::random_spheres(48, 3), parameters().links)) *
+    strain;
+  CHECK((stress_at(*of, strain) - expected).norm() < 1e-4 * expected.norm());
 }
 
 TEST_CASE("moving cells: strains of a solid that turns far lead them as the stretch alone", "[coupling][multiscale]")
