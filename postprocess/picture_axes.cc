@@ -43,9 +43,10 @@ namespace postprocess
 
   std::string length_text(const double metres)
   {
-    const LengthUnit unit = metres >= 1    ? LengthUnit{1, "m"} :
-                            metres >= 1e-3 ? LengthUnit{1e3, "mm"} :
-                                             LengthUnit{1e6, "µm"};
+    const double     size = std::fabs(metres);
+    const LengthUnit unit = size >= 1    ? LengthUnit{1, "m"} :
+                            size >= 1e-3 ? LengthUnit{1e3, "mm"} :
+                                           LengthUnit{1e6, "µm"};
     return numeric_text::rounded(unit.per_metre * metres) + " " + unit.name;
   }
 

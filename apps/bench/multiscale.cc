@@ -9,6 +9,7 @@
 #include "apps/process/mpi_session.h"
 #include "apps/process/stopwatch.h"
 #include "coupling/multiscale/cell_points.h"
+#include "coupling/multiscale/moving_cells.h"
 #include "dem/laws/cpm.h"
 #include "dem/packing/compaction.h"
 
@@ -130,6 +131,14 @@ namespace apps
       double      sixteen[2] = {0, 0};       ///< of so many damaging cells, by one thread and by two [s]
     };
 
+    /** A cell in motion that is led to a damaging strain in so many steps, against the static answer there. */
+    struct MovingRow
+    {
+      std::int64_t steps   = 0;
+      double       error   = 0; ///< of the stress, over it
+      double       seconds = 0, of_static = 0;
+    };
+
     double seconds_of(const std::function<void()> &work, const int times)
     {
       work();
@@ -139,11 +148,16 @@ namespace apps
       return watch.seconds() / times;
     }
 
-    AloneRow alone(const std::size_t particles)
+    dem::Packing packing_of(const std::size_t particles)
     {
       dem::CompactionParameters packing;
       packing.radius = 1e-3;
       packing.count  = particles;
+      return dem::compact(packing).packing;
+    }
+
+    dem::CpmParameters concrete_links()
+    {
       dem::CpmParameters law;
       law.normal_modulus       = 25e9;
       law.shear_ratio          = 0.2;
@@ -151,16 +165,76 @@ namespace apps
       law.relative_ductility   = 30;
       law.cohesion             = 3e6;
       law.friction_coefficient = 0.8;
+      return law;
+    }
+
+    base::Voigt pulled(const double size) { return (base::Voigt() << 1, -0.2, -0.2, 0, 0, 0).finished() * size; }
+
+    std::vector<MovingRow> in_motion(const std::size_t particles)
+    {
+      coupling::CellParameters cell;
+      cell.links.interaction_ratio = 1.5;
+      const dem::Packing packed    = packing_of(particles);
+      const auto         prepared  = std::make_shared<coupling::PreparedCell>(packed, concrete_links(), cell);
+      double             size      = 1e-7;
+      while (!prepared->is_left_by(pulled(size)))
+        size *= 1.02;
+      const base::Voigt    end = pulled(1.5 * size);
+      coupling::CellPoints still({{prepared}, coupling::Localised::go_on}, fem::Plane::strain);
+      fem::PointAnswer     reference;
+      still.allocate(1);
+      const Stopwatch clock;
+      for (const double part : {0.6, 0.8, 1.0})
+        {
+          still.evaluate(0, part * end, {}, true, reference);
+          still.commit();
+        }
+      const double           of_static = clock.seconds();
+      std::vector<MovingRow> rows;
+      for (const std::int64_t steps : {300, 1000, 3000, 10000})
+        {
+          coupling::MovingCellsParameters p{{packed}, concrete_links(), {}, steps, prepared->stiffness()};
+          p.specimen.density           = 2400;
+          p.specimen.damping           = 0.2;
+          p.specimen.interaction_ratio = 1.5;
+          coupling::MovingCells of(p, fem::Plane::strain);
+          of.allocate(1);
+          of.place(std::vector<fem::GatheredPoints::Site>(1), {});
+          const Stopwatch watch;
+          of.begin_motion(static_cast<double>(steps) * 0.5 * 1e-3 * std::sqrt(2400 / 25e9));
+          of.gather({end}, false);
+          const double     seconds = watch.seconds();
+          fem::PointAnswer answer;
+          of.evaluate(0, end, {}, false, answer);
+          rows.push_back(
+            {steps, (answer.stress - reference.stress).norm() / reference.stress.norm(), seconds, of_static});
+        }
+      return rows;
+    }
+
+    std::string table_of(const std::vector<MovingRow> &rows)
+    {
+      std::string md = "| A cell in motion, steps of its particles | Error of the stress | Cost [ms] | Static, three "
+                       "increments [ms] |\n|---|---|---|---|\n";
+      for (const MovingRow &r : rows)
+        md += fmt::format("| {} | {:.2f} % | {:.0f} | {:.0f} |\n", r.steps, 100 * r.error, 1e3 * r.seconds,
+                          1e3 * r.of_static);
+      return md + "\n";
+    }
+
+    AloneRow alone(const std::size_t particles)
+    {
+      const dem::CpmParameters law = concrete_links();
       coupling::CellParameters cell;
       cell.links.interaction_ratio = 1.5;
       cell.from_start              = true;
-      const dem::Packing packed    = dem::compact(packing).packing;
+      const dem::Packing packed    = packing_of(particles);
       const auto         promoted  = std::make_shared<coupling::PreparedCell>(packed, law, cell);
       cell.from_start              = false;
       const auto elastic           = std::make_shared<coupling::PreparedCell>(packed, law, cell);
 
       AloneRow          row{elastic->particles(), elastic->links()};
-      const base::Voigt unit = (base::Voigt() << 1, -0.2, -0.2, 0, 0, 0).finished();
+      const base::Voigt unit = pulled(1);
       double            sum = 0, size = 1e-7;
       row.bound  = seconds_of([&] { sum += elastic->elastic_range()->surely_below(size * unit) ? 1 : 0; }, 1000);
       row.looked = seconds_of([&] { sum += elastic->elastic_range()->nearest(size * unit).exertion; }, 20);
@@ -201,10 +275,11 @@ namespace apps
       return md + "\n";
     }
 
-    void write(const BenchResults &results, const std::vector<AloneRow> &cells, const std::vector<CellRow> &rows)
+    /** @param cells tables of cells alone */
+    void write(const BenchResults &results, const std::string &cells, const std::vector<CellRow> &rows)
     {
       std::string csv = "study,value,promoted,points,peak [N],error_of_curve [-],cost [s]\n";
-      std::string md  = table_of(cells);
+      std::string md  = cells;
       md += "| Study | | Promoted | of | Peak [N] | Error of the curve | Cost [s] | Cheaper "
             "|\n|---|---|---|---|---|---|---|---|\n";
       for (const CellRow &r : rows)
@@ -239,11 +314,15 @@ namespace apps
         fmt::print("{}", table_of({cells.back()}));
         std::fflush(stdout);
       }
+    const std::vector<MovingRow> moving = in_motion(bench.quick ? 64 : 250);
+    const std::string            tables = table_of(cells) + table_of(moving);
+    fmt::print("{}", table_of(moving));
+    std::fflush(stdout);
     omp_set_num_threads(bench.threads);
     for (const SceneVariant &variant : cell_variants(bench.quick))
       {
         rows.push_back(follow(variant, bench));
-        write(results, cells, rows);
+        write(results, tables, rows);
         const CellRow &row = rows.back();
         fmt::print(
           "{:<17} {:<15} {:.0f} of {:.0f} promoted, error of the curve {:.3f} %, {:.1f} s ({:.1f} times cheaper)\n",

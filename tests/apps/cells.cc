@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -89,6 +90,7 @@ TEST_CASE("A scene with cells says what they are, how many are particles and whe
   CHECK(promoted.back() > 0);
   CHECK(promoted.back() < 48);
   CHECK(run.balance_error() < 0.01);
+  CHECK(std::filesystem::file_size(folder.path() / "results" / "promoted.png") > 1000);
   bool shown = false;
   for (const auto &entry : std::filesystem::recursive_directory_iterator(folder.path()))
     if (entry.path().extension() == ".vtu")
@@ -113,9 +115,33 @@ TEST_CASE("A run with cells ends where the first one localises, and names it", "
   CHECK(run.series.column("points_localised").back() >= 1);
 }
 
+TEST_CASE("Two ranks promote the cells that one does, and follow the same curve", "[apps][cells][slow]")
+{
+  if (places::mpirun().empty())
+    return;
+  const ScratchFolder folder;
+  const Results       one     = results_of(folder, scene("cells_at_hole.prm"), small_plate());
+  std::string         command = "cd " + folder.path().string() +
+                        " && export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMP_NUM_THREADS=1 && " +
+                        places::mpirun() + " --oversubscribe -np 2 " + places::program() + " run " +
+                        scene("cells_at_hole.prm") + " -o two";
+  for (const std::string &change : small_plate())
+    command += " -s '" + change + "'";
+  REQUIRE(std::system((command + " > said 2>&1").c_str()) == 0);
+  const postprocess::CsvTable two = postprocess::read_csv_table(folder.path() / "two" / "series.csv");
+  REQUIRE(two.rows() == one.series.rows());
+  CHECK(two.column("points_promoted") == one.series.column("points_promoted"));
+  const auto &force = one.series.column("reaction_right_x");
+  for (std::size_t row = 0; row < two.rows(); ++row)
+    CHECK(two.column("reaction_right_x")[row] == Approx(force[row]).epsilon(1e-7)); // sums in another order
+}
+
 TEST_CASE("Scenes with cells that cannot be are refused", "[apps][cells]")
 {
   const ScratchFolder folder;
   is_refused(folder, scene("cells_at_hole.prm"), {"Model/Plane=stress"}, "not built for plane stress");
   is_refused(folder, scene("cells_at_hole.prm"), {cells + "Promotion=0"}, "Promotion");
+  // Particles in motion behind a solid without time.
+  is_refused(folder, scene("cells_at_hole.prm"), {cells + "Answer=motion", cells + "Particle density=2400"},
+             "Set Model/Analysis = explicit, or Answer = equilibrium");
 }

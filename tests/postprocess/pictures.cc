@@ -250,6 +250,7 @@ TEST_CASE("lengths are drawn in the unit of their size, with ticks that have roo
   CHECK(std::string(length_unit(1e-3).name) == "µm");
   CHECK(length_text(23.4e-6) == "23.4 µm");
   CHECK(length_text(1.5e-3) == "1.5 mm");
+  CHECK(length_text(-11.7e-3) == "-11.7 mm");
   CHECK(tick_step(10, 5) == Approx(2));
   CHECK(tick_step(4.1, 3) == Approx(2));
   CHECK(tick_step(0.9, 8) == Approx(0.2));

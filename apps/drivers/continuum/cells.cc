@@ -26,7 +26,11 @@ namespace apps
   void CellsConstants::declare(Section &block)
   {
     const auto  in_motion = [this] { return moves; };
+    const auto  at_rest   = [this] { return !moves; };
     const char *when      = "Answer = motion";
+    const char *otherwise = "Answer = equilibrium";
+    for (const char *number : {"Promotion", "Tolerance", "Growth step"})
+      block.find_entry(number)->only_if(at_rest, otherwise);
     block.choice("Answer", moves, {{"equilibrium", false}, {"motion", true}}, Need::optional)
       .means(
         "equilibrium: of the particles at each strain; motion: they have inertia, and take steps while an explicit "
@@ -38,13 +42,17 @@ namespace apps
       .means("Local (Cundall) damping of their motion about the cell's")
       .only_if(in_motion, when);
     block.integer("Particle steps", steps, "", Range::between(0, 1e6), Need::optional)
-      .means("In one of the solid; 0: as many as their stable step asks for")
+      .means("In one of the solid; 0: as many as their stable step asks for, and two at least: in the last one the "
+             "cell stays as it "
+             "is, so that its stress is that of the new strain. 1: the stress is one step old, as published")
       .only_if(in_motion, when);
     block.flag("From the start", from_start)
       .means("The particles of all cells answer from the first step on; for comparison, and for laws that are not "
-             "linear to begin with");
+             "linear to begin with")
+      .only_if(at_rest, otherwise);
     block.flag("Elastic by solving", only_solved)
-      .means("Promoted cells solve for equilibrium also where no link has damaged or slid; for comparison of costs");
+      .means("Promoted cells solve for equilibrium also where no link has damaged or slid; for comparison of costs")
+      .only_if(at_rest, otherwise);
     block.integer("Packings", packings, "", Range::between(1, 1e6), Need::optional)
       .means(
         "Different packings of the generator, with seeds from its own on; the points of the mesh take them in turn");
@@ -57,13 +65,21 @@ namespace apps
               Need::optional)
       .means("What becomes of a cell whose tangent has lost ellipticity. stop: the run ends with that state; crack "
              "band: it goes on as a layer of its element, the rest of which unloads; refuse: the solver looks for "
-             "another state with shorter steps; go on: what follows hangs on the size of the elements");
+             "another state with shorter steps; go on: what follows hangs on the size of the elements")
+      .only_if(at_rest, otherwise);
     block.flag("Rotations", rotations).means("Particles spin; off: they only translate");
     SpecimenSection::Use use;
     use.inertia = use.box = false;
     use.cell              = true;
     source.declare(block, dimension, use);
     material.declare(block, false);
+  }
+
+  void CellsConstants::refuse_motion(const Section &block) const
+  {
+    if (moves)
+      block.refuse("Answer", "particles that move want time, and a static analysis has none. Set Model/Analysis = "
+                             "explicit, or Answer = equilibrium.");
   }
 
   void CellsConstants::validate(const Section &block) const

@@ -24,6 +24,8 @@ namespace apps
     void validate(const Section &block) const;
     /** Particles and links of a cell, for `check`. Makes the packings. */
     std::string forecast() const;
+    /** @throws base::InputError for particles that move behind a solid in equilibrium step by step */
+    void refuse_motion(const Section &block) const;
 
     std::unique_ptr<fem::MaterialPoints> make_points(fem::Plane plane) const override;
 

@@ -1,5 +1,6 @@
 #include "apps/drivers/continuum/model.h"
 
+#include "apps/drivers/continuum/cells.h"
 #include "apps/scene/nearest_name.h"
 
 #include <algorithm>
@@ -7,6 +8,17 @@
 
 namespace apps
 {
+  namespace
+  {
+    void refuse_moving_cells(const Section &root, const MaterialsSection &materials)
+    {
+      for (const auto &group : materials.groups)
+        if (const CellsConstants *cells = group->cells())
+          cells->refuse_motion(
+            *root.find_section("Materials")->find_section(group->group)->find_section(group->law->name()));
+    }
+  } // namespace
+
   void SolidSection::declare(Section &root)
   {
     Section   &s     = root.section("Model", "What kind of solid is computed, and how");
@@ -162,7 +174,8 @@ namespace apps
     motion.ends_itself = false;
     solid.declare(root);
     mesh.declare(root, solid.dimension);
-    materials.declare(root, [] { return true; }, true);
+    materials.declare(
+      root, [] { return true; }, true);
     loads.declare(root);
     motion.declare(root, [] { return true; });
     contacts.declare(root, [] { return true; });
@@ -172,7 +185,8 @@ namespace apps
   {
     solid.declare(root);
     mesh.declare(root, solid.dimension);
-    materials.declare(root, [] { return false; }, true);
+    materials.declare(
+      root, [] { return false; }, true);
     loads.declare(root);
   }
 
@@ -194,6 +208,8 @@ namespace apps
       root.find_section("Motion")->refuse("Rigid bodies", "they turn: Model/Large displacement = true goes with them.");
     mesh.validate(root, solid.dimension);
     materials.validate(root, solid.large_displacement);
+    if (is_static())
+      refuse_moving_cells(root, materials);
     loads.validate(root, solid.dimension);
     contacts.validate(root);
   }
@@ -207,6 +223,7 @@ namespace apps
       s.refuse("Large displacement", "the solid around particles in equilibrium is linear. Switch it off.");
     mesh.validate(root, solid.dimension);
     materials.validate(root, solid.large_displacement);
+    refuse_moving_cells(root, materials);
     loads.validate(root, solid.dimension);
   }
 } // namespace apps

@@ -1,6 +1,7 @@
 #include "apps/drivers/continuum/picture.h"
 
 #include "apps/process/mpi_session.h"
+#include "coupling/multiscale/cell_points.h"
 #include "postprocess/field_picture.h"
 #include "postprocess/picture_axes.h"
 
@@ -229,6 +230,85 @@ namespace apps
       return facets;
     }
 
+    /** A point of a solid that particles answer for. */
+    template <int dim>
+    struct PromotedPoint
+    {
+      typename dealii::DoFHandler<dim>::active_cell_iterator cell;
+      dealii::Point<dim>                                     place; ///< [m]
+      double                                                 since; ///< number of the state
+    };
+
+    template <int dim>
+    std::vector<PromotedPoint<dim>> promoted_points(fem::Solid<dim> &solid, const fem::Vector &displacement)
+    {
+      std::vector<PromotedPoint<dim>> promoted;
+      solid.visit_points(displacement, [&](const fem::PointView<dim> &point) {
+        point.material->visit(point.index, [&](const fem::PointQuantity &of, const double *value) {
+          if (of.name == coupling::CellPoints::promoted_in_state && *value > 0)
+            promoted.push_back({point.cell, point.place, *value});
+        });
+      });
+      return promoted;
+    }
+
+    /** Small squares at the points of elements that the plane meets. */
+    template <int dim>
+    std::vector<double>
+    squares_of(const std::vector<PromotedPoint<dim>> &points, const PicturePlane &plane, const unsigned int per_element)
+    {
+      std::vector<double> facets;
+      for (const PromotedPoint<dim> &point : points)
+        {
+          bool below = dim == 2, above = dim == 2;
+          for (const unsigned int v : point.cell->vertex_indices())
+            if (dim == 3)
+              (point.cell->vertex(v)[plane.across] < plane.position ? below : above) = true;
+          if (!below || !above)
+            continue;
+          const double x = point.place[plane.right], y = point.place[plane.up],
+                       half = 0.35 * std::pow(point.cell->measure() / per_element, 1.0 / dim);
+          append_polygon(facets,
+                         {{x - half, y - half, 0, 0},
+                          {x + half, y - half, 0, 0},
+                          {x + half, y + half, 0, 0},
+                          {x - half, y + half, 0, 0}},
+                         point.since);
+        }
+      return facets;
+    }
+
+    /** Of all ranks, on each. */
+    std::vector<double> of_all_ranks(const std::vector<double> &mine, const MPI_Comm communicator)
+    {
+      std::vector<double> all;
+      for (const auto &part : dealii::Utilities::MPI::all_gather(communicator, mine))
+        all.insert(all.end(), part.begin(), part.end());
+      return all;
+    }
+
+    /** @param magnify displacements */
+    std::vector<postprocess::PictureFacet> as_facets(const std::vector<double> &all, const double magnify)
+    {
+      std::vector<postprocess::PictureFacet> facets(all.size() / facet_length);
+      for (std::size_t i = 0; i < facets.size(); ++i)
+        {
+          const double *numbers = &all[i * facet_length];
+          for (std::size_t c = 0; c < 4; ++c)
+            facets[i].corner[c] = {numbers[4 * c] + magnify * numbers[4 * c + 2],
+                                   numbers[4 * c + 1] + magnify * numbers[4 * c + 3]};
+          facets[i].value = numbers[16];
+        }
+      return facets;
+    }
+
+    std::string place_of(const PicturePlane &plane, const int dim)
+    {
+      return dim == 2 ?
+               "" :
+               fmt::format(", section at {} = {}", "xyz"[plane.across], postprocess::length_text(plane.position));
+    }
+
     /** So that the largest displacement shows as a twentieth of the extent; a round number. */
     double magnification_of(const std::vector<double> &facets)
     {
@@ -353,32 +433,18 @@ namespace apps
   {
     if (!can_be_damaged(solid))
       return "";
-    const auto          damage = damage_of_elements(solid, displacement);
-    const PicturePlane  plane  = plane_of(solid, displacement, damage);
-    std::vector<double> all;
-    for (const auto &part :
-         dealii::Utilities::MPI::gather(solid.communicator(), facets_of(solid, displacement, damage, plane)))
-      all.insert(all.end(), part.begin(), part.end());
+    const auto                damage = damage_of_elements(solid, displacement);
+    const PicturePlane        plane  = plane_of(solid, displacement, damage);
+    const std::vector<double> all = of_all_ranks(facets_of(solid, displacement, damage, plane), solid.communicator());
     if (!is_first_rank())
       return "";
-    const double                           magnify = magnification_of(all);
-    std::vector<postprocess::PictureFacet> facets(all.size() / facet_length);
-    for (std::size_t i = 0; i < facets.size(); ++i)
-      {
-        const double *numbers = &all[i * facet_length];
-        for (std::size_t c = 0; c < 4; ++c)
-          facets[i].corner[c] = {numbers[4 * c] + magnify * numbers[4 * c + 2],
-                                 numbers[4 * c + 1] + magnify * numbers[4 * c + 3]};
-        facets[i].value = numbers[16];
-      }
-    postprocess::FieldPicture what;
-    what.title = fmt::format("{}: damage, displacements x {}", title, magnify);
+    const double                                 magnify = magnification_of(all);
+    const std::vector<postprocess::PictureFacet> facets  = as_facets(all, magnify);
+    postprocess::FieldPicture                    what;
+    what.title = fmt::format("{}: damage, displacements x {}{}", title, magnify, place_of(plane, dim));
     what.label = "Damage";
     what.right = "xyz"[plane.right];
     what.up    = "xyz"[plane.up];
-    if (dim == 3)
-      what.title +=
-        ", section at " + std::string(1, "xyz"[plane.across]) + " = " + postprocess::length_text(plane.position);
     return postprocess::picture_of_field(file, facets, what);
   }
 
@@ -386,4 +452,50 @@ namespace apps
   draw_damage(fem::Solid<2> &, const fem::Vector &, const std::filesystem::path &, const std::string &);
   template std::string
   draw_damage(fem::Solid<3> &, const fem::Vector &, const std::filesystem::path &, const std::string &);
+
+  template <int dim>
+  std::string draw_promotion(fem::Solid<dim>             &solid,
+                             const fem::Vector           &displacement,
+                             const std::filesystem::path &file,
+                             const std::string           &title)
+  {
+    const auto                     points = promoted_points(solid, displacement);
+    std::map<unsigned int, double> none, many;
+    for (const auto &cell : solid.dofs().active_cell_iterators())
+      if (cell->is_locally_owned())
+        none[cell->active_cell_index()] = many[cell->active_cell_index()] = 0;
+    double latest = 0;
+    for (const PromotedPoint<dim> &point : points)
+      {
+        ++many[point.cell->active_cell_index()];
+        latest = std::max(latest, point.since);
+      }
+    latest           = dealii::Utilities::MPI::max(latest, solid.communicator());
+    const auto count = dealii::Utilities::MPI::sum(points.size(), solid.communicator());
+    if (count == 0)
+      return "";
+    const PicturePlane        plane = plane_of(solid, displacement, many);
+    const std::vector<double> elements =
+      of_all_ranks(facets_of(solid, displacement, none, plane), solid.communicator());
+    const std::vector<double> squares =
+      of_all_ranks(squares_of(points, plane, solid.quadrature().size()), solid.communicator());
+    if (!is_first_rank())
+      return "";
+    std::vector<postprocess::PictureFacet>       facets = as_facets(elements, 0);
+    const std::vector<postprocess::PictureFacet> taken  = as_facets(squares, 0);
+    facets.insert(facets.end(), taken.begin(), taken.end());
+    postprocess::FieldPicture what;
+    what.title   = fmt::format("{}: {} points whose particles have taken over{}", title, count, place_of(plane, dim));
+    what.label   = "State in which they did";
+    what.right   = "xyz"[plane.right];
+    what.up      = "xyz"[plane.up];
+    what.highest = latest;
+    what.tick    = std::max(1.0, postprocess::tick_step(latest, 8));
+    return postprocess::picture_of_field(file, facets, what);
+  }
+
+  template std::string
+  draw_promotion(fem::Solid<2> &, const fem::Vector &, const std::filesystem::path &, const std::string &);
+  template std::string
+  draw_promotion(fem::Solid<3> &, const fem::Vector &, const std::filesystem::path &, const std::string &);
 } // namespace apps

@@ -54,4 +54,17 @@ namespace apps
                           const fem::Vector           &displacement,
                           const std::filesystem::path &file,
                           const std::string           &title);
+
+  /**
+   * Draw which points of a solid are cells whose particles have taken over, coloured by the state in which they did, undeformed; in three
+   * dimensions those of the elements that a section meets, as for damage.
+   *
+   * Every rank calls it; the first one draws. Nothing is drawn where none has.
+   * @return what went wrong, "" if nothing.
+   */
+  template <int dim>
+  std::string draw_promotion(fem::Solid<dim>             &solid,
+                             const fem::Vector           &displacement,
+                             const std::filesystem::path &file,
+                             const std::string           &title);
 } // namespace apps

@@ -300,8 +300,9 @@ namespace apps
     size.elements             = static_cast<double>(solid->mesh().triangulation->n_global_active_cells());
     size.unknowns             = static_cast<double>(solid->dofs().n_dofs());
     size.points               = size.elements * solid->quadrature().size();
-    const std::string problem = draw_damage(*solid, *analysis->state().displacement, folder / "damage.png",
-                                            std::filesystem::path(request.scene_file).stem().string());
+    const std::string title   = std::filesystem::path(request.scene_file).stem().string();
+    const std::string problem = draw_damage(*solid, *analysis->state().displacement, folder / "damage.png", title);
+    const std::string unshown = draw_promotion(*solid, *analysis->state().displacement, folder / "promoted.png", title);
     std::string       undrawn;
     if (!model.contacts.empty()) // on one rank
       undrawn = draw_bodies();
@@ -311,6 +312,7 @@ namespace apps
     on_first_rank([&] {
       warn_of_missing("damage.png", problem);
       warn_of_missing("bodies.png", undrawn);
+      warn_of_missing("promoted.png", unshown);
       const ContinuumReport report{request,
                                    postprocess::read_csv_table(folder / "series.csv", true),
                                    gauges->columns(),

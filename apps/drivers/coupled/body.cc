@@ -283,6 +283,14 @@ namespace apps
         return apps::write_solid(*solid, motion->displacement(), reaction, {folder / "solid", "solid", number, time()});
       }
 
+      std::vector<std::string> notes() const override { return solid->notes(); }
+      std::string              end_of_validity() const override { return solid->end_of_validity(); }
+
+      std::string draw_promotion(const std::filesystem::path &file, const std::string &title) override
+      {
+        return apps::draw_promotion(*solid, motion->displacement(), file, title);
+      }
+
       std::string draw(const std::filesystem::path &file, const std::string &title) const override
       {
         const dem::ParticleOutput               particles = body.specimen().particles();

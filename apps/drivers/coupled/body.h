@@ -10,6 +10,8 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace apps
 {
@@ -56,6 +58,14 @@ namespace apps
 
     /** @param number of the snapshot. @return name of its file in the folder. @throws postprocess::OutputError */
     virtual std::string write_solid(const std::filesystem::path &folder, std::size_t number) = 0;
+
+    /** What a user should know of the solid's points, one sentence each. */
+    virtual std::vector<std::string> notes() const = 0;
+    /** Why no state after this one is worth anything; "": none. */
+    virtual std::string end_of_validity() const = 0;
+
+    /** Draw which cells of particles behind points of the solid have taken over, and when. @return as draw() */
+    virtual std::string draw_promotion(const std::filesystem::path &file, const std::string &title) = 0;
 
     /** Draw a cut through both, as they are now. @return what went wrong, "" if nothing */
     virtual std::string draw(const std::filesystem::path &file, const std::string &title) const = 0;

@@ -15,9 +15,17 @@ namespace apps
 {
   MotionReport CoupledReport::common() const
   {
-    return {request,     "coupled",      model.particles.stops.what_ended(series),
-            body.time(), materials,      start,
-            series,      not_in_balance, body.particles().specimen().counts().deepest_overlap};
+    const std::string invalid = body.end_of_validity();
+    return {request,
+            "coupled",
+            invalid.empty() ? model.particles.stops.what_ended(series) : "end of validity: " + invalid,
+            body.time(),
+            materials,
+            start,
+            series,
+            not_in_balance,
+            body.particles().specimen().counts().deepest_overlap,
+            body.notes()};
   }
 
   nlohmann::json CoupledReport::figures() const

@@ -117,7 +117,7 @@ namespace apps
     std::vector<std::string>  names;
     for (const auto &column : body->columns())
       names.push_back(column.name);
-    if (!model.particles.stops.fulfilled(names, row).empty())
+    if (!model.particles.stops.fulfilled(names, row).empty() || !body->end_of_validity().empty())
       sampling.stop();
     record({{}, row, {}});
     body->watch();
@@ -159,6 +159,7 @@ namespace apps
         warn_of_missing("crack.png", body->draw_cracks(folder / "crack.png", title));
       }
     warn_of_missing("coupled.png", body->draw(folder / "coupled.png", title));
+    warn_of_missing("promoted.png", body->draw_promotion(folder / "promoted.png", title));
     const CoupledReport report{request,
                                model,
                                *body,

@@ -35,6 +35,8 @@ namespace apps
     summary["warnings"]    = nlohmann::json::array();
     if (const std::string doubt = overlap_warning(deepest_overlap); !doubt.empty())
       summary["warnings"].push_back(doubt);
+    if (!notes.empty())
+      summary["notes"] = notes;
     materials.put_into(summary);
     if (start)
       summary["initial_equilibrium"] = json_of(*start);
@@ -49,6 +51,8 @@ namespace apps
     std::string text = fmt::format("ended by     {}, at {:.6g} s\n", ended_by, end_time);
     if (start)
       text += fmt::format("start        {}\n", text_of(*start));
+    for (const std::string &note : notes)
+      text += fmt::format("note         {}\n", note);
     text += fmt::format("energy       balance error {:.1e} of the largest energy\n", worst_residual(series));
     if (const std::string doubt = overlap_warning(deepest_overlap); !doubt.empty())
       text += fmt::format("warning      {}\n", doubt);

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace apps
 {
@@ -25,6 +26,7 @@ namespace apps
     const postprocess::CsvTable &series;          ///< complete
     const std::string           &not_in_balance;  ///< see left_out_of_balance()
     double                       deepest_overlap; ///< see dem::Counts
+    std::vector<std::string>     notes = {};      ///< what else a user should know, one sentence each
 
     /**
      * summary.json and curve.png.
