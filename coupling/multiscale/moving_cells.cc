@@ -1,6 +1,7 @@
 #include "coupling/multiscale/moving_cells.h"
 
 #include "base/errors.h"
+#include "base/number_text.h"
 #include "coupling/multiscale/stretch.h"
 
 #include <Eigen/LU>
@@ -44,7 +45,22 @@ namespace coupling
       }
   }
 
-  void MovingCells::begin_motion(const double asked) { length = asked; }
+  std::int64_t MovingCells::least_steps(const Point &point) const
+  {
+    return static_cast<std::int64_t>(std::ceil(length / point.specimen->longest_step() * (1 - 1e-9)));
+  }
+
+  void MovingCells::begin_motion(const double asked)
+  {
+    length = asked;
+    for (const Point &point : points)
+      if (parameters.steps > 0 && parameters.steps < least_steps(point))
+        throw base::InputError(
+          "cells: Particle steps = " + std::to_string(parameters.steps) + ": the stable step of their particles is " +
+          base::number_text(point.specimen->longest_step()) + " s, and that of the solid " + base::number_text(length) +
+          " s long. Take at least " + std::to_string(least_steps(point)) +
+          ", 0 for as many as it wants, or a lower Motion/Safety.");
+  }
 
   Matrix3d MovingCells::deformation(const base::Voigt &strain) const
   {
@@ -76,7 +92,7 @@ namespace coupling
   void MovingCells::lead(Point &point, const base::Voigt &strain) const
   {
     dem::Specimen     &specimen = *point.specimen;
-    const std::int64_t least    = static_cast<std::int64_t>(std::ceil(length / specimen.longest_step() * (1 - 1e-9)));
+    const std::int64_t least    = least_steps(point);
     const std::int64_t steps    = parameters.steps > 0 ? parameters.steps : std::max<std::int64_t>(2, least);
     if (steps < least)
       throw fem::MaterialFailure("the cell's stable step is " + std::to_string(specimen.longest_step()) +

@@ -42,14 +42,15 @@ namespace coupling
     bool                   takes_initial_state() const override { return false; }
     void                   allocate(std::size_t n_points) override;
     void                   place(std::vector<Site> sites, const Setting &setting) override;
-    void                   begin_motion(double length) override;
-    void                   gather(const std::vector<base::Voigt> &strains, bool with_tangent) override;
-    void                   evaluate(std::size_t               point,
-                                    const base::Voigt        &strain,
-                                    const fem::ElementExtent &element,
-                                    bool                      with_tangent,
-                                    fem::PointAnswer         &answer) override;
-    void                   commit() override {}
+    /** @throws base::InputError where the particles are given fewer steps than they are stable with */
+    void begin_motion(double length) override;
+    void gather(const std::vector<base::Voigt> &strains, bool with_tangent) override;
+    void evaluate(std::size_t               point,
+                  const base::Voigt        &strain,
+                  const fem::ElementExtent &element,
+                  bool                      with_tangent,
+                  fem::PointAnswer         &answer) override;
+    void commit() override {}
     void set_initial(std::size_t, const fem::InitialPointState &, const fem::ElementExtent &) override;
 
     std::vector<fem::PointQuantity> quantities() const override;
@@ -73,6 +74,7 @@ namespace coupling
     };
 
     void            lead(Point &point, const base::Voigt &strain) const;
+    std::int64_t    least_steps(const Point &point) const; ///< in the step under way
     Eigen::Matrix3d deformation(const base::Voigt &strain) const;
 
     MovingCellsParameters parameters;

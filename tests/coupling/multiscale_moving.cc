@@ -124,3 +124,16 @@ TEST_CASE("moving cells: there is no answer without a step in time", "[coupling]
   CHECK_THROWS_WITH(of->evaluate(0, mixed(1e-6), {}, false, answer), Catch::Contains("explicit analysis only"));
   CHECK_THROWS_AS(of->evaluate(0, base::Voigt::Zero(), {}, true, answer), fem::MaterialFailure);
 }
+
+TEST_CASE("moving cells: fewer steps than their particles are stable with are refused", "[coupling][multiscale]")
+{
+  coupling::MovingCellsParameters p{{homogenisation_fixture::random_spheres(48, 3)}, concrete(1), {}, 3, {}};
+  p.specimen.density           = 2000;
+  p.specimen.interaction_ratio = 1.6;
+  p.stiffness                  = prepared()->stiffness();
+  coupling::MovingCells of(p, fem::Plane::strain);
+  of.allocate(1);
+  of.place(std::vector<fem::GatheredPoints::Site>(1), {});
+  CHECK_NOTHROW(of.begin_motion(1e-6));
+  CHECK_THROWS_WITH(of.begin_motion(1), Catch::Contains("Particle steps = 3") && Catch::Contains("Take at least"));
+}
