@@ -201,7 +201,7 @@ namespace apps
           of.allocate(1);
           of.place(std::vector<fem::GatheredPoints::Site>(1), {});
           const Stopwatch watch;
-          of.begin_motion(static_cast<double>(steps) * 0.5 * 1e-3 * std::sqrt(2400 / 25e9));
+          of.begin_motion(static_cast<double>(steps) * 0.4 * 1e-3 * std::sqrt(2400 / 25e9));
           of.gather({end}, false);
           const double     seconds = watch.seconds();
           fem::PointAnswer answer;

@@ -46,7 +46,7 @@ namespace dem
      */
     double accuracy_of_step(const double residual, const double tolerance)
     {
-      return std::max({1e-12, 0.1 * tolerance / residual, std::min(1e-3, residual)});
+      return std::max({1e-12, 1e-3 * tolerance / residual, std::min(1e-3, residual)});
     }
 
     constexpr double accuracy_of_first_step = 1e-4; ///< from a state in equilibrium
