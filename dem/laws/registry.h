@@ -48,15 +48,25 @@ namespace dem
     double               density = 0; ///< [kg/m^3]; 0: the specimen's
   };
 
+  /** Constants of the law of the scene for links between two of its materials. */
+  struct PairConstants
+  {
+    std::int32_t         one = 0, other = 0; ///< numbers of the materials
+    const LinkConstants *constants;
+    bool                 bonded = true;
+  };
+
   /** A law of links as it can be named, described and made materials of. */
   class LinkLawKind
   {
   public:
-    virtual ~LinkLawKind()                                                       = default;
-    virtual std::string                    name() const                          = 0;
-    virtual std::string                    meaning() const                       = 0;
-    virtual std::shared_ptr<LinkConstants> constants() const                     = 0; ///< with their defaults
-    virtual LinkMaterials materials(const std::vector<NamedConstants> &of) const = 0; ///< @pre constants of this law
+    virtual ~LinkLawKind()                                   = default;
+    virtual std::string                    name() const      = 0;
+    virtual std::string                    meaning() const   = 0;
+    virtual std::shared_ptr<LinkConstants> constants() const = 0; ///< with their defaults
+    /** @pre constants of this law @param between pairs that do not take the means of two materials */
+    virtual LinkMaterials materials(const std::vector<NamedConstants> &of,
+                                    const std::vector<PairConstants>  &between = {}) const = 0;
   };
 
   /** All laws: those of dem/laws/all.h, and what was added since. */
@@ -76,13 +86,18 @@ namespace dem
     std::string                    name() const override { return Law::name; }
     std::string                    meaning() const override { return Law::meaning; }
     std::shared_ptr<LinkConstants> constants() const override { return std::make_shared<Constants>(); }
-    LinkMaterials                  materials(const std::vector<NamedConstants> &of) const override
+    LinkMaterials                  materials(const std::vector<NamedConstants> &of,
+                                             const std::vector<PairConstants>  &between) const override
     {
       std::vector<Material<Parameters>> list;
       for (const NamedConstants &material : of)
         list.push_back(
           {material.name, static_cast<const Constants &>(*material.constants).parameters, material.density});
-      return Materials<Parameters>(std::move(list));
+      std::vector<MaterialPair<Parameters>> pairs;
+      for (const PairConstants &pair : between)
+        pairs.push_back(
+          {pair.one, pair.other, static_cast<const Constants &>(*pair.constants).parameters, pair.bonded});
+      return Materials<Parameters>(std::move(list), std::move(pairs));
     }
 
   private:

@@ -27,18 +27,29 @@ namespace dem
     double      density = 0; ///< of its particles [kg/m^3]; 0: the specimen's
   };
 
+  /** Constants of links between two materials that are not the means of theirs. */
+  template <typename Parameters>
+  struct MaterialPair
+  {
+    std::int32_t one = 0, other = 0; ///< numbers of the materials; they may be the same
+    Parameters   parameters;
+    bool         bonded = true; ///< off: the two are not linked at the start, and touch only
+  };
+
   /** The materials of a specimen, numbered from 0 as Packing::material numbers them; at least one. */
   template <typename Parameters>
   struct Materials
   {
-    std::vector<Material<Parameters>> list;
+    std::vector<Material<Parameters>>     list;
+    std::vector<MaterialPair<Parameters>> between; ///< pairs with constants of their own; the last of several counts
 
     Materials(const Parameters &only) // of one material; implicit, because then there is nothing else to say
       : list{{"", only, 0}}
     {
     }
-    explicit Materials(std::vector<Material<Parameters>> materials)
+    explicit Materials(std::vector<Material<Parameters>> materials, std::vector<MaterialPair<Parameters>> pairs = {})
       : list(std::move(materials))
+      , between(std::move(pairs))
     {
     }
 
@@ -50,8 +61,22 @@ namespace dem
       std::vector<Parameters> all;
       for (std::size_t one = 0; one < list.size(); ++one)
         for (std::size_t other = 0; other <= one; ++other)
-          all.push_back(one == other ? list[one].parameters : Parameters::Law::mean_of(list[other], list[one]));
+          if (const auto *own =
+                between_of(material_pair(static_cast<std::int32_t>(one), static_cast<std::int32_t>(other))))
+            all.push_back(own->parameters);
+          else
+            all.push_back(one == other ? list[one].parameters : Parameters::Law::mean_of(list[other], list[one]));
       return all;
+    }
+
+    /** Constants of their own of a pair, by its number; nullptr: it has none. */
+    const MaterialPair<Parameters> *between_of(const std::int32_t pair) const
+    {
+      const MaterialPair<Parameters> *found = nullptr;
+      for (const MaterialPair<Parameters> &each : between)
+        if (material_pair(each.one, each.other) == pair)
+          found = &each;
+      return found;
     }
   };
 
@@ -75,12 +100,22 @@ namespace dem
     {
       for (const auto &material : materials.list)
         density.push_back(material.density);
+      const auto n = static_cast<std::int32_t>(density.size());
+      for (std::int32_t pair = 0; pair < n * (n + 1) / 2; ++pair)
+        if (const auto *own = materials.between_of(pair); own && !own->bonded)
+          {
+            unbonded.resize(static_cast<std::size_t>(n * (n + 1) / 2), false);
+            unbonded[static_cast<std::size_t>(pair)] = true;
+          }
     }
 
     std::size_t size() const { return density.size(); }
     bool        several() const { return size() > 1; }
     /** Density of each material's particles [kg/m^3]. @param otherwise of those that have none of their own */
     std::vector<double> densities(double otherwise) const;
+
+    /** Of each pair of materials whether the two are not linked at the start; empty: all are. */
+    const std::vector<bool> &unbonded_pairs() const { return unbonded; }
 
     /** Law of the links made at the start. @throws base::InputError for constants out of range, or materials that have no mean */
     std::shared_ptr<const LinkLaw> bonds(const Physics &physics) const
@@ -129,6 +164,7 @@ namespace dem
 
     std::shared_ptr<const Concept> bonding, touching;
     std::vector<double>            density; ///< of each material; 0: none of its own
+    std::vector<bool>              unbonded;
   };
 
   /** @throws base::InputError for a particle of a material that is not among those given; see also check_packing() */

@@ -110,6 +110,35 @@ namespace dem
     }
   } // namespace
 
+  namespace
+  {
+    void check_bodies(const Packing &packing, const std::string &origin)
+    {
+      if (!packing.clump.empty() && packing.clump.size() != packing.size())
+        throw base::InputError(origin + ": " + std::to_string(packing.size()) + " particles but the clumps of " +
+                               std::to_string(packing.clump.size()) + ".");
+      std::vector<bool> has_pebbles(packing.bodies.size(), false);
+      for (std::size_t i = 0; i < packing.clump.size(); ++i)
+        if (const std::int32_t body = packing.clump[i]; body >= 0)
+          {
+            if (static_cast<std::size_t>(body) >= packing.bodies.size())
+              refuse(origin, i,
+                     "clump = " + std::to_string(body) + ": there are bodies for " +
+                       std::to_string(packing.bodies.size()) + " only, numbered from 0.");
+            has_pebbles[static_cast<std::size_t>(body)] = true;
+          }
+      for (std::size_t b = 0; b < packing.bodies.size(); ++b)
+        {
+          const PackedBody &body = packing.bodies[b];
+          const std::string name = origin + ": body " + std::to_string(b) + ": ";
+          if (!has_pebbles[b])
+            throw base::InputError(name + "no particle is a pebble of it.");
+          if (!(body.volume > 0) || !(body.inertia(2, 2) > 0) || !body.centre.allFinite() || !body.inertia.allFinite())
+            throw base::InputError(name + "its volume and inertia must be finite numbers above 0, its centre finite.");
+        }
+    }
+  } // namespace
+
   bool is_material_name(const std::string &name)
   {
     const auto allowed = [](const unsigned char c) {
@@ -139,6 +168,7 @@ namespace dem
     for (std::size_t i = 0; i < packing.size(); ++i)
       check_particle(packing, i, origin);
     check_materials(packing, origin);
+    check_bodies(packing, origin);
     check_coincidence(packing, origin);
   }
 

@@ -10,6 +10,15 @@
 
 namespace dem
 {
+  /** A body that pebbles of a packing stand for: its shape, not theirs, says how it moves (doc/theory/genesis.md, 6). */
+  struct PackedBody
+  {
+    double          volume = 0;                       ///< [m^3], of discs area [m^2]; > 0
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero(); ///< of mass [m]
+    Eigen::Matrix3d inertia =
+      Eigen::Matrix3d::Zero(); ///< about the centre, over the mass [m^2]; in the plane z alone counts
+  };
+
   /**
  * Spheres (discs in two dimensions: z = 0): where a specimen starts from. Of their material it knows a number and, if its maker
  * gave one, a name; the constants are the specimen's.
@@ -26,13 +35,24 @@ namespace dem
     std::vector<std::int32_t> material       = {}; ///< of each particle, a number from 0; empty: all are of one
     std::vector<std::string>  material_names = {}; ///< what the numbers are called; empty: they have no names
 
+    std::vector<std::int32_t> clump =
+      {}; ///< number of the body below that each is a pebble of, -1: of none; empty: none is
+    std::vector<PackedBody> bodies = {};
+
+    /** Whether two are pebbles of one body, and may overlap as they like. */
+    bool in_one_body(const std::size_t first, const std::size_t second) const
+    {
+      return !clump.empty() && clump[first] >= 0 && clump[first] == clump[second];
+    }
+
     std::size_t size() const { return centre.size(); }
   };
 
   /**
  * Refuse what no specimen can be made of: columns of unequal length, no particle, a centre or radius that is not a number
  * or beyond 1e100 m, a radius not above zero, two centres at the same place, a periodic cell edge not above zero, a material
- * that is negative or beyond the names, names that is_material_name() does not allow or that occur twice.
+ * that is negative or beyond the names, names that is_material_name() does not allow or that occur twice, a clump beyond the bodies,
+ * a body without pebbles or of no volume or inertia.
  *
  * @param origin where the packing came from (a file name, "generator"), for the message.
  * @throws base::InputError naming the first offending particle (counted from 1) and what is allowed.

@@ -55,7 +55,7 @@ namespace dem
             branch[d] += pair.shift[static_cast<std::size_t>(d)] * (*packing.periodic_cell)[d];
         const double smaller = 2 * std::min(packing.radius[first], packing.radius[second]);
         const double overlap = packing.radius[first] + packing.radius[second] - branch.norm();
-        if (overlap <= allowed * smaller || (one_body && one_body(first, second)))
+        if (overlap <= allowed * smaller || packing.in_one_body(first, second) || (one_body && one_body(first, second)))
           continue;
         std::ostringstream message;
         message << origin << ": particles " << first + 1 << " and " << second + 1

@@ -88,6 +88,9 @@ namespace dem
     for (int d = 0; d < 3; ++d)
       if (std::isnan(box[d]) || box[d] <= 0)
         throw base::InputError(text_of(box) + ": its edges must be above zero.");
+    if (!packing.bodies.empty())
+      throw base::InputError(text_of(box) +
+                             ": the packing has rigid bodies, which cannot be cut. Take it as it is, without a box.");
     if (packing.size() == 0)
       throw base::InputError(text_of(box) + ": there is no sphere to fill it with.");
     Tiling        tiling;

@@ -82,7 +82,8 @@ namespace dem
     double                         smallest_radius; ///< [m]
     LinkSet                        bonds, contacts;
     std::shared_ptr<const LinkLaw> bond_law, contact_law;
-    double          start_margin; ///< gap that the interaction ratio leaves between unlinked particles [m]
+    std::vector<bool>              unbonded; ///< pairs of materials that are not linked; empty: all are
+    double          start_margin;            ///< gap that the interaction ratio leaves between unlinked particles [m]
     ContactSearch   search;
     LinkPass        bond_pass, contact_pass;
     SurfaceContacts surfaces;
@@ -122,6 +123,8 @@ namespace dem
     void link();
     /** Take pairs with a loose particle out; they may be nearer than the ratio leaves others, and the search must know. */
     void leave_loose(std::vector<NeighbourPair> &pairs);
+    /** Take pairs of materials out that are not to be linked. */
+    void leave_unbonded(std::vector<NeighbourPair> &pairs);
     bool moments() const { return bonds.has_moment || contacts.has_moment; }
     /** Contacts that carry something: those that wait do not count. */
     std::size_t              touching_contacts() const;

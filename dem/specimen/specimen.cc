@@ -32,6 +32,8 @@ namespace dem
       if (!(p.interaction_ratio >= 1 && p.interaction_ratio <= 10))
         refuse("Interaction ratio", p.interaction_ratio,
                "must be at least 1, and at most 10. 1.5 is usual for concrete.");
+      if (!(p.installation_gap >= 0 && std::isfinite(p.installation_gap)))
+        refuse("Installation gap", p.installation_gap, "must not be negative.");
       if (!(p.step_factor > 0 && p.step_factor < 1.5))
         refuse("Step factor", p.step_factor, "must be above 0, and below 1 for a stable run.");
       if (!(p.damping >= 0 && p.damping < 1))
@@ -122,7 +124,9 @@ namespace dem
     , smallest_radius(*std::min_element(packing.radius.begin(), packing.radius.end()))
     , bond_law(materials.bonds(p.physics))
     , contact_law(materials.contacts(p.physics))
-    , start_margin(2.0 * smallest_radius * std::max((1 - tie) * p.interaction_ratio - 1.0, 0.0))
+    , unbonded(materials.unbonded_pairs())
+    , start_margin(2.0 * smallest_radius * std::max((1 - tie) * p.interaction_ratio - 1.0, 0.0) +
+                   (1 - tie) * p.installation_gap)
     , search(particles, start_margin, contact_law->waits())
     , bond_pass(bond_law->pass(mixture(), p.physics.periodic))
     , contact_pass(contact_law->pass(mixture(), p.physics.periodic))
@@ -173,6 +177,22 @@ namespace dem
     search = ContactSearch(particles, std::max(margin, 0.0), contact_law->waits());
   }
 
+  void Specimen::Implementation::leave_unbonded(std::vector<NeighbourPair> &pairs)
+  {
+    if (unbonded.empty())
+      return;
+    const auto material = [&](const std::int32_t i) {
+      return particles.material.empty() ? 0 : particles.material[static_cast<std::size_t>(i)];
+    };
+    const auto linked_end = std::remove_if(pairs.begin(), pairs.end(), [&](const NeighbourPair &pair) {
+      return unbonded[static_cast<std::size_t>(material_pair(material(pair.first), material(pair.second)))];
+    });
+    if (linked_end == pairs.end())
+      return;
+    pairs.erase(linked_end, pairs.end());
+    search = ContactSearch(particles, 0.0, contact_law->waits()); // they may touch from the start
+  }
+
   double Specimen::Implementation::step_of_lone_particles() const
   {
     std::vector<double> none(contact_law->columns().size(), 0.0);
@@ -205,8 +225,9 @@ namespace dem
     std::vector<NeighbourPair> pairs;
     if (bond_law->bonds())
       {
-        pairs = particle_pairs(particles, parameters.interaction_ratio, 0.0);
+        pairs = particle_pairs(particles, parameters.interaction_ratio, parameters.installation_gap);
         leave_loose(pairs);
+        leave_unbonded(pairs);
       }
     else
       search = ContactSearch(particles, 0.0, contact_law->waits()); // any two may be in contact from the start

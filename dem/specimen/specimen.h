@@ -32,6 +32,7 @@ namespace dem
     Physics         physics;
     double          density           = 0; ///< of the particles, not bulk [kg/m^3], > 0
     double          interaction_ratio = 0; ///< iota: cohesive links where distance < iota (r_J + r_K), >= 1
+    double          installation_gap  = 0; ///< the same where the gap is below this, besides [m], >= 0
     double          thickness         = 0; ///< [m], of the discs; two dimensions only
     std::size_t     loose       = 0;   ///< how many of the packing's last particles are linked to nothing: projectiles
     double          step_factor = 0.8; ///< time step over the stable estimate (5.1), in (0, 1)

@@ -184,6 +184,10 @@ namespace dem
   {
     check_links(p);
     check_materials(packing, materials);
+    if (!materials.unbonded_pairs().empty())
+      throw base::InputError(
+        "Interfaces: materials without bonds between them are for particles in motion; a network in "
+        "equilibrium links all that are near.");
     const std::shared_ptr<const LinkLaw> law      = with_exact_shear(materials.bonds_in_space(physics_of(p)));
     std::vector<std::int32_t>            material = packing.material;
     if (materials.several())
