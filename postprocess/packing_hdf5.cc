@@ -13,6 +13,7 @@ namespace postprocess
     static_assert(sizeof(Eigen::Vector3d) == 3 * sizeof(double), "centres are stored row by row without gaps");
 
     constexpr std::int64_t packing_version = 1;
+    constexpr hsize_t      body_numbers    = 13; // volume, centre, inertia by rows
 
     std::string as_text(const hdf5::Shape &shape)
     {
@@ -33,15 +34,21 @@ namespace postprocess
       if (file.has("material") && file.shape("material") != hdf5::Shape{centre[0]})
         throw base::InputError(origin + ": \"material\" has the shape " + as_text(file.shape("material")) +
                                ", expected " + std::to_string(centre[0]) + ", as many as centres.");
+      if (file.has("clump") && file.shape("clump") != hdf5::Shape{centre[0]})
+        throw base::InputError(origin + ": \"clump\" has the shape " + as_text(file.shape("clump")) + ", expected " +
+                               std::to_string(centre[0]) + ", as many as centres.");
+      if (file.has("bodies") && (file.shape("bodies").size() != 2 || file.shape("bodies")[1] != body_numbers))
+        throw base::InputError(origin + ": \"bodies\" has the shape " + as_text(file.shape("bodies")) +
+                               ", expected N x 13: volume, centre, inertia by rows.");
       if (file.has("periodic_cell") && file.shape("periodic_cell") != hdf5::Shape{3})
         throw base::InputError(origin + ": \"periodic_cell\" has the shape " + as_text(file.shape("periodic_cell")) +
                                ", expected 3 edge lengths.");
     }
 
-    std::int32_t narrowed(const std::int64_t number, const std::string &origin)
+    std::int32_t narrowed(const std::int64_t number, const char *dataset, const std::string &origin)
     {
       if (number != static_cast<std::int32_t>(number))
-        throw base::InputError(origin + ": \"material\" holds " + std::to_string(number) +
+        throw base::InputError(origin + ": \"" + dataset + "\" holds " + std::to_string(number) +
                                ", expected whole numbers from 0.");
       return static_cast<std::int32_t>(number);
     }
@@ -54,6 +61,37 @@ namespace postprocess
       if (version != packing_version)
         throw base::InputError(origin + ": packing format " + std::to_string(version) + ", this program reads format " +
                                std::to_string(packing_version) + ".");
+    }
+  } // namespace
+
+  namespace
+  {
+    void read_bodies(const hdf5::InputFile &file, dem::Packing &packing, const std::string &origin)
+    {
+      std::vector<std::int64_t> numbers(packing.size());
+      file.read("clump", numbers.data());
+      for (const std::int64_t number : numbers)
+        packing.clump.push_back(narrowed(number, "clump", origin));
+      if (!file.has("bodies"))
+        return;
+      std::vector<double> table(body_numbers * file.shape("bodies")[0]);
+      file.read("bodies", table.data());
+      for (std::size_t at = 0; at < table.size(); at += body_numbers)
+        packing.bodies.push_back({table[at], Eigen::Vector3d(&table[at + 1]), Eigen::Matrix3d(&table[at + 4])});
+    }
+
+    void write_bodies(hdf5::OutputFile &file, const dem::Packing &packing)
+    {
+      file.write("clump", packing.clump.data(), {packing.clump.size()});
+      std::vector<double> table;
+      for (const dem::PackedBody &body : packing.bodies)
+        {
+          table.push_back(body.volume);
+          table.insert(table.end(), body.centre.data(), body.centre.data() + 3);
+          table.insert(table.end(), body.inertia.data(), body.inertia.data() + 9); // symmetric: rows are columns
+        }
+      if (!table.empty())
+        file.write("bodies", table.data(), {packing.bodies.size(), body_numbers});
     }
   } // namespace
 
@@ -78,7 +116,7 @@ namespace postprocess
         std::vector<std::int64_t> numbers(packing.size()); // other programs may have written either width
         file.read("material", numbers.data());
         for (const std::int64_t number : numbers)
-          packing.material.push_back(narrowed(number, path.string()));
+          packing.material.push_back(narrowed(number, "material", path.string()));
         if (file.has("material_names"))
           {
             std::istringstream words(file.read_text("material_names"));
@@ -86,6 +124,9 @@ namespace postprocess
               packing.material_names.push_back(name);
           }
       }
+
+    if (file.has("clump") && packing.size() > 0)
+      read_bodies(file, packing, path.string());
 
     Metadata          metadata;
     const std::string folder = "metadata/";
@@ -113,6 +154,8 @@ namespace postprocess
         if (!names.empty())
           file.write_text("material_names", names);
       }
+    if (!packing.clump.empty())
+      write_bodies(file, packing);
     for (const auto &[key, value] : metadata)
       file.write_text("metadata/" + key, value);
     file.commit();

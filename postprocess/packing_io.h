@@ -19,12 +19,16 @@ namespace postprocess
    * comment) may come before the first particle: then x, y, z and radius (or r) may stand in any order, among other
    * columns, which are ignored. A name may carry the unit `[m]`. A named column `material` holds a word per particle, what its
    * material is called; `# materials NAME NAME ...` before the first particle says which there are, and in what order.
+   * A named column `clump` holds the number of the rigid body that each is a pebble of, -1: of none; the bodies are, from 0, the lines
+   * `# body VOLUME X Y Z IXX IYY IZZ IYZ IXZ IXY` before the first particle: volume [m^3] (of discs area [m^2]), centre [m], inertia
+   * over mass [m^2].
    *
    * HDF5: datasets `centre` (N x 3) and `radius` (N) [m], and `periodic_cell` (3) when periodic. With several materials
-   * `material` (N, whole numbers from 0) and, unless they have no names, the text `material_names`, between blanks.
+   * `material` (N, whole numbers from 0) and, unless they have no names, the text `material_names`, between blanks. With
+   * rigid bodies `clump` (N, whole numbers, -1: of none) and `bodies` (M x 13: volume, centre, inertia over mass by rows).
    *
    * @throws base::InputError naming file and line (or dataset): missing file, wrong number of columns, not a number, NaN
-   * or infinity, radius <= 0, no particle, coincident particles, a material that has no name or may not be called so, missing or
+   * or infinity, radius <= 0, no particle, coincident particles, a material that has no name or may not be called so, a body that is none, missing or
    * misshapen dataset, truncated file.
    */
   dem::Packing read_packing(const std::filesystem::path &path);

@@ -15,13 +15,14 @@ namespace postprocess
 
   namespace
   {
-    constexpr std::size_t quantities = 4; // x, y, z, radius
+    constexpr std::size_t quantities   = 4;  // x, y, z, radius
+    constexpr std::size_t body_numbers = 10; // volume, centre, inertia
 
     /** Where x, y, z and radius stand in a row. */
     struct RowLayout
     {
       std::array<std::size_t, quantities> place = {0, 1, 2, 3};
-      std::optional<std::size_t>          material;
+      std::optional<std::size_t>          material, clump;
       std::size_t                         columns = quantities;
       bool                                named   = false; ///< taken from a header
     };
@@ -94,6 +95,8 @@ namespace postprocess
         split(line, fields);
         if (!fields.empty() && (fields[0] == "periodic_cell" || fields[0] == "periodic_cell:"))
           read_periodic_cell();
+        else if (packing.size() == 0 && !fields.empty() && fields[0] == "body" && fields.size() == 1 + body_numbers)
+          read_body();
         else if (packing.size() == 0 && !fields.empty() && (fields[0] == "materials" || fields[0] == "materials:"))
           {
             announced.assign(fields.begin() + 1, fields.end());
@@ -115,6 +118,26 @@ namespace postprocess
         packing.periodic_cell.emplace();
         for (int d = 0; d < 3; ++d)
           (*packing.periodic_cell)[d] = positive("periodic_cell edge", fields[d + 1]);
+      }
+
+      /** volume, centre, inertia xx yy zz yz xz xy */
+      void read_body()
+      {
+        std::array<double, body_numbers> n;
+        for (std::size_t i = 0; i < body_numbers; ++i)
+          n[i] = finite_number(fields[i + 1], origin, lines.number());
+        dem::PackedBody &body = packing.bodies.emplace_back();
+        body.volume           = n[0];
+        body.centre           = {n[1], n[2], n[3]};
+        body.inertia << n[4], n[9], n[8], n[9], n[5], n[7], n[8], n[7], n[6];
+      }
+
+      std::int32_t clump_in(const std::string_view field) const
+      {
+        const double value = finite_number(field, origin, lines.number());
+        if (value != static_cast<std::int32_t>(value) || value < -1)
+          refuse_line("clump = " + std::string(field) + ": expected the number of a line \"# body\", from 0, or -1.");
+        return static_cast<std::int32_t>(value);
       }
 
       /** The line "# materials" is only looked at where there is a column to name: elsewhere it may be prose. */
@@ -163,6 +186,9 @@ namespace postprocess
                 refuse_line("the header names the column material twice.");
               layout.material = i;
             }
+        for (std::size_t i = 0; i < names.size(); ++i)
+          if (lower_case(names[i].name) == "clump")
+            layout.clump = i;
         layout.columns = names.size();
         layout.named   = true;
       }
@@ -184,6 +210,8 @@ namespace postprocess
         packing.radius.push_back(positive("radius", fields[layout.place[3]]));
         if (layout.material)
           packing.material.push_back(material_in(fields[*layout.material]));
+        if (layout.clump)
+          packing.clump.push_back(clump_in(fields[*layout.clump]));
       }
 
       double positive(const std::string &what, const std::string_view field) const
@@ -261,15 +289,30 @@ namespace postprocess
           text += " " + name;
         text += '\n';
       }
+    for (const dem::PackedBody &body : packing.bodies)
+      {
+        const Eigen::Matrix3d &I = body.inertia;
+        append_row("# body ",
+                   {body.volume, body.centre.x(), body.centre.y(), body.centre.z(), I(0, 0), I(1, 1), I(2, 2), I(1, 2),
+                    I(0, 2), I(0, 1)},
+                   ' ');
+      }
     for (const char *const name : {"x", "y", "z"})
       (text += name) += separator;
     text += "radius";
     if (!materials.empty())
       (text += separator) += "material";
+    if (!packing.clump.empty())
+      (text += separator) += "clump";
     text += '\n';
     for (std::size_t i = 0; i < packing.size(); ++i)
-      append_row("", {packing.centre[i].x(), packing.centre[i].y(), packing.centre[i].z(), packing.radius[i]},
-                 separator, materials.empty() ? "" : materials.at(static_cast<std::size_t>(packing.material[i])));
+      {
+        std::string last = materials.empty() ? "" : materials.at(static_cast<std::size_t>(packing.material[i]));
+        if (!packing.clump.empty())
+          (last.empty() ? last : last += separator) += std::to_string(packing.clump[i]);
+        append_row("", {packing.centre[i].x(), packing.centre[i].y(), packing.centre[i].z(), packing.radius[i]},
+                   separator, last);
+      }
     return text;
   }
 } // namespace postprocess
