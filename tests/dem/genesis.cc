@@ -1,0 +1,213 @@
+#include "dem/genesis/genesis.h"
+
+#include "base/errors.h"
+#include "dem/genesis/sizes.h"
+#include "dem/laws/flat_joint.h"
+#include "dem/neighbours/cell_list.h"
+#include "dem/specimen/specimen.h"
+#include "memory_state.h"
+
+#include <catch2/catch.hpp>
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace
+{
+  /** Discs of the published mortar with four sizes, in a window. */
+  dem::GenesisParameters mortar(const double width, const double height, const std::uint64_t seed = 1)
+  {
+    std::vector<dem::SizeClass> classes;
+    for (const double d : {0.54e-3, 1.24e-3, 2.51e-3, 4.48e-3})
+      classes.push_back({0.25, d, d});
+    dem::GenesisParameters p;
+    p.vessel.size                           = {width, height, 0};
+    p.material.contact.effective_modulus    = 8e9;
+    p.material.contact.friction_coefficient = 0.1;
+    p.radii  = dem::draw_radii(classes, dem::class_counts(classes, p.vessel.space(), 0.10, 2), seed);
+    p.seed   = seed;
+    p.stress = 27500;
+    return p;
+  }
+
+  dem::Packing grown(const dem::GenesisParameters &p)
+  {
+    dem::Genesis genesis(p);
+    genesis.advance(std::numeric_limits<std::int64_t>::max() / 2);
+    return genesis.packing();
+  }
+
+  bool same(const dem::Packing &a, const dem::Packing &b) { return a.centre == b.centre && a.radius == b.radius; }
+} // namespace
+
+TEST_CASE("two discs between walls: stress, its slope and energy are those of springs")
+{
+  dem::Packing start{{{1e-3, 1e-3, 0}, {3e-3, 1e-3, 0}}, {1e-3, 1e-3}, {}};
+  dem::Vessel  vessel;
+  vessel.size = {4e-3, 2e-3, 0};
+  dem::GrowthMaterial material;
+  material.contact.effective_modulus = 1e9;
+  dem::GrowingAssembly pair(start, vessel, material);
+  const double         r = 1.001e-3, o = r - 1e-3, k = 1e9, wall = 2e9; // k_n = E* t, 2 E* t
+  pair.set_radii({r, r});
+  const dem::GrowthMeasures m = pair.measure();
+  CHECK(m.touching == 7);
+  CHECK(m.stored == Approx(0.5 * k * 4 * o * o + 6 * 0.5 * wall * o * o).epsilon(1e-9));
+  const double virial = k * 2 * o * 2 * r + 6 * wall * o * r;
+  CHECK(m.stress == Approx(-virial / (2 * 8e-6)).epsilon(1e-9));
+  CHECK(m.stress_by_growth == Approx((k * 4 * r * r + 6 * wall * r * r) / (2 * 8e-6)).epsilon(1e-9));
+  CHECK(m.ratio < 1e-9); // of forces in balance
+  CHECK(pair.contact_numbers() == std::vector<int>{4, 4});
+  CHECK(pair.energies().growth == Approx(m.stored).epsilon(1e-12));
+}
+
+TEST_CASE("a packing grows to its stress, in balance, with its energy accounted for", "[slow]")
+{
+  dem::GenesisParameters p = mortar(0.02, 0.03);
+  dem::Genesis           genesis(p);
+  genesis.advance(std::numeric_limits<std::int64_t>::max() / 2);
+  REQUIRE(genesis.finished());
+  const dem::GenesisStageReport &end = genesis.reports().back();
+  CHECK(end.reached);
+  CHECK(std::abs(end.stress + p.stress) <= 0.05 * p.stress);
+  CHECK(end.ratio <= 1e-4);
+  double solid = 0;
+  for (const double r : p.radii)
+    solid += M_PI * r * r;
+  CHECK(genesis.reports().front().porosity == Approx(1 - solid / p.vessel.space()).epsilon(1e-9));
+  CHECK(end.porosity == Approx(0.10).margin(0.03)); // under so low a stress they are as loose as discs get
+  const dem::GrowthEnergies energy = genesis.energies();
+  CHECK(std::abs(energy.error()) <= 0.01 * energy.growth);
+}
+
+TEST_CASE("spheres of two classes grow in a cylinder, to their stress and in balance", "[slow]")
+{
+  dem::GenesisParameters p;
+  p.vessel.dimension                        = 3;
+  p.vessel.shape                            = dem::Vessel::Shape::cylinder;
+  p.vessel.size                             = {0.008, 0.008, 0.010};
+  p.material.contact.effective_modulus      = 1e9;
+  p.material.contact.friction_coefficient   = 0.1;
+  p.stress                                  = 1e4;
+  p.fit_floaters                            = false;
+  const std::vector<dem::SizeClass> classes = {{0.5, 1.2e-3, 1.2e-3}, {0.5, 1.8e-3, 2.2e-3}};
+  p.radii = dem::draw_radii(classes, dem::class_counts(classes, p.vessel.space(), 0.40, 3), 1);
+  dem::Genesis genesis(p);
+  genesis.advance(std::numeric_limits<std::int64_t>::max() / 2);
+  const dem::GenesisStageReport &end = genesis.reports().back();
+  CHECK(end.reached);
+  CHECK(std::abs(end.stress + p.stress) <= 0.05 * p.stress);
+  CHECK(end.ratio <= 1e-4);
+  CHECK(std::abs(genesis.energies().error()) <= 0.01 * genesis.energies().growth);
+  const dem::Packing packing = genesis.packing();
+  for (std::size_t i = 0; i < packing.size(); ++i)
+    CHECK(p.vessel.near(packing.centre[i], packing.radius[i], -1e-3 * packing.radius[i]).count == 0);
+}
+
+TEST_CASE("the same seed gives the same packing with any number of threads, another seed another", "[slow]")
+{
+  auto p           = mortar(0.015, 0.02);
+  p.stress_rounds  = 2;
+  p.floater_rounds = 1;
+  p.solve_steps    = 2000;
+  omp_set_num_threads(1);
+  const dem::Packing one = grown(p);
+  omp_set_num_threads(3);
+  const dem::Packing three = grown(p);
+  omp_set_num_threads(1);
+  CHECK(same(one, three));
+  auto other          = mortar(0.015, 0.02, 2);
+  other.stress_rounds = 2, other.floater_rounds = 1, other.solve_steps = 2000;
+  CHECK(!same(one, grown(other)));
+}
+
+TEST_CASE("a genesis goes on from any saved state to the same bits", "[slow]")
+{
+  auto p           = mortar(0.015, 0.02);
+  p.stress_rounds  = 2;
+  p.floater_rounds = 2;
+  p.solve_steps    = 2000;
+  dem::Genesis whole(p);
+  int          looks = 0;
+  while (!whole.finished())
+    {
+      MemoryState saved;
+      {
+        MemoryState::Writer writer(saved);
+        whole.visit_state(writer);
+      }
+      dem::Genesis        again(p);
+      MemoryState::Reader reader(saved);
+      again.visit_state(reader);
+      again.advance(900);
+      whole.advance(900);
+      CHECK(again.now() == whole.now());
+      CHECK(same(again.packing(), whole.packing()));
+      ++looks;
+    }
+  CHECK(looks > 5);
+  CHECK(whole.reports().size() == 5);
+}
+
+TEST_CASE("bonds over the installation gap leave a packing without force, and it stays where it is", "[slow]")
+{
+  auto p                           = mortar(0.02, 0.03);
+  p.stress_rounds                  = 3; // some overlap is left, which must not matter
+  p.fit_floaters                   = false;
+  p.solve_steps                    = 3000;
+  const dem::Packing       packing = grown(p);
+  dem::FlatJointParameters joint;
+  joint.effective_modulus    = 10.38e9;
+  joint.tensile_strength     = 0.29e6;
+  joint.cohesion             = 1.98e6;
+  joint.friction_angle       = 20.7;
+  joint.friction_coefficient = 0.21;
+  dem::SpecimenParameters of;
+  of.physics.dimension = 2;
+  of.density           = 1624;
+  of.interaction_ratio = 1;
+  of.installation_gap  = 2e-4;
+  of.thickness         = 1;
+  dem::Specimen specimen(packing, of, joint);
+  CHECK(specimen.counts().links ==
+        dem::find_pairs(packing.centre, packing.radius, 1.0, of.installation_gap, std::nullopt).size());
+  specimen.advance(1000);
+  double largest = 0;
+  for (std::size_t i = 0; i < packing.size(); ++i)
+    largest = std::max(largest, specimen.displacement(i).norm());
+  CHECK(largest < 1e-12);
+  CHECK(specimen.counts().broken == 0);
+}
+
+TEST_CASE("without a stress to come to, particles rest at their full size")
+{
+  auto p   = mortar(0.01, 0.012);
+  p.stress = 0;
+  dem::Genesis genesis(p);
+  genesis.advance(std::numeric_limits<std::int64_t>::max() / 2);
+  REQUIRE(genesis.finished());
+  CHECK(genesis.reports().back().stage == dem::GenesisStage::settling);
+  CHECK(genesis.reports().back().ratio <= p.ratio);
+  auto radii = genesis.packing().radius, wanted = p.radii;
+  std::sort(radii.begin(), radii.end());
+  std::sort(wanted.begin(), wanted.end());
+  for (std::size_t i = 0; i < radii.size(); ++i)
+    CHECK(radii[i] == Approx(wanted[i]).epsilon(1e-12));
+}
+
+TEST_CASE("values that are none are refused by name")
+{
+  auto p   = mortar(0.015, 0.02);
+  p.stress = -1;
+  CHECK_THROWS_AS(dem::Genesis(p), base::InputError);
+  p       = mortar(0.015, 0.02);
+  p.radii = {};
+  CHECK_THROWS_AS(dem::Genesis(p), base::InputError);
+  p              = mortar(0.015, 0.02);
+  p.vessel.shape = dem::Vessel::Shape::cylinder;
+  CHECK_THROWS_AS(dem::Genesis(p), base::InputError);
+}
