@@ -48,6 +48,27 @@ namespace apps
       constants.at(contacts->name())->check();
   }
 
+  void MaterialInterface::declare(Section &section, const std::list<NamedMaterial> &materials)
+  {
+    section.text("Material", one, Need::required).means("Name of a section in Materials");
+    section.text("Other material", other, Need::required)
+      .means("Likewise; of links between its own particles the same");
+    section.flag("Bonded", bonded).means("The two are linked at the start; off: they only touch");
+    for (const auto &kind : dem::link_laws())
+      {
+        Section &block = section.section(kind->name(), kind->meaning());
+        block.only_if(
+          [&materials, kind] {
+            return !materials.empty() &&
+                   (materials.front().law.law == kind.get() || materials.front().law.contacts == kind.get());
+          },
+          "Law or Contacts of the materials = " + kind->name());
+        LawBlock entries(block);
+        constants[kind->name()] = kind->constants();
+        constants[kind->name()]->visit(entries);
+      }
+  }
+
   void MaterialSection::declare(Section &root, const bool inertia)
   {
     Section &section = root.section("Material", "The material of the links, if there is one for all");
@@ -64,6 +85,15 @@ namespace apps
       if (inertia)
         opened.number("Density", added.density, "kg/m^3", Range::at_least(0), Need::optional)
           .means("Of its particles, not of the bulk; 0: Specimen/Density");
+    });
+
+    Section &between =
+      root.section("Interfaces", "One sub-section per pair of materials whose links do not take the means");
+    between.only_if([this] { return !interfaces.empty(); }, "there are several materials");
+    between.named_sections("INTERFACE", [this](Section &opened) {
+      MaterialInterface &added = interfaces.emplace_back();
+      added.name               = opened.name();
+      added.declare(opened, named);
     });
 
     Section &places =
@@ -107,6 +137,9 @@ namespace apps
     if (named.empty())
       {
         only.check();
+        if (!interfaces.empty())
+          throw base::InputError(root.find_section("Interfaces")->sections().front()->place().text() +
+                                 ": Interfaces: the scene has no section Materials to join.");
         if (!regions.empty())
           throw base::InputError(places.sections().front()->place().text() + ": " + places.path() +
                                  ": the scene has no section Materials to take their materials from.");
@@ -125,6 +158,7 @@ namespace apps
         if (material.law.contacts != named.front().law.contacts)
           section.refuse("Contacts", "all materials of a scene must have the same, as the first of them.");
       }
+    validate_interfaces(root);
     try
       {
         materials().bonds(dem::Physics());
@@ -144,6 +178,38 @@ namespace apps
       }
   }
 
+  void MaterialSection::validate_interfaces(const Section &root) const
+  {
+    const std::vector<std::string> known = names();
+    for (const MaterialInterface &each : interfaces)
+      {
+        const Section &section = *root.find_section("Interfaces")->find_section(each.name);
+        for (const auto &[entry, name] : {std::pair{"Material", each.one}, std::pair{"Other material", each.other}})
+          if (std::find(known.begin(), known.end(), name) == known.end())
+            section.refuse(entry, "is not in section Materials. " + did_you_mean(name, known));
+        try
+          {
+            each.constants.at(named.front().law.law->name())->check();
+          }
+        catch (const base::InputError &refusal)
+          {
+            throw base::InputError(section.place().text() + ": " + section.path() + "/" + refusal.what());
+          }
+      }
+  }
+
+  std::vector<dem::PairConstants> MaterialSection::pairs_of(const dem::LinkLawKind &kind) const
+  {
+    const std::vector<std::string> known  = names();
+    const auto                     number = [&](const std::string &name) {
+      return static_cast<std::int32_t>(std::find(known.begin(), known.end(), name) - known.begin());
+    };
+    std::vector<dem::PairConstants> pairs;
+    for (const MaterialInterface &each : interfaces)
+      pairs.push_back({number(each.one), number(each.other), each.constants.at(kind.name()).get(), each.bonded});
+    return pairs;
+  }
+
   dem::LinkMaterials MaterialSection::materials() const
   {
     const auto of_law = [this](const dem::LinkLawKind &kind) {
@@ -152,7 +218,7 @@ namespace apps
         all.push_back({material.name, material.law.constants.at(kind.name()).get(), material.density});
       if (named.empty())
         all.push_back({"", only.constants.at(kind.name()).get(), 0});
-      return kind.materials(all);
+      return kind.materials(all, pairs_of(kind));
     };
     const LinkLaw           &laws  = named.empty() ? only : named.front().law;
     const dem::LinkMaterials bonds = of_law(*laws.law);

@@ -35,15 +35,26 @@ namespace apps
     double      density = 0; ///< of its particles [kg/m^3]; 0: that of the specimen
   };
 
+  /** Sub-section of "Interfaces": links between two materials with constants of their own. */
+  struct MaterialInterface
+  {
+    std::string name, one, other; ///< of the section, and of the materials
+    bool        bonded = true;
+    std::map<std::string, std::shared_ptr<dem::LinkConstants>> constants; ///< of every law, by its name
+
+    void declare(Section &section, const std::list<NamedMaterial> &materials);
+  };
+
   /**
    * Of what material particles and links are: section "Material" where there is one; or "Materials", one sub-section for each, and
    * "Regions", which say where each is, unless the packing does.
    */
   struct MaterialSection
   {
-    LinkLaw                   only;    ///< section Material
-    std::list<NamedMaterial>  named;   ///< as the scene names them; empty: there is one
-    std::list<MaterialRegion> regions; ///< in the scene's order
+    LinkLaw                      only;    ///< section Material
+    std::list<NamedMaterial>     named;   ///< as the scene names them; empty: there is one
+    std::list<MaterialRegion>    regions; ///< in the scene's order
+    std::list<MaterialInterface> interfaces;
 
     /** @param inertia whether densities matter */
     void declare(Section &root, bool inertia = true);
@@ -66,5 +77,9 @@ namespace apps
     void number(dem::Packing &part, int dimension, const std::string &origin) const;
     /** @throws base::InputError for a material that no particle of a whole packing, numbered as above, is of */
     void require_all(const dem::Packing &packing, const std::string &origin) const;
+
+  private:
+    void                            validate_interfaces(const Section &root) const;
+    std::vector<dem::PairConstants> pairs_of(const dem::LinkLawKind &kind) const;
   };
 } // namespace apps

@@ -56,10 +56,15 @@ namespace apps
     Section &section = root.section("Specimen", "The particles: where they come from, and what is made of them");
     if (use.other_particles)
       section
-        .choice("Source", source, {{"generator", Source::generator}, {"file", Source::file}, {"none", Source::none}},
+        .choice("Source", source,
+                {{"generator", Source::generator},
+                 {"file", Source::file},
+                 {"genesis", Source::genesis},
+                 {"none", Source::none}},
                 Need::required)
-        .means("generator: compact a random packing, tile and crop it; file: read a packing; none: there are only "
-               "those of section More particles");
+        .means(
+          "generator: compact a random packing, tile and crop it; file: read a packing; genesis: grow particles of "
+          "given sizes into a vessel; none: there are only those of section More particles");
     else
       section.choice("Source", source, {{"generator", Source::generator}, {"file", Source::file}}, Need::required)
         .means("generator: compact a random packing, tile and crop it; file: read a packing");
@@ -89,6 +94,9 @@ namespace apps
                "about 1.5 for concrete. A law without bonds does not ask for it" :
                "iota: particles closer than iota times the sum of their radii are linked; a constant of the material "
                "model, about 1.5");
+    if (use.other_particles)
+      section.number("Installation gap", installation_gap, "m", Range::at_least(0), Need::optional)
+        .means("Particles whose surfaces are nearer than this are linked as well, if the law bonds them");
     if (use.box)
       section
         .choice("Loose pieces", loose_pieces,
@@ -102,6 +110,8 @@ namespace apps
       .only_if([&dimension] { return dimension == 2; }, "Physics/Dimension = 2");
     declare_generator(section, generator)
       .only_if([this] { return source == Source::generator; }, "Specimen/Source = generator");
+    if (use.other_particles)
+      genesis.declare(section, dimension, [this] { return source == Source::genesis; });
   }
 
   void SpecimenSection::validate(const Section &root, const int dimension) const
@@ -110,6 +120,8 @@ namespace apps
     if (source == Source::file && !std::filesystem::is_regular_file(file))
       section.refuse("File",
                      "there is no such file (" + std::filesystem::absolute(file).lexically_normal().string() + ").");
+    if (source == Source::genesis)
+      genesis.validate(section, dimension);
     if (source != Source::generator)
       return;
     if (generator.cell_count > 0 && generator.cell_count < 8)

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "apps/scene/genesis_section.h"
 #include "apps/scene/section.h"
 #include "dem/packing/compaction.h"
 
+#include <memory>
 #include <string>
 
 namespace apps
@@ -14,7 +16,8 @@ namespace apps
     {
       generator,
       file,
-      none ///< all particles come from elsewhere
+      genesis, ///< grown into a vessel
+      none     ///< all particles come from elsewhere
     };
 
     /**
@@ -51,16 +54,19 @@ namespace apps
       bool other_particles = false; ///< the scene may have particles from elsewhere, and its law need not bond them
     };
 
-    Source                source = Source::generator;
-    Body                  body   = Body::box;
-    std::string           file;
-    Generator             generator;
-    std::array<double, 3> box               = {0, 0, 0}; ///< [m]; all zero: the file's particles as they are
-    double                density           = 0;         ///< [kg/m^3]
-    double                interaction_ratio = 0;
-    double                thickness         = 0; ///< [m], of discs
-    LoosePieces           loose_pieces      = LoosePieces::refuse;
-    bool                  bonded            = true; ///< false: by its law no particle is linked, so that pieces mean nothing
+    Source                              source = Source::generator;
+    Body                                body   = Body::box;
+    std::string                         file;
+    Generator                           generator;
+    GenesisSection                      genesis;
+    std::shared_ptr<const dem::Packing> grown; ///< what a genesis has come to already; empty: it is still to do
+    std::array<double, 3>               box     = {0, 0, 0}; ///< [m]; all zero: the file's particles as they are
+    double                              density = 0;         ///< [kg/m^3]
+    double                              interaction_ratio = 0;
+    double                              installation_gap  = 0; ///< [m]
+    double                              thickness         = 0; ///< [m], of discs
+    LoosePieces                         loose_pieces      = LoosePieces::refuse;
+    bool bonded = true; ///< false: by its law no particle is linked, so that pieces mean nothing
 
     /** @param dimension chosen in section "Physics"; read only after reading. */
     void declare(Section &root, const int &dimension, const Use &use);

@@ -3,6 +3,7 @@
 #include "apps/drivers/parts/energy_terms.h"
 #include "apps/process/interrupt.h"
 #include "base/errors.h"
+#include "dem/specimen/packed_clumps.h"
 
 #include <fmt/format.h>
 
@@ -17,6 +18,7 @@ namespace apps
     {
       dem::Specimen made(packing, model.parameters(), model.material.materials());
       model.clumps.make(made, groups);
+      dem::add_packed_clumps(made, packing, model.material.materials());
       return made;
     }
   } // namespace

@@ -80,10 +80,10 @@ namespace apps
     source.validate(root, physics.dimension);
     material.validate(root, physics.dimension);
     const Section &specimen = *root.find_section("Specimen");
-    if (bonded() && !specimen.find_entry("Interaction ratio")->set)
+    if (bonded() && !specimen.find_entry("Interaction ratio")->set && !specimen.find_entry("Installation gap")->set)
       specimen.refuse("Interaction ratio",
                       "the law links particles from the start: say up to which distance. Concrete: "
-                      "about 1.5; 1.05 links spheres that touch.");
+                      "about 1.5; 1.05 links spheres that touch. Or say Installation gap.");
     if (source.source == SpecimenSection::Source::none && more.added.empty())
       specimen.refuse("Source", "there is no particle at all. Give some in section More particles.");
     GroupNames names;
@@ -123,6 +123,7 @@ namespace apps
     made.physics           = physics;
     made.density           = source.density;
     made.interaction_ratio = source.interaction_ratio;
+    made.installation_gap  = source.installation_gap;
     made.thickness         = source.thickness;
     made.loose             = more.loose();
     made.step_factor       = time.step_factor;

@@ -84,6 +84,15 @@ namespace apps
   {
     void append(dem::Packing &whole, const dem::Packing &part)
     {
+      if (!whole.clump.empty() || !part.clump.empty())
+        {
+          whole.clump.resize(whole.size(), -1);
+          for (std::size_t i = 0; i < part.size(); ++i)
+            whole.clump.push_back(part.clump.empty() || part.clump[i] < 0 ?
+                                    -1 :
+                                    part.clump[i] + static_cast<std::int32_t>(whole.bodies.size()));
+          whole.bodies.insert(whole.bodies.end(), part.bodies.begin(), part.bodies.end());
+        }
       whole.centre.insert(whole.centre.end(), part.centre.begin(), part.centre.end());
       whole.radius.insert(whole.radius.end(), part.radius.begin(), part.radius.end());
       whole.material.insert(whole.material.end(), part.material.begin(), part.material.end());

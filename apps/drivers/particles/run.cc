@@ -25,6 +25,13 @@ namespace apps
     {
       dem::Packing now = packing;
       now.centre       = specimen.particles().position;
+      const auto first = specimen.clumps() - packing.bodies.size(); // others come from the scene
+      for (std::size_t b = 0; b < packing.bodies.size(); ++b)
+        {
+          const dem::ClumpState clump = specimen.clump(first + b);
+          now.bodies[b].centre        = clump.position;
+          now.bodies[b].inertia       = clump.turned * packing.bodies[b].inertia * clump.turned.transpose();
+        }
       return now;
     }
   }
@@ -45,12 +52,22 @@ namespace apps
     materials = MaterialCounts(packing.material_names, body->specimen());
   }
 
-  void ParticlesRun::prepare()
+  void ParticlesRun::make_start()
   {
-    packing = model.packing();
     make_body();
     const Progress progress("initial state");
     start = body->start();
+  }
+
+  void ParticlesRun::prepare()
+  {
+    if (model.source.source == SpecimenSection::Source::genesis)
+      {
+        genesis = std::make_unique<GenesisWork>(model.source, model.physics.dimension);
+        return;
+      }
+    packing = model.packing();
+    make_start();
   }
 
   void ParticlesRun::open(const std::filesystem::path &folder)
@@ -61,14 +78,24 @@ namespace apps
 
   void ParticlesRun::begin(const std::filesystem::path &folder, const Record &record)
   {
-    keep_packing(packing, folder);
-    open(folder);
+    location = folder;
+    if (!genesis)
+      begin_motion(record);
+  }
+
+  void ParticlesRun::begin_motion(const Record &record)
+  {
+    keep_packing(packing, location);
+    open(location);
     snapshots.take(body->specimen());
     record({{}, body->row(), {}});
   }
 
   void ParticlesRun::reopen(const std::filesystem::path &folder)
   {
+    location = folder;
+    if (model.source.source == SpecimenSection::Source::genesis) // its state says whether it is over
+      return prepare();
     packing = kept_packing(folder);
     make_body();
     open(folder);
@@ -77,6 +104,21 @@ namespace apps
   void ParticlesRun::visit_state(RunState &state)
   {
     state.group("particles");
+    std::int64_t growing = genesis ? 1 : 0;
+    if (model.source.source == SpecimenSection::Source::genesis)
+      state.scalar("growing", growing);
+    if (growing != 0)
+      {
+        state.group("genesis");
+        return genesis->visit_state(state);
+      }
+    if (genesis) // a reader, of a run whose particles have grown up
+      {
+        genesis.reset();
+        packing = kept_packing(location);
+        make_body();
+        open(location);
+      }
     apps::visit_state(state, start);
     sampling.visit_state(state);
     state.group("specimen");
@@ -87,22 +129,46 @@ namespace apps
 
   std::string ParticlesRun::size() const
   {
+    if (genesis)
+      return fmt::format("{} particles", genesis->particles());
     const dem::Counts counts = body->specimen().counts();
     return fmt::format("{} particles, {} links", counts.particles, counts.links);
   }
 
-  double ParticlesRun::done() const { return std::min(1.0, body->specimen().time() / model.end_time); }
+  double ParticlesRun::done() const
+  {
+    return genesis ? genesis->done() : std::min(1.0, body->specimen().time() / model.end_time);
+  }
 
   std::string ParticlesRun::details() const
   {
+    if (genesis)
+      return genesis->details();
     const dem::Counts counts = body->specimen().counts();
     return fmt::format("time {:.4g} s, {} contacts, {} links broken, {:.0f} steps/s", body->specimen().time(),
                        counts.contacts, counts.broken,
                        static_cast<double>(body->specimen().steps() - steps_before) / std::max(stepping_seconds, 1e-9));
   }
 
+  void ParticlesRun::grow(const Record &record)
+  {
+    genesis->advance();
+    if (!genesis->finished())
+      return;
+    const auto made = std::make_shared<const dem::Packing>(genesis->packing());
+    genesis->write(location, *made);
+    grown_text         = genesis->text();
+    model.source.grown = made;
+    genesis.reset();
+    packing = model.packing();
+    make_start();
+    begin_motion(record);
+  }
+
   void ParticlesRun::advance(const Record &record)
   {
+    if (genesis)
+      return grow(record);
     const Stopwatch watch;
     body->advance_to(sampling.next_time());
     stepping_seconds += watch.seconds();
@@ -148,6 +214,6 @@ namespace apps
       wall_seconds,
       left_out_of_balance(*model.material.materials().bonds(model.physics), body->specimen().particles().radius)};
     report.write(folder);
-    return report.text();
+    return grown_text + report.text();
   }
 } // namespace apps

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/drivers/particles/body.h"
+#include "apps/drivers/parts/genesis_work.h"
 #include "apps/drivers/parts/material_counts.h"
 #include "apps/drivers/parts/sampling.h"
 #include "apps/drivers/parts/specimen_snapshots.h"
@@ -14,6 +15,8 @@ namespace apps
 {
   /**
    * The work of a scene of kind "particles".
+   *
+   * Where the particles are grown, that comes first: with the files of GenesisWork::write().
    *
    * In the result folder, besides what every run has (life_cycle.h): packing.h5, particles_particles.pvd and particles_links.pvd with
    * their snapshots, and at the end packing_at_end.h5, summary.json and curve.png; of bonded particles crack.png and state.h5 as well.
@@ -33,14 +36,20 @@ namespace apps
     void                                   visit_state(RunState &state) override;
     std::vector<postprocess::SeriesColumn> series_columns() const override { return model.columns(); }
     std::string                            size() const override;
-    std::string                            stage() const override { return "motion"; }
+    std::string                            stage() const override { return genesis ? genesis->stage() : "motion"; }
     double                                 done() const override;
     std::string                            details() const override;
-    bool                                   finished() const override { return sampling.finished(); }
+    bool                                   finished() const override { return !genesis && sampling.finished(); }
     void                                   advance(const Record &record) override;
     std::string                            finish(const std::filesystem::path &folder, double wall_seconds) override;
 
     void make_body();
+    /** The body and its initial state. */
+    void make_start();
+    /** What a run in motion begins with, to its folder and series. */
+    void begin_motion(const Record &record);
+    /** Some further; where particles have grown up, they begin to move. */
+    void grow(const Record &record);
     void open(const std::filesystem::path &folder);
     /** The row of now: recorded, and looked at by the stop conditions. */
     void        record_row(const Record &record);
@@ -49,6 +58,9 @@ namespace apps
     RunRequest                     request;
     ParticlesModel                 model;
     dem::Packing                   packing;
+    std::string                    grown_text; ///< what genesis has reached, of a run that saw its end
+    std::filesystem::path          location;   ///< where results grow
+    std::unique_ptr<GenesisWork>   genesis;    ///< while particles grow; then there is the body
     std::unique_ptr<ParticlesBody> body;
     MaterialCounts                 materials; ///< before anything moves
     StaticStart                    start;

@@ -3,9 +3,11 @@
 #include "apps/drivers/particles/piled_up.h"
 #include "apps/drivers/particles/run.h"
 #include "apps/drivers/parts/duration.h"
+#include "apps/drivers/parts/genesis_work.h"
 #include "apps/drivers/parts/material_counts.h"
 #include "apps/drivers/parts/run_forecast.h"
 #include "apps/drivers/parts/specimen_snapshots.h"
+#include "apps/process/progress.h"
 
 #include <fmt/format.h>
 
@@ -24,8 +26,27 @@ namespace apps
     }
   } // namespace
 
+  namespace
+  {
+    /** Of particles that are still to grow: how many, and how long that may take. */
+    std::string growth_forecast(const ParticlesModel &model)
+    {
+      constexpr double usual_steps = 1.1e5, particle_steps_a_second = 1.5e7; // of one core, with 6000 and 55000 discs
+      GenesisWork      work(model.source, model.physics.dimension);          // refuses what a run would refuse
+      const auto       n    = static_cast<double>(work.particles());
+      std::string      text = fmt::format("  particles    {}, to be grown:", work.particles());
+      for (const std::size_t count : model.source.genesis.counts(model.physics.dimension))
+        text += fmt::format(" {}", count);
+      text += fmt::format("\n  genesis      roughly {} on one core\n",
+                          duration_text(usual_steps * n / particle_steps_a_second));
+      return text + "  motion       known only when the particles have grown\n";
+    }
+  } // namespace
+
   std::string ParticlesScene::forecast() const
   {
+    if (model.source.source == SpecimenSection::Source::genesis)
+      return growth_forecast(model);
     const Stopwatch    set_up;
     const dem::Packing packing = model.packing();
     ParticlesBody      body(model, packing); // refuses what a run would refuse

@@ -1,5 +1,6 @@
 #include "apps/drivers/parts/specimen_packing.h"
 
+#include "apps/drivers/parts/genesis_work.h"
 #include "apps/process/interrupt.h"
 #include "apps/process/progress.h"
 #include "base/errors.h"
@@ -16,6 +17,26 @@
 
 namespace apps
 {
+  namespace
+  {
+    /** Bodies of which there are pebbles left, numbered anew. */
+    void keep_bodies_with_pebbles(const dem::Packing &whole, dem::Packing &rest)
+    {
+      std::vector<std::int32_t> number(whole.bodies.size(), -1);
+      for (std::int32_t &of : rest.clump)
+        if (of >= 0)
+          {
+            std::int32_t &kept = number[static_cast<std::size_t>(of)];
+            if (kept < 0)
+              {
+                kept = static_cast<std::int32_t>(rest.bodies.size());
+                rest.bodies.push_back(whole.bodies[static_cast<std::size_t>(of)]);
+              }
+            of = kept;
+          }
+    }
+  } // namespace
+
   dem::Packing particles_where(const dem::Packing &packing, const std::function<bool(std::size_t)> &keeps)
   {
     dem::Packing rest;
@@ -27,7 +48,10 @@ namespace apps
           rest.radius.push_back(packing.radius[i]);
           if (!packing.material.empty())
             rest.material.push_back(packing.material[i]);
+          if (!packing.clump.empty())
+            rest.clump.push_back(packing.clump[i]);
         }
+    keep_bodies_with_pebbles(packing, rest);
     return rest;
   }
 
@@ -77,7 +101,8 @@ namespace apps
     /** The specimen with what becomes of its loose pieces. @throws base::InputError if it has some and must not */
     dem::Packing in_one_piece(dem::Packing packing, const SpecimenSection &specimen)
     {
-      const auto links = dem::find_pairs(packing.centre, packing.radius, specimen.interaction_ratio, 0.0, std::nullopt);
+      const auto        links  = dem::find_pairs(packing.centre, packing.radius, specimen.interaction_ratio,
+                                                 specimen.installation_gap, std::nullopt);
       const dem::Pieces pieces = dem::find_pieces(packing.size(), links);
       if (pieces.size.size() < 2 || links.empty()) // nothing linked at all is refused elsewhere
         return packing;
@@ -97,8 +122,10 @@ namespace apps
         }
     }
 
-    dem::Packing make_particles(const SpecimenSection &specimen, std::optional<dem::Packing> *cell)
+    dem::Packing make_particles(const SpecimenSection &specimen, const int dimension, std::optional<dem::Packing> *cell)
     {
+      if (specimen.source == SpecimenSection::Source::genesis)
+        return specimen.grown ? *specimen.grown : grown_with_progress(specimen, dimension);
       if (specimen.body == SpecimenSection::Body::cell)
         return make_cell(specimen);
       dem::Packing packing = specimen.source == SpecimenSection::Source::generator ?
@@ -119,7 +146,9 @@ namespace apps
 
   std::string origin_of(const SpecimenSection &specimen)
   {
-    return specimen.source == SpecimenSection::Source::file ? specimen.file : "generated packing";
+    return specimen.source == SpecimenSection::Source::file    ? specimen.file :
+           specimen.source == SpecimenSection::Source::genesis ? "grown packing" :
+                                                                 "generated packing";
   }
 
   dem::Packing
@@ -127,7 +156,7 @@ namespace apps
   {
     const bool        from_file = specimen.source == SpecimenSection::Source::file;
     const std::string origin    = origin_of(specimen);
-    dem::Packing      packing   = make_particles(specimen, cell);
+    dem::Packing      packing   = make_particles(specimen, dimension, cell);
     if (from_file || specimen.body == SpecimenSection::Body::box)
       dem::check_packing(packing, origin);
     if (from_file)
@@ -140,6 +169,10 @@ namespace apps
   dem::Packing make_packing(const SpecimenSection &specimen, const MaterialSection &material, const int dimension)
   {
     dem::Packing packing = specimen_particles(specimen, dimension);
+    if (!packing.bodies.empty())
+      throw base::InputError(origin_of(specimen) +
+                             ": the packing has rigid bodies, for which there are scenes of Kind = "
+                             "particles.");
     material.assign(packing, dimension, origin_of(specimen));
     return packing;
   }

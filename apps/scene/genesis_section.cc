@@ -1,0 +1,271 @@
+#include "apps/scene/genesis_section.h"
+
+#include "apps/scene/size_table.h"
+#include "apps/scene/value_text.h"
+#include "base/errors.h"
+#include "dem/model/packing.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+namespace apps
+{
+  // --- Aggregates ---
+
+  void AggregatesSection::declare(Section &genesis)
+  {
+    Section &section =
+      genesis.section("Aggregates", "Polygons in the plane, whose particles move as rigid bodies of the "
+                                    "polygons' mass and inertia");
+    const auto there = [this] { return given(); };
+    section.number("Content", content, "-", Range::between(0, 1), Need::optional)
+      .means("Part of the volume that is aggregate of any size, for Walraven's grading of a plane section; 0: none");
+    section.text("Sizes", bounds, Need::required)
+      .means("Bounds of the classes of diameters that are modelled, ascending, between commas [m]; the last is the "
+             "largest of the grading")
+      .only_if(there, "Specimen/Genesis/Aggregates/Content > 0");
+    section.integer("Fewest corners", fewest_corners, "", Range::between(3, 20), Need::optional).means("Of a polygon");
+    section.integer("Most corners", most_corners, "", Range::between(3, 20), Need::optional).means("Of a polygon");
+    section.number("Clearance", clearance, "m", Range::at_least(0), Need::optional).means("Between two, at least");
+    section.flag("Middle sizes", middle_sizes)
+      .means("All of a class have its middle diameter; off: diameters are evenly spread over it");
+    section.text("Mortar material", mortar, Need::optional).means("Section in Materials, of particles between them");
+    section.text("Aggregate material", aggregate, Need::optional).means("Section in Materials, of their pebbles");
+  }
+
+  dem::AggregateParameters AggregatesSection::parameters(const std::uint64_t seed) const
+  {
+    dem::AggregateParameters p;
+    p.content = content;
+    for (const std::string &part : comma_separated(bounds))
+      {
+        const auto bound = number_in(part);
+        if (!bound)
+          throw base::InputError("Specimen/Genesis/Aggregates/Sizes = " + bounds + ": \"" + part + "\" is no number.");
+        p.bounds.push_back(*bound);
+      }
+    p.fewest_corners = static_cast<int>(fewest_corners);
+    p.most_corners   = static_cast<int>(most_corners);
+    p.clearance      = clearance;
+    p.middle_sizes   = middle_sizes;
+    p.seed           = seed;
+    return p;
+  }
+
+  void AggregatesSection::validate(const Section &genesis, const int dimension) const
+  {
+    if (!given())
+      return;
+    const Section &section = *genesis.find_section("Aggregates");
+    if (dimension != 2)
+      section.refuse("Content", "aggregates are polygons in the plane, and Physics/Dimension is 3.");
+    if (most_corners < fewest_corners)
+      section.refuse("Most corners", fmt::format("must not be below Fewest corners = {}.", fewest_corners));
+    if (mortar == aggregate)
+      section.refuse("Aggregate material", "must be another one than Mortar material.");
+    for (const auto &[entry, name] : {std::pair{"Mortar material", mortar}, std::pair{"Aggregate material", aggregate}})
+      if (!dem::is_material_name(name))
+        section.refuse(entry, dem::material_name_rule() + std::string("."));
+    try
+      {
+        dem::aggregate_counts(content, parameters(1).bounds, 1.0);
+      }
+    catch (const base::InputError &refused)
+      {
+        section.refuse("Sizes", refused.what());
+      }
+  }
+
+  // --- Genesis ---
+
+  namespace
+  {
+    void declare_sizes(Section &section, GenesisSection &of)
+    {
+      const auto of_kind = [&of](const GenesisSection::Sizes kind) { return [&of, kind] { return of.sizes == kind; }; };
+      section
+        .choice("Sizes", of.sizes,
+                {{"classes", GenesisSection::Sizes::classes},
+                 {"file", GenesisSection::Sizes::file},
+                 {"uniform", GenesisSection::Sizes::uniform}},
+                Need::optional)
+        .means("classes: diameters and fractions of the solid area (volume), listed in the scene; file: a table of "
+               "these; uniform: radii evenly spread about a mean one");
+      section.text("Classes", of.classes, Need::required)
+        .means("diameter: fraction, diameter: fraction, ... [m], or smallest-largest: fraction; fractions of area (in "
+               "space of volume) sum up to 1")
+        .only_if(of_kind(GenesisSection::Sizes::classes), "Specimen/Genesis/Sizes = classes");
+      section.file("Size file", of.file)
+        .means("Table with the columns diameter and fraction; or smallest, largest and fraction; or of a sieve curve "
+               "size and passing, ascending. Lengths in [m], or [mm] where its header says so")
+        .only_if(of_kind(GenesisSection::Sizes::file), "Specimen/Genesis/Sizes = file");
+      section.number("Size factor", of.size_factor, "-", Range::positive(), Need::optional)
+        .means("All diameters of classes or file times this: the scale of the particles");
+      section.number("Mean radius", of.mean_radius, "m", Range::positive(), Need::required)
+        .means("Of uniform sizes; decides how many particles there are")
+        .only_if(of_kind(GenesisSection::Sizes::uniform), "Specimen/Genesis/Sizes = uniform");
+      section.number("Radius ratio", of.radius_ratio, "-", Range::at_least(1), Need::optional)
+        .means("Largest over smallest radius of uniform sizes");
+    }
+
+    void declare_growth(Section &section, dem::GenesisParameters &g)
+    {
+      section.number("Effective modulus", g.material.contact.effective_modulus, "Pa", Range::positive(), Need::required)
+        .means("E* of linear contacts of particles, and of these with walls, during genesis");
+      section.number("Stiffness ratio", g.material.contact.stiffness_ratio, "-", Range::positive(), Need::optional)
+        .means("k_n/k_s of these");
+      section
+        .number("Friction coefficient", g.material.contact.friction_coefficient, "-", Range::at_least(0),
+                Need::optional)
+        .means("Between particles, once they have grown; walls have none");
+      section.number("Growth friction", g.growth_friction, "-", Range::at_least(0), Need::optional)
+        .means("The same while they grow; without any they become denser");
+      section.number("Damping", g.material.damping, "-", Range::from_up_to(0, 1), Need::optional)
+        .means("Local damping");
+      section.integer("Increments", g.increments, "", Range::between(1, 1e6), Need::optional)
+        .means("Of radii from half to full size");
+      section.number("Increment ratio", g.increment_ratio, "-", Range::positive(), Need::optional)
+        .means("Unbalanced ratio that an increment ends with");
+      section.integer("Increment steps", g.increment_steps, "", Range::between(1, 1e9), Need::optional)
+        .means("At most for one increment");
+      section.number("Ratio", g.ratio, "-", Range::positive(), Need::optional)
+        .means("Unbalanced ratio that stages end with");
+      section.integer("Solve steps", g.solve_steps, "", Range::between(1, 1e9), Need::optional)
+        .means("At most, to get there once");
+      section.number("Stress", g.stress, "Pa", Range::at_least(0), Need::required)
+        .means("Low isotropic pressure that all radii are changed for at last; a hundredth of the strength at most. 0: "
+               "they stay as the porosity has them, floaters too");
+      section.number("Stress tolerance", g.stress_tolerance, "-", Range::positive(), Need::optional)
+        .means("Of the stress, over it");
+      section.integer("Stress rounds", g.stress_rounds, "", Range::between(1, 1e6), Need::optional)
+        .means("Changes of the radii at most, to get there");
+      section.flag("Fit floaters", g.fit_floaters)
+        .means("Enlarge particles with too few contacts until they have enough");
+      section.number("Floaters allowed", g.floaters_allowed, "-", Range::between(0, 1), Need::optional)
+        .means("Part of the particles that may have fewer than three contacts");
+      section.integer("Floater rounds", g.floater_rounds, "", Range::between(1, 1000), Need::optional).means("At most");
+    }
+  } // namespace
+
+  void GenesisSection::declare(Section &specimen, const int &, const std::function<bool()> &chosen)
+  {
+    growth.material.contact.friction_coefficient = 0.1;
+    Section &section                             = specimen.section(
+                                  "Genesis",
+                                  "Particles of given sizes, put into a vessel at half size and grown until they touch under a low stress");
+    section.only_if(chosen, "Specimen/Source = genesis");
+    section
+      .choice("Vessel", growth.vessel.shape,
+              {{"box", dem::Vessel::Shape::box}, {"cylinder", dem::Vessel::Shape::cylinder}}, Need::optional)
+      .means("box: with a corner in the origin, in the plane a window; cylinder: upright in such a box");
+    section.vector("Size", size, "m", Range::at_least(0), Need::required)
+      .means("Edges of the vessel; the third does not count in the plane");
+    declare_sizes(section, *this);
+    section.number("Porosity", porosity, "-", Range::from_up_to(0, 1), Need::optional)
+      .means("At full size, before the stress is set: how many particles there are");
+    section.integer("Seed", seed, "", Range::between(0, 9007199254740992.0), Need::optional)
+      .means("Another seed gives another packing; the same seed the same packing");
+    declare_growth(section, growth);
+    aggregates.declare(section);
+  }
+
+  dem::Vessel GenesisSection::vessel(const int dimension) const
+  {
+    dem::Vessel made = growth.vessel;
+    made.dimension   = dimension;
+    made.size        = {size[0], size[1], dimension == 2 ? 0.0 : size[2]};
+    return made;
+  }
+
+  std::vector<dem::SizeClass> GenesisSection::size_classes() const
+  {
+    std::vector<dem::SizeClass> found;
+    if (sizes == Sizes::uniform)
+      {
+        // Mean radius and ratio of the largest to the smallest say both.
+        const double smallest = 4 * mean_radius / (1 + radius_ratio);
+        return {{1.0, smallest, radius_ratio * smallest}};
+      }
+    found = sizes == Sizes::file ? size_classes_in_file(file) : size_classes_in_text(classes);
+    for (dem::SizeClass &one : found)
+      {
+        one.smallest *= size_factor;
+        one.largest *= size_factor;
+      }
+    dem::check_sizes(found);
+    return found;
+  }
+
+  std::vector<std::size_t> GenesisSection::counts(const int dimension) const
+  {
+    const double space = vessel(dimension).space();
+    if (sizes == Sizes::uniform)
+      return {dem::count_by_mean_radius(space, porosity, mean_radius, dimension)};
+    return dem::class_counts(size_classes(), space, porosity, dimension);
+  }
+
+  dem::GenesisParameters GenesisSection::parameters(const int dimension, const double thickness) const
+  {
+    dem::GenesisParameters p = growth;
+    p.vessel                 = vessel(dimension);
+    p.vessel.check();
+    p.seed               = static_cast<std::uint64_t>(seed);
+    p.material.thickness = thickness;
+    p.radii              = dem::draw_radii(size_classes(), counts(dimension), p.seed);
+    if (sizes == Sizes::uniform)
+      {
+        double solid = 0;
+        for (const double r : p.radii)
+          solid += dimension == 2 ? M_PI * r * r : 4.0 / 3.0 * M_PI * r * r * r;
+        const double factor = dem::expansion_factor(porosity, 1 - solid / p.vessel.space(), dimension);
+        for (double &r : p.radii)
+          r *= factor;
+      }
+    return p;
+  }
+
+  void GenesisSection::finish(dem::Packing &packing) const
+  {
+    if (aggregates.given())
+      dem::make_pebbles(packing,
+                        dem::place_aggregates(aggregates.parameters(static_cast<std::uint64_t>(seed)), vessel(2)),
+                        aggregates.mortar, aggregates.aggregate);
+  }
+
+  void GenesisSection::validate(const Section &specimen, const int dimension) const
+  {
+    const Section &section = *specimen.find_section("Genesis");
+    aggregates.validate(section, dimension);
+    if (sizes == Sizes::file && !std::filesystem::is_regular_file(file))
+      section.refuse("Size file",
+                     "there is no such file (" + std::filesystem::absolute(file).lexically_normal().string() + ").");
+    const char *sizes_from = sizes == Sizes::classes ? "Classes" : sizes == Sizes::file ? "Size file" : "Mean radius";
+    try
+      {
+        vessel(dimension).check();
+      }
+    catch (const base::InputError &refused)
+      {
+        section.refuse("Size", refused.what());
+      }
+    std::size_t all = 0;
+    try
+      {
+        for (const std::size_t count : counts(dimension))
+          all += count;
+      }
+    catch (const base::InputError &refused)
+      {
+        section.refuse(sizes_from, refused.what());
+      }
+    constexpr std::size_t most = 100'000'000;
+    if (all == 0)
+      section.refuse(sizes_from, "not one particle fits into the vessel. Check the units: metres.");
+    if (all > most)
+      section.refuse(sizes_from,
+                     fmt::format("that would be {:.1e} particles. Check the units: metres.", static_cast<double>(all)));
+    if (!(growth.stress < growth.material.contact.effective_modulus))
+      section.refuse("Stress", "must be far below the modulus of the contacts.");
+  }
+} // namespace apps

@@ -1,0 +1,253 @@
+// Particles grown by a scene, through the program: what it leaves, resuming, aggregates, refusals.
+#include "postprocess/packing_io.h"
+#include "tests/apps/interrupted_runs.h"
+#include "tests/apps/scene_runs.h"
+#include "tests/apps/scenes.h"
+#include "tests/apps/scratch_folder.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+
+using namespace apps_tests;
+using Catch::Contains;
+
+namespace
+{
+  /** A window of mortar of two sizes, bonded by flat joints and left alone for some steps. */
+  const std::string mortar = R"(set Kind = particles
+subsection Physics
+  set Dimension = 2
+end
+subsection Specimen
+  set Source           = genesis
+  set Density          = 1624
+  set Thickness        = 1
+  set Installation gap = 2e-4
+  set Loose pieces     = keep
+  subsection Genesis
+    set Size              = 0.02, 0.03, 0
+    set Classes           = 1e-3: 0.5, 3.2e-3: 0.5
+    set Effective modulus = 8e9
+    set Stress            = 27500
+    set Increments        = 20
+    set Stress rounds     = 3
+    set Floater rounds    = 2
+    set Solve steps       = 2000
+  end
+end
+subsection Material
+  set Law = flat-joint
+  subsection flat-joint
+    set Effective modulus    = 10.38e9
+    set Tensile strength     = 0.29e6
+    set Cohesion             = 1.98e6
+    set Friction angle       = 20.7
+    set Friction coefficient = 0.21
+  end
+end
+subsection Gravity
+  set Initial equilibrium = none
+end
+subsection Time
+  set End time = 2e-5
+  set Damping  = 0.7
+end
+subsection Output
+  set Samples   = 4
+  set Snapshots = 0
+end
+)";
+
+  /** Concrete: mortar of uniform radii, aggregates in it, links of three kinds. */
+  const std::string concrete = R"(set Kind = particles
+subsection Physics
+  set Dimension = 2
+end
+subsection Specimen
+  set Source           = genesis
+  set Density          = 2000
+  set Thickness        = 1
+  set Interaction ratio = 1.000001
+  set Loose pieces     = keep
+  subsection Genesis
+    set Size              = 0.04, 0.03, 0
+    set Sizes             = uniform
+    set Mean radius       = 0.5e-3
+    set Radius ratio      = 2.5
+    set Porosity          = 0.12
+    set Effective modulus = 16e9
+    set Stiffness ratio   = 1.45
+    set Stress            = 1e5
+    set Increments        = 20
+    set Stress rounds     = 3
+    set Fit floaters      = false
+    set Solve steps       = 2000
+    subsection Aggregates
+      set Content   = 0.75
+      set Sizes     = 5e-3, 7e-3, 9e-3
+      set Clearance = 1e-3
+    end
+  end
+end
+subsection Materials
+  subsection mortar
+    set Law = parallel-bond
+    subsection parallel-bond
+      set Effective modulus    = 16e9
+      set Stiffness ratio      = 1.45
+      set Tensile strength     = 10e6
+      set Cohesion             = 30e6
+      set Friction coefficient = 0.5
+    end
+  end
+  subsection aggregate
+    set Law     = parallel-bond
+    set Density = 2650
+    subsection parallel-bond
+      set Effective modulus    = 20e9
+      set Stiffness ratio      = 2
+      set Tensile strength     = 0
+      set Cohesion             = 0
+      set Friction coefficient = 1
+    end
+  end
+end
+subsection Interfaces
+  subsection transition
+    set Material       = mortar
+    set Other material = aggregate
+    subsection parallel-bond
+      set Effective modulus    = 8e9
+      set Stiffness ratio      = 1.45
+      set Tensile strength     = 5e6
+      set Cohesion             = 15e6
+      set Friction coefficient = 0.5
+    end
+  end
+  subsection between aggregates
+    set Material       = aggregate
+    set Other material = aggregate
+    set Bonded         = false
+    subsection parallel-bond
+      set Effective modulus    = 20e9
+      set Stiffness ratio      = 2
+      set Tensile strength     = 0
+      set Cohesion             = 0
+      set Friction coefficient = 1
+    end
+  end
+end
+subsection Gravity
+  set Initial equilibrium = none
+end
+subsection Time
+  set End time = 1e-5
+  set Damping  = 0.7
+end
+subsection Output
+  set Samples   = 2
+  set Snapshots = 0
+end
+)";
+} // namespace
+
+TEST_CASE("A scene grows its particles, bonds them without a force, and keeps what each stage has reached",
+          "[apps][genesis]")
+{
+  const ScratchFolder folder;
+  folder.file("mortar.prm", mortar);
+  const Results found = results_of(folder, "mortar.prm");
+  CHECK(found.summary["cost"]["particles"] == 344 + 34);
+  CHECK(found.series.column("broken_links").back() == 0);
+  CHECK(found.series.column("energy_kinetic").back() < 1e-20);
+  const auto genesis = nlohmann::json::parse(content_of(folder / "results/genesis.json"));
+  CHECK(genesis["stages"].size() == 5);
+  CHECK(genesis["stages"][0]["stage"] == "growth");
+  CHECK(genesis["bonds"]["count"] == found.summary["cost"]["links"]);
+  const double growth = genesis["energy_J"]["growth"], error = genesis["energy_J"]["error"];
+  CHECK(std::abs(error) < 0.01 * growth);
+  CHECK_THAT(content_of(folder / "results/genesis.csv"), Contains("stress again,"));
+}
+
+TEST_CASE("The packing of a genesis is what a scene reads, to the same links", "[apps][genesis]")
+{
+  const ScratchFolder folder;
+  folder.file("mortar.prm", mortar);
+  const Results found = results_of(folder, "mortar.prm");
+  std::filesystem::copy(folder / "results/packing.txt", folder / "packing.txt");
+  std::filesystem::remove_all(folder / "results");
+  const Results again = results_of(folder, "mortar.prm", {"Specimen/Source=file", "Specimen/File=packing.txt"});
+  CHECK(again.summary["cost"]["links"] == found.summary["cost"]["links"]);
+  CHECK(again.series.columns == found.series.columns);
+}
+
+TEST_CASE("A genesis that was interrupted goes on to the same bits", "[apps][genesis][slow]")
+{
+  const ScratchFolder folder;
+  folder.file("mortar.prm", replaced(mortar, "0.02, 0.03", "0.03, 0.05"));
+  goes_on_to_the_same_bits(folder,
+                           {{"run", "mortar.prm"},
+                            {"scene.prm"},
+                            [](const std::filesystem::path &results) {
+                              return content_of(results / "packing.txt") + content_of(results / "series.csv");
+                            }},
+                           {SIGINT});
+}
+
+TEST_CASE("Aggregates are clumps in mortar, bonded to it and not to each other", "[apps][genesis]")
+{
+  const ScratchFolder folder;
+  folder.file("concrete.prm", concrete);
+  const Results      found   = results_of(folder, "concrete.prm");
+  const dem::Packing packing = postprocess::read_packing(folder / "results/packing.txt");
+  REQUIRE(packing.bodies.size() >= 3);
+  CHECK(packing.material_names == std::vector<std::string>{"mortar", "aggregate"});
+  for (std::size_t i = 0; i < packing.size(); ++i)
+    CHECK((packing.clump[i] >= 0) == (packing.material[i] == 1));
+  CHECK(found.series.column("broken_links").back() == 0);
+
+  CHECK(found.summary["cost"]["links"].get<int>() > 500);
+}
+
+TEST_CASE("What a genesis cannot be made of is refused with the place", "[apps][genesis]")
+{
+  const ScratchFolder folder;
+  const std::string   of = "Specimen/Genesis/";
+  folder.file("mortar.prm", mortar);
+  folder.file("concrete.prm", concrete);
+  is_refused(folder, "mortar.prm", {of + "Classes=1e-3: 0.5, 3e-3: 0.4"}, "fractions sum up to 0.9");
+  is_refused(folder, "mortar.prm", {of + "Classes=1e-3"}, "expected diameter: fraction");
+  is_refused(folder, "mortar.prm", {of + "Classes=1: 1"}, "not one particle fits");
+  is_refused(folder, "mortar.prm", {of + "Vessel=cylinder"}, "a cylinder has three dimensions");
+  is_refused(folder, "mortar.prm", {of + "Size=0, 0.03, 0"}, "must be above 0");
+  is_refused(folder, "mortar.prm", {of + "Stress=1e12"}, "far below the modulus");
+  is_refused(folder, "mortar.prm", {of + "Sizes=file", of + "Size file=none.csv"}, "no such file");
+  is_refused(folder, "concrete.prm", {of + "Aggregates/Sizes=9e-3, 5e-3"}, "must ascend");
+  is_refused(folder, "concrete.prm", {of + "Aggregates/Most corners=3"}, "must not be below Fewest corners");
+  is_refused(folder, "concrete.prm", {"Interfaces/transition/Material=mortr"}, "is not in section Materials");
+}
+
+TEST_CASE("Sizes are read from a table: diameters, ranges or a sieve curve", "[apps][genesis]")
+{
+  const ScratchFolder folder;
+  folder.file("mortar.prm", mortar);
+  const auto forecast = [&](const std::string &table) {
+    folder.file("sizes.csv", table);
+    const Outcome found = outcome_of(folder, "check", "mortar.prm",
+                                     {"Specimen/Genesis/Sizes=file", "Specimen/Genesis/Size file=sizes.csv"});
+    INFO(found.err);
+    CHECK(found.status == 0);
+    return found.out;
+  };
+  CHECK_THAT(forecast("diameter [mm],fraction\n1,0.5\n3.2,0.5\n"), Contains("378, to be grown: 344 34"));
+  CHECK_THAT(forecast("smallest [m],largest [m],fraction\n0.001,0.001,0.5\n0.0032,0.0032,0.5\n"),
+             Contains("378, to be grown: 344 34"));
+  CHECK_THAT(forecast("size [mm],passing\n1,0\n2,0.5\n4,1\n"), Contains("to be grown: 147 37"));
+  folder.file("sizes.csv", "size [mm],passing\n1,0\n2,0.5\n");
+  is_refused(folder, "mortar.prm", {"Specimen/Genesis/Sizes=file", "Specimen/Genesis/Size file=sizes.csv"},
+             "goes from 0");
+}
