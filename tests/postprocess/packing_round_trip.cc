@@ -36,6 +36,14 @@ namespace
       REQUIRE(*a.periodic_cell == *b.periodic_cell);
     REQUIRE(a.material == b.material);
     REQUIRE(a.material_names == b.material_names);
+    REQUIRE(a.clump == b.clump);
+    REQUIRE(a.bodies.size() == b.bodies.size());
+    for (std::size_t k = 0; k < a.bodies.size(); ++k)
+      {
+        REQUIRE(a.bodies[k].volume == b.bodies[k].volume);
+        REQUIRE(a.bodies[k].centre == b.bodies[k].centre);
+        REQUIRE(a.bodies[k].inertia == b.bodies[k].inertia);
+      }
   }
 } // namespace
 
@@ -54,6 +62,19 @@ TEST_CASE("a packing read back from any format has the same bits", "[postprocess
     for (std::size_t i = 0; i < packing.size(); ++i)
       packing.material.push_back(i % 3 == 1 ? 0 : 1);
     packing.material_names = {"mortar", "aggregate-1", "2.5"};
+  }
+  SECTION("with pebbles of two rigid bodies")
+  {
+    packing.clump.assign(packing.size(), -1);
+    packing.clump[3] = packing.clump[7] = 0;
+    packing.clump[5]                    = 1;
+    packing.bodies.resize(2);
+    for (dem::PackedBody &body : packing.bodies)
+      {
+        body.volume = 1.0 / 3;
+        body.centre = packing.centre[3];
+        body.inertia << 1.0 / 7, 0.1, 0.2, 0.1, 1.0 / 9, 0.3, 0.2, 0.3, 1.0 / 11;
+      }
   }
   write_packing(packing, folder / name);
   const dem::Packing read = read_packing(folder / name);
