@@ -193,6 +193,7 @@ namespace dem
     visit(visitor, named("place"), place);
     visit(visitor, named("motion"), motion);
     visit(visitor, named("rate"), rate);
+    visitor.column(named("cut"), cut);
     visit(visitor, named("force"), force);
     visit(visitor, named("impulse"), impulse);
     visit(visitor, named("turn_impulse"), turn_impulse);
@@ -208,7 +209,8 @@ namespace dem
                                                                            {"total_force", &total_force},
                                                                            {"total_moment", &total_moment},
                                                                            {"momentum", &momentum},
-                                                                           {"angular_momentum", &angular_momentum}})
+                                                                           {"angular_momentum", &angular_momentum},
+                                                                           {"servo_direction", &servo.direction}})
       visit(visitor, named(name_of_vector), *vector);
     visitor.scalar(named("servo_force"), servo.force);
     visitor.scalar(named("work"), work);

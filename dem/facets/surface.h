@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/column.h"
 #include "base/state.h"
 #include "dem/facets/facet_mesh.h"
 #include "dem/facets/footprint.h"
@@ -79,6 +80,7 @@ namespace dem
     std::vector<double>    area; ///< of the facets as they were made, segments their length [m^2, m]; of a skin only
     Footprint              footprint; ///< given where contacts are spread
     std::vector<bool>      meets;     ///< each particle, in the order of Particles; empty: all
+    base::Column           cut;       ///< how deep each may reach in without force, likewise [m]; empty: not at all
     Led                    led      = Led::rigidly;
     Eigen::Vector3d        velocity = {0, 0, 0}, spin = {0, 0, 0}; ///< of a rigid one [m/s], [rad/s]
     Eigen::Vector3d        centre = {0, 0, 0};                     ///< that it spins about; moves with it [m]
@@ -103,7 +105,8 @@ namespace dem
     /** @param particles that touch it, in the order of Particles; empty: all */
     Surface(const SurfaceParameters &parameters, bool friction, std::vector<bool> particles = {});
 
-    bool meets_particle(const std::int32_t i) const { return meets.empty() || meets[static_cast<std::size_t>(i)]; }
+    bool   meets_particle(const std::int32_t i) const { return meets.empty() || meets[static_cast<std::size_t>(i)]; }
+    double cut_of(const std::int32_t i) const { return cut.empty() ? 0.0 : cut[static_cast<std::size_t>(i)]; }
     /** Facets that bound a body push a centre out of it that has sunk in, where contacts act at the nearest point. */
     bool holds_from_within() const { return !mesh.outward.empty() && skin == 0 && !footprint.given(); }
     /** How far from its centre a particle of this radius looks for facets [m]. */

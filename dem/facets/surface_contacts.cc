@@ -81,6 +81,23 @@ namespace dem
     return std::any_of(glues.begin(), glues.end(), [](const SurfaceBonds &glue) { return glue.holds(); });
   }
 
+  void SurfaceContacts::cut_off_at(const std::size_t number, const Particles &particles, const ParticleShape &shape)
+  {
+    Surface &surface = all.at(number);
+    if (surface.skin > 0 || surface.footprint.given())
+      throw base::InputError("wall " + surface.name + ": particles are cut off only where contacts act at a point.");
+    base::Column deepest(particles.count, 0.0);
+    for (const SurfaceContact &contact : contacts)
+      if (contact.surface == static_cast<std::int32_t>(number))
+        {
+          double &cut = deepest[static_cast<std::size_t>(contact.particle)];
+          cut         = std::max(cut, contact.overlap + surface.cut_of(contact.particle));
+        }
+    surface.cut = deepest;
+    found       = false;
+    find_forces(particles, shape);
+  }
+
   std::vector<std::int32_t> SurfaceContacts::glue(const std::size_t              surface,
                                                   const double                   within,
                                                   std::shared_ptr<const LinkLaw> law,

@@ -42,6 +42,7 @@ namespace dem
   struct SurfaceContacts::Room
   {
     std::vector<NearPoint>      near;
+    double                      cut = 0; ///< off the particle that is looked at [m]
     ZoneRoom                    zones;
     SpreadContact               spread;
     std::vector<StandingSphere> standing; ///< the particle, then those beside it
@@ -209,6 +210,7 @@ namespace dem
         if (block.room->near.empty())
           continue;
         block.room->fresh.clear();
+        block.room->cut = surface.cut_of(i);
         if (surface.footprint.given())
           gather_beside(particles, listed, surface, block);
         if (surface.skin > 0)
@@ -276,7 +278,7 @@ namespace dem
     contact_zones(block.room->near, centre, look, block.room->zones);
     for (ContactZone &zone : block.room->zones.zones)
       {
-        zone.overlap -= look - radius;
+        zone.overlap -= look - radius + block.room->cut;
         const bool spread =
           surface.footprint.given() &&
           surface.footprint.spread(surface.mesh, surface.place, zone, block.room->standing, block.room->spread);

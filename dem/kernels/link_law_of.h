@@ -46,6 +46,18 @@ namespace dem
     return false;
   }
 
+  /** Law::tells_elements, false for a law that does not speak of it. */
+  template <typename Law>
+  constexpr bool law_tells_elements(decltype(Law::tells_elements, 0))
+  {
+    return Law::tells_elements;
+  }
+  template <typename Law>
+  constexpr bool law_tells_elements(...)
+  {
+    return false;
+  }
+
   /** Law::has_rows, false for a law that does not speak of it. */
   template <typename Law>
   constexpr bool law_has_rows(decltype(Law::has_rows, 0))
@@ -72,6 +84,8 @@ namespace dem
    *                                                                 for laws that remember further numbers, as many as the
    *                                                                 constants say: quantities, their number, and those of a new
    *                                                                 link; the State has them as ElementRows<T> rows
+   *   tells_elements, broken_elements(constants, geometry, state)   for laws that tell how a bond, or which of its elements, broke:
+   *                                                                 offsets along axis 1 and axis 2 = n x axis 1 of the link
    *   history()                                                     quantities of numbers (those in space, of which links in the
    *                                                                 plane may have only the first), shears, bendings, axes
    *   put(constants, record), gathered(packs, first)                constants as numbers in records of eight, and back as packs
@@ -165,6 +179,24 @@ namespace dem
     {
       return with_state(history, [&](const auto &state) { return Law::phase(all[pair], link, state); });
     }
+    std::vector<BrokenElement> broken_elements(const std::size_t      pair,
+                                               const LinkGeometry    &link,
+                                               const Eigen::Vector3d &direction,
+                                               const double          *history) const override
+    {
+      if constexpr (law_tells_elements<Law>(0))
+        {
+          auto found =
+            with_state(history, [&](const auto &state) { return Law::broken_elements(all[pair], link, state); });
+          const Eigen::Vector3d first = first_axis(direction, history), second = direction.cross(first);
+          for (BrokenElement &broken : found)
+            broken.offset = Eigen::Vector3d(broken.offset[0] * first + broken.offset[1] * second);
+          return found;
+        }
+      else
+        return phase(pair, link, history) == LinkPhase::whole ? std::vector<BrokenElement>() :
+                                                                std::vector<BrokenElement>(1);
+    }
     double stored(const std::size_t pair, const LinkGeometry &link, const double *history) const override
     {
       return with_state(history, [&](const auto &state) { return Law::stored(all[pair], link, state); });
@@ -241,6 +273,15 @@ namespace dem
         across = Eigen::Vector3d::UnitX().cross(link.direction);
       across.normalize();
       std::copy_n(across.data(), 3, axis);
+    }
+
+    /** Axis 1 of the elements: kept by the state, or in the plane n turned by +90 degrees. */
+    Eigen::Vector3d first_axis(const Eigen::Vector3d &direction, const double *history) const
+    {
+      if constexpr (SpaceState::axes > 0)
+        if (dimension == 3)
+          return vector(state_of<3>(history).axis[0]);
+      return {-direction[1], direction[0], 0};
     }
 
     std::size_t columns_before_rows() const

@@ -53,7 +53,8 @@ namespace dem
 
     static constexpr const char *name  = "contact-bond";
     static constexpr bool        bonds = true, moment = false, breaks_in_place = true;
-    static constexpr int         records = 1;
+    static constexpr int         records        = 1;
+    static constexpr bool        tells_elements = true;
 
     /** Places of the history. */
     enum Numbers
@@ -160,6 +161,13 @@ namespace dem
       if (state.number[broken] < 0.5)
         return LinkPhase::whole;
       return link.strain > std::max(state.number[installed], 0.0) ? LinkPhase::gone : LinkPhase::broken;
+    }
+    template <typename S>
+    static std::vector<BrokenElement> broken_elements(const Constants &, const LinkGeometry &, const S &state)
+    {
+      if (state.number[broken] < 0.5)
+        return {};
+      return {{0, state.number[broken] < 1.5 ? BreakMode::tension : BreakMode::shear}};
     }
     /** 1/2 F_n^2/k_n + 1/2 F_s^2/k_s */
     template <typename S>

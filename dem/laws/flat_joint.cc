@@ -263,6 +263,25 @@ namespace dem
   }
 
   template <typename S>
+  std::vector<BrokenElement> FlatJoint::broken_elements(const Constants &k, const LinkGeometry &, const S &state)
+  {
+    std::vector<BrokenElement> found;
+    for (int e = 0; e < k.layout->size(); ++e)
+      {
+        const double is = state.rows.get(row_of<S>(e));
+        if (is < 0.5 * (holds + torn) || is > 0.5 * (sheared + gapped))
+          continue;
+        const FlatJointLayout::Element &element = k.layout->elements[static_cast<std::size_t>(e)];
+        const double                    wide    = state.number[radius];
+        found.push_back({e,
+                         is < 0.5 * (torn + sheared) ? BreakMode::tension : BreakMode::shear,
+                         {wide * element.x1, wide * element.x2, 0},
+                         k.area_factor * element.share});
+      }
+    return found;
+  }
+
+  template <typename S>
   double FlatJoint::stored(const Constants &k, const LinkGeometry &link, const S &state)
   {
     const auto   at     = opening_at(link, state);

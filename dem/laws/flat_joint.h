@@ -76,7 +76,7 @@ namespace dem
     static constexpr const char *name  = "flat-joint";
     static constexpr bool        bonds = true, moment = true, breaks_in_place = true;
     static constexpr int         records  = 2;
-    static constexpr bool        has_rows = true;
+    static constexpr bool        has_rows = true, tells_elements = true;
 
     /** Places of the history. */
     enum Numbers
@@ -171,6 +171,8 @@ namespace dem
     static LinkStiffnesses damaged_stiffness(const Constants &k, const LinkGeometry &link, const S &state);
     template <typename S>
     static LinkPhase phase(const Constants &k, const LinkGeometry &link, const S &state);
+    template <typename S>
+    static std::vector<BrokenElement> broken_elements(const Constants &k, const LinkGeometry &link, const S &state);
     template <typename S>
     static double stored(const Constants &k, const LinkGeometry &link, const S &state);
     template <typename S>

@@ -214,7 +214,7 @@ namespace dem
     answer.slides          = mine && sums.slides;
     const T    reach       = maximum(state.number[J::installed] + state.rows.get(J::initial_gap), T(0.0));
     const auto opens       = parted && sums.lowest >= T(0.0) && motion.strain > reach;
-    answer.event           = (parted && sums.breaks) || opens;
+    answer.event           = (active && sums.breaks) || opens;
 
     if (any(contact))
       {

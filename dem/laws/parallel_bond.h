@@ -85,7 +85,8 @@ namespace dem
       contact_shear
     };
 
-    static constexpr int resting_shear = contact_shear;
+    static constexpr int  resting_shear  = contact_shear;
+    static constexpr bool tells_elements = true;
 
     template <typename T, int m>
     using State = LinkState<T, m, 4, 2, 1>;
@@ -205,6 +206,18 @@ namespace dem
       if (state.number[broken] < 0.5)
         return LinkPhase::whole;
       return link.strain > 0 ? LinkPhase::gone : LinkPhase::broken;
+    }
+    /** What it had been led to when it broke tells in which way it did; tension comes first. */
+    template <typename S>
+    static std::vector<BrokenElement> broken_elements(const Constants &k, const LinkGeometry &link, const S &state)
+    {
+      if (state.number[broken] < 0.5)
+        return {};
+      const double normal  = k.bond_normal * (link.strain - state.number[installed]);
+      const double bending = k.rim_normal * state.number[radius] / link.reference;
+      const double left    = k.tensile_strength - normal;
+      const bool   torn    = left <= 0 || bending * bending * dot(state.bending[0], state.bending[0]) >= left * left;
+      return {{0, torn ? BreakMode::tension : BreakMode::shear}};
     }
     template <typename S>
     static double stored(const Constants &k, const LinkGeometry &link, const S &state)

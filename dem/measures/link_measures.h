@@ -51,10 +51,14 @@ namespace dem
     const double       *history() const { return row.data(); }
 
     /** What the law says of the link that was read last; see LinkLaw. */
-    double          stored() const { return law.stored(pair, place, row.data()); }
-    double          damage_dissipation() const { return law.damage_dissipation(pair, place, row.data()); }
-    LinkLoss        damage() const { return law.damage(pair, place, row.data()); }
-    LinkPhase       phase() const { return law.phase(pair, place, row.data()); }
+    double                     stored() const { return law.stored(pair, place, row.data()); }
+    double                     damage_dissipation() const { return law.damage_dissipation(pair, place, row.data()); }
+    LinkLoss                   damage() const { return law.damage(pair, place, row.data()); }
+    LinkPhase                  phase() const { return law.phase(pair, place, row.data()); }
+    std::vector<BrokenElement> broken_elements() const
+    {
+      return law.broken_elements(pair, place, seen.direction, row.data());
+    }
     LinkStiffnesses stiffness() const { return law.stiffness(pair, place, row.data()); }
     /** The largest that it can have: closed, if that makes a difference. */
     LinkStiffnesses closed_stiffness() const

@@ -67,6 +67,23 @@ namespace dem
     gone    ///< it carries nothing any more
   };
 
+  /** How a bond, or an element of one, broke. */
+  enum class BreakMode : std::int32_t
+  {
+    tension,
+    shear,
+    gradual ///< damaged until nothing was left, by a law that does not tell the two apart
+  };
+
+  /** An element of a link that is broken; a bond without elements is one itself. */
+  struct BrokenElement
+  {
+    std::int32_t    element = 0; ///< from 0
+    BreakMode       mode    = BreakMode::gradual;
+    Eigen::Vector3d offset  = {0, 0, 0}; ///< of its middle from the contact point [m]
+    double          share   = 1;         ///< of its area, of the link's A [-]
+  };
+
   /** What damage has done to a link; of laws without damage 0 while whole, 1 when broken. */
   struct LinkLoss
   {
@@ -148,6 +165,14 @@ namespace dem
       return stiffness(pair, link, history);
     }
     virtual LinkPhase phase(std::size_t pair, const LinkGeometry &link, const double *history) const = 0;
+    /**
+     * Elements that are broken, asked in the step in which one of them broke; those that never held are not among them.
+     * @param direction n, from the first end to the second
+     */
+    virtual std::vector<BrokenElement> broken_elements(std::size_t            pair,
+                                                       const LinkGeometry    &link,
+                                                       const Eigen::Vector3d &direction,
+                                                       const double          *history) const = 0;
     /** Energy stored [J]. */
     virtual double stored(std::size_t pair, const LinkGeometry &link, const double *history) const = 0;
     /** Energy dissipated by damage since the start, where a closed form of the history tells it; otherwise the pass sums it up [J]. */

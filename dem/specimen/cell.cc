@@ -76,6 +76,33 @@ namespace dem
            self->particles.cell.volume();
   }
 
+  double Specimen::force_ratio() const
+  {
+    const Particles &p    = self->particles;
+    double           left = 0, all = 0;
+    const auto       free = [&](const std::size_t i) {
+      const Eigen::Vector3d mobile(&p.inverse_mass[record_size * i]);
+      return Eigen::Vector3d((mobile.array() > 0).cast<double>());
+    };
+    for (std::size_t i = 0; i < p.count; ++i)
+      left += Eigen::Vector3d(&p.force[record_size * i]).cwiseProduct(free(i)).norm();
+    for (const LinkSet *links : {&self->bonds, &self->contacts})
+      for (std::size_t l = 0; l < links->count; ++l)
+        if (links->is_alive(l))
+          {
+            const double size = Eigen::Vector3d(&links->force[record_size * l]).norm();
+            for (const std::int32_t i : {links->first[l], links->second[l]})
+              if (free(static_cast<std::size_t>(i)).any())
+                all += size;
+          }
+    self->surfaces.each_push(
+      [&](std::int32_t, const std::int32_t particle, const Eigen::Vector3d &force, const Eigen::Vector3d &) {
+        if (free(static_cast<std::size_t>(particle)).any())
+          all += force.norm();
+      });
+    return all > 0 ? left / all : 1.0;
+  }
+
   double Specimen::unbalanced_ratio() const
   {
     const Particles &p            = self->particles;

@@ -113,6 +113,7 @@ namespace dem
     double          stored_at_start = 0, weight_at_start = 0; ///< energy in links, work of weight, of a static start
     Eigen::Matrix3d stress_moment = Eigen::Matrix3d::Zero();  ///< sum l (x) f at t_n [N m]; only if periodic
     std::vector<std::int32_t> crack_log;                      ///< ends of the cohesive links deleted so far, flattened
+    BreakLog                  breaks;
     base::Column crack_geometry; ///< records: last branch (3) [m] | contact point (3) [m] | dissipated [J] | 0
 
     Implementation(const Packing &packing, const SpecimenParameters &p, const LinkMaterials &materials);
@@ -216,6 +217,8 @@ namespace dem
     /** Look at the links that broke in this step, or are gone: enter broken bonds in the crack log, take out those that are gone. */
     void settle_events(LinkSet &links, const LinkLaw &law);
     void note_crack(const LinkReader &link, std::size_t number);
+    /** Enter in the log what has broken of a bond and is not in it yet. */
+    void log_breaks(const LinkReader &link, std::size_t number);
     void delete_link(LinkSet &links, const LinkReader &link, std::size_t number);
     /** Make contacts of pairs that have begun to overlap (or, where they wait, may soon), where motion can have made one. */
     void make_contacts();

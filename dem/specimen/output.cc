@@ -45,6 +45,32 @@ namespace dem
     return e;
   }
 
+  double Specimen::kinetic_energy() const
+  {
+    if (self->step_count == 0)
+      return self->kinetic_of_velocities();
+    double sum = 0;
+    for (const auto &block : self->accounts)
+      sum += block.kinetic;
+    return sum;
+  }
+
+  double Specimen::external_work() const { return self->work_before + self->work_now; }
+
+  std::size_t Specimen::logged_breaks() const { return self->breaks.size(); }
+
+  std::vector<Break> Specimen::breaks(const std::size_t from) const
+  {
+    std::vector<Break> found;
+    for (std::size_t b = from; b < self->breaks.size(); ++b)
+      {
+        found.push_back(self->breaks.at(b));
+        for (std::int32_t &end : found.back().ends)
+          end = self->particles.number[static_cast<std::size_t>(end)];
+      }
+    return found;
+  }
+
   Eigen::Vector3d Specimen::displacement(const std::size_t particle) const
   {
     const auto i = static_cast<std::size_t>(self->slot.at(particle));

@@ -418,6 +418,7 @@ namespace dem
     s.bonds.visit_state(visitor, "bonds", s.particles.count);
     s.contacts.visit_state(visitor, "contacts", s.particles.count);
     s.search.visit_state(visitor);
+    s.breaks.visit_state(visitor);
     visitor.column("crack_log", s.crack_log);
     visitor.column("crack_geometry", s.crack_geometry);
     if (s.parameters.physics.periodic)

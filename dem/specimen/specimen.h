@@ -5,6 +5,7 @@
 #include "base/state.h"
 #include "dem/facets/glue_output.h"
 #include "dem/measures/loads.h"
+#include "dem/model/break_log.h"
 #include "dem/model/energy.h"
 #include "dem/model/initial_equilibrium.h"
 #include "dem/model/materials.h"
@@ -277,6 +278,12 @@ namespace dem
     void begin_glide();
     void glide(double step, double kick);
     void finish_glide();
+    /**
+   * Before the first step: what of particles reaches through a surface is cut off, so that they touch it where they are and nothing
+   * pushes yet (smoothing of a specimen's ends). @throws base::InputError once there was a step, and for a surface whose contacts are
+   * spread or of a skin
+   */
+    void cut_off_at(std::size_t surface);
     /** The surface as it is: its vertices, and the forces on it at t_n and all that it has taken. */
     const Surface           &surface(std::size_t number) const;
     std::size_t              surfaces() const;
@@ -297,6 +304,11 @@ namespace dem
    * links whole) [Pa]: engineering shears, order 11 22 33 23 31 12. An upper bound of the true one (doc/theory/homogenisation.md, 2).
    */
     base::Matrix6 affine_stiffness() const;
+    /**
+   * Mean size of the force on a particle over the mean sum of the sizes of all single forces on it, at t_n: ratio_mean of particle codes.
+   * Prescribed particles do not count; 1 where nothing acts on any.
+   */
+    double force_ratio() const;
     /** Mean |force on a particle| over mean |link or contact force| at t_n; how far from equilibrium. Prescribed particles do not count. */
     double unbalanced_ratio() const;
 
@@ -314,8 +326,10 @@ namespace dem
     /** Set velocities (by packing number) before the first step; they count as initial energy. In a periodic cell: about its motion. */
     void set_velocity(std::size_t particle, const Eigen::Vector3d &velocity, const Eigen::Vector3d &spin);
 
-    EnergyAccount   energy() const;                               ///< at t_n of the last step
-    ParticleState   particle(std::size_t number) const;           ///< by packing number
+    EnergyAccount   energy() const;                     ///< at t_n of the last step
+    double          kinetic_energy() const;             ///< of it, for who asks often: no link is looked at [J]
+    double          external_work() const;              ///< likewise: of grips, walls and pushes since the start [J]
+    ParticleState   particle(std::size_t number) const; ///< by packing number
     double          stiffness_around(std::size_t particle) const; ///< of its links and contacts, as (5.1) has it [N/m]
     Eigen::Vector3d displacement(std::size_t particle) const; ///< of a particle, by packing number, since the start [m]
     /** Of links, contacts and surfaces on a group, from all that is not of it, at t_n [N]. @param group packing numbers, ascending */
@@ -325,6 +339,9 @@ namespace dem
     double         mean_damage() const; ///< of the links made at the start, broken ones count as 1 [-]
     ParticleOutput particles() const;
     LinkOutput     links() const;
+    std::size_t    logged_breaks() const; ///< bonds and elements of them that broke so far
+    /** Those from a place in the log on; their ends are packing numbers. */
+    std::vector<Break> breaks(std::size_t from = 0) const;
 
     /** Everything needed to go on to the same bits; a reader must be given a specimen made of the same packing and parameters. */
     void visit_state(base::StateVisitor &visitor);

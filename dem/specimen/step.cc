@@ -175,9 +175,11 @@ namespace dem
                 continue;
               reader.read(l, Geometry::present);
               const LinkPhase phase = reader.phase();
+              const bool      noted = links.logs_breaks && links.noted[l] != 0;
+              if (law.bonds() && !noted)
+                log_breaks(reader, l);
               if (phase == LinkPhase::whole)
                 continue;
-              const bool noted = links.logs_breaks && links.noted[l] != 0;
               if (law.bonds() && !noted)
                 note_crack(reader, l);
               if (phase == LinkPhase::gone)
@@ -189,6 +191,30 @@ namespace dem
     if (law.bonds() &&
         static_cast<double>(links.count - links.alive) > idle_lines_allowed * static_cast<double>(links.count))
       links.compact(particles.count);
+  }
+
+  void Specimen::Implementation::log_breaks(const LinkReader &link, const std::size_t l)
+  {
+    const std::int32_t J = bonds.first[l], K = bonds.second[l];
+    const LinkView    &seen  = link.view();
+    const double       arm   = 0.5 * (seen.length + particles.radius_of(J) - particles.radius_of(K));
+    const auto         image = bonds.periodic ? bonds.image[l] : 0;
+    for (const BrokenElement &broken : link.broken_elements())
+      {
+        Break event;
+        event.time    = time;
+        event.step    = step_count;
+        event.ends    = {J, K};
+        event.image   = image;
+        event.pair    = static_cast<std::int32_t>(bonds.pair_of(l));
+        event.element = broken.element;
+        event.mode    = broken.mode;
+        event.place   = particles.position_of(J) + arm * seen.direction + broken.offset;
+        event.normal  = seen.direction;
+        event.area    = bonds.area[l] * broken.share;
+        if (!breaks.knows(event))
+          breaks.add(event);
+      }
   }
 
   void Specimen::Implementation::note_crack(const LinkReader &link, const std::size_t l)

@@ -211,6 +211,14 @@ namespace dem
     self->find_surface_forces();
   }
 
+  void Specimen::cut_off_at(const std::size_t number)
+  {
+    if (self->step_count > 0)
+      throw base::InputError("wall " + surface(number).name + ": particles are cut off at it before the first step.");
+    find_surface_forces();
+    self->surfaces.cut_off_at(number, self->particles, self->shape);
+  }
+
   void Specimen::begin_glide() { self->begin_glide(); }
   void Specimen::glide(const double step, const double kick) { self->glide(step, kick); }
   void Specimen::finish_glide() { self->finish_glide(); }
