@@ -71,6 +71,21 @@ namespace postprocess
                {"wall", "", 1, cells, "number of the wall in the scene, from 0", ""}}};
     }
 
+    FieldFile break_fields()
+    {
+      return {"breaks",
+              "particles_breaks.pvd",
+              "what has broken so far, bonds or elements of them: in the plane a segment as long as it was, in space a "
+              "point; where it "
+              "lay when it broke",
+              {{"break_time", "s", 1, cells, "when it broke", ""},
+               {"mode", "", 1, cells, "0: tension, 1: shear, 2: damaged until it was broken", ""},
+               {"element", "", 1, cells, "of a joint of several, from 0", ""},
+               {"material_pair", "", 1, cells, "pair of materials that it joined, as of links", ""},
+               {"normal", "-", 3, cells, "across it, unit", ""},
+               {"area", "m^2", 1, cells, "of what broke", ""}}};
+    }
+
     FieldFile solid_fields()
     {
       return {"solid",
@@ -185,6 +200,7 @@ namespace postprocess
     static const std::vector<FieldFile> all = {particle_fields(),
                                                link_fields(),
                                                wall_fields(),
+                                               break_fields(),
                                                solid_fields_with_histories(),
                                                transferred_particle_fields(),
                                                integration_point_fields()};

@@ -1,8 +1,8 @@
 #include "postprocess/specimen_picture.h"
 
 #include "postprocess/gnuplot.h"
-#include "postprocess/numeric_text.h"
 #include "postprocess/picture_axes.h"
+#include "postprocess/picture_view.h"
 
 #include <Eigen/Geometry>
 
@@ -16,108 +16,6 @@ namespace postprocess
 {
   namespace
   {
-    /** A slab with its numbers filled in, and the two axes of the picture. */
-    class View
-    {
-    public:
-      View(const dem::ParticleOutput &particles_, const PictureSlab &slab_)
-        : particles(particles_)
-        , slab(slab_)
-        , right(slab.axis == 0 ? 1 : 0)
-        , up(slab.axis == 2 ? 1 : 2)
-      {
-        if (slab.axis < 0 || slab.axis > 2)
-          throw std::invalid_argument("the axis of the slab is 0, 1 or 2");
-        if (particles.position.empty())
-          throw std::invalid_argument("there is no particle");
-        double lowest = origin(0)[slab.axis], highest = lowest, radii = 0;
-        for (std::size_t i = 0; i < particles.position.size(); ++i)
-          {
-            lowest  = std::min(lowest, origin(i)[slab.axis]);
-            highest = std::max(highest, origin(i)[slab.axis]);
-            radii += particles.radius[i];
-          }
-        middle     = slab.position.value_or((lowest + highest) / 2);
-        half_width = slab.thickness.value_or(4 * radii / particles.radius.size()) / 2;
-      }
-
-      bool shows(const Eigen::Vector3d &place) const { return std::fabs(place[slab.axis] - middle) <= half_width; }
-      bool shows(const std::size_t i) const { return shows(origin(i)); }
-
-      /** Farther from the eye, which looks along y, and against x and z, so that the other two axes go right and up. */
-      bool is_behind(const std::size_t i, const std::size_t j) const
-      {
-        const double depth_i = origin(i)[slab.axis], depth_j = origin(j)[slab.axis];
-        return slab.axis == 1 ? depth_i > depth_j : depth_i < depth_j;
-      }
-
-      /** Where what was made at the first place and was displaced is drawn [m]. */
-      Eigen::Vector2d on_paper(const Eigen::Vector3d &place, const Eigen::Vector3d &displacement) const
-      {
-        return projected(place + slab.magnify * displacement);
-      }
-      Eigen::Vector2d on_paper(const std::size_t i) const { return on_paper(origin(i), particles.displacement[i]); }
-
-      Eigen::Vector2d projected(const Eigen::Vector3d &vector) const { return {vector[right], vector[up]}; }
-
-      /** Where the particle was when the specimen was made. */
-      Eigen::Vector3d origin(const std::size_t i) const { return particles.position[i] - particles.displacement[i]; }
-
-      bool leads_to_image(const std::size_t link) const
-      {
-        return !slab.images.empty() && slab.images.at(link).is_other();
-      }
-      const dem::LinkImage &image(const std::size_t link) const { return slab.images.at(link); }
-
-      char name_of_right() const { return "xyz"[right]; }
-      char name_of_up() const { return "xyz"[up]; }
-
-    private:
-      const dem::ParticleOutput &particles;
-      const PictureSlab         &slab;
-      int                        right, up;
-      double                     middle, half_width;
-    };
-
-    void append_row(std::string &text, const std::initializer_list<double> values)
-    {
-      for (const double value : values)
-        {
-          numeric_text::append(text, value);
-          text += ' ';
-        }
-      text += '\n';
-    }
-
-    /** Particles in the slab, the farthest first, so that nearer ones are drawn over them. */
-    std::vector<std::size_t> shown_particles(const dem::ParticleOutput &particles, const View &view)
-    {
-      std::vector<std::size_t> shown;
-      for (std::size_t i = 0; i < particles.position.size(); ++i)
-        if (view.shows(i))
-          shown.push_back(i);
-      if (shown.empty())
-        throw std::invalid_argument("there is no particle in the slab");
-      std::stable_sort(shown.begin(), shown.end(), [&](const auto i, const auto j) { return view.is_behind(i, j); });
-      return shown;
-    }
-
-    /** What the picture shows [m]: all circles, but debris only near the specimen. */
-    Eigen::AlignedBox2d
-    frame_of(const dem::ParticleOutput &particles, const View &view, const std::vector<std::size_t> &shown)
-    {
-      Eigen::AlignedBox2d now, at_first;
-      for (const std::size_t i : shown)
-        {
-          const Eigen::Vector2d radius = Eigen::Vector2d::Constant(particles.radius[i]);
-          const Eigen::Vector2d before = view.projected(view.origin(i));
-          now.extend(view.on_paper(i) - radius).extend(view.on_paper(i) + radius);
-          at_first.extend(before - radius).extend(before + radius);
-        }
-      const Eigen::Vector2d margin = Eigen::Vector2d::Constant(at_first.sizes().maxCoeff() / 5);
-      return now.intersection(Eigen::AlignedBox2d(at_first.min() - margin, at_first.max() + margin));
-    }
-
     /** Closed polygons, each a block of its own. */
     std::string body_rows(const std::vector<std::vector<Eigen::Vector2d>> &bodies, const double scale)
     {
@@ -133,7 +31,7 @@ namespace postprocess
     }
 
     std::string circle_rows(const dem::ParticleOutput      &particles,
-                            const View                     &view,
+                            const PictureView              &view,
                             const std::vector<std::size_t> &shown,
                             const double                    scale)
     {
@@ -154,7 +52,7 @@ namespace postprocess
 
     /** Dots on what is of that material. */
     std::string dot_rows(const dem::ParticleOutput      &particles,
-                         const View                     &view,
+                         const PictureView              &view,
                          const std::vector<std::size_t> &shown,
                          const std::int32_t              material,
                          const double                    scale)
@@ -170,7 +68,7 @@ namespace postprocess
     /** Add dots on all materials but the first, each with its name in the legend. */
     void draw_materials(GnuplotJob                     &job,
                         const dem::ParticleOutput      &particles,
-                        const View                     &view,
+                        const PictureView              &view,
                         const std::vector<std::size_t> &shown,
                         const std::vector<std::string> &names,
                         const double                    scale)
@@ -207,8 +105,10 @@ namespace postprocess
     };
 
     /** What a link joins; one to a periodic image is seen twice, from either side. */
-    std::vector<LinkedPair>
-    pairs_of(const dem::ParticleOutput &particles, const dem::LinkOutput &links, const std::size_t l, const View &view)
+    std::vector<LinkedPair> pairs_of(const dem::ParticleOutput &particles,
+                                     const dem::LinkOutput     &links,
+                                     const std::size_t          l,
+                                     const PictureView         &view)
     {
       const auto [i, j]   = links.ends[l];
       const double radius = std::min(particles.radius[i], particles.radius[j]);
@@ -226,7 +126,7 @@ namespace postprocess
 
     /** @param normal of the crack, from one side to the other @param middle of its faces on paper @param radius of the smaller side */
     void add_crack(std::vector<CrackSegment> &cracks,
-                   const View                &view,
+                   const PictureView         &view,
                    const Eigen::Vector3d     &normal,
                    const double               opening,
                    const Eigen::Vector2d     &middle,
@@ -242,7 +142,7 @@ namespace postprocess
     void add_cracks_of_links(std::vector<CrackSegment> &cracks,
                              const dem::ParticleOutput &particles,
                              const dem::LinkOutput     &links,
-                             const View                &view)
+                             const PictureView         &view)
     {
       for (std::size_t l = 0; l < links.ends.size(); ++l)
         {
@@ -267,7 +167,7 @@ namespace postprocess
     void add_cracks_of_glue(std::vector<CrackSegment> &cracks,
                             const dem::ParticleOutput &particles,
                             const dem::GlueOutput     &glue,
-                            const View                &view)
+                            const PictureView         &view)
     {
       for (std::size_t g = 0; g < glue.particle.size(); ++g)
         {
@@ -283,7 +183,7 @@ namespace postprocess
     }
 
     std::vector<CrackSegment>
-    find_cracks(const dem::ParticleOutput &particles, const dem::LinkOutput &links, const View &view)
+    find_cracks(const dem::ParticleOutput &particles, const dem::LinkOutput &links, const PictureView &view)
     {
       std::vector<CrackSegment> cracks;
       add_cracks_of_links(cracks, particles, links, view);
@@ -325,12 +225,12 @@ namespace postprocess
   {
     try
       {
-        const View view(particles, slab);
-        const auto shown  = shown_particles(particles, view);
-        const auto cracks = find_cracks(particles, links, view);
+        const PictureView view(particles, slab);
+        const auto        shown  = view.shown();
+        const auto        cracks = find_cracks(particles, links, view);
 
         GnuplotJob          job;
-        Eigen::AlignedBox2d seen = frame_of(particles, view, shown);
+        Eigen::AlignedBox2d seen = view.frame(shown);
         for (const auto &body : slab.bodies)
           for (const Eigen::Vector2d &corner : body)
             seen.extend(corner);
