@@ -76,9 +76,11 @@ namespace apps
         .means("box: a specimen with ends, gripped; cell: the periodic cell of the packing");
     if (use.box)
       section.vector("Box size", box, "m", Range::positive(), Need::required)
-        .means("Edges of the specimen: particles that lie wholly inside are kept; a periodic packing is repeated until "
-               "it covers the box. "
-               "May be left out for a file: its particles are then taken as they are")
+        .means(
+          "Edges of the specimen: particles that lie wholly inside are kept; a periodic packing is repeated until "
+          "it covers the box. "
+          "May be left out for a file: its particles are then taken as they are. In two dimensions the third edge is "
+          "not looked at")
         .only_if(boxed,
                  use.cell ? "Specimen/Source = generator and Specimen/Body = box" : "Specimen/Source = generator");
     if (use.inertia)

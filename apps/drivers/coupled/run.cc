@@ -48,7 +48,7 @@ namespace apps
     location = folder;
     if (model.particles.output.snapshots == 0)
       return;
-    snapshots.open(folder, "particles", true);
+    snapshots.open(folder, "particles", {true, false});
     solids.emplace(folder, "solid", ".vtu");
   }
 

@@ -32,6 +32,8 @@ namespace apps
     , forces(body, what.forces, groups)
     , walls(body, what.walls)
   {
+    if (what.laboratory.given())
+      lab = std::make_unique<dem::LabTest>(body, what.laboratory.parameters());
     constexpr double limit = 1e12; // a year at thirty thousand steps a second
     const double     steps = what.end_time / body.time_step();
     if (!(steps < limit))
@@ -45,7 +47,7 @@ namespace apps
     const StaticStart found = start_statically(body, model->gravity);
     model->initial_velocity.give(body, *packing, groups);
     motion.lead_next_step(); // what is held moves as prescribed from the start
-    if (!model->walls.walls.empty())
+    if (body.surfaces() > 0)
       body.find_surface_forces(); // refuses particles that lie in a wall
     return found;
   }
@@ -56,24 +58,44 @@ namespace apps
       motion.lead_next_step();
     if (walls.varies())
       walls.lead_next_step();
-    forces.apply();
+    push();
     if (model->time.damping_in_time.given())
       body.set_damping(model->time.damping_at(body.time()));
   }
 
+  void ParticlesBody::push()
+  {
+    if (lab && lab->pushes() && forces.empty())
+      body.clear_forces();
+    forces.apply();
+    if (lab)
+      lab->lead();
+  }
+
+  void ParticlesBody::visit_state(base::StateVisitor &visitor)
+  {
+    body.visit_state(visitor);
+    if (lab)
+      lab->visit_state(visitor);
+  }
+
   void ParticlesBody::advance_to(const double time)
   {
-    forces.apply(); // no part of a checkpoint
+    push();
     body.advance(std::numeric_limits<std::int64_t>::max(), [&] {
+      if (lab)
+        lab->observe();
       lead_next_step();
-      return body.time() < time && !interrupted();
+      return body.time() < time && !interrupted() && !test_is_over();
     });
   }
 
   void ParticlesBody::advance(const std::int64_t steps)
   {
-    forces.apply();
+    push();
     body.advance(steps, [&] {
+      if (lab)
+        lab->observe();
       lead_next_step();
       return true;
     });
@@ -96,6 +118,9 @@ namespace apps
     std::vector<double> row = {body.time()};
     for (const double value : gauges())
       row.push_back(value);
+    if (lab)
+      for (const double value : SpecimenTestSection::row(*lab))
+        row.push_back(value);
     const dem::Counts counts = body.counts();
     row.insert(row.end(), {static_cast<double>(counts.links), static_cast<double>(counts.broken),
                            static_cast<double>(counts.contacts + counts.wall_contacts)});

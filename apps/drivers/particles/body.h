@@ -2,9 +2,11 @@
 
 #include "apps/drivers/particles/model.h"
 #include "apps/drivers/parts/static_start.h"
+#include "dem/laboratory/lab_test.h"
 #include "dem/specimen/specimen.h"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace apps
@@ -38,9 +40,15 @@ namespace apps
     const Walls          &all_walls() const { return walls; }
     const ParticleGroups &all_groups() const { return groups; }
     /** A reader must have been made from the same model and packing. */
-    void visit_state(base::StateVisitor &visitor) { body.visit_state(visitor); }
+    void visit_state(base::StateVisitor &visitor);
+    /** The test of section Laboratory; nullptr: there is none. */
+    const dem::LabTest *test() const { return lab.get(); }
+    bool                test_is_over() const { return lab && lab->finished(); }
 
   private:
+    /** Pushes of the step to come, which no checkpoint holds, and what the laboratory does in it. */
+    void push();
+
     const ParticlesModel *model;
     const dem::Packing   *packing;
     ParticleGroups        groups;
@@ -48,5 +56,7 @@ namespace apps
     PrescribedMotion      motion;
     AppliedForces         forces;
     Walls                 walls;
+
+    std::unique_ptr<dem::LabTest> lab;
   };
 } // namespace apps

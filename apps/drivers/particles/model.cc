@@ -22,10 +22,11 @@ namespace apps
         ->means("ParaView files from the start to the end time, the first and last state "
                 "besides; 0: none at all");
       section.text("Curve horizontal", horizontal, Need::optional)
-        .means("Column of series.csv for curve.png; empty: the time")
+        .means("Column of series.csv for curve.png; empty: the time, or the strain of a test")
         .housekeeping();
       section.text("Curve vertical", vertical, Need::optional)
-        .means("Column of series.csv for curve.png; empty: the first gauge, or the kinetic energy")
+        .means(
+          "Column of series.csv for curve.png; empty: the stress of a test, the first gauge, or the kinetic energy")
         .housekeeping();
     }
   } // namespace
@@ -34,6 +35,7 @@ namespace apps
   {
     declare_as_part(root);
     declare_course(root);
+    laboratory.declare(root);
   }
 
   void ParticlesModel::declare_as_part(Section &root)
@@ -70,6 +72,11 @@ namespace apps
     validate_as_part(root);
     time.validate_by_time(root);
     gravity.validate(root, physics.dimension);
+    laboratory.validate(root, physics, names_before_test());
+    if (laboratory.given() && gravity.asks_for_equilibrium())
+      root.find_section("Gravity")->refuse(
+        "Initial equilibrium", "platens of section Laboratory stand where the packing ends, and would not know of "
+                               "an equilibrium that moves it. Choose none.");
     stops.validate(root, column_names());
     curve_horizontal();
     curve_vertical();
@@ -137,10 +144,20 @@ namespace apps
     std::vector<postprocess::SeriesColumn> all = {{"time", "s"}};
     for (const GaugeSection &gauge : gauges.gauges)
       all.push_back({gauge.name, gauge.unit()});
+    for (const postprocess::SeriesColumn &column : laboratory.columns())
+      all.push_back(column);
     for (const char *count : {"links", "broken_links", "contacts"})
       all.push_back({count, ""});
     append_energy_columns(all);
     return all;
+  }
+
+  std::vector<std::string> ParticlesModel::names_before_test() const
+  {
+    std::vector<std::string> names;
+    for (const GaugeSection &gauge : gauges.gauges)
+      names.push_back(gauge.name);
+    return names;
   }
 
   std::vector<std::string> ParticlesModel::column_names() const
@@ -153,12 +170,14 @@ namespace apps
 
   std::string ParticlesModel::curve_horizontal() const
   {
-    return chosen_column(column_names(), "Curve horizontal", horizontal, "time");
+    return chosen_column(column_names(), "Curve horizontal", horizontal, laboratory.given() ? "strain" : "time");
   }
 
   std::string ParticlesModel::curve_vertical() const
   {
     return chosen_column(column_names(), "Curve vertical", vertical,
-                         gauges.gauges.empty() ? "energy_kinetic" : gauges.gauges.front().name);
+                         laboratory.given()    ? "stress" :
+                         gauges.gauges.empty() ? "energy_kinetic" :
+                                                 gauges.gauges.front().name);
   }
 } // namespace apps

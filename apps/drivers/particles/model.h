@@ -4,6 +4,7 @@
 #include "apps/drivers/particles/forces.h"
 #include "apps/drivers/particles/gauges.h"
 #include "apps/drivers/particles/initial_velocity.h"
+#include "apps/drivers/particles/laboratory_section.h"
 #include "apps/drivers/particles/more_particles.h"
 #include "apps/drivers/particles/stops.h"
 #include "apps/scene/gravity_section.h"
@@ -30,12 +31,13 @@ namespace apps
     WallsSection            walls;
     InitialVelocitySection  initial_velocity;
     GaugesSection           gauges;
+    SpecimenTestSection     laboratory;
     StopsSection            stops;
     OutputSection           output;
     std::string             horizontal, vertical; ///< columns of the curve, as the scene asks for them
 
     void declare(Section &root);
-    /** What is there: all sections but the four of the course. */
+    /** What is there: all sections but Laboratory and the four of the course. */
     void declare_as_part(Section &root);
     /** How it goes on: sections Time, Gravity, Stop and Output. */
     void declare_course(Section &root);
@@ -56,6 +58,7 @@ namespace apps
     /** Of series.csv; the first is the time. */
     std::vector<postprocess::SeriesColumn> columns() const;
     std::vector<std::string>               column_names() const;
+    std::vector<std::string>               names_before_test() const; ///< of gauges
     /** Of the curve: what is over what. @throws base::InputError. */
     std::string curve_horizontal() const;
     std::string curve_vertical() const;

@@ -1,5 +1,7 @@
 #include "apps/drivers/particles/report.h"
 
+#include "apps/drivers/particles/break_results.h"
+#include "apps/drivers/particles/laboratory_report.h"
 #include "apps/drivers/parts/energy_terms.h"
 #include "apps/drivers/parts/series_figures.h"
 #include "apps/process/progress.h"
@@ -13,8 +15,9 @@ namespace apps
 {
   MotionReport ParticlesReport::common() const
   {
-    return {request, "particles",    model.stops.what_ended(series),   specimen.time(), materials, start,
-            series,  not_in_balance, specimen.counts().deepest_overlap};
+    const std::string by_stop = model.stops.what_ended(series);
+    return {request, "particles",    body.test_is_over() ? "test" : by_stop, specimen().time(), materials, start,
+            series,  not_in_balance, specimen().counts().deepest_overlap};
   }
 
   nlohmann::json ParticlesReport::figures() const
@@ -22,19 +25,21 @@ namespace apps
     nlohmann::json found = nlohmann::json::object();
     for (const GaugeSection &gauge : model.gauges.gauges)
       found[gauge.name] = figure_of(series, gauge.name, gauge.unit());
-    found["broken_links"] = specimen.counts().broken;
+    found["broken_links"] = specimen().counts().broken;
+    if (body.test())
+      found["laboratory"] = LaboratoryReport{model.laboratory, *body.test()}.json();
     return found;
   }
 
   void ParticlesReport::write(const std::filesystem::path &folder) const
   {
-    const dem::Counts counts = specimen.counts();
-    common().write(folder, figures(), json_of(specimen.energy()),
+    const dem::Counts counts = specimen().counts();
+    common().write(folder, figures(), json_of(specimen().energy()),
                    {{"particles", counts.particles},
                     {"links", counts.links},
                     {"contacts", counts.contacts},
-                    {"steps", specimen.steps()},
-                    {"time_step", specimen.time_step()},
+                    {"steps", specimen().steps()},
+                    {"time_step", specimen().time_step()},
                     {"wall_seconds", wall_seconds}},
                    {model.curve_horizontal(), model.curve_vertical()});
   }
@@ -44,8 +49,12 @@ namespace apps
     std::string text;
     for (const GaugeSection &gauge : model.gauges.gauges)
       text += fmt::format("{:<24} {:.6g} {}\n", gauge.name, series.column(gauge.name).back(), gauge.unit());
+    if (body.test())
+      text += LaboratoryReport{model.laboratory, *body.test()}.text();
+    if (model.bonded())
+      text += BreakResults{specimen(), {}}.text();
     text += common().text();
-    text += fmt::format("cost         {}, {} steps with {} threads\n", duration_text(wall_seconds), specimen.steps(),
+    text += fmt::format("cost         {}, {} steps with {} threads\n", duration_text(wall_seconds), specimen().steps(),
                         omp_get_max_threads());
     return text;
   }

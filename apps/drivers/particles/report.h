@@ -15,7 +15,7 @@ namespace apps
   {
     const RunRequest     &request;
     const ParticlesModel &model;
-    const dem::Specimen  &specimen;
+    const ParticlesBody  &body;
     const MaterialCounts &materials;
     const StaticStart    &start;
     postprocess::CsvTable series; ///< complete
@@ -28,7 +28,8 @@ namespace apps
     std::string text() const;
 
   private:
-    MotionReport   common() const;
-    nlohmann::json figures() const;
+    const dem::Specimen &specimen() const { return body.specimen(); }
+    MotionReport         common() const;
+    nlohmann::json       figures() const;
   };
 } // namespace apps

@@ -1,5 +1,7 @@
 #include "apps/drivers/particles/run.h"
 
+#include "apps/drivers/particles/break_results.h"
+#include "apps/drivers/particles/laboratory_report.h"
 #include "apps/drivers/particles/report.h"
 #include "apps/drivers/parts/duration.h"
 #include "apps/drivers/parts/left_out_of_balance.h"
@@ -73,7 +75,7 @@ namespace apps
   void ParticlesRun::open(const std::filesystem::path &folder)
   {
     if (model.output.snapshots > 0)
-      snapshots.open(folder, "particles", !model.walls.walls.empty());
+      snapshots.open(folder, "particles", {!model.walls.walls.empty() || model.laboratory.given(), model.bonded()});
   }
 
   void ParticlesRun::begin(const std::filesystem::path &folder, const Record &record)
@@ -172,8 +174,10 @@ namespace apps
     const Stopwatch watch;
     body->advance_to(sampling.next_time());
     stepping_seconds += watch.seconds();
-    if (!sampling.take(body->specimen().time())) // interrupted on the way
+    if (!sampling.take(body->specimen().time()) && !body->test_is_over()) // interrupted on the way
       return;
+    if (body->test_is_over())
+      sampling.stop();
     record_row(record);
     if (sampling.snapshot_due())
       snapshots.take(body->specimen());
@@ -203,11 +207,15 @@ namespace apps
       {
         postprocess::write_discrete_state(dem::discrete_state(body->specimen()), folder / "state.h5");
         warn_of_missing("crack.png", draw_crack(folder / "crack.png"));
+        BreakResults{body->specimen(), packing.material_names}.write(folder);
       }
+    if (body->test())
+      LaboratoryReport{model.laboratory, *body->test()}.write(
+        folder, std::filesystem::path(request.scene_file).stem().string());
     const ParticlesReport report{
       request,
       model,
-      body->specimen(),
+      *body,
       materials,
       start,
       postprocess::read_csv_table(folder / "series.csv", true),

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -122,6 +123,15 @@ namespace apps
         }
     }
 
+    /** Discs lie in the plane, whatever the third edge. */
+    Eigen::Vector3d box_of(const SpecimenSection &specimen, const int dimension)
+    {
+      Eigen::Vector3d box = specimen.box_edges();
+      if (dimension == 2)
+        box[2] = std::numeric_limits<double>::infinity();
+      return box;
+    }
+
     dem::Packing make_particles(const SpecimenSection &specimen, const int dimension, std::optional<dem::Packing> *cell)
     {
       if (specimen.source == SpecimenSection::Source::genesis)
@@ -134,7 +144,7 @@ namespace apps
       if (cell && packing.periodic_cell)
         *cell = packing;
       if (specimen.has_box())
-        return cropped(packing, specimen.box_edges());
+        return cropped(packing, box_of(specimen, dimension));
       if (packing.periodic_cell)
         throw base::InputError(
           specimen.file +

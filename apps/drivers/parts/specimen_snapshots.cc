@@ -2,18 +2,22 @@
 
 #include "apps/results/snapshots.h"
 #include "dem/observation/link_images.h"
+#include "postprocess/break_log.h"
 #include "postprocess/vtk_links.h"
 #include "postprocess/vtk_particles.h"
 #include "postprocess/vtk_walls.h"
 
 namespace apps
 {
-  void SpecimenSnapshots::open(const std::filesystem::path &folder, const std::string &name, const bool with_walls)
+  void
+  SpecimenSnapshots::open(const std::filesystem::path &folder, const std::string &name, const ShownBesides &besides)
   {
     particles.emplace(folder, name + "_particles");
     links.emplace(folder, name + "_links");
-    if (with_walls)
+    if (besides.walls)
       walls.emplace(folder, name + "_walls");
+    if (besides.breaks)
+      breaks.emplace(folder, name + "_breaks");
   }
 
   void SpecimenSnapshots::take(const dem::Specimen &specimen)
@@ -30,10 +34,16 @@ namespace apps
     else
       postprocess::write_vtk_links(links->next(), joined, state, time);
     links->add(time);
-    if (!walls)
-      return;
-    postprocess::write_vtk_walls(walls->next(), specimen, time);
-    walls->add(time);
+    if (walls)
+      {
+        postprocess::write_vtk_walls(walls->next(), specimen, time);
+        walls->add(time);
+      }
+    if (breaks)
+      {
+        postprocess::write_vtk_breaks(breaks->next(), specimen.breaks(), specimen.parameters().thickness, time);
+        breaks->add(time);
+      }
   }
 
   void SpecimenSnapshots::visit_state(RunState &state)
@@ -41,5 +51,6 @@ namespace apps
     visit_snapshots(state, "particle_snapshots", particles);
     visit_snapshots(state, "link_snapshots", links);
     visit_snapshots(state, "wall_snapshots", walls);
+    visit_snapshots(state, "break_snapshots", breaks);
   }
 } // namespace apps

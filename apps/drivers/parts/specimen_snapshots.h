@@ -10,12 +10,18 @@
 
 namespace apps
 {
-  /** Snapshots of a specimen for ParaView: NAME_particles.pvd, NAME_links.pvd and, of walls, NAME_walls.pvd with their files. None until they are opened. */
+  /** What snapshots show besides particles and links. */
+  struct ShownBesides
+  {
+    bool walls = false, breaks = false;
+  };
+
+  /** Snapshots of a specimen for ParaView: NAME_particles.pvd, NAME_links.pvd and, where they are asked for, NAME_walls.pvd and NAME_breaks.pvd with their files. None until they are opened. */
   class SpecimenSnapshots
   {
   public:
     /** @throws postprocess::OutputError. */
-    void open(const std::filesystem::path &folder, const std::string &name, bool with_walls = false);
+    void open(const std::filesystem::path &folder, const std::string &name, const ShownBesides &besides = {});
     bool wanted() const { return particles.has_value(); }
     /** If wanted. @throws postprocess::OutputError. */
     void take(const dem::Specimen &specimen);
@@ -23,6 +29,6 @@ namespace apps
     void visit_state(RunState &state);
 
   private:
-    std::optional<postprocess::PvdCollection> particles, links, walls;
+    std::optional<postprocess::PvdCollection> particles, links, walls, breaks;
   };
 } // namespace apps

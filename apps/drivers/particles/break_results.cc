@@ -1,0 +1,46 @@
+#include "apps/drivers/particles/break_results.h"
+
+#include "apps/results/warning.h"
+#include "postprocess/break_log.h"
+#include "postprocess/break_pictures.h"
+#include "postprocess/force_chains.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace apps
+{
+  void BreakResults::write(const std::filesystem::path &folder) const
+  {
+    const std::vector<dem::Break> breaks = specimen.breaks();
+    postprocess::write_break_table(folder / "breaks.csv", breaks, materials);
+    postprocess::PictureSlab slab;
+    slab.axis                           = specimen.parameters().physics.dimension == 2 ? 2 : 1;
+    slab.materials                      = materials;
+    const dem::ParticleOutput particles = specimen.particles();
+    const dem::LinkOutput     links     = specimen.links();
+    bool                      acts      = false;
+    for (const double force : links.normal_force)
+      acts = acts || force != 0;
+    if (acts)
+      warn_of_missing("forces.png",
+                      postprocess::picture_of_forces(folder / "forces.png", particles, links, specimen.wall_contacts(),
+                                                     "Forces at the end", slab));
+    if (breaks.empty())
+      return;
+    warn_of_missing("breaks.png",
+                    postprocess::picture_of_breaks(folder / "breaks.png", particles, breaks, "What broke", slab));
+    warn_of_missing("directions.png", postprocess::picture_of_directions(folder / "directions.png", breaks, slab.axis,
+                                                                         "Directions of what broke, part of its area"));
+  }
+
+  std::string BreakResults::text() const
+  {
+    std::array<std::size_t, 3> count{};
+    for (const dem::Break &b : specimen.breaks())
+      ++count[static_cast<std::size_t>(b.mode)];
+    return fmt::format("broken       {} in tension, {} in shear, {} gradually; {} links\n", count[0], count[1],
+                       count[2], specimen.counts().broken);
+  }
+} // namespace apps

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "dem/specimen/specimen.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace apps
+{
+  /** What a run of bonded particles leaves of its cracks and forces when it ends: breaks.csv, breaks.png, directions.png, forces.png. */
+  struct BreakResults
+  {
+    const dem::Specimen            &specimen;
+    const std::vector<std::string> &materials; ///< their names; empty: there is one
+
+    /** Pictures that cannot be drawn are warned of; of what broke there are none where nothing did. @throws postprocess::OutputError */
+    void write(const std::filesystem::path &folder) const;
+    /** How many broke in which way, for the terminal. */
+    std::string text() const;
+  };
+} // namespace apps

@@ -1,0 +1,164 @@
+#include "apps/drivers/particles/laboratory_report.h"
+
+#include "apps/drivers/parts/summary_head.h"
+#include "apps/results/warning.h"
+#include "postprocess/plot.h"
+#include "postprocess/series.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace apps
+{
+  namespace
+  {
+    nlohmann::json figure(const dem::Finding &found, const char *unit)
+    {
+      if (found.found)
+        return quantity(found.value, unit);
+      return {{"value", nullptr}, {"unit", unit}, {"not_determined", found.why_not}};
+    }
+
+    /** @param scale of the value @param unit after it */
+    std::string words(const dem::Finding &found, const double scale, const char *unit)
+    {
+      return found.found ? fmt::format("{:.4g}{}", scale * found.value, unit) : std::string("not determined");
+    }
+
+    const std::array<postprocess::SeriesColumn, dem::TestRecord::columns> &record_columns()
+    {
+      static const std::array<postprocess::SeriesColumn, dem::TestRecord::columns> all = {{{"strain", "-"},
+                                                                                           {"stress", "Pa"},
+                                                                                           {"force_low", "N"},
+                                                                                           {"force_high", "N"},
+                                                                                           {"gauge_strain", "-"},
+                                                                                           {"lateral_strain", "-"},
+                                                                                           {"confinement", "Pa"},
+                                                                                           {"kinetic_energy", "J"},
+                                                                                           {"work", "J"},
+                                                                                           {"force_ratio", "-"},
+                                                                                           {"broken_elements", ""},
+                                                                                           {"largest_stress", "Pa"},
+                                                                                           {"force_difference", "N"}}};
+      return all;
+    }
+
+    void write_record(const dem::TestRecord &record, const std::filesystem::path &file)
+    {
+      postprocess::SeriesWriter table(file, {record_columns().begin(), record_columns().end()});
+      for (std::size_t row = 0; row < record.rows(); ++row)
+        {
+          std::vector<double> numbers;
+          for (int c = 0; c < dem::TestRecord::columns; ++c)
+            numbers.push_back(record.at(row, static_cast<dem::TestRecord::Column>(c)));
+          table.append(numbers);
+        }
+      table.flush();
+    }
+
+    constexpr const char *slower = "not looked at: run the scene at half the Speed and compare the strengths";
+
+    nlohmann::json json_of(const dem::QuasiStatic &how)
+    {
+      nlohmann::json found;
+      found["force_difference"]           = figure(how.imbalance, "-");
+      found["most_force_difference"]      = dem::QuasiStatic::most_imbalance;
+      found["kinetic_over_work"]          = figure(how.kinetic, "-");
+      found["most_kinetic_over_work"]     = dem::QuasiStatic::most_kinetic;
+      found["force_ratio"]                = figure(how.force_ratio, "-");
+      found["strength_at_half_the_speed"] = {{"value", nullptr}, {"not_determined", slower}};
+      found["holds"]                      = how.determined() ? nlohmann::json(how.holds()) : nlohmann::json(nullptr);
+      return found;
+    }
+
+    std::string text_of(const dem::QuasiStatic &how)
+    {
+      const auto part = [](const dem::Finding &f, const double most) {
+        return f.found ? fmt::format("{:.2g} ({} {:g})", f.value, f.value < most ? "below" : "NOT below", most) :
+                         std::string("not determined");
+      };
+      return fmt::format(
+        "static       {}: up to the peak, difference of the two forces over their mean {}, kinetic energy over "
+        "work {}, force ratio {}\n",
+        !how.determined() ? "not determined" :
+        how.holds()       ? "yes" :
+                            "NO, load more slowly",
+        part(how.imbalance, dem::QuasiStatic::most_imbalance), part(how.kinetic, dem::QuasiStatic::most_kinetic),
+        words(how.force_ratio, 1, ""));
+    }
+  } // namespace
+
+  const char *LaboratoryReport::strength_name() const
+  {
+    using Test = SpecimenTestSection::Test;
+    return asked.test == Test::tension   ? "tensile_strength" :
+           asked.test == Test::splitting ? "splitting_strength" :
+           asked.test == Test::bending   ? "flexural_strength" :
+           asked.confined()              ? "deviator_strength" :
+                                           "compressive_strength";
+  }
+
+  nlohmann::json LaboratoryReport::json() const
+  {
+    const dem::TestFigures f = test.figures();
+    nlohmann::json         found;
+    found["test"]                                           = asked.name();
+    found[strength_name()]                                  = figure(f.strength, "Pa");
+    found[strength_name() + std::string("_moving_average")] = figure(f.smooth_strength, "Pa");
+    found["largest_stress"]                                 = figure(f.largest_stress, "Pa");
+    found["strain_at_peak"]                                 = figure(f.strain_at_peak, "-");
+    found["young_modulus"]                                  = figure(f.modulus, "Pa");
+    found["young_modulus_by_gauges"]                        = figure(f.gauge_modulus, "Pa");
+    found["secant_modulus_to_half"]                         = figure(f.secant_modulus, "Pa");
+    found["poisson_ratio"]                                  = figure(f.poisson_secant, "-");
+    found["poisson_ratio_by_slopes"]                        = figure(f.poisson_slope, "-");
+    found["stress_over_force"]                              = quantity(test.stress_of_force(), "1/m^2");
+    if (asked.confined())
+      found["confining_pressure"] = quantity(asked.asked.pressure, "Pa");
+    if (asked.confined() && f.strength.found)
+      found["axial_strength"] = quantity(f.strength.value + asked.asked.pressure, "Pa");
+    if (test.parameters().seating_stress > 0)
+      found["strain_at_end_of_seating"] = quantity(test.seated_strain(), "-");
+    found["quasi_static"] = json_of(test.how_static());
+    found["warnings"]     = test.notes();
+    return found;
+  }
+
+  void LaboratoryReport::write(const std::filesystem::path &folder, const std::string &title) const
+  {
+    write_record(test.record(), folder / "stress_strain.csv");
+    const auto strain                                  = test.record().values(dem::TestRecord::strain),
+               gauges                                  = test.record().values(dem::TestRecord::gauge_strain),
+               stress                                  = test.record().values(dem::TestRecord::stress);
+    std::vector<postprocess::StressStrainCurve> curves = {{"by the platens", strain, stress}};
+    if (std::any_of(gauges.begin(), gauges.end(), [](const double e) { return e != 0; }))
+      curves.push_back({"by gauges", gauges, stress});
+    warn_of_missing("stress_strain.png",
+                    postprocess::plot(folder / "stress_strain.png",
+                                      {postprocess::stress_strain_panel(title + ", " + asked.name(), curves)}));
+  }
+
+  std::string LaboratoryReport::text() const
+  {
+    const dem::TestFigures f = test.figures();
+    std::string            text;
+    text += fmt::format(
+      "test         {}: {}\n", asked.name(),
+      f.strength.found       ? fmt::format("strength {:.4g} MPa at strain {:.3e} (moving average {:.4g} MPa)",
+                                           1e-6 * f.strength.value, f.strain_at_peak.value, 1e-6 * f.smooth_strength.value) :
+      f.largest_stress.found ? fmt::format("largest stress {:.4g} MPa; the strength is not determined, {}",
+                                           1e-6 * f.largest_stress.value, f.strength.why_not) :
+                               f.largest_stress.why_not);
+    text +=
+      fmt::format("moduli       E {}, by gauges {}, secant to half the peak {}; Poisson's ratio {}, by slopes {}\n",
+                  words(f.modulus, 1e-9, " GPa"), words(f.gauge_modulus, 1e-9, " GPa"),
+                  words(f.secant_modulus, 1e-9, " GPa"), words(f.poisson_secant, 1, ""), words(f.poisson_slope, 1, ""));
+    text += text_of(test.how_static());
+    for (const std::string &note : test.notes())
+      text += "warning      " + note + "\n";
+    return text;
+  }
+} // namespace apps

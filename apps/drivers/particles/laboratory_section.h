@@ -1,0 +1,49 @@
+#pragma once
+
+#include "apps/scene/section.h"
+#include "dem/laboratory/lab_test.h"
+#include "postprocess/series.h"
+
+#include <string>
+#include <vector>
+
+namespace apps
+{
+  /** Section "Laboratory" of scenes of kind "particles": a test of a laboratory on the specimen (doc/theory/laboratory.md). */
+  struct SpecimenTestSection
+  {
+    enum class Test
+    {
+      none,
+      compression,
+      tension,
+      splitting,
+      bending,
+      biaxial,
+      triaxial
+    };
+
+    Test               test = Test::none;
+    dem::LabParameters asked;
+
+    void declare(Section &root);
+    /** @param other names of columns that the series has already @throws base::InputError. */
+    void validate(const Section &root, const dem::Physics &physics, const std::vector<std::string> &other) const;
+    bool given() const { return test != Test::none; }
+    bool confined() const { return test == Test::biaxial || test == Test::triaxial; }
+    /** @pre given() */
+    dem::LabParameters parameters() const;
+    const char        *name() const; ///< "uniaxial compression"
+
+    /** Columns that it adds to the series; none where there is no test. */
+    std::vector<postprocess::SeriesColumn> columns() const;
+    /** Their values. */
+    static std::vector<double> row(const dem::LabTest &test);
+
+  private:
+    bool presses() const { return given() && test != Test::tension; }
+    void declare_machine(Section &section);
+    void declare_seating(Section &section);
+    void declare_confinement(Section &section);
+  };
+} // namespace apps

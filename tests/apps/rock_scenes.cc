@@ -1,0 +1,164 @@
+// Section Laboratory of scenes of kind "particles", through the program: the shipped tests on rock, refusals, resuming.
+#include "postprocess/csv_table.h"
+#include "tests/apps/interrupted_runs.h"
+#include "tests/apps/scene_runs.h"
+#include "tests/apps/scratch_folder.h"
+#include "tests/places.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <filesystem>
+
+using namespace apps_tests;
+using Catch::Contains;
+
+namespace
+{
+  std::string rock(const char *name) { return places::sources() + "/apps/scenes/rock_" + name + ".prm"; }
+
+  double of_laboratory(const Results &found, const char *figure)
+  {
+    const auto &given = found.summary["figures"]["laboratory"][figure];
+    INFO(figure << " " << given.dump());
+    REQUIRE(given["value"].is_number());
+    return given["value"].get<double>();
+  }
+
+  bool exists(const ScratchFolder &folder, const std::string &file)
+  {
+    return std::filesystem::exists(folder.path() / "results" / file);
+  }
+
+  /** Of a run without snapshots, which must end past its peak. */
+  Results run_of(const ScratchFolder &folder, const char *name, std::vector<std::string> changes = {})
+  {
+    changes.push_back("Output/Snapshots=0");
+    Results found = results_of(folder, rock(name), changes);
+    CHECK(found.summary["ended_by"] == "test");
+    CHECK(found.balance_error() < 1e-2);
+    return found;
+  }
+} // namespace
+
+TEST_CASE("rock between platens breaks with figures, log and pictures of its cracks", "[apps][laboratory][slow]")
+{
+  const ScratchFolder folder;
+  const Results       found = results_of(folder, rock("compression"), {"Output/Snapshots=2"});
+  CHECK(found.summary["ended_by"] == "test");
+  const double strength = of_laboratory(found, "compressive_strength");
+  CHECK(of_laboratory(found, "compressive_strength_moving_average") <= strength);
+  CHECK(of_laboratory(found, "young_modulus") > 5e9);
+  CHECK(of_laboratory(found, "poisson_ratio") > 0);
+  CHECK(of_laboratory(found, "poisson_ratio") < 0.6);
+  CHECK(found.summary["figures"]["laboratory"]["quasi_static"].contains("holds"));
+  CHECK(found.summary["figures"]["laboratory"]["quasi_static"]["strength_at_half_the_speed"]["value"].is_null());
+  for (const char *file : {"stress_strain.csv", "stress_strain.png", "breaks.csv", "breaks.png", "directions.png",
+                           "forces.png", "particles_breaks.pvd"})
+    {
+      INFO(file);
+      CHECK(exists(folder, file));
+    }
+  const auto breaks = postprocess::read_csv_table(folder.path() / "results" / "breaks.csv", false, {"mode", "pair"});
+  CHECK(breaks.rows() > 20);
+  const auto &time = breaks.column("time");
+  CHECK(std::is_sorted(time.begin(), time.end()));
+  // Most cracks of a smooth specimen lie along the load: across it bonds are pulled.
+  const auto &along = breaks.column("normal_y");
+  const auto  steep =
+    std::count_if(along.begin(), along.end(), [](const double n) { return std::abs(n) < std::sqrt(0.5); });
+  CHECK(2 * steep > static_cast<std::ptrdiff_t>(along.size()));
+
+  // The series knows nothing of the peak between its rows; the curve of the test does.
+  const auto  curve   = postprocess::read_csv_table(folder.path() / "results" / "stress_strain.csv");
+  const auto &largest = curve.column("largest_stress");
+  CHECK(*std::max_element(largest.begin(), largest.end()) == Approx(strength).epsilon(1e-12));
+}
+
+TEST_CASE("rock that is split or bent fails at a stress like that at which it is pulled apart",
+          "[apps][laboratory][slow]")
+{
+  const ScratchFolder pulled, split, bent;
+  const double        tension   = of_laboratory(run_of(pulled, "tension"), "tensile_strength");
+  const double        splitting = of_laboratory(run_of(split, "splitting"), "splitting_strength");
+  const double        flexural  = of_laboratory(run_of(bent, "bending"), "flexural_strength");
+  INFO("tension " << tension << ", splitting " << splitting << ", bending " << flexural);
+  CHECK(tension > 1e6);
+  for (const double other : {splitting, flexural})
+    {
+      CHECK(other > 0.5 * tension);
+      CHECK(other < 3 * tension);
+    }
+}
+
+TEST_CASE("rock under pressure from the sides is stronger, by walls as by a membrane", "[apps][laboratory][slow]")
+{
+  const ScratchFolder walls, membrane, higher;
+  const Results       by_walls    = run_of(walls, "biaxial");
+  const Results       by_membrane = run_of(membrane, "biaxial", {"Laboratory/Confinement=membrane"});
+  const Results       at_more     = run_of(higher, "biaxial", {"Laboratory/Confining pressure=8e6"});
+  const double        one         = of_laboratory(by_walls, "deviator_strength"),
+               other = of_laboratory(by_membrane, "deviator_strength"), more = of_laboratory(at_more, "largest_stress");
+  INFO("walls " << one << ", membrane " << other << ", at 8 MPa " << more);
+  CHECK(of_laboratory(by_membrane, "young_modulus_by_gauges") ==
+        Approx(of_laboratory(by_walls, "young_modulus_by_gauges")).epsilon(0.05));
+  CHECK(other == Approx(one).epsilon(0.25)); // a membrane lets it bulge
+  CHECK(more > one);                         // hardly falls any more, so that a strength need not be determined
+  CHECK(of_laboratory(by_walls, "axial_strength") == Approx(one + 5e6));
+}
+
+TEST_CASE("strength of a cube of spheres rises with the pressure around it", "[apps][laboratory][slow]")
+{
+  double last = 0;
+  for (const char *pressure : {"2e6", "8e6"})
+    {
+      const ScratchFolder folder;
+      const Results       found =
+        run_of(folder, "triaxial",
+               {std::string("Laboratory/Confining pressure=") + pressure, "Specimen/Box size=0.06, 0.06, 0.101"});
+      const double strength = of_laboratory(found, "axial_strength");
+      INFO("at " << pressure << " Pa " << strength);
+      CHECK(strength > last + 6e6); // more than the pressure alone adds
+      last = strength;
+    }
+}
+
+namespace
+{
+  /** Everything but timings and pictures. */
+  std::string bits_of(const std::filesystem::path &results)
+  {
+    return content_of(results / "series.csv") + content_of(results / "stress_strain.csv") +
+           content_of(results / "breaks.csv") + listing_of(results / "particles_breaks");
+  }
+} // namespace
+
+TEST_CASE("a test of the laboratory that is interrupted or killed goes on to the same bits", "[apps][laboratory][slow]")
+{
+  const ScratchFolder folder;
+  goes_on_to_the_same_bits(
+    folder,
+    {{"run", rock("biaxial"), "-s", "Output/Snapshots=40", "-s", "Specimen/Box size=0.012, 0.02, 1", "-s",
+      "Laboratory/Confinement=membrane", "-s", "Laboratory/Speed=0.4", "-s", "Output/Checkpoint interval=0.01"},
+     {"checkpoint.h5", "particles_breaks/particles_breaks_000008.vtp"},
+     bits_of},
+    {SIGINT, SIGKILL});
+}
+
+TEST_CASE("what a laboratory cannot do is refused with the entry", "[apps][laboratory]")
+{
+  const ScratchFolder folder;
+  is_refused(folder, rock("compression"), {"Laboratory/Axis=z"}, "in two dimensions the axes are x and y");
+  is_refused(folder, rock("compression"), {"Laboratory/Test=triaxial compression", "Laboratory/Confining pressure=1e6"},
+             "Physics/Dimension is 2");
+  is_refused(folder, rock("triaxial"), {"Laboratory/Test=biaxial compression"}, "Take the triaxial one");
+  is_refused(folder, rock("bending"), {"Laboratory/Body axis=y"}, "is the axis of the load");
+  is_refused(folder, rock("bending"), {"Laboratory/Span=0.2"}, "beyond its supports");
+  is_refused(folder, rock("compression"), {"Laboratory/Smoothing depth=0.02"}, "Smoothing depth");
+  is_refused(folder, rock("compression"), {"Laboratory/Smoothing depth=0.0006"}, "up to half its radius");
+  is_refused(folder, rock("tension"), {"Laboratory/Glued layer=0.03"}, "would meet");
+  is_refused(folder, rock("compression"), {"Gravity/Acceleration=0, -9.81, 0"}, "would not know of an equilibrium");
+  is_refused(folder, rock("compression"), {"Gauges/stress/Quantity=kinetic energy"}, "a gauge has that name");
+}
