@@ -5,10 +5,10 @@
 
 namespace dem
 {
-  bool TestRecord::step(const double stress, const double low, const double high)
+  bool TestRecord::step(const double load, const double first, const double second)
   {
-    largest = since == 0 ? stress : std::max(largest, stress);
-    apart   = since == 0 ? std::abs(high - low) : std::max(apart, std::abs(high - low));
+    largest = since == 0 ? load : std::max(largest, load);
+    apart   = since == 0 ? std::abs(second - first) : std::max(apart, std::abs(second - first));
     return ++since >= interval;
   }
 

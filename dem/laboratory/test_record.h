@@ -35,7 +35,7 @@ namespace dem
     static constexpr std::int64_t first_rows = 20; ///< steps between two rows at the beginning
 
     /** Forces and stress of a step. @return whether a row is due, for which the caller reads the rest */
-    bool step(double stress, double low, double high);
+    bool step(double load, double first, double second);
     /** The row of the step just taken. */
     void row(const LabReading &reading);
 
