@@ -10,6 +10,7 @@ namespace apps
 {
   void add_continuum_bench(CLI::App &bench, Action &chosen);
   void add_homogenise_bench(CLI::App &bench, Action &chosen);
+  void add_mortar_bench(CLI::App &bench, Action &chosen);
   void add_multiscale_bench(CLI::App &bench, Action &chosen);
   void add_sequential_bench(CLI::App &bench, Action &chosen);
   void add_quasi_static_bench(CLI::App &bench, Action &chosen);
@@ -31,6 +32,7 @@ namespace apps
     bench.require_subcommand(1);
     add_continuum_bench(bench, chosen);
     add_homogenise_bench(bench, chosen);
+    add_mortar_bench(bench, chosen);
     add_multiscale_bench(bench, chosen);
     add_sequential_bench(bench, chosen);
     add_quasi_static_bench(bench, chosen);

@@ -145,8 +145,9 @@ namespace dem
         (*cell)[2] = std::numeric_limits<double>::infinity();
       if (cell)
         general.cell = cell->asDiagonal();
-      ElasticNetwork network = link_up(
-        general, find_pairs(packing.centre, packing.radius, p.interaction_ratio, 0.0, cell), general.cell, p, finish);
+      ElasticNetwork network =
+        link_up(general, find_pairs(packing.centre, packing.radius, p.interaction_ratio, p.installation_gap, cell),
+                general.cell, p, finish);
       if (cell)
         network.volume = (*cell)[0] * (*cell)[1] * (p.dimension == 2 ? p.thickness : (*cell)[2]);
       return network;

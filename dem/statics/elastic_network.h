@@ -63,6 +63,7 @@ namespace dem
     int    dimension         = 3;    ///< 3: spheres, 2: discs in the plane z = 0
     bool   rotations         = true; ///< particles rotate; off: shear links hold translations only
     double interaction_ratio = 0;    ///< iota: a link where distance < iota (r_J + r_K), strictly; >= 1
+    double installation_gap  = 0;    ///< that much further still [m], >= 0; of packings
     double normal_modulus    = 0;    ///< E of the link [Pa], > 0
     double shear_ratio       = 0;    ///< G/E of the link, > 0
     double thickness         = 0;    ///< of the discs [m], > 0; two dimensions only

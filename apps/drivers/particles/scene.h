@@ -14,6 +14,8 @@ namespace apps
     std::string forecast() const override;
     int         run(const RunRequest &request) const override;
 
+    const ParticlesModel &parameters() const { return model; }
+
   private:
     ParticlesModel model;
   };

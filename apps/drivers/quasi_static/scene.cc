@@ -42,6 +42,7 @@ namespace apps
     links.dimension         = dimension;
     links.rotations         = rotations;
     links.interaction_ratio = source.interaction_ratio;
+    links.installation_gap  = source.installation_gap;
     links.thickness         = source.thickness;
     if (is_cell())
       return dem::load_cell(dem::make_network(packing, links, material.materials()), axis, !lateral_blocked);

@@ -1,0 +1,192 @@
+#include "apps/bench/mortar.h"
+
+#include "apps/bench/results.h"
+#include "apps/bench/scene_variant.h"
+#include "apps/drivers/particles/body.h"
+#include "apps/drivers/particles/scene.h"
+#include "apps/process/stopwatch.h"
+#include "dem/statics/quasi_static_path.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+namespace apps
+{
+  namespace
+  {
+    /** One case: what is varied, whether by another packing. */
+    struct MortarCase
+    {
+      SceneVariant variant;
+      bool         grows = false;
+    };
+
+    struct MortarRow
+    {
+      std::string study, value;
+      std::size_t particles = 0, bonds = 0;
+      double      strength = 0, modulus = 0; ///< [Pa]; NaN: not determined
+      double      imbalance = 0;             ///< of the platens' forces before the peak [-]; NaN likewise
+      double      balance   = 0;             ///< of energies
+      double      growth = 0, cost = 0;      ///< processor time of genesis and of the test [s]
+    };
+
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+    double value_of(const dem::Finding &finding) { return finding.found ? finding.value : none; }
+
+    std::string in_table(const double value, const double unit, const char *digits)
+    {
+      return std::isnan(value) ? "-" : fmt::format(fmt::runtime(digits), value / unit);
+    }
+
+    const ParticlesModel &model_of(const CheckedScene &checked)
+    {
+      const ParticlesModel &model = scene_of_kind<ParticlesScene>(checked, "particles").parameters();
+      if (model.source.source != SpecimenSection::Source::genesis)
+        refuse_scene(checked, "Specimen/Source: this bench needs genesis.");
+      if (model.laboratory.test != SpecimenTestSection::Test::compression)
+        refuse_scene(checked, "Laboratory/Test: this bench needs uniaxial compression.");
+      return model;
+    }
+
+    MortarRow crush(const MortarCase &one, const ParticlesModel &model, const dem::Packing &packing)
+    {
+      MortarRow     row{one.variant.study, one.variant.value};
+      ParticlesBody body(model, packing);
+      body.start();
+      row.particles      = body.specimen().counts().particles;
+      row.bonds          = body.specimen().counts().links;
+      const double start = processor_seconds();
+      while (!body.test_is_over() && body.specimen().time() < model.end_time)
+        {
+          body.advance(1000);
+          row.balance = std::max(row.balance, body.specimen().energy().balance_error());
+        }
+      row.cost                       = processor_seconds() - start;
+      const dem::TestFigures figures = body.test()->figures();
+      row.strength                   = value_of(figures.strength);
+      row.modulus                    = value_of(figures.modulus);
+      row.imbalance                  = value_of(body.test()->how_static().imbalance);
+      return row;
+    }
+
+    /** The modulus of the same bonds in equilibrium, ends led as by smooth platens. */
+    MortarRow in_equilibrium(const ParticlesModel &model, const dem::Packing &packing)
+    {
+      MortarRow              row{"equilibrium", "elastic"};
+      const double           start = processor_seconds();
+      dem::NetworkParameters links;
+      links.dimension         = model.physics.dimension;
+      links.rotations         = model.physics.rotations;
+      links.interaction_ratio = model.source.interaction_ratio;
+      links.installation_gap  = model.source.installation_gap;
+      links.thickness         = model.source.thickness;
+      dem::GripParameters ends;
+      ends.thickness = 0.5 * *std::max_element(packing.radius.begin(), packing.radius.end());
+      dem::GripPair pair;
+      pair.axis = model.laboratory.asked.press.axis;
+      pair.layers =
+        dem::find_grip_layers({packing.centre, packing.radius, links.dimension, links.thickness}, pair.axis, ends);
+      const dem::LinkMaterials   materials = model.material.materials();
+      const dem::LoadedNetwork   loaded    = dem::load_grips(dem::make_network(packing, links, materials), pair);
+      dem::QuasiStaticParameters steps;
+      steps.strain_step = -1e-6;
+      steps.end_strain  = -1e-6;
+      dem::QuasiStaticPath path(loaded, materials, steps);
+      const auto          &point = path.advance();
+      row.particles              = packing.size();
+      row.bonds                  = loaded.network.links.size();
+      row.modulus                = point.stress[loaded.led] / point.strain[loaded.led];
+      row.strength = row.imbalance = none;
+      row.balance                  = point.balance_error();
+      row.cost                     = processor_seconds() - start;
+      return row;
+    }
+
+    std::vector<MortarCase> cases(const bool quick)
+    {
+      const auto genesis = [](const char *value, const std::string &entry) {
+        return MortarCase{{"size of particles", value, {"Specimen/Genesis/" + entry}}, true};
+      };
+      const auto again = [](const char *study, const char *value, const std::string &entry) {
+        return MortarCase{{study, value, {entry}}, false};
+      };
+      std::vector<MortarCase> all = {{{"reference", "", {}}, true}, again("speed", "times 4", "Laboratory/Speed=0.08")};
+      if (quick)
+        return all;
+      all.push_back(again("speed", "times 2", "Laboratory/Speed=0.04"));
+      all.push_back(again("speed", "half", "Laboratory/Speed=0.01"));
+      all.push_back(again("damping", "0.3", "Time/Damping=0.3"));
+      all.push_back(again("damping", "0.9", "Time/Damping=0.9"));
+      for (const char *elements : {"1", "2", "8", "16"})
+        all.push_back(again("elements", elements, std::string("Material/flat-joint/Elements=") + elements));
+      all.push_back(genesis("times 2", "Size factor=2"));
+      all.push_back(genesis("times 1.5", "Size factor=1.5"));
+      all.push_back(genesis("times 0.75", "Size factor=0.75"));
+      all.push_back(genesis("another seed", "Seed=2"));
+      return all;
+    }
+
+    void write(const BenchResults &results, const std::vector<MortarRow> &rows)
+    {
+      std::string csv = "study,value,particles,bonds,strength [Pa],modulus [Pa],platen_imbalance [-],balance_error "
+                        "[-],genesis [s],test [s]\n",
+                  md  = "| Study | | Particles | Bonds | Strength [MPa] | Modulus [GPa] | Platens differ by | Energy "
+                        "balance | Genesis [s] | Test [s] |\n|---|---|---|---|---|---|---|---|---|---|\n";
+      for (const MortarRow &r : rows)
+        {
+          csv += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", r.study, r.value, r.particles, r.bonds, r.strength,
+                             r.modulus, r.imbalance, r.balance, r.growth, r.cost);
+          md +=
+            fmt::format("| {} | {} | {} | {} | {} | {} | {} | {:.1e} | {:.1f} | {:.1f} |\n", r.study, r.value,
+                        r.particles, r.bonds, in_table(r.strength, 1e6, "{:.3f}"), in_table(r.modulus, 1e9, "{:.3f}"),
+                        in_table(r.imbalance, 0.01, "{:.2f} %"), r.balance, r.growth, r.cost);
+        }
+      results.write(csv, md);
+    }
+
+    postprocess::PlotPanel panel_of(const std::vector<MortarRow> &rows)
+    {
+      std::vector<CostPoint> points;
+      for (const MortarRow &row : rows)
+        if (!std::isnan(row.strength))
+          points.push_back({row.study, row.cost, std::max(1e-6, std::fabs(row.strength / rows.front().strength - 1))});
+      return error_over_cost("strength against that of the scene", "Cost over its test", points);
+    }
+  } // namespace
+
+  int run_mortar_bench(const MortarBench &bench)
+  {
+    const BenchResults          results(bench.folder, "mortar");
+    std::vector<MortarRow>      rows;
+    std::optional<dem::Packing> reference; ///< for cases that grow none of their own
+    const auto                  note = [&](const MortarRow &row) {
+      rows.push_back(row);
+      write(results, rows);
+      fmt::print("{:<18} {:<12} {} particles, strength {} MPa, modulus {} GPa, genesis {:.1f} s, test {:.1f} s\n",
+                                  row.study, row.value, row.particles, in_table(row.strength, 1e6, "{:.3f}"),
+                                  in_table(row.modulus, 1e9, "{:.3f}"), row.growth, row.cost);
+      std::fflush(stdout);
+    };
+    for (const MortarCase &one : cases(bench.quick))
+      {
+        const CheckedScene    checked = one.variant.of(bench.scene, bench.overrides);
+        const ParticlesModel &model   = model_of(checked);
+        const double          start   = processor_seconds();
+        const dem::Packing    packing = one.grows ? model.packing() : *reference;
+        const double          growth  = processor_seconds() - start;
+        if (!reference)
+          reference = packing;
+        MortarRow row = crush(one, model, packing);
+        row.growth    = one.grows ? growth : 0;
+        note(row);
+        if (rows.size() == 1)
+          note(in_equilibrium(model, packing));
+      }
+    return results.finish({panel_of(rows)});
+  }
+} // namespace apps

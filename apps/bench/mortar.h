@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace apps
+{
+  /** What `breccia bench mortar` is asked. */
+  struct MortarBench
+  {
+    std::string              scene;
+    std::vector<std::string> overrides;
+    std::filesystem::path    folder;
+    bool                     quick = false; ///< fewer cases
+  };
+
+  /**
+   * A bonded specimen that grows in its vessel and is crushed by platens: strength and modulus over the scale of its particles, the speed of
+   * the platens, damping and the elements of a joint, beside the cost, and the modulus without inertia. The scene is of kind particles, with
+   * Specimen/Source = genesis, flat joints and a uniaxial compression in section Laboratory.
+   *
+   * Written after every case to mortar.csv and mortar.md, at the end to mortar.png.
+   *
+   * @return exit status. @throws base::InputError, postprocess::OutputError.
+   */
+  int run_mortar_bench(const MortarBench &bench);
+} // namespace apps
