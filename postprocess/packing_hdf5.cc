@@ -13,7 +13,7 @@ namespace postprocess
     static_assert(sizeof(Eigen::Vector3d) == 3 * sizeof(double), "centres are stored row by row without gaps");
 
     constexpr std::int64_t packing_version = 1;
-    constexpr hsize_t      body_numbers    = 13; // volume, centre, inertia by rows
+    constexpr hsize_t      body_record     = 13; // volume, centre, inertia by rows
 
     std::string as_text(const hdf5::Shape &shape)
     {
@@ -37,7 +37,7 @@ namespace postprocess
       if (file.has("clump") && file.shape("clump") != hdf5::Shape{centre[0]})
         throw base::InputError(origin + ": \"clump\" has the shape " + as_text(file.shape("clump")) + ", expected " +
                                std::to_string(centre[0]) + ", as many as centres.");
-      if (file.has("bodies") && (file.shape("bodies").size() != 2 || file.shape("bodies")[1] != body_numbers))
+      if (file.has("bodies") && (file.shape("bodies").size() != 2 || file.shape("bodies")[1] != body_record))
         throw base::InputError(origin + ": \"bodies\" has the shape " + as_text(file.shape("bodies")) +
                                ", expected N x 13: volume, centre, inertia by rows.");
       if (file.has("periodic_cell") && file.shape("periodic_cell") != hdf5::Shape{3})
@@ -74,9 +74,9 @@ namespace postprocess
         packing.clump.push_back(narrowed(number, "clump", origin));
       if (!file.has("bodies"))
         return;
-      std::vector<double> table(body_numbers * file.shape("bodies")[0]);
+      std::vector<double> table(body_record * file.shape("bodies")[0]);
       file.read("bodies", table.data());
-      for (std::size_t at = 0; at < table.size(); at += body_numbers)
+      for (std::size_t at = 0; at < table.size(); at += body_record)
         packing.bodies.push_back({table[at], Eigen::Vector3d(&table[at + 1]), Eigen::Matrix3d(&table[at + 4])});
     }
 
@@ -91,7 +91,7 @@ namespace postprocess
           table.insert(table.end(), body.inertia.data(), body.inertia.data() + 9); // symmetric: rows are columns
         }
       if (!table.empty())
-        file.write("bodies", table.data(), {packing.bodies.size(), body_numbers});
+        file.write("bodies", table.data(), {packing.bodies.size(), body_record});
     }
   } // namespace
 

@@ -102,10 +102,10 @@ namespace apps
   typename ContinuumRun<dim>::Rehearsal ContinuumRun<dim>::rehearse(const double states, const double enough)
   {
     Rehearsal       found;
-    const Stopwatch watch;
+    const Stopwatch spent;
     try
       {
-        while (!finished() && found.states < states && (found.states < 2 || watch.seconds() < enough))
+        while (!finished() && found.states < states && (found.states < 2 || spent.seconds() < enough))
           {
             in_words_of_a_run([this] {
               while (!analysis->advance())
@@ -113,7 +113,7 @@ namespace apps
               row();
               invalid = solid->end_of_validity();
             });
-            found.first = found.states == 0 ? watch.seconds() : found.first;
+            found.first = found.states == 0 ? spent.seconds() : found.first;
             ++found.states;
           }
       }
@@ -123,7 +123,7 @@ namespace apps
           throw;
         failure = found.failure = stop.what();
       }
-    found.seconds = watch.seconds();
+    found.seconds = spent.seconds();
     found.ended   = finished();
     return found;
   }
