@@ -34,16 +34,16 @@ namespace apps
       double      growth = 0, cost = 0;      ///< processor time of genesis and of the test [s]
     };
 
-    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    constexpr double unknown_figure = std::numeric_limits<double>::quiet_NaN();
 
-    double value_of(const dem::Finding &finding) { return finding.found ? finding.value : none; }
+    double value_of(const dem::Finding &finding) { return finding.found ? finding.value : unknown_figure; }
 
     std::string in_table(const double value, const double unit, const char *digits)
     {
       return std::isnan(value) ? "-" : fmt::format(fmt::runtime(digits), value / unit);
     }
 
-    const ParticlesModel &model_of(const CheckedScene &checked)
+    const ParticlesModel &mortar_in(const CheckedScene &checked)
     {
       const ParticlesModel &model = scene_of_kind<ParticlesScene>(checked, "particles").parameters();
       if (model.source.source != SpecimenSection::Source::genesis)
@@ -101,13 +101,13 @@ namespace apps
       row.particles              = packing.size();
       row.bonds                  = loaded.network.links.size();
       row.modulus                = point.stress[loaded.led] / point.strain[loaded.led];
-      row.strength = row.imbalance = none;
+      row.strength = row.imbalance = unknown_figure;
       row.balance                  = point.balance_error();
       row.cost                     = processor_seconds() - start;
       return row;
     }
 
-    std::vector<MortarCase> cases(const bool quick)
+    std::vector<MortarCase> mortar_cases(const bool quick)
     {
       const auto genesis = [](const char *value, const std::string &entry) {
         return MortarCase{{"size of particles", value, {"Specimen/Genesis/" + entry}}, true};
@@ -172,10 +172,10 @@ namespace apps
                                   in_table(row.modulus, 1e9, "{:.3f}"), row.growth, row.cost);
       std::fflush(stdout);
     };
-    for (const MortarCase &one : cases(bench.quick))
+    for (const MortarCase &one : mortar_cases(bench.quick))
       {
         const CheckedScene    checked = one.variant.of(bench.scene, bench.overrides);
-        const ParticlesModel &model   = model_of(checked);
+        const ParticlesModel &model   = mortar_in(checked);
         const double          start   = processor_seconds();
         const dem::Packing    packing = one.grows ? model.packing() : *reference;
         const double          growth  = processor_seconds() - start;
