@@ -43,6 +43,8 @@ namespace apps
       return std::isnan(value) ? "-" : fmt::format(fmt::runtime(digits), value / unit);
     }
 
+    std::string in_csv(const double value) { return std::isnan(value) ? "" : fmt::format("{}", value); }
+
     const ParticlesModel &mortar_in(const CheckedScene &checked)
     {
       const ParticlesModel &model = scene_of_kind<ParticlesScene>(checked, "particles").parameters();
@@ -94,8 +96,8 @@ namespace apps
       const dem::LinkMaterials   materials = model.material.materials();
       const dem::LoadedNetwork   loaded    = dem::load_grips(dem::make_network(packing, links, materials), pair);
       dem::QuasiStaticParameters steps;
-      steps.strain_step = -1e-6;
-      steps.end_strain  = -1e-6;
+      steps.sign        = -1;
+      steps.strain_step = steps.end_strain = 1e-6;
       dem::QuasiStaticPath path(loaded, materials, steps);
       const auto          &point = path.advance();
       row.particles              = packing.size();
@@ -139,8 +141,8 @@ namespace apps
                         "balance | Genesis [s] | Test [s] |\n|---|---|---|---|---|---|---|---|---|---|\n";
       for (const MortarRow &r : rows)
         {
-          csv += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", r.study, r.value, r.particles, r.bonds, r.strength,
-                             r.modulus, r.imbalance, r.balance, r.growth, r.cost);
+          csv += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", r.study, r.value, r.particles, r.bonds,
+                             in_csv(r.strength), in_csv(r.modulus), in_csv(r.imbalance), r.balance, r.growth, r.cost);
           md +=
             fmt::format("| {} | {} | {} | {} | {} | {} | {} | {:.1e} | {:.1f} | {:.1f} |\n", r.study, r.value,
                         r.particles, r.bonds, in_table(r.strength, 1e6, "{:.3f}"), in_table(r.modulus, 1e9, "{:.3f}"),

@@ -261,6 +261,8 @@ namespace dem
     const std::int64_t before = fits;
     visitor.scalar("growing/fits", fits);
     particles.visit_state(visitor);
+    visitor.column("growing/mass", particles.mass); // of the radii that were set last, not of those scaled since
+    visitor.column("growing/inertia", particles.inertia);
     visitor.column("growing/walls", particles.pushed);
     visitor.column("growing/near_wall", near_wall);
     std::vector<std::int32_t> holds(held.begin(), held.end());
@@ -279,7 +281,6 @@ namespace dem
     visitor.scalar("growing/growth", growth);
     visitor.scalar("growing/damped", damped);
     visitor.scalar("growing/stopped", stopped);
-    set_masses();
     double friction = material.contact.friction_coefficient;
     visitor.scalar("growing/friction", friction);
     take_friction(friction);

@@ -187,6 +187,30 @@ TEST_CASE("bench quasi-static takes its material from the scene, and refuses a s
   CHECK_FALSE(std::filesystem::exists(folder / "bench"));
 }
 
+TEST_CASE("bench mortar crushes a grown specimen faster and slower, and has its modulus in equilibrium", "[apps]")
+{
+  const ScratchFolder folder;
+  const std::string   scenes = places::sources() + "/apps/scenes/";
+  const Outcome outcome = run(folder.path(), {"bench", "mortar", scenes + "mortar_window.prm", "--quick", "-o", "bench",
+                                              "-s", "Specimen/Genesis/Size=0.01, 0.02, 0"});
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  const auto rows   = table(folder / "bench/mortar.csv");
+  const auto number = [&](const std::size_t row, const char *column) {
+    return *apps::number_in(rows.at(row).at(column));
+  };
+  REQUIRE(rows.size() == 3);
+  CHECK(rows[1].at("strength").empty());
+  CHECK(number(1, "modulus") == Approx(number(0, "modulus")).epsilon(0.2)); // half-way to the peak some have broken
+  CHECK(number(2, "strength") > number(0, "strength"));
+  for (const std::size_t row : {0, 2})
+    CHECK(number(row, "balance_error") < 1e-3);
+  const Outcome refused =
+    run(folder.path(), {"bench", "mortar", scenes + "rock_compression.prm", "--quick", "-o", "none"});
+  CHECK(refused.status == 2);
+  CHECK_THAT(refused.err, Contains("Specimen/Source: this bench needs genesis"));
+}
+
 TEST_CASE("bench surface: errors of an impact fall with the elements", "[apps][slow]")
 {
   const ScratchFolder folder;
