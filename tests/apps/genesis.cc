@@ -4,6 +4,7 @@
 #include "tests/apps/scene_runs.h"
 #include "tests/apps/scenes.h"
 #include "tests/apps/scratch_folder.h"
+#include "tests/places.h"
 
 #include <catch2/catch.hpp>
 
@@ -62,97 +63,21 @@ subsection Output
 end
 )";
 
-  /** Concrete: mortar of uniform radii, aggregates in it, links of three kinds. */
-  const std::string concrete = R"(set Kind = particles
-subsection Physics
-  set Dimension = 2
-end
-subsection Specimen
-  set Source           = genesis
-  set Density          = 2000
-  set Thickness        = 1
-  set Interaction ratio = 1.000001
-  set Loose pieces     = keep
-  subsection Genesis
-    set Size              = 0.04, 0.03, 0
-    set Sizes             = uniform
-    set Mean radius       = 0.5e-3
-    set Radius ratio      = 2.5
-    set Porosity          = 0.12
-    set Effective modulus = 16e9
-    set Stiffness ratio   = 1.45
-    set Stress            = 1e5
-    set Increments        = 20
-    set Stress rounds     = 3
-    set Fit floaters      = false
-    set Solve steps       = 2000
-    subsection Aggregates
-      set Content   = 0.75
-      set Sizes     = 5e-3, 7e-3, 9e-3
-      set Clearance = 1e-3
-    end
-  end
-end
-subsection Materials
-  subsection mortar
-    set Law = parallel-bond
-    subsection parallel-bond
-      set Effective modulus    = 16e9
-      set Stiffness ratio      = 1.45
-      set Tensile strength     = 10e6
-      set Cohesion             = 30e6
-      set Friction coefficient = 0.5
-    end
-  end
-  subsection aggregate
-    set Law     = parallel-bond
-    set Density = 2650
-    subsection parallel-bond
-      set Effective modulus    = 20e9
-      set Stiffness ratio      = 2
-      set Tensile strength     = 0
-      set Cohesion             = 0
-      set Friction coefficient = 1
-    end
-  end
-end
-subsection Interfaces
-  subsection transition
-    set Material       = mortar
-    set Other material = aggregate
-    subsection parallel-bond
-      set Effective modulus    = 8e9
-      set Stiffness ratio      = 1.45
-      set Tensile strength     = 5e6
-      set Cohesion             = 15e6
-      set Friction coefficient = 0.5
-    end
-  end
-  subsection between aggregates
-    set Material       = aggregate
-    set Other material = aggregate
-    set Bonded         = false
-    subsection parallel-bond
-      set Effective modulus    = 20e9
-      set Stiffness ratio      = 2
-      set Tensile strength     = 0
-      set Cohesion             = 0
-      set Friction coefficient = 1
-    end
-  end
-end
-subsection Gravity
-  set Initial equilibrium = none
-end
-subsection Time
-  set End time = 1e-5
-  set Damping  = 0.7
-end
-subsection Output
-  set Samples   = 2
-  set Snapshots = 0
-end
-)";
+  /** The shipped concrete: mortar of uniform radii, aggregates in it, links of three kinds. */
+  const std::string concrete = places::sources() + "/apps/scenes/concrete_aggregates.prm";
+
+  /** A small piece of it, grown in a hurry and left alone. */
+  std::vector<std::string> small_piece(const std::vector<std::string> &more = {})
+  {
+    const std::string        of      = "Specimen/Genesis/";
+    std::vector<std::string> changes = {of + "Size=0.04, 0.03, 0", of + "Increments=20",
+                                        of + "Stress rounds=3",    of + "Fit floaters=false",
+                                        of + "Solve steps=2000",   of + "Aggregates/Sizes=5e-3, 7e-3, 9e-3",
+                                        "Laboratory/Test=none",    "Time/End time=1e-5",
+                                        "Output/Samples=2",        "Output/Snapshots=0"};
+    changes.insert(changes.end(), more.begin(), more.end());
+    return changes;
+  }
 } // namespace
 
 TEST_CASE("A scene grows its particles, bonds them without a force, and keeps what each stage has reached",
@@ -201,9 +126,8 @@ TEST_CASE("A genesis that was interrupted goes on to the same bits", "[apps][gen
 TEST_CASE("Aggregates are clumps in mortar, bonded to it and not to each other", "[apps][genesis]")
 {
   const ScratchFolder folder;
-  folder.file("concrete.prm", concrete);
-  const Results      found   = results_of(folder, "concrete.prm");
-  const dem::Packing packing = postprocess::read_packing(folder / "results/packing.txt");
+  const Results       found   = results_of(folder, concrete, small_piece());
+  const dem::Packing  packing = postprocess::read_packing(folder / "results/packing.txt");
   REQUIRE(packing.bodies.size() >= 3);
   CHECK(packing.material_names == std::vector<std::string>{"mortar", "aggregate"});
   for (std::size_t i = 0; i < packing.size(); ++i)
@@ -218,7 +142,6 @@ TEST_CASE("What a genesis cannot be made of is refused with the place", "[apps][
   const ScratchFolder folder;
   const std::string   of = "Specimen/Genesis/";
   folder.file("mortar.prm", mortar);
-  folder.file("concrete.prm", concrete);
   is_refused(folder, "mortar.prm", {of + "Classes=1e-3: 0.5, 3e-3: 0.4"}, "fractions sum up to 0.9");
   is_refused(folder, "mortar.prm", {of + "Classes=1e-3"}, "expected diameter: fraction");
   is_refused(folder, "mortar.prm", {of + "Classes=1: 1"}, "not one particle fits");
@@ -226,9 +149,10 @@ TEST_CASE("What a genesis cannot be made of is refused with the place", "[apps][
   is_refused(folder, "mortar.prm", {of + "Size=0, 0.03, 0"}, "must be above 0");
   is_refused(folder, "mortar.prm", {of + "Stress=1e12"}, "far below the modulus");
   is_refused(folder, "mortar.prm", {of + "Sizes=file", of + "Size file=none.csv"}, "no such file");
-  is_refused(folder, "concrete.prm", {of + "Aggregates/Sizes=9e-3, 5e-3"}, "must ascend");
-  is_refused(folder, "concrete.prm", {of + "Aggregates/Most corners=3"}, "must not be below Fewest corners");
-  is_refused(folder, "concrete.prm", {"Interfaces/transition/Material=mortr"}, "is not in section Materials");
+  is_refused(folder, concrete, small_piece({of + "Aggregates/Sizes=9e-3, 5e-3"}), "must ascend");
+  is_refused(folder, concrete, small_piece({of + "Aggregates/Most corners=3"}), "must not be below Fewest corners");
+  is_refused(folder, concrete, small_piece({"Interfaces/transition zone/Material=mortr"}),
+             "is not in section Materials");
 }
 
 TEST_CASE("Sizes are read from a table: diameters, ranges or a sieve curve", "[apps][genesis]")
