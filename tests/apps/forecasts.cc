@@ -88,6 +88,12 @@ TEST_CASE("check forecasts without a folder for temporary files", "[apps]")
   CHECK_THAT(outcome.out, Contains("duration     roughly "));
 }
 
+TEST_CASE("What particles would do after the end of a run is no part of its forecast", "[apps]")
+{
+  // Away from the anvil, 0.5 mm by the end; after half a second, metres in a step.
+  forecasts_of({"bouncing_sphere.prm"}, {"-s", "Gravity/Acceleration=0, 0, 1e5", "-s", "Time/End time=1e-4"});
+}
+
 TEST_CASE("Particles piled up for a forecast touch their neighbours and a box, and apart nothing", "[apps]")
 {
   dem::LinearContactParameters contact;

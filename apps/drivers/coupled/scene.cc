@@ -18,11 +18,12 @@ namespace apps
 {
   namespace
   {
-    double seconds_per_window(CoupledBody &body)
+    double seconds_per_window(CoupledBody &body, const double end_time)
     {
       return seconds_per_unit([&](const std::int64_t count) {
         const std::int64_t before = body.windows();
-        body.advance(count);
+        for (std::int64_t k = 0; k < count && body.time() < end_time; ++k) // what comes later is no part of the run
+          body.advance(1);
         return body.windows() - before;
       });
     }
@@ -91,7 +92,7 @@ namespace apps
     try
       {
         const double cost =
-          seconds_per_window(*body) +
+          seconds_per_window(*body, model.particles.end_time) +
           body->steps().particle_steps * dearer_step_when_piled_up(model.particles, specimen, surface_contact(model));
         const double windows = windows_of(*body, model.particles.end_time);
         const double motion  = windows * cost + writing_seconds(*body, model.particles.output);

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace apps
@@ -69,8 +70,11 @@ namespace apps
       text += fmt::format("  start        {}\n", text_of(*start));
     text += fmt::format("  steps        {:.0f}{}\n", steps,
                         model.stops.stops.empty() ? "" : ", fewer where a stop condition comes first");
-    const double step = seconds_per_step(specimen, [&](const std::int64_t count) { body.advance(count); }) +
-                        dearer_step_when_piled_up(model, specimen, ground_of(model));
+    const auto   last = static_cast<std::int64_t>(std::ceil(steps)); // what moves further is no part of the run
+    const double step =
+      seconds_per_step(specimen,
+                       [&](const std::int64_t count) { body.advance(std::min(count, last - specimen.steps())); }) +
+      dearer_step_when_piled_up(model, specimen, ground_of(model));
     const double row = seconds_of([&] { body.row(); });
     const double snapshot =
       model.output.snapshots == 0 ? 0.0 : seconds_to_write([&](const std::filesystem::path &folder) {

@@ -111,24 +111,26 @@ namespace apps
                         body.critical_step());
     text += fmt::format("  memory       {} for particles and links\n", megabytes(body.bytes()));
     double steps = 0, expected = 0, parts = 0; // parts of the way to the stop strain, of all tests
+    double cost = 0;
     for (const UniaxialLoad load : asked.loading.tests)
       {
         // Refuses what a run would refuse.
-        dem::Specimen           fresh(packing, asked.specimen, materials);
-        const dem::UniaxialTest test(fresh, asked.loading.parameters(load));
-        const std::int64_t      most = most_steps(asked.loading, load, fresh.time_step());
+        dem::Specimen      fresh(packing, asked.specimen, materials);
+        dem::UniaxialTest  test(fresh, asked.loading.parameters(load));
+        const std::int64_t most = most_steps(asked.loading, load, fresh.time_step());
         if (load == asked.loading.tests.front()) // the grips hold alike in all of them
-          text += fmt::format("  basis        {}\n", text_of(test.grip_layers(), asked.loading.grips.parameters()));
-        if (load == asked.loading.tests.front())
-          if (const StaticStart start = start_statically(fresh, asked.gravity))
-            text += fmt::format("  start        {}\n", text_of(*start));
+          {
+            text += fmt::format("  basis        {}\n", text_of(test.grip_layers(), asked.loading.grips.parameters()));
+            if (const StaticStart start = start_statically(fresh, asked.gravity))
+              text += fmt::format("  start        {}\n", text_of(*start));
+            cost = seconds_per_step(fresh, [&](const std::int64_t count) { test.advance(count); });
+          }
         const double part = expected_end(asked, packing, load) / asked.loading.parameters(load).stop_strain;
         steps += static_cast<double>(most);
         expected += static_cast<double>(most) * part;
         parts += part;
         text += fmt::format("  {:<12} at most {} steps\n", name_of(load), most);
       }
-    const double cost    = seconds_per_step(body, [&](const std::int64_t count) { body.advance(count); });
     const double writing = writing_seconds_of_test(body, asked.output);
     const double tests   = static_cast<double>(asked.loading.tests.size());
     return text + duration_line(set_up_seconds + expected * cost + parts * writing,
