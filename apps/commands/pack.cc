@@ -56,6 +56,7 @@ namespace apps
               {"seed", fmt::format("{}", generator.seed)},
               {"friction", fmt::format("{}", generator.friction)},
               {"damping", fmt::format("{}", generator.damping)},
+              {"pressure", fmt::format("{}", generator.low_pressure)},
               {"packing fraction of the cell", fmt::format("{}", result.packing_fraction)}};
     }
 
@@ -133,6 +134,10 @@ namespace apps
     command
       .add_option("--damping", make.damping, with_default("Local damping during compaction, in [0, 1)", make.damping))
       ->type_name("D");
+    command
+      .add_option("--pressure", make.low_pressure,
+                  with_default("Of the contacts in which the packing is left, p 2r/k_n, below 0.1", make.low_pressure))
+      ->type_name("P");
     command.add_option("--from", options->from, "Take this packing instead of making one")->type_name("FILE");
     CLI::Option *box =
       command.add_option("--box", options->box, "Repeat the cell to fill this box, and crop to it [m]")

@@ -11,10 +11,11 @@ namespace apps
   dem::CompactionParameters SpecimenSection::compaction() const
   {
     dem::CompactionParameters asked;
-    asked.radius   = generator.radius;
-    asked.seed     = static_cast<std::uint64_t>(generator.seed);
-    asked.friction = generator.friction;
-    asked.damping  = generator.damping;
+    asked.radius       = generator.radius;
+    asked.seed         = static_cast<std::uint64_t>(generator.seed);
+    asked.friction     = generator.friction;
+    asked.damping      = generator.damping;
+    asked.low_pressure = generator.pressure;
     if (generator.cell_count > 0)
       asked.count = static_cast<std::size_t>(generator.cell_count);
     else if (has_box())
@@ -43,6 +44,12 @@ namespace apps
         .means("Between the spheres while they are compacted: 0 gives a packing fraction of 0.65, 0.1 0.61, 1 0.55");
       inner.number("Damping", generator.damping, "-", Range::from_up_to(0, 1), Need::optional)
         .means("Local damping while they are compacted; hardly matters for the result");
+      inner
+        .number("Pressure", generator.pressure, "-", Range::from_up_to(1e-5, dem::CompactionParameters().high_pressure),
+                Need::optional)
+        .means(
+          "Of the contacts, p 2r/k_n, in which the finished packing is left: with more of it spheres overlap more and "
+          "have more neighbours");
       return inner;
     }
   } // namespace

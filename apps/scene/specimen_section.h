@@ -30,6 +30,7 @@ namespace apps
       std::int64_t seed       = static_cast<std::int64_t>(dem::CompactionParameters().seed);
       double       friction   = dem::CompactionParameters().friction;
       double       damping    = dem::CompactionParameters().damping;
+      double       pressure   = dem::CompactionParameters().low_pressure; ///< that is left, p 2r/k_n
     };
 
     /** What becomes of a specimen whose particles do not all hang together. */

@@ -36,10 +36,11 @@ namespace
   double mean_of_static_moduli(const std::uint64_t first, const double modulus)
   {
     dem::CompactionParameters packing;
-    packing.radius   = 0.01;
-    packing.count    = 75;
-    packing.friction = 0.1;
-    packing.damping  = 0.8;
+    packing.radius       = 0.01;
+    packing.count        = 75;
+    packing.friction     = 0.1;
+    packing.damping      = 0.8;
+    packing.low_pressure = 6.667e-3;
     dem::NetworkParameters links;
     links.interaction_ratio = 1.5;
     links.normal_modulus    = modulus;
@@ -72,8 +73,11 @@ TEST_CASE("Cells in motion behind two of three cubes share strain as springs in 
   CHECK((upper - lower) / pushed == Approx(0.220).epsilon(0.05));
   CHECK(lower / pushed == Approx(0.439).epsilon(0.05));
   CHECK(-last("reaction_head_z") / (pushed - upper) == Approx(4.4444e6).epsilon(1e-3));
-  // The eight points of a cube are strained alike: they are as stiff as the static solutions of their packings on average.
   const double stress = 0.5 * (last("reaction_base_z") - last("reaction_head_z"));
+  CHECK(stress / lower == Approx(3.45e6).epsilon(0.05));
+  CHECK(stress / (upper - lower) == Approx(6.9e6).epsilon(0.05));
+  CHECK(stress / pushed == Approx(1 / (1 / 4.4444e6 + 1 / 6.9e6 + 1 / 3.45e6)).epsilon(0.05));
+  // The eight points of a cube are strained alike: they are as stiff as the static solutions of their packings on average.
   CHECK(stress / lower == Approx(mean_of_static_moduli(0, 2e6)).epsilon(0.02));
   CHECK(stress / (upper - lower) == Approx(mean_of_static_moduli(8, 4e6)).epsilon(0.02));
 }

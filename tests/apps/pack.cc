@@ -66,6 +66,30 @@ TEST_CASE("pack fills a box with whole spheres, of a new or of an existing packi
     }
 }
 
+TEST_CASE("pack leaves a packing under the pressure that is asked for, as a scene does", "[apps]")
+{
+  const ScratchFolder folder;
+  const auto          overlap = [&](const std::vector<std::string> &more) {
+    std::vector<std::string> words = {"pack", "--radius", "0.01", "--count", "75", "--friction", "0.1", "-o", "p.txt"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome outcome = run(folder.path(), words);
+    REQUIRE(outcome.status == 0);
+    return number_after("mean overlap", outcome.out);
+  };
+  const double usual = overlap({}), same = overlap({"--pressure", "1e-3"}), high = overlap({"--pressure", "6.667e-3"});
+  CHECK(same == usual);
+  // Overlaps carry the pressure: as many times larger, but for the contacts that it adds.
+  CHECK(high > 3 * usual);
+  CHECK(high < 6.667 * usual);
+  for (const char *wrong : {"0", "0.1", "-1e-3", "nan"})
+    {
+      const Outcome refused =
+        run(folder.path(), {"pack", "--radius", "0.01", "--count", "75", "--pressure", wrong, "-o", "q.txt"});
+      CHECK(refused.status == 2);
+      CHECK_THAT(refused.err, Contains("pressure"));
+    }
+}
+
 TEST_CASE("pack refuses wrong options and files with status 2", "[apps][S14]")
 {
   const ScratchFolder folder;
