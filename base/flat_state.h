@@ -47,6 +47,9 @@ namespace base
       value = static_cast<std::int64_t>(row.at(next++));
     }
 
+    /** How many numbers have been taken up. */
+    std::size_t position() const { return next; }
+
   private:
     template <typename Values>
     void take(Values &values)

@@ -1,6 +1,7 @@
 #include "coupling/multiscale/cell_points.h"
 
 #include "base/errors.h"
+#include "base/flat_state.h"
 #include "coupling/multiscale/ellipticity.h"
 #include "coupling/multiscale/stretch.h"
 
@@ -34,6 +35,7 @@ namespace coupling
 
   CellPoints::CellPoints(CellPointsParameters given, const fem::Plane plane)
     : parameters(std::move(given))
+    , dealt(parameters.communicator)
   {
     if (parameters.cells.empty())
       throw std::invalid_argument("cells: at least one is needed.");
@@ -62,10 +64,11 @@ namespace coupling
 
   void CellPoints::gather(const std::vector<base::Voigt> &strains, const bool with_tangent)
   {
-    const auto n = static_cast<std::int64_t>(points.size());
-#pragma omp parallel for schedule(dynamic)
-    for (std::int64_t i = 0; i < n; ++i)
-      find(points[static_cast<std::size_t>(i)], strains[static_cast<std::size_t>(i)], with_tangent);
+    std::vector<std::size_t> asked;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (ask(points[i], strains[i], with_tangent))
+        asked.push_back(i);
+    answer_to(asked);
   }
 
   void CellPoints::evaluate(const std::size_t  number,
@@ -75,7 +78,8 @@ namespace coupling
                             fem::PointAnswer &answer)
   {
     Point &point = points.at(number);
-    find(point, strain, with_tangent);
+    if (ask(point, strain, with_tangent))
+      answer_to({number});
     if (!point.failure.empty())
       throw fem::MaterialFailure(point.failure);
     answer.stress = point.answer.stress;
@@ -83,51 +87,121 @@ namespace coupling
       answer.tangent = point.answer.tangent;
   }
 
-  void CellPoints::find(Point &point, const base::Voigt &strain, const bool with_tangent) const
+  void CellPoints::begin_step()
   {
-    if (point.known && point.strain == strain && (point.has_tangent || !with_tangent))
-      return;
-    point.known       = true;
-    point.has_tangent = with_tangent;
-    point.strain      = strain;
-    point.failure.clear();
-    try
+    for (Point &point : points)
       {
-        if (!parameters.large_strains)
-          {
-            point.law_strain = strain;
-            find_law(point, with_tangent);
-            point.answer = point.of_law;
-            return;
-          }
-        const Stretch stretch(strain);
-        point.law_strain = stretch.strain();
-        find_law(point, with_tangent);
-        point.answer.stress = stretch.stress(point.of_law.stress);
-        if (with_tangent)
-          point.answer.tangent = stretch.tangent(point.of_law.stress, point.of_law.tangent);
-      }
-    catch (const std::exception &problem) // no exception may leave a thread
-      {
-        point.failure     = problem.what();
-        point.is_promoted = false;
+        if (point.cell)
+          point.cell->begin_step();
+        point.fresh.reset();
+        point.known = false;
       }
   }
 
-  void CellPoints::find_law(Point &point, const bool with_tangent) const
+  bool CellPoints::ask(Point &point, const base::Voigt &strain, const bool with_tangent)
+  {
+    if (point.known && point.strain == strain && (point.has_tangent || !with_tangent))
+      return false;
+    point.known       = true;
+    point.has_tangent = with_tangent;
+    point.strain      = strain;
+    losses_known      = false;
+    return true;
+  }
+
+  void CellPoints::answer_to(const std::vector<std::size_t> &asked)
+  {
+    const auto n = static_cast<std::int64_t>(asked.size());
+#pragma omp parallel for schedule(dynamic)
+    for (std::int64_t k = 0; k < n; ++k)
+      {
+        Point &point      = points[asked[static_cast<std::size_t>(k)]];
+        point.is_promoted = false;
+        point.failure.clear();
+        try
+          {
+            point.law_strain = parameters.large_strains ? Stretch(point.strain).strain() : point.strain;
+            if (is_mine(asked[static_cast<std::size_t>(k)]))
+              find(point);
+            else
+              answer_elastically(point); // unless its rank tells otherwise
+          }
+        catch (const std::exception &problem) // no exception may leave a thread
+          {
+            point.failure     = problem.what();
+            point.is_promoted = false;
+          }
+      }
+    if (!dealt.alone())
+      share_answers(asked);
+    for (const std::size_t i : asked)
+      if (points[i].failure.empty())
+        tell(points[i]);
+  }
+
+  void CellPoints::share_answers(const std::vector<std::size_t> &asked)
+  {
+    base::Column          own;
+    base::FlatStateWriter writer(own);
+    for (const std::size_t i : asked)
+      if (is_mine(i) && (points[i].is_promoted || !points[i].failure.empty()))
+        {
+          own.push_back(static_cast<double>(i));
+          visit_answer(points[i], writer);
+        }
+    for (const base::Column &of_rank : dealt.shown(own))
+      {
+        base::FlatStateReader reader(of_rank);
+        while (reader.position() < of_rank.size())
+          {
+            std::int64_t i = 0;
+            reader.scalar("point", i);
+            visit_answer(points[static_cast<std::size_t>(i)], reader);
+          }
+      }
+  }
+
+  void CellPoints::visit_answer(Point &point, base::StateVisitor &visitor)
+  {
+    std::int64_t              promoted = point.is_promoted ? 1 : 0;
+    std::vector<std::int32_t> letters(point.failure.begin(), point.failure.end());
+    visitor.scalar("promoted", promoted);
+    visitor.column("failure", letters);
+    point.is_promoted = promoted == 1;
+    point.failure.assign(letters.begin(), letters.end());
+    for (double &component : point.of_law.stress)
+      visitor.scalar("stress", component);
+    for (double &entry : point.of_law.tangent.reshaped())
+      visitor.scalar("tangent", entry);
+  }
+
+  void CellPoints::tell(Point &point) const
+  {
+    point.answer = point.of_law;
+    if (!parameters.large_strains)
+      return;
+    const Stretch stretch(point.strain);
+    point.answer.stress = stretch.stress(point.of_law.stress);
+    if (point.has_tangent)
+      point.answer.tangent = stretch.tangent(point.of_law.stress, point.of_law.tangent);
+  }
+
+  void CellPoints::answer_elastically(Point &point)
+  {
+    point.of_law.tangent = point.prepared->stiffness();
+    point.of_law.stress  = point.of_law.tangent * point.law_strain;
+  }
+
+  void CellPoints::find(Point &point) const
   {
     point.is_promoted = point.cell || point.prepared->is_left_by(point.law_strain);
     if (!point.is_promoted)
-      {
-        point.of_law.tangent = point.prepared->stiffness();
-        point.of_law.stress  = point.of_law.tangent * point.law_strain;
-        return;
-      }
+      return answer_elastically(point);
     if (!point.cell && !point.fresh)
       point.fresh =
         point.prepared->promoted_at(point.record.strain, point.prepared->system_of_thread(omp_get_thread_num()));
-    ask_cell(point, with_tangent);
-    if (parameters.localised == Localised::refuse && with_tangent && point.law_strain != point.record.strain)
+    ask_cell(point);
+    if (parameters.localised == Localised::refuse && point.has_tangent && point.law_strain != point.record.strain)
       if (const WeakestPlane plane = weakest_plane(point.of_law.tangent, point.prepared->stiffness(), parameters.plane);
           plane.is_lost())
         {
@@ -138,13 +212,13 @@ namespace coupling
         }
   }
 
-  void CellPoints::ask_cell(Point &point, const bool with_tangent) const
+  void CellPoints::ask_cell(Point &point) const
   {
     dem::RespondingCell &cell   = point.cell ? *point.cell : *point.fresh;
     dem::CellSystem     &system = point.prepared->system_of_thread(omp_get_thread_num());
     if (!point.band)
       {
-        const dem::CellResponse response = cell.respond(point.law_strain, system, with_tangent);
+        const dem::CellResponse response = cell.respond(point.law_strain, system, point.has_tangent);
         point.of_law                     = {response.stress, response.tangent};
         return;
       }
@@ -157,61 +231,117 @@ namespace coupling
 
   void CellPoints::commit()
   {
-    const auto                                  n = static_cast<std::int64_t>(points.size());
-    std::vector<std::optional<Eigen::Vector3d>> lost(points.size());
-    std::vector<char>                           taken_over(points.size());
-#pragma omp parallel for schedule(dynamic)
-    for (std::int64_t i = 0; i < n; ++i)
-      {
-        Point &point = points[static_cast<std::size_t>(i)];
-        if (!point.known || !point.failure.empty())
-          continue;
-        const base::Voigt strain = point.record.strain, stress = point.stress;
-        taken_over[static_cast<std::size_t>(i)] = !point.cell && point.is_promoted;
-        commit(point);
-        lost[static_cast<std::size_t>(i)] = lost_plane(point, strain, stress);
-      }
-    ++states;
+    std::vector<std::size_t> changed;
     for (std::size_t i = 0; i < points.size(); ++i)
+      if (points[i].known && points[i].failure.empty())
+        changed.push_back(i);
+    std::vector<News> news(points.size());
+    const auto        n = static_cast<std::int64_t>(changed.size());
+#pragma omp parallel for schedule(dynamic)
+    for (std::int64_t k = 0; k < n; ++k)
+      if (const std::size_t i = changed[static_cast<std::size_t>(k)]; is_mine(i) && points[i].is_promoted)
+        news[i] = commit_cell(i);
+    if (!dealt.alone())
+      share_news(changed, news);
+    ++states;
+    for (const std::size_t i : changed)
+      take(i, news[i]);
+  }
+
+  CellPoints::News CellPoints::commit_cell(const std::size_t number)
+  {
+    News   news;
+    Point &point = points[number];
+    if (point.fresh)
+      point.cell = std::move(point.fresh);
+    point.cell->commit();
+    if (point.band)
+      point.band->commit();
+    news.damage = point.cell->links().mean_damage();
+    news.stored = stored_now(point, point.law_strain);
+    try
       {
-        if (taken_over[i])
-          points[i].record.since = static_cast<double>(states);
-        if (lost[i])
-          localise(i, *lost[i]);
+        const std::optional<Vector3d> normal = lost_plane(point, news.damage);
+        if (!normal)
+          return news;
+        news.normal        = *normal;
+        const double share = share_of_cell(number, *normal);
+        if (parameters.localised == Localised::crack_band && share <= 1)
+          point.band.emplace(*normal, share, point.law_strain, point.of_law.stress,
+                             point.cell->unloading_stiffness(point.prepared->system_of_thread(omp_get_thread_num())),
+                             news.stored);
+      }
+    catch (const std::exception &problem)
+      {
+        news.failure = problem.what();
+      }
+    return news;
+  }
+
+  void CellPoints::share_news(const std::vector<std::size_t> &changed, std::vector<News> &news) const
+  {
+    base::Column          own;
+    base::FlatStateWriter writer(own);
+    for (const std::size_t i : changed)
+      if (is_mine(i) && points[i].is_promoted)
+        {
+          own.push_back(static_cast<double>(i));
+          news[i].visit(writer);
+        }
+    for (const base::Column &of_rank : dealt.shown(own))
+      {
+        base::FlatStateReader reader(of_rank);
+        while (reader.position() < of_rank.size())
+          {
+            std::int64_t i = 0;
+            reader.scalar("point", i);
+            news[static_cast<std::size_t>(i)].visit(reader);
+          }
       }
   }
 
-  void CellPoints::commit(Point &point) const
+  void CellPoints::News::visit(base::StateVisitor &visitor)
   {
-    if (point.is_promoted && point.fresh)
+    std::vector<std::int32_t> letters(failure.begin(), failure.end());
+    visitor.scalar("damage", damage);
+    visitor.scalar("stored", stored);
+    for (double &component : normal)
+      visitor.scalar("normal", component);
+    visitor.column("failure", letters);
+    failure.assign(letters.begin(), letters.end());
+  }
+
+  void CellPoints::take(const std::size_t number, const News &news)
+  {
+    Point &point = points[number];
+    if (point.is_promoted)
       {
-        point.cell            = std::move(point.fresh);
+        if (point.record.promoted == 0)
+          point.record.since = static_cast<double>(states);
         point.record.promoted = 1;
+        point.record.damage   = news.damage;
+        point.stored          = news.stored;
       }
     point.fresh.reset();
-    if (point.cell)
-      {
-        point.cell->commit();
-        if (point.band)
-          point.band->commit();
-        point.record.damage = point.cell->links().mean_damage();
-      }
     point.record.strain = point.law_strain;
     point.stress        = point.of_law.stress;
     point.known         = false; // what is asked next starts from here
+    if (!news.failure.empty())
+      throw base::NumericalError(news.failure);
+    if (!news.normal.isZero(0))
+      localise(number, news.normal);
   }
 
-  std::optional<Vector3d>
-  CellPoints::lost_plane(Point &point, const base::Voigt &strain_before, const base::Voigt &stress_before) const
+  std::optional<Vector3d> CellPoints::lost_plane(const Point &point, const double damage) const
   {
-    if (!point.cell || point.record.localised > 0 || point.record.damage == 0)
+    if (point.record.localised > 0 || damage == 0)
       return std::nullopt;
     base::Stiffness tangent = point.of_law.tangent;
     if (!point.has_tangent)
       {
         // In motion nobody asks for tangents. One is worth its price where the work of second order is negative.
-        const base::Voigt change = point.record.strain - strain_before;
-        if (!(change.dot(point.stress - stress_before) < 0))
+        const base::Voigt change = point.law_strain - point.record.strain;
+        if (!(change.dot(point.of_law.stress - point.stress) < 0))
           return std::nullopt;
         try
           {
@@ -226,164 +356,25 @@ namespace coupling
     return plane.is_lost() ? std::optional(plane.normal) : std::nullopt;
   }
 
+  double CellPoints::share_of_cell(const std::size_t number, const Vector3d &normal) const
+  {
+    const double share = points[number].prepared->length_along(normal) / sites[number].element.along(normal);
+    return share <= 1 + 1e-9 ? std::min(1.0, share) : share;
+  }
+
   void CellPoints::localise(const std::size_t number, const Vector3d &normal)
   {
-    Point &point           = points[number];
-    point.record.localised = 1;
+    points[number].record.localised = 1;
     found.push_back({sites[number].place, normal, states});
     if (parameters.localised == Localised::stop || parameters.localised == Localised::refuse)
       end = text_of(found.back()) + ". What its mean stress is worth from here on, the size of the element decides: "
                                     "When localised = crack band goes on with it.";
-    if (parameters.localised != Localised::crack_band)
+    if (parameters.localised != Localised::crack_band || share_of_cell(number, normal) <= 1)
       return;
-    const double width = sites[number].element.along(normal), length = point.prepared->length_along(normal);
-    if (length > width * (1 + 1e-9))
-      {
-        std::ostringstream text;
-        text << text_of(found.back()) << ", along which the cell is " << length << " m long and the element " << width
-             << " m: a band does not fit in. Take wider elements, or a smaller cell.";
-        end = text.str();
-        return;
-      }
-    dem::CellSystem  &system = point.prepared->system_of_thread(0);
-    const base::Voigt strain = point.record.strain;
-    point.band.emplace(normal, std::min(1.0, length / width), strain, point.stress,
-                       point.cell->unloading_stiffness(system), point.cell->energy().stored / point.prepared->volume());
-  }
-
-  std::string CellPoints::text_of(const Localisation &localisation) const
-  {
     std::ostringstream text;
-    text << "the cell at " << localisation.place.transpose() << " has localised in state " << localisation.state
-         << ", across the normal " << localisation.normal.transpose();
-    return text.str();
-  }
-
-  std::vector<std::string> CellPoints::notes() const
-  {
-    std::vector<std::string> all;
-    for (const Localisation &localisation : found)
-      all.push_back(text_of(localisation));
-    return all;
-  }
-
-  void CellPoints::visit_localisations(base::StateVisitor &visitor)
-  {
-    base::Column              row;
-    std::vector<std::int32_t> letters(end.begin(), end.end());
-    for (const Localisation &l : found)
-      {
-        row.insert(row.end(), l.place.begin(), l.place.end());
-        row.insert(row.end(), l.normal.begin(), l.normal.end());
-        row.push_back(static_cast<double>(l.state));
-      }
-    visitor.column("localisations", row);
-    visitor.column("end", letters);
-    end.assign(letters.begin(), letters.end());
-    found.clear();
-    for (std::size_t i = 0; i + 7 <= row.size(); i += 7)
-      found.push_back({{row[i], row[i + 1], row[i + 2]},
-                       {row[i + 3], row[i + 4], row[i + 5]},
-                       static_cast<std::int64_t>(row[i + 6])});
-  }
-
-  void CellPoints::set_initial(std::size_t, const fem::InitialPointState &, const fem::ElementExtent &)
-  {
-    throw base::InputError("cells: no initial state can be given to them.");
-  }
-
-  std::vector<fem::PointQuantity> CellPoints::quantities() const
-  {
-    std::vector<fem::PointQuantity> all;
-    Record                          record;
-    describe(record, [&all](const fem::PointQuantity &of, double *) { all.push_back(of); });
-    return all;
-  }
-
-  void CellPoints::describe(Record &record, const fem::StateColumn &column)
-  {
-    using Kind  = fem::PointQuantity::Kind;
-    using Role  = fem::PointQuantity::Role;
-    using Shown = fem::PointQuantity::Shown;
-    column({"promoted", "-", "1: the particles answer", Kind::number, Role::other, Shown::counted}, &record.promoted);
-    column({promoted_in_state, "-", "number of the state", Kind::number, Role::other, Shown::fields}, &record.since);
-    column({"damage_of_links", "-", "mean over the links of a cell", Kind::number, Role::damage, Shown::fields},
-           &record.damage);
-    column({"localised", "-", "1: the cell has lost ellipticity", Kind::number, Role::other, Shown::counted},
-           &record.localised);
-    column({"strain_of_cell", "-", "", Kind::strain, Role::other, Shown::nowhere}, record.strain.data());
-  }
-
-  void CellPoints::visit(const std::size_t number, const fem::StateColumn &column)
-  {
-    Point       &point  = points.at(number);
-    const Record before = point.record;
-    describe(point.record, column);
-    if (before == point.record)
-      return;
-    point.known = false;
-    point.fresh.reset();
-  }
-
-  void CellPoints::visit_more(base::StateVisitor &visitor)
-  {
-    visitor.scalar("states", states);
-    visit_localisations(visitor);
-    for (Point &point : points)
-      {
-        std::int64_t banded = point.band ? 1 : 0, promoted = point.cell ? 1 : 0;
-        visitor.scalar("promoted", promoted);
-        visitor.scalar("banded", banded);
-        base::Column stress(point.stress.begin(), point.stress.end());
-        visitor.column("stress", stress);
-        std::copy(stress.begin(), stress.end(), point.stress.begin());
-        if (promoted == 0)
-          point.cell.reset();
-        else if (!point.cell)
-          point.cell = point.prepared->promoted_at(base::Voigt::Zero(), point.prepared->system_of_thread(0));
-        if (point.cell)
-          point.cell->visit_state(visitor);
-        if (banded == 0)
-          point.band.reset();
-        else if (!point.band)
-          point.band.emplace();
-        if (point.band)
-          point.band->visit_state(visitor);
-        point.known = false;
-        point.fresh.reset();
-      }
-  }
-
-  double CellPoints::stored_energy(const std::size_t number, const base::Voigt &strain, const base::Voigt &stress) const
-  {
-    const Point &point = points.at(number);
-    if (!point.cell)
-      {
-        if (!parameters.large_strains)
-          return 0.5 * stress.dot(strain);
-        const base::Voigt e = Stretch(strain).strain();
-        return 0.5 * e.dot(point.prepared->stiffness() * e);
-      }
-    const double stored = point.cell->energy().stored / point.prepared->volume();
-    if (!point.band)
-      return stored;
-    return point.band->share_of_cell() * stored + point.band->stored_outside(point.record.strain);
-  }
-
-  fem::Dissipation CellPoints::dissipated(const std::size_t number, const fem::ElementExtent &) const
-  {
-    const Point &point = points.at(number);
-    if (!point.known || !point.is_promoted)
-      return {};
-    const dem::RespondingCell &cell = point.cell ? *point.cell : *point.fresh;
-    const dem::CellEnergy      from = cell.energy(), to = cell.energy_of_trial();
-    const double               share = (point.band ? point.band->share_of_cell() : 1.0) / point.prepared->volume();
-    return {share * (to.friction - from.friction), share * (to.damage - from.damage + to.damped - from.damped)};
-  }
-
-  std::size_t CellPoints::promoted() const
-  {
-    return static_cast<std::size_t>(
-      std::count_if(points.begin(), points.end(), [](const Point &point) { return point.record.promoted > 0; }));
+    text << text_of(found.back()) << ", along which the cell is " << points[number].prepared->length_along(normal)
+         << " m long and the element " << sites[number].element.along(normal)
+         << " m: a band does not fit in. Take wider elements, or a smaller cell.";
+    end = text.str();
   }
 } // namespace coupling

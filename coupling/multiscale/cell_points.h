@@ -1,6 +1,7 @@
 #pragma once
 
 #include "coupling/multiscale/crack_band.h"
+#include "coupling/multiscale/dealt_points.h"
 #include "coupling/multiscale/prepared_cell.h"
 #include "fem/points/gathered_points.h"
 
@@ -26,14 +27,16 @@ namespace coupling
     std::vector<std::shared_ptr<const PreparedCell>>
               cells; ///< at least one; points take them in turn, by their number in the mesh
     Localised localised     = Localised::stop;
-    bool      large_strains = false; ///< strains are Green's: see Stretch; a solid says so itself
-    bool      plane         = false; ///< the model is plane: bands stand upright on it; likewise
+    bool      large_strains = false;         ///< strains are Green's: see Stretch; a solid says so itself
+    bool      plane         = false;         ///< the model is plane: bands stand upright on it; likewise
+    MPI_Comm  communicator  = MPI_COMM_SELF; ///< of ranks that all hold the same structure, and share its cells
   };
 
   /**
    * Integration points whose answer is that of a cell of particles: of its elastic stiffness until some link could leave elasticity, and
    * from then on of the particles in equilibrium (doc/theory/multiscale.md). Only those that have left it take memory. Cells are
-   * spread over threads, with the same bits for any number.
+   * spread over threads, and dealt out to ranks that all hold the whole structure and do the same with it, with the same bits for any
+   * number of either.
    */
   class CellPoints : public fem::GatheredPoints
   {
@@ -73,6 +76,7 @@ namespace coupling
     void                   allocate(std::size_t n_points) override;
     void                   place(std::vector<Site> sites, const Setting &setting) override;
     void                   gather(const std::vector<base::Voigt> &strains, bool with_tangent) override;
+    void                   begin_step() override;
     void                   evaluate(std::size_t               point,
                                     const base::Voigt        &strain,
                                     const fem::ElementExtent &element,
@@ -114,35 +118,63 @@ namespace coupling
     {
       Record                               record;
       std::shared_ptr<const PreparedCell>  prepared;
-      std::unique_ptr<dem::RespondingCell> cell;  ///< of a promoted point
+      std::unique_ptr<dem::RespondingCell> cell;  ///< of a promoted point of this rank
       std::unique_ptr<dem::RespondingCell> fresh; ///< that would take over, should the trial be committed
       std::optional<CrackBand>             band;
+      base::Voigt                          stress = base::Voigt::Zero(); ///< of the law, of the committed state
+      double                               stored = 0; ///< by a promoted point, of the committed state [J/m^3]
 
-      // The trial.
+      // The trial; all ranks know it.
       bool             known = false, has_tangent = false, is_promoted = false;
       base::Voigt      strain = base::Voigt::Zero(), law_strain = base::Voigt::Zero();
-      fem::PointAnswer answer, of_law;               ///< as the solid wants it, and for the strain that the law sees
-      base::Voigt      stress = base::Voigt::Zero(); ///< of the law, of the committed state
+      fem::PointAnswer answer, of_law; ///< as the solid wants it, and for the strain that the law sees
       std::string      failure;
+      fem::Dissipation lost; ///< from the committed state to it, once it was asked for
     };
 
-    void find(Point &point, const base::Voigt &strain, bool with_tangent) const;
-    void find_law(Point &point, bool with_tangent) const;
-    void ask_cell(Point &point, bool with_tangent) const;
-    void commit(Point &point) const;
-    /** The plane of a committed cell that has just lost ellipticity. */
-    std::optional<Eigen::Vector3d>
-                lost_plane(Point &point, const base::Voigt &strain_before, const base::Voigt &stress_before) const;
-    void        localise(std::size_t number, const Eigen::Vector3d &normal);
-    std::string text_of(const Localisation &localisation) const;
-    void        visit_localisations(base::StateVisitor &visitor);
+    /** What becomes of a promoted point when its trial is committed. */
+    struct News
+    {
+      double          damage = 0, stored = 0;
+      Eigen::Vector3d normal = {0, 0, 0}; ///< of the plane in which ellipticity has just been lost; zero: it has not
+      std::string     failure;            ///< of that which should have followed
 
-    CellPointsParameters      parameters;
-    base::Stiffness           stiffest;
-    std::vector<Point>        points;
-    std::vector<Site>         sites;
-    std::vector<Localisation> found;
-    std::string               end;
-    std::int64_t              states = 0; ///< committed so far
+      void visit(base::StateVisitor &visitor);
+    };
+
+    bool is_mine(const std::size_t number) const { return dealt.has(sites[number].number); }
+    /** Notes what a point is asked. @return whether the answer is still to be found */
+    bool        ask(Point &point, const base::Voigt &strain, bool with_tangent);
+    void        answer_to(const std::vector<std::size_t> &asked);
+    void        share_answers(const std::vector<std::size_t> &asked);
+    static void visit_answer(Point &point, base::StateVisitor &visitor);
+    void        tell(Point &point) const;
+    static void answer_elastically(Point &point);
+    void        find(Point &point) const;
+    void        ask_cell(Point &point) const;
+    News        commit_cell(std::size_t number);
+    void        share_news(const std::vector<std::size_t> &changed, std::vector<News> &news) const;
+    /** The trial of a point becomes its state. @throws base::NumericalError */
+    void take(std::size_t number, const News &news);
+    /** The plane of a committed cell that has just lost ellipticity. */
+    std::optional<Eigen::Vector3d> lost_plane(const Point &point, double damage) const;
+    /** What part of its element the cell of a point fills along a normal; above 1: it is the longer one. */
+    double                  share_of_cell(std::size_t number, const Eigen::Vector3d &normal) const;
+    void                    localise(std::size_t number, const Eigen::Vector3d &normal);
+    double                  stored_now(const Point &point, const base::Voigt &strain) const;
+    void                    find_losses() const;
+    static fem::Dissipation losses_of(const Point &point);
+    std::string             text_of(const Localisation &localisation) const;
+    void                    visit_localisations(base::StateVisitor &visitor);
+
+    CellPointsParameters       parameters;
+    base::Stiffness            stiffest;
+    DealtPoints                dealt;
+    mutable std::vector<Point> points; ///< `lost` is found when it is asked for
+    mutable bool               losses_known = false;
+    std::vector<Site>          sites;
+    std::vector<Localisation>  found;
+    std::string                end;
+    std::int64_t               states = 0; ///< committed so far
   };
 } // namespace coupling

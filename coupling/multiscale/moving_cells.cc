@@ -1,6 +1,7 @@
 #include "coupling/multiscale/moving_cells.h"
 
 #include "base/errors.h"
+#include "base/flat_state.h"
 #include "base/number_text.h"
 #include "coupling/multiscale/stretch.h"
 
@@ -15,6 +16,7 @@ namespace coupling
 
   MovingCells::MovingCells(MovingCellsParameters given, const fem::Plane plane)
     : parameters(std::move(given))
+    , dealt(parameters.communicator)
   {
     if (plane == fem::Plane::stress)
       throw base::InputError("cells are not built for plane stress. Set Model/Plane = strain, or Model/Dimension = 3.");
@@ -34,11 +36,14 @@ namespace coupling
     points.resize(n_points);
   }
 
-  void MovingCells::place(std::vector<Site> sites, const Setting &setting)
+  void MovingCells::place(std::vector<Site> given, const Setting &setting)
   {
+    sites         = std::move(given);
     large_strains = setting.large_strains;
     for (std::size_t i = 0; i < points.size(); ++i)
       {
+        if (!dealt.has(sites[i].number))
+          continue;
         const dem::Packing &packing = parameters.packings[sites[i].number % parameters.packings.size()];
         points[i].specimen = std::make_unique<dem::Specimen>(packing, parameters.specimen, parameters.materials);
         points[i].volume   = points[i].specimen->cell().volume;
@@ -53,13 +58,21 @@ namespace coupling
   void MovingCells::begin_motion(const double asked)
   {
     length = asked;
+    if (parameters.steps == 0)
+      return;
+    base::Column worst = {0, 0};
     for (const Point &point : points)
-      if (parameters.steps > 0 && parameters.steps < least_steps(point))
-        throw base::InputError(
-          "cells: Particle steps = " + std::to_string(parameters.steps) + ": the stable step of their particles is " +
-          base::number_text(point.specimen->longest_step()) + " s, and that of the solid " + base::number_text(length) +
-          " s long. Take at least " + std::to_string(least_steps(point)) +
-          ", 0 for as many as it wants, or a lower Motion/Safety.");
+      if (point.specimen && static_cast<double>(least_steps(point)) > worst[0])
+        worst = {static_cast<double>(least_steps(point)), point.specimen->longest_step()};
+    for (const base::Column &of_rank : dealt.shown(worst))
+      if (of_rank[0] > worst[0])
+        worst = of_rank;
+    if (static_cast<double>(parameters.steps) < worst[0])
+      throw base::InputError("cells: Particle steps = " + std::to_string(parameters.steps) +
+                             ": the stable step of their particles is " + base::number_text(worst[1]) +
+                             " s, and that of the solid " + base::number_text(length) + " s long. Take at least " +
+                             std::to_string(static_cast<std::int64_t>(worst[0])) +
+                             ", 0 for as many as it wants, or a lower Motion/Safety.");
   }
 
   Matrix3d MovingCells::deformation(const base::Voigt &strain) const
@@ -76,6 +89,8 @@ namespace coupling
     for (std::int64_t i = 0; i < n; ++i)
       {
         Point &point = points[static_cast<std::size_t>(i)];
+        if (!point.specimen)
+          continue;
         try
           {
             point.failure.clear();
@@ -87,6 +102,41 @@ namespace coupling
           }
       }
     length = 0;
+    if (!dealt.alone())
+      share_answers();
+  }
+
+  void MovingCells::share_answers()
+  {
+    base::Column          own;
+    base::FlatStateWriter writer(own);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (points[i].specimen)
+        {
+          own.push_back(static_cast<double>(i));
+          visit_answer(points[i], writer);
+        }
+    for (const base::Column &of_rank : dealt.shown(own))
+      {
+        base::FlatStateReader reader(of_rank);
+        while (reader.position() < of_rank.size())
+          {
+            std::int64_t i = 0;
+            reader.scalar("point", i);
+            visit_answer(points[static_cast<std::size_t>(i)], reader);
+          }
+      }
+  }
+
+  void MovingCells::visit_answer(Point &point, base::StateVisitor &visitor)
+  {
+    std::vector<std::int32_t> letters(point.failure.begin(), point.failure.end());
+    visitor.column("failure", letters);
+    point.failure.assign(letters.begin(), letters.end());
+    visitor.scalar("stored", point.stored);
+    for (base::Voigt *of : {&point.strain, &point.stress, &point.inertia})
+      for (double &component : *of)
+        visitor.scalar("component", component);
   }
 
   void MovingCells::lead(Point &point, const base::Voigt &strain) const
@@ -109,9 +159,15 @@ namespace coupling
         specimen.set_velocity_gradient((next * specimen.cell().deformation.inverse() - Matrix3d::Identity()) / step);
         specimen.advance(1);
       }
-    point.strain                = strain;
-    const dem::CellState cell   = specimen.cell();
-    const Matrix3d       cauchy = 0.5 * (cell.stress + cell.stress.transpose());
+    point.strain = strain;
+    read(point);
+  }
+
+  void MovingCells::read(Point &point) const
+  {
+    const dem::Specimen &specimen = *point.specimen;
+    const dem::CellState cell     = specimen.cell();
+    const Matrix3d       cauchy   = 0.5 * (cell.stress + cell.stress.transpose());
     if (large_strains)
       {
         const Matrix3d back = cell.deformation_at_forces.inverse();
@@ -126,6 +182,7 @@ namespace coupling
         inertia -= particle.mass * particle.velocity * particle.velocity.transpose();
       }
     point.inertia = base::stress_voigt(inertia / cell.volume);
+    point.stored  = (specimen.energy().elastic + specimen.energy().kinetic) / point.volume;
   }
 
   void MovingCells::evaluate(const std::size_t  number,
@@ -169,13 +226,16 @@ namespace coupling
   void MovingCells::visit_more(base::StateVisitor &visitor)
   {
     for (Point &point : points)
-      point.specimen->visit_state(visitor);
+      {
+        visitor.scalar("stored", point.stored);
+        if (point.specimen)
+          point.specimen->visit_state(visitor);
+      }
   }
 
   double MovingCells::stored_energy(const std::size_t number, const base::Voigt &, const base::Voigt &) const
   {
-    const Point &point = points.at(number);
-    return (point.specimen->energy().elastic + point.specimen->energy().kinetic) / point.volume;
+    return points.at(number).stored;
   }
 
   base::Voigt MovingCells::inertia_part(const std::size_t number) const { return points.at(number).inertia; }

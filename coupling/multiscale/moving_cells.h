@@ -1,5 +1,6 @@
 #pragma once
 
+#include "coupling/multiscale/dealt_points.h"
 #include "coupling/multiscale/prepared_cell.h"
 #include "dem/specimen/specimen.h"
 #include "fem/points/gathered_points.h"
@@ -20,13 +21,15 @@ namespace coupling
     dem::SpecimenParameters specimen; ///< density, damping, interaction ratio; rotations
     std::int64_t    steps = 0; ///< of the particles in one of the solid; 0: as many as their stable step asks for
     base::Stiffness stiffness =
-      base::Stiffness::Zero(); ///< of the cells before anything has happened, for the solid's step [Pa]
+      base::Stiffness::Zero();             ///< of the cells before anything has happened, for the solid's step [Pa]
+    MPI_Comm communicator = MPI_COMM_SELF; ///< of ranks that all hold the same structure, and share its cells
   };
 
   /**
    * Integration points whose cells move with the solid, step by step (doc/theory/multiscale.md, 6): each is a specimen of particles in a
    * periodic cell, which is led from deformation to deformation evenly while the solid makes a step. Explicit motion only: a cell cannot be
    * asked twice. The stress is that of the link forces; what the motion of the particles about the cell's would add is told apart.
+   * Cells are spread over threads and ranks as those of CellPoints.
    */
   class MovingCells : public fem::GatheredPoints
   {
@@ -66,18 +69,24 @@ namespace coupling
   private:
     struct Point
     {
-      std::unique_ptr<dem::Specimen> specimen;
+      std::unique_ptr<dem::Specimen> specimen; ///< of a point of this rank
       base::Voigt                    strain = base::Voigt::Zero(), stress = base::Voigt::Zero(); ///< last led to
       base::Voigt                    inertia = base::Voigt::Zero();
+      double                         stored  = 0; ///< elastic and kinetic energy of the particles [J/m^3]
       double                         volume  = 0; ///< at the start [m^3]
       std::string                    failure;
     };
 
     void            lead(Point &point, const base::Voigt &strain) const;
+    void            read(Point &point) const; ///< stress and energy of what its particles have come to
+    void            share_answers();
+    static void     visit_answer(Point &point, base::StateVisitor &visitor);
     std::int64_t    least_steps(const Point &point) const; ///< in the step under way
     Eigen::Matrix3d deformation(const base::Voigt &strain) const;
 
     MovingCellsParameters parameters;
+    DealtPoints           dealt;
+    std::vector<Site>     sites;
     bool                  large_strains = false;
     double                length        = 0; ///< of the step under way [s]; 0: none
     std::vector<Point>    points;

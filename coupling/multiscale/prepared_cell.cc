@@ -35,8 +35,10 @@ namespace coupling
     network = std::make_shared<dem::LoadedNetwork>(dem::strained_cell(std::move(links)));
     for (int thread = 0; thread < omp_get_num_procs() || thread < omp_get_max_threads(); ++thread)
       systems.emplace_back(*network); // costs nothing until it is used
-    virgin = std::make_unique<dem::RespondingCell>(network, materials, parameters.response,
-                                                   parameters.only_solved ? nullptr : relaxed);
+    dem::CellResponseParameters response = parameters.response;
+    response.stays_fallen                = true; // the structure's Newton iterations look for a strain
+    virgin =
+      std::make_unique<dem::RespondingCell>(network, materials, response, parameters.only_solved ? nullptr : relaxed);
   }
 
   double PreparedCell::density(const std::vector<double> &of_materials) const

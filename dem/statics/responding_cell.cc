@@ -79,6 +79,7 @@ namespace dem
     , parameters(other.parameters)
     , committed(other.committed)
     , trial(other.trial)
+    , fallen(other.fallen)
     , elastic(other.elastic)
     , answer(other.answer)
   {
@@ -93,6 +94,7 @@ namespace dem
     parameters = other.parameters;
     committed  = other.committed;
     trial      = other.trial;
+    fallen     = other.fallen;
     elastic    = other.elastic;
     answer     = other.answer;
     return *this;
@@ -117,9 +119,9 @@ namespace dem
   {
     check(*cell, strain);
     system = &shared;
-    trial  = committed;
+    trial  = start();
     answer = CellResponse();
-    if (strain != committed.motion.loads && !respond_elastically(strain))
+    if (strain != trial.motion.loads && !respond_elastically(strain))
       walk_to(strain);
     answer.stress   = trial.unbalanced.loads / cell->volume;
     answer.residual = trial.unbalanced.residual;
@@ -134,7 +136,7 @@ namespace dem
       return elastic->stiffness;
     base::Matrix6       D;
     const LinkStiffness kind =
-      trial.motion.loads == committed.motion.loads ? LinkStiffness::onward : LinkStiffness::consistent;
+      trial.motion.loads == start().motion.loads ? LinkStiffness::onward : LinkStiffness::consistent;
     if (!shared.condense(trial.links.stiffness(kind), accuracy_of_tangent(parameters.tolerance), D))
       throw base::NumericalError("cell: its stiffness has no finite tangent; something holds it no more.");
     ++answer.iterations;
@@ -152,7 +154,7 @@ namespace dem
 
   bool RespondingCell::respond_elastically(const base::Vector6 &strain)
   {
-    if (!committed.is_elastic)
+    if (!trial.is_elastic)
       return false;
     const base::Vector6   force = trial.unbalanced.loads, change = strain - trial.motion.loads;
     const Eigen::Vector3d held   = (elastic->motion.front() * strain).head<3>(); // the first particle stays where it is
@@ -201,6 +203,8 @@ namespace dem
         else
           {
             relax(target);
+            if (parameters.stays_fallen)
+              fallen = trial;
             ++answer.parts;
             done += part;
           }
@@ -289,6 +293,7 @@ namespace dem
   {
     go_on_from_here();
     committed = trial;
+    fallen.reset();
   }
 
   CellEnergy RespondingCell::energy() const
@@ -307,6 +312,7 @@ namespace dem
   {
     committed.links.visit_state(visitor);
     committed.motion.visit_state(visitor);
+    fallen.reset();
     visitor.scalar("external_work", committed.external_work);
     visitor.scalar("damped", committed.damped);
     visitor.scalar("is_elastic", committed.is_elastic);

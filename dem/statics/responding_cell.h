@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 namespace dem
 {
@@ -16,6 +17,12 @@ namespace dem
     int    max_iterations = 15; ///< of Newton's method on one part of a step, > 1; three times as many with the secant
     double growth_step = 0.5; ///< largest growth of any link's damaging strain in one part of a step, over itself, > 0
     LinkRelaxationParameters relaxation; ///< its tolerance is the one above
+    /**
+     * A cascade that an answer went through is the start of the next answers too, until commit() or begin_step(): what particles come to
+     * in it hangs on the way there in its last digits, and asked anew for each strain the answer would be rough where the one who asks
+     * looks for a strain.
+     */
+    bool stays_fallen = false;
   };
 
   /** Energies of a cell since it was made [J]. */
@@ -56,8 +63,8 @@ namespace dem
    * A periodic cell of links that damage and slide, as a material point: strain in, stress and consistent tangent out
    * (doc/theory/periodic-cell.md). Small strain; without inertia.
    *
-   * respond() starts from the committed state as often as wanted, commit() makes the last answer the state. A copy is whole and
-   * knows nothing of the other. Same calls, same bits, for any number of threads; copies may be used by several threads at once.
+   * respond() starts from the committed state as often as wanted (but see CellResponseParameters::stays_fallen), commit() makes the last
+   * answer the state. A copy is whole and knows nothing of the other. Same calls, same bits, for any number of threads; copies may be used by several threads at once.
    */
   class RespondingCell
   {
@@ -85,6 +92,8 @@ namespace dem
     /** CellResponse::tangent of the last answer. @throws base::NumericalError if there is none */
     base::Matrix6 tangent(CellSystem &shared);
     void          commit();
+    /** Another step from the committed state is looked for: no cascade of an attempt before shall matter. */
+    void begin_step() { fallen.reset(); }
     /** Of the committed state, if no link damaged or slid further: every link answers with its secant [Pa]. */
     base::Matrix6 unloading_stiffness(CellSystem &shared) const;
 
@@ -108,7 +117,9 @@ namespace dem
       std::int64_t  is_elastic = 1; ///< all answers so far were those of the undamaged cell
     };
 
-    void evaluate(const LoadedMotion &motion);
+    /** What answers start from. */
+    const State &start() const { return fallen ? *fallen : committed; }
+    void         evaluate(const LoadedMotion &motion);
     /** Whether the elastic solution is an equilibrium in which every link still has its first stiffness; then it is the trial. */
     bool respond_elastically(const base::Vector6 &strain);
     void walk_to(const base::Vector6 &strain);
@@ -122,8 +133,9 @@ namespace dem
     double                                 scale; ///< that makes forces of moments [m]
     CellResponseParameters                 parameters;
     State                                  committed, trial;
-    std::shared_ptr<const ElasticResponse> elastic;          ///< nullptr: always solved for
-    std::unique_ptr<CellSystem>            own;              ///< each copy has its own, made when first needed
+    std::optional<State>                   fallen;  ///< where the cascade of an answer in this step has come to
+    std::shared_ptr<const ElasticResponse> elastic; ///< nullptr: always solved for
+    std::unique_ptr<CellSystem>            own;     ///< each copy has its own, made when first needed
     CellSystem                            *system = nullptr; ///< in use
     CellResponse                           answer;           ///< under way
   };

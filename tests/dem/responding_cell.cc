@@ -242,6 +242,38 @@ TEST_CASE("responding cell: a strain far past the peak in one call is answered i
     }
 }
 
+TEST_CASE("responding cell: once it has fallen in a step its answers are smooth, until another step is looked for",
+          "[dem][statics][slow]")
+{
+  dem::CellResponseParameters falls = {};
+  falls.stays_fallen                = true;
+  dem::RespondingCell rough(random_cell(concrete()), concrete()), smooth(random_cell(concrete()), concrete(), falls);
+  base::Vector6       strain = base::Vector6::Zero();
+  dem::CellResponse   fall;
+  for (int i = 1; i <= 200 && fall.relaxation_steps == 0; ++i)
+    {
+      rough.commit();
+      smooth.commit();
+      strain = i * 1e-5 * base::Vector6::Unit(0);
+      fall   = smooth.respond(strain);
+      CHECK(rough.respond(strain).stress == fall.stress); // the fall itself is the same
+    }
+  REQUIRE(fall.relaxation_steps > 0);
+
+  // Nearby strains: no more cascades, and a difference that the tangent explains. From the committed state each falls on its own.
+  const base::Vector6     aside = strain + 1e-8 * mixed(1);
+  const dem::CellResponse near = smooth.respond(aside), again = smooth.respond(strain);
+  CHECK(near.relaxation_steps == 0);
+  CHECK(rough.respond(aside).relaxation_steps > 0);
+  CHECK((near.stress - again.stress - near.tangent * (aside - strain)).norm() < 1e-8 * fall.stress.norm());
+
+  smooth.begin_step();
+  CHECK(smooth.respond(strain).stress == fall.stress);
+  smooth.respond(aside);
+  smooth.commit();
+  CHECK(std::fabs(smooth.energy().residual()) < 0.02 * smooth.energy().external_work);
+}
+
 TEST_CASE("responding cell: what it cannot be asked is refused", "[dem][statics]")
 {
   const auto                  cell = random_cell(concrete());

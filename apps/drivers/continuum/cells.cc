@@ -121,6 +121,7 @@ namespace apps
     still.cells = prepared();
     coupling::MovingCellsParameters p{packed, material.materials(), {}, steps, {}};
     p.stiffness                  = coupling::CellPoints(still, plane).elastic_stiffness();
+    p.communicator               = MPI_COMM_WORLD;
     p.specimen.physics.rotations = rotations;
     p.specimen.density           = density;
     p.specimen.damping           = damping;
@@ -133,8 +134,9 @@ namespace apps
     if (moves)
       return moving(plane);
     coupling::CellPointsParameters p;
-    p.cells     = prepared();
-    p.localised = localised;
+    p.cells        = prepared();
+    p.localised    = localised;
+    p.communicator = MPI_COMM_WORLD; // of ranks that hold the whole mesh: make_solid()
     return std::make_unique<coupling::CellPoints>(p, plane);
   }
 

@@ -215,16 +215,17 @@ namespace apps
   }
 
   template <int dim>
-  fem::Mesh<dim> make_mesh(const MeshSection &mesh)
+  fem::Mesh<dim> make_mesh(const MeshSection &mesh, const MPI_Comm communicator)
   {
     fem::ShapeOptions options;
-    options.family      = mesh.family;
-    options.refinements = whole(mesh.refinements);
+    options.family       = mesh.family;
+    options.refinements  = whole(mesh.refinements);
+    options.communicator = communicator;
     switch (mesh.source)
       {
       case MeshSection::Source::file:
         {
-          return fem::read_gmsh<dim>(mesh.file, MPI_COMM_WORLD,
+          return fem::read_gmsh<dim>(mesh.file, communicator,
                                      mesh.several_bodies ? fem::Bodies::several : fem::Bodies::one);
         }
       case MeshSection::Source::box:
@@ -269,6 +270,6 @@ namespace apps
     throw std::logic_error("a source of meshes that nobody makes");
   }
 
-  template fem::Mesh<2> make_mesh(const MeshSection &);
-  template fem::Mesh<3> make_mesh(const MeshSection &);
+  template fem::Mesh<2> make_mesh(const MeshSection &, MPI_Comm);
+  template fem::Mesh<3> make_mesh(const MeshSection &, MPI_Comm);
 } // namespace apps

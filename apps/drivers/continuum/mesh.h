@@ -3,6 +3,8 @@
 #include "apps/scene/section.h"
 #include "fem/mesh/shape_sizes.h"
 
+#include <mpi.h>
+
 #include <list>
 
 namespace fem
@@ -76,7 +78,7 @@ namespace apps
     void declare_plate(Section &mesh, const int &dimension);
   };
 
-  /** @throws base::InputError on a file or measures that give no sound mesh. */
+  /** @param communicator of the ranks it is spread over @throws base::InputError on a file or measures that give no sound mesh. */
   template <int dim>
-  fem::Mesh<dim> make_mesh(const MeshSection &mesh);
+  fem::Mesh<dim> make_mesh(const MeshSection &mesh, MPI_Comm communicator = MPI_COMM_WORLD);
 } // namespace apps

@@ -226,4 +226,12 @@ namespace apps
     refuse_moving_cells(root, materials);
     loads.validate(root, solid.dimension);
   }
+
+  MPI_Comm ContinuumModel::ranks_of_mesh() const
+  {
+    return std::any_of(materials.groups.begin(), materials.groups.end(),
+                       [](const auto &group) { return group->cells() != nullptr; }) ?
+             MPI_COMM_SELF :
+             MPI_COMM_WORLD;
+  }
 } // namespace apps

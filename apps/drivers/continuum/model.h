@@ -108,5 +108,8 @@ namespace apps
     void validate_as_static_part(const Section &root) const;
 
     bool is_static() const { return solid.analysis == SolidSection::Analysis::statics; }
+
+    /** Ranks over which the mesh is spread. With cells each has all of it, and the cells alone are spread: the same bits for any number. */
+    MPI_Comm ranks_of_mesh() const;
   };
 } // namespace apps

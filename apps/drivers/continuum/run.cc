@@ -153,7 +153,8 @@ namespace apps
     location = folder;
     on_first_rank([&] {
       if (model.output.snapshots > 0)
-        snapshots.emplace(location, snapshot_name, rank_count() > 1 ? ".pvtu" : ".vtu");
+        snapshots.emplace(location, snapshot_name,
+                          model.ranks_of_mesh() == MPI_COMM_WORLD && rank_count() > 1 ? ".pvtu" : ".vtu");
     });
   }
 

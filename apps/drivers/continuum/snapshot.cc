@@ -26,16 +26,17 @@ namespace apps
     for (unsigned int r = 0; r < ranks; ++r)
       pieces.push_back(ranks > 1 ? fmt::format("{}.{}.vtu", stem, r) : stem + ".vtu");
     std::string problem;
-    try
-      {
-        postprocess::write_vtk_solid(place.folder / pieces[rank], snapshot, place.time);
-        if (ranks > 1 && rank == 0)
-          postprocess::write_vtk_solid_record(place.folder / (stem + ".pvtu"), snapshot, pieces);
-      }
-    catch (const postprocess::OutputError &error)
-      {
-        problem = error.what();
-      }
+    if (ranks > 1 || is_first_rank()) // where every rank has the whole, one writes it
+      try
+        {
+          postprocess::write_vtk_solid(place.folder / pieces[rank], snapshot, place.time);
+          if (ranks > 1 && rank == 0)
+            postprocess::write_vtk_solid_record(place.folder / (stem + ".pvtu"), snapshot, pieces);
+        }
+      catch (const postprocess::OutputError &error)
+        {
+          problem = error.what();
+        }
     if (on_any_rank(!problem.empty()))
       throw postprocess::OutputError(!problem.empty() ? problem : stem + ": another rank cannot write its part.");
     return ranks > 1 ? stem + ".pvtu" : pieces.front();

@@ -189,7 +189,7 @@ namespace apps
     options.large_displacement = model.solid.large_displacement;
     options.mean_dilatation    = model.solid.mean_dilatation;
     options.share              = taken.share;
-    fem::Mesh<dim> mesh        = make_mesh<dim>(model.mesh);
+    fem::Mesh<dim> mesh        = make_mesh<dim>(model.mesh, model.ranks_of_mesh());
     if (taken.whole)
       mesh = fem::without_elements<dim>(mesh, [&](const dealii::Point<dim> &place) {
         return taken.whole({place[0], place[1], dim == 3 ? place[dim - 1] : 0.0});

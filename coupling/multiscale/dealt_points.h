@@ -1,0 +1,34 @@
+#pragma once
+
+#include "base/column.h"
+
+#include <mpi.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace coupling
+{
+  /**
+   * Points of a structure that every rank holds as a whole, dealt out like cards: each rank finds the answers of its own points and shows
+   * them to the others. All ranks then sum up the same numbers in the same order, with the same bits for any number of ranks
+   * (doc/theory/multiscale.md, 3).
+   */
+  class DealtPoints
+  {
+  public:
+    /** @param communicator of the ranks that hold the structure; without MPI there is one */
+    explicit DealtPoints(MPI_Comm communicator);
+
+    bool alone() const { return ranks == 1; }
+    /** @param number of the point in the whole mesh */
+    bool has(const std::uint64_t number) const { return number % ranks == rank; }
+
+    /** To be called by all ranks. @param own numbers that this one shows, as many as it likes @return those of each rank */
+    std::vector<base::Column> shown(const base::Column &own) const;
+
+  private:
+    MPI_Comm      communicator;
+    std::uint64_t ranks = 1, rank = 0;
+  };
+} // namespace coupling

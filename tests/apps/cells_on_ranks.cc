@@ -1,0 +1,105 @@
+// Scenes with cells on several ranks and threads, and interrupted: the same bits.
+#include "tests/apps/program.h"
+#include "tests/apps/scratch_folder.h"
+#include "tests/places.h"
+
+#include <catch2/catch.hpp>
+
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+using namespace apps_tests;
+
+namespace
+{
+  /** The program on so many ranks and threads, as a shell says it; 0 ranks: without mpirun. */
+  std::string program_on(const int ranks, const int threads)
+  {
+    const std::string mpi = ranks == 0 ? "" : places::mpirun() + " --oversubscribe -np " + std::to_string(ranks) + " ";
+    return "OMP_NUM_THREADS=" + std::to_string(threads) + " " + mpi + places::program();
+  }
+
+  /** What the command says lands in the file "said". */
+  int shell(const ScratchFolder &folder, const std::string &command)
+  {
+    return std::system(("cd " + folder.path().string() +
+                        " && export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 && { " + command +
+                        "; } > said 2>&1")
+                         .c_str());
+  }
+
+  std::string run_of(const std::string &scene, const std::vector<std::string> &changes)
+  {
+    std::string words = " run " + places::sources() + "/apps/scenes/" + scene;
+    for (const std::string &change : changes)
+      words += " -s '" + change + "'";
+    return words;
+  }
+
+  /** A coarse plate whose small cells damage. */
+  std::string plate(const std::string &step)
+  {
+    return run_of("cells_at_hole.prm",
+                  {"Mesh/Plate with hole/Radial divisions=3", "Mesh/Plate with hole/Angular divisions=4",
+                   "Materials/solid/cells/Specimen/Generator/Cell particles=32", "Control/First step=" + step,
+                   "Control/Largest step=" + step, "Control/End=1.2", "Output/Checkpoint interval=0.001",
+                   "Materials/solid/cells/When localised=go on"});
+  }
+
+  void same_on_ranks(const ScratchFolder &folder, const std::string &words)
+  {
+    REQUIRE(shell(folder, program_on(0, 1) + words + " -o one") == 0);
+    const std::string one = content_of(folder / "one/series.csv");
+    REQUIRE(shell(folder, program_on(0, 2) + words + " -o threads") == 0);
+    CHECK(content_of(folder / "threads/series.csv") == one);
+    for (const int ranks : {1, 2, 3})
+      {
+        const std::string name = "ranks_" + std::to_string(ranks);
+        INFO(name);
+        const int status = shell(folder, program_on(ranks, ranks == 2 ? 2 : 1) + words + " -o " + name);
+        INFO(content_of(folder / "said"));
+        REQUIRE(status == 0);
+        CHECK(content_of(folder / (name + "/series.csv")) == one);
+        CHECK(std::filesystem::exists(folder / (name + "/solid/solid_000001.vtu")));
+      }
+  }
+} // namespace
+
+TEST_CASE("Cells that damage give a structure the same bits on any number of ranks and threads", "[apps][cells][slow]")
+{
+  if (places::mpirun().empty())
+    return;
+  const ScratchFolder folder;
+  same_on_ranks(folder, plate("0.2"));
+}
+
+TEST_CASE("Cells in motion give a structure the same bits on any number of ranks and threads", "[apps][cells][slow]")
+{
+  if (places::mpirun().empty())
+    return;
+  const ScratchFolder folder;
+  same_on_ranks(folder, run_of("three_cubes.prm", {"Motion/End time=0.02", "Output/Snapshots=2"}));
+}
+
+TEST_CASE("A scene with cells that is interrupted goes on to the same bits, on one rank and on two",
+          "[apps][cells][slow][S13]")
+{
+  const ScratchFolder folder;
+  const std::string   words = plate("0.04");
+  REQUIRE(shell(folder, program_on(0, 1) + words + " -o whole") == 0);
+  const std::string whole = content_of(folder / "whole/series.csv");
+  for (const int ranks : {0, 2})
+    {
+      if (ranks > 0 && places::mpirun().empty())
+        return;
+      const std::string name = "ranks_" + std::to_string(ranks), program = program_on(ranks, 1) + words + " -o " + name;
+      // Not before there are promoted cells to save: some of the ten snapshots are then written.
+      shell(folder, program + " & while kill -0 $! && { [ ! -e " + name + "/running/checkpoint.h5 ] || [ ! -e " + name +
+                      "/running/solid/solid_000008.vtu ]; }; do sleep 0.01; done; kill -INT $!; wait $!");
+      INFO(content_of(folder / "said"));
+      REQUIRE_FALSE(std::filesystem::exists(folder / (name + "/summary.json")));
+      REQUIRE(shell(folder, program + " --resume") == 0);
+      CHECK(content_of(folder / (name + "/series.csv")) == whole);
+    }
+}
