@@ -136,7 +136,9 @@ namespace apps
     if (generator.cell_count > 0 && generator.cell_count < 8)
       section.find_section("Generator")->refuse("Cell particles", "must be 0, or at least 8.");
     if (dimension == 2)
-      section.refuse("Source", "the generator packs spheres, and Physics/Dimension is 2. Read the discs from a file.");
+      section.refuse(
+        "Source",
+        "the generator packs spheres, and Physics/Dimension is 2 or Particles = discs. Read the discs from a file.");
     if (body == Body::cell)
       return;
     for (const double edge : box)

@@ -39,8 +39,12 @@ namespace coupling
   {
     if (parameters.cells.empty())
       throw std::invalid_argument("cells: at least one is needed.");
-    if (plane == fem::Plane::stress)
-      throw base::InputError("cells are not built for plane stress. Set Model/Plane = strain, or Model/Dimension = 3.");
+    const bool spheres =
+      std::any_of(parameters.cells.begin(), parameters.cells.end(), [](const auto &cell) { return !cell->of_discs(); });
+    if (plane == fem::Plane::stress && spheres)
+      throw base::InputError(
+        "cells of spheres are not built for plane stress. Set Model/Plane = strain, or Model/Dimension "
+        "= 3, or take discs (Particles = discs).");
     stiffest = stiffest_of(parameters.cells);
   }
 
@@ -55,8 +59,12 @@ namespace coupling
 
   void CellPoints::place(std::vector<Site> given, const Setting &setting)
   {
-    sites                    = std::move(given);
-    parameters.plane         = setting.plane;
+    sites            = std::move(given);
+    parameters.plane = setting.plane;
+    for (const auto &cell : parameters.cells)
+      if (cell->of_discs() && !setting.plane)
+        throw base::InputError("cells of discs are plane, and the model has three dimensions. Set Model/Dimension = 2, "
+                               "or take spheres.");
     parameters.large_strains = setting.large_strains;
     for (std::size_t i = 0; i < points.size(); ++i)
       points[i].prepared = parameters.cells[sites[i].number % parameters.cells.size()];
@@ -121,6 +129,8 @@ namespace coupling
         try
           {
             point.law_strain = parameters.large_strains ? Stretch(point.strain).strain() : point.strain;
+            if (point.prepared->of_discs())
+              point.law_strain.segment<3>(2).setZero(); // of a plane model, to rounding
             if (is_mine(asked[static_cast<std::size_t>(k)]))
               find(point);
             else
@@ -219,12 +229,12 @@ namespace coupling
     if (!point.band)
       {
         const dem::CellResponse response = cell.respond(point.law_strain, system, point.has_tangent);
-        point.of_law                     = {response.stress, response.tangent};
+        point.of_law                     = {response.stress, point.prepared->in_space(response.tangent)};
         return;
       }
     const CrackBand::Answer whole = point.band->respond(point.law_strain, [&](const base::Voigt &of_band) {
       const dem::CellResponse response = cell.respond(of_band, system);
-      return CrackBand::Answer{response.stress, response.tangent};
+      return CrackBand::Answer{response.stress, point.prepared->in_space(response.tangent)};
     });
     point.of_law                  = {whole.stress, whole.tangent};
   }
@@ -268,7 +278,8 @@ namespace coupling
         const double share = share_of_cell(number, *normal);
         if (parameters.localised == Localised::crack_band && share <= 1)
           point.band.emplace(*normal, share, point.law_strain, point.of_law.stress,
-                             point.cell->unloading_stiffness(point.prepared->system_of_thread(omp_get_thread_num())),
+                             point.prepared->in_space(
+                               point.cell->unloading_stiffness(point.prepared->system_of_thread(omp_get_thread_num()))),
                              news.stored);
       }
     catch (const std::exception &problem)
@@ -345,7 +356,8 @@ namespace coupling
           return std::nullopt;
         try
           {
-            tangent = point.cell->tangent(point.prepared->system_of_thread(omp_get_thread_num()));
+            tangent =
+              point.prepared->in_space(point.cell->tangent(point.prepared->system_of_thread(omp_get_thread_num())));
           }
         catch (const base::NumericalError &)
           {

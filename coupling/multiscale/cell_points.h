@@ -64,7 +64,7 @@ namespace coupling
       std::int64_t    state = 0;                             ///< in which
     };
 
-    /** @throws base::InputError for in plane stress, which is not built */
+    /** @throws base::InputError for spheres in plane stress, which is not built; discs know of no difference */
     CellPoints(CellPointsParameters parameters, fem::Plane plane);
 
     const char *material_name() const override { return name; }

@@ -149,7 +149,7 @@ namespace coupling
             if (std::fabs(now - first) > rounding * first)
               throw base::InputError(std::string("cells: links of the law ") + law->name() +
                                      " are stiffer one way than the other from the start, so that the cell has no "
-                                     "elastic answer to begin with. Promote it from the start.");
+                                     "elastic answer to begin with. Promote it from the start: From the start = true.");
           }
       }
   }

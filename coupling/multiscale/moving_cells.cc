@@ -19,7 +19,8 @@ namespace coupling
     , dealt(parameters.communicator)
   {
     if (plane == fem::Plane::stress)
-      throw base::InputError("cells are not built for plane stress. Set Model/Plane = strain, or Model/Dimension = 3.");
+      throw base::InputError(
+        "cells of spheres are not built for plane stress. Set Model/Plane = strain, or Model/Dimension = 3.");
     if (parameters.packings.empty())
       throw std::invalid_argument("moving cells: at least one packing is needed.");
     for (const dem::Packing &packing : parameters.packings)

@@ -18,16 +18,19 @@ namespace coupling
   {
     if (!packing.periodic_cell)
       throw base::InputError("cells: the packing has no periodic cell. Take one of breccia pack, or the generator.");
-    if (parameters.links.dimension != 3)
-      throw base::InputError("cells: are of spheres, in three dimensions.");
     edges                       = *packing.periodic_cell;
     dem::ElasticNetwork   links = dem::make_network(packing, parameters.links, materials);
     dem::SolverParameters solver;
     solver.tolerance               = 1e-13;
     dem::RelaxedStiffness solution = dem::relaxed_stiffness(links, solver);
-    if (solution.resisted < dem::strains_of(3))
-      throw base::InputError("cells: the packing resists only " + std::to_string(solution.resisted) +
-                             " of six strains. Raise the interaction ratio, or take a denser packing.");
+    const int             strains  = dem::strains_of(parameters.links.dimension);
+    if (solution.resisted < strains)
+      throw base::InputError("cells: the packing resists only " + std::to_string(solution.resisted) + " of " +
+                             std::to_string(strains) +
+                             " strains. Raise the interaction ratio, or take a denser packing.");
+    if (links.dimension == 2)
+      for (const int out_of_plane : {2, 3, 4})
+        solution.stiffness(out_of_plane, out_of_plane) = solution.stiffness(5, 5);
     if (!parameters.from_start)
       range.emplace(links, materials, solution, parameters.promotion);
     relaxed =
@@ -39,6 +42,15 @@ namespace coupling
     response.stays_fallen                = true; // the structure's Newton iterations look for a strain
     virgin =
       std::make_unique<dem::RespondingCell>(network, materials, response, parameters.only_solved ? nullptr : relaxed);
+  }
+
+  base::Stiffness PreparedCell::in_space(const base::Stiffness &of_cell) const
+  {
+    base::Stiffness whole = of_cell;
+    if (of_discs())
+      for (const int out_of_plane : {2, 3, 4})
+        whole(out_of_plane, out_of_plane) = stiffness()(5, 5);
+    return whole;
   }
 
   double PreparedCell::density(const std::vector<double> &of_materials) const

@@ -14,7 +14,7 @@ namespace coupling
   /** What a cell is made of and how it answers. */
   struct CellParameters
   {
-    dem::NetworkParameters links;              ///< moduli of the materials' law; dimension 3
+    dem::NetworkParameters links;              ///< moduli of the materials' law; spheres, or discs for plane models
     double                 promotion  = 0.9;   ///< exertion of a link at which the cell takes over, in (0, 1]
     bool                   from_start = false; ///< every cell answers from the first step on
     bool only_solved = false; ///< for comparison: cells solve where the elastic solution would be the answer
@@ -34,10 +34,19 @@ namespace coupling
      */
     PreparedCell(const dem::Packing &packing, const dem::LinkMaterials &materials, const CellParameters &parameters);
 
-    const base::Stiffness &stiffness() const { return relaxed->stiffness; } ///< particles in equilibrium [Pa]
-    double                 volume() const { return network->volume; }       ///< [m^3]
-    std::size_t            particles() const { return network->network.particles(); }
-    std::size_t            links() const { return network->network.links.size(); }
+    const base::Stiffness &stiffness() const
+    {
+      return relaxed->stiffness;
+    } ///< particles in equilibrium [Pa]; see in_space()
+    bool of_discs() const { return network->network.dimension == 2; }
+    /**
+     * A stiffness of the cell as a point of a structure has it. Discs do not answer to strains out of their plane, and a plane model has
+     * none: there the cell's elastic shear modulus stands in, so that the stiffness is definite, and nothing else hangs on it.
+     */
+    base::Stiffness in_space(const base::Stiffness &of_cell) const;
+    double          volume() const { return network->volume; } ///< [m^3]
+    std::size_t     particles() const { return network->network.particles(); }
+    std::size_t     links() const { return network->network.links.size(); }
     /** Density of the bulk for particles of these densities [kg/m^3]. */
     double density(const std::vector<double> &of_materials) const;
 

@@ -130,6 +130,20 @@ TEST_CASE("A run with cells ends where the first one localises, and names it", "
   CHECK(run.series.column("points_localised").back() >= 1);
 }
 
+TEST_CASE("A coupled run with cells ends where the first one localises, and names it", "[apps][cells][coupled][slow]")
+{
+  const ScratchFolder folder;
+  const std::string   patch = "Continuum/Materials/patch/cells/";
+  const Results       run =
+    results_of(folder, scene("cells_under_ball.prm"),
+               {patch + "When localised=stop", patch + "Material/CPM/Relative ductility=2",
+                patch + "Specimen/Generator/Cell particles=16", "Particles/Initial velocity/ball/Velocity z=-10"});
+  CHECK_THAT(run.summary["ended_by"].get<std::string>(),
+             Contains("end of validity: the cell at") && Contains("has localised in state") && Contains("normal"));
+  CHECK(run.series.column("time").back() < 7e-5); // of 8e-5
+  CHECK(run.summary["notes"].size() >= 1);
+}
+
 TEST_CASE("A strip of elastic cells that is lifted far is an elastica", "[apps][cells][slow]")
 {
   // K. E. Bisshopp, D. C. Drucker, Quarterly of Applied Mathematics 3 (1945) 272: P L^2/EI = 1, 2, 3 lift its end by 0.3017, 0.4935 and
@@ -164,11 +178,40 @@ TEST_CASE("A strip of cells that damage is softer than an elastic one, and its a
   CHECK(*std::max_element(iterations.begin(), iterations.end()) <= 5);
 }
 
+TEST_CASE("A plate of disc cells is the same in plane stress and in plane strain, and the hole promotes",
+          "[apps][cells][slow]")
+{
+  const ScratchFolder            strain, stress;
+  const std::vector<std::string> coarse = {"Mesh/Plate with hole/Radial divisions=4",
+                                           "Mesh/Plate with hole/Angular divisions=4"};
+  std::vector<std::string>       other  = coarse;
+  other.push_back("Model/Plane=strain");
+  const Results one = results_of(stress, scene("cells_of_discs.prm"), coarse),
+                two = results_of(strain, scene("cells_of_discs.prm"), other);
+  const auto &force = one.series.column("reaction_right_x");
+  REQUIRE(two.series.rows() == one.series.rows());
+  for (std::size_t row = 0; row < force.size(); ++row)
+    CHECK(two.series.column("reaction_right_x")[row] == Approx(force[row]).epsilon(1e-9));
+  CHECK(one.series.column("points_promoted").back() > 0);
+  CHECK(one.balance_error() < 0.01);
+}
+
 TEST_CASE("Scenes with cells that cannot be are refused", "[apps][cells]")
 {
   const ScratchFolder folder;
   is_refused(folder, scene("cells_at_hole.prm"), {"Model/Plane=stress"}, "not built for plane stress");
   is_refused(folder, scene("cells_at_hole.prm"), {cells + "Promotion=0"}, "Promotion");
+  // Bonds with a contact in parallel are stiffer one way than the other.
+  is_refused(folder, scene("cells_at_hole.prm"),
+             {cells + "Material/Law=parallel-bond", cells + "Material/parallel-bond/Effective modulus=1e9",
+              cells + "Material/parallel-bond/Bond effective modulus=1e9",
+              cells + "Material/parallel-bond/Tensile strength=1e6", cells + "Material/parallel-bond/Cohesion=1e6"},
+             "From the start = true");
+  is_refused(folder, scene("cells_of_discs.prm"), {"Model/Dimension=3", "Mesh/Plate with hole/Depth=0.01"},
+             "cells of discs are plane");
+  is_refused(folder, scene("cells_of_discs.prm"),
+             {cells + "Specimen/Source=generator", cells + "Specimen/Generator/Particle radius=3e-4"},
+             "Read the discs from a file");
   // Particles in motion behind a solid without time.
   is_refused(folder, scene("cells_at_hole.prm"), {cells + "Answer=motion", cells + "Particle density=2400"},
              "Set Model/Analysis = explicit, or Answer = equilibrium");

@@ -71,7 +71,14 @@ namespace apps
     SpecimenSection::Use use;
     use.inertia = use.box = false;
     use.cell              = true;
+    block.choice("Particles", dimension, {{"spheres", 3}, {"discs", 2}}, Need::optional)
+      .means("discs: of a plane model, read from a file; the model is then neither in plane strain nor in plane "
+             "stress, but as "
+             "the discs are");
     source.declare(block, dimension, use);
+    block.find_section("Specimen")
+      ->find_entry("Thickness")
+      ->only_if([this] { return dimension == 2; }, "Particles = discs");
     material.declare(block, false);
   }
 
@@ -86,6 +93,8 @@ namespace apps
   {
     source.validate(block, dimension);
     material.validate(block, dimension);
+    if (dimension == 2 && moves)
+      block.refuse("Particles", "discs are not built for Answer = motion. Take spheres, or Answer = equilibrium.");
     if (packings > 1 && source.source == SpecimenSection::Source::file)
       block.refuse("Packings", "a file has one packing. Leave it at 1, or generate them.");
   }
@@ -93,6 +102,8 @@ namespace apps
   coupling::CellParameters CellsConstants::parameters() const
   {
     coupling::CellParameters p;
+    p.links.dimension         = dimension;
+    p.links.thickness         = source.thickness;
     p.links.rotations         = rotations;
     p.links.interaction_ratio = source.interaction_ratio;
     p.promotion               = promotion;
