@@ -82,24 +82,27 @@ namespace fem
         }
     }
 
-    /// Diagonal of the consistent mass scaled to the element's mass, component by component.
+    /// Diagonal of the consistent mass scaled to the element's mass, component by component: where the share varies evenly, that of what lies
+    /// nearest to the node of a linear element.
     template <int dim>
     void element_mass(const FEValues<dim>       &values,
                       const double               density,
                       const std::vector<double> &shares,
+                      const SharedMass           shared,
                       std::vector<double>       &mass)
     {
-      if (!shares.empty())
+      if (!shares.empty() && shared == SharedMass::rows)
         return mass_of_shares(values, density, shares, mass);
-      const auto &fe    = values.get_fe();
+      const auto &fe         = values.get_fe();
+      const auto  density_at = [&](const unsigned int q) { return shares.empty() ? density : shares[q] * density; };
       double      whole = 0, diagonal = 0;
       for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
-        whole += density * values.JxW(q);
+        whole += density_at(q) * values.JxW(q);
       for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
         {
           mass[i] = 0;
           for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
-            mass[i] += density * values.shape_value(i, q) * values.shape_value(i, q) * values.JxW(q);
+            mass[i] += density_at(q) * values.shape_value(i, q) * values.shape_value(i, q) * values.JxW(q);
           if (fe.system_to_component_index(i).first == 0)
             diagonal += mass[i];
         }
@@ -131,7 +134,8 @@ namespace fem
       if (cell->is_locally_owned())
         {
           values.reinit(cell);
-          element_mass(values, thickness * density.at(cell->material_id()), shares_of(solid.options(), values), mass);
+          element_mass(values, thickness * density.at(cell->material_id()), shares_of(solid.options(), values),
+                       options.shared, mass);
           cell->get_dof_indices(indices);
           for (unsigned int i = 0; i < mass.size(); ++i)
             lumped[indices[i]] += mass[i];
@@ -201,7 +205,7 @@ namespace fem
             continue;
           if (!solid.options().share)
             values.reinit(cell);
-          element_mass(values, density.at(cell->material_id()), shares, mass);
+          element_mass(values, density.at(cell->material_id()), shares, options.shared, mass);
           kernel.reinit(values, Eigen::VectorXd::Zero(n));
           for (unsigned int q = 0; q < shares.size(); ++q)
             kernel.share(q, shares[q]);

@@ -6,12 +6,20 @@
 
 namespace fem
 {
+  /// Which part of an element a node has where the element's share varies (SolidOptions::share).
+  enum class SharedMass
+  {
+    rows,   ///< sum over a row of the consistent mass: all together have the element's centre
+    nearest ///< what lies nearest to it: a half, quarter or eighth of a linear element
+  };
+
   struct ExplicitOptions
   {
     std::map<std::string, double> density;       ///< [kg/m^3], for every material name of the mesh
     double                        damping = 0.0; ///< alpha of the damping force alpha M v [1/s]
     double                        safety  = 0.9; ///< step over the critical step of the elements
     std::array<double, 3> gravity = {0, 0, 0};   ///< acceleration of what falls; its work is external work [m/s^2]
+    SharedMass            shared  = SharedMass::rows;
   };
 
   /// Energies [J]; `external + start = kinetic + internal + damped` up to balance().

@@ -132,6 +132,8 @@ namespace row_and_elements
         particles.spring[i] = 1 - weight(row, particles.place[i] + 0.5);
       for (Index i = 1; i < n; ++i)
         particles.mass[i] = 0.5 * (particles.spring[i - 1] + (i + 1 < n ? particles.spring[i] : 0.0));
+      if (row.absorber.last_mass > 0)
+        particles.mass[n - 1] = row.absorber.last_mass;
     }
 
     void share(const Row &row, Line &nodes, const double h)
@@ -140,20 +142,57 @@ namespace row_and_elements
       for (Index e = 0; e + 1 < nodes.place.size(); ++e)
         {
           nodes.spring[e] = weight(row, nodes.place[e] + 0.5 * h) / h;
-          for (const double xi : {0.5 - 0.5 / std::sqrt(3.0), 0.5 + 0.5 / std::sqrt(3.0)})
-            {
-              const double mass = 0.5 * h * weight(row, nodes.place[e] + xi * h);
-              nodes.mass[e] += (1 - xi) * mass;
-              nodes.mass[e + 1] += xi * mass;
-            }
+          nodes.mass[e] += 0.5 * h * weight(row, nodes.place[e] + 0.25 * h);
+          nodes.mass[e + 1] += 0.5 * h * weight(row, nodes.place[e] + 0.75 * h);
         }
+    }
+    double cubic_spline(const double t)
+    {
+      const double from = std::fabs(t);
+      return from < 1 ? 2.0 / 3 - from * from + 0.5 * from * from * from : from < 2 ? std::pow(2 - from, 3) / 6 : 0.0;
+    }
+
+    /** (Gv)_i = sum_g B_gi v_g, v_g = sum_i B_gi v_i / sum_i B_gi: whole masses, which are all 1. */
+    MatrixXd average(const VectorXd &places, const double spacing)
+    {
+      const double first = spacing * (std::floor(places[0] / spacing) - 2);
+      const auto   knots = static_cast<Index>((places[places.size() - 1] - first) / spacing) + 4;
+      MatrixXd     spline(places.size(), knots);
+      for (Index i = 0; i < places.size(); ++i)
+        for (Index g = 0; g < knots; ++g)
+          spline(i, g) = cubic_spline((places[i] - first) / spacing - static_cast<double>(g));
+      VectorXd sums = spline.colwise().sum().transpose();
+      for (double &sum : sums)
+        sum = sum > 0 ? 1 / sum : 0.0;
+      return spline * sums.asDiagonal() * spline.transpose();
+    }
+
+    /** What velocities of the last particles become in a step: exp(-m^-1 F^T C m F step), by modes. */
+    MatrixXd damped(const Row &row, const Line &particles)
+    {
+      constexpr Index beyond = 120; // reach of the averages
+      const Absorber &own    = row.absorber;
+      const double    width  = row.overlap * row.element;
+      const auto      n      = std::min(particles.place.size(), static_cast<Index>(own.layer + width) + beyond);
+      const VectorXd  places = particles.place.tail(n), root = particles.mass.tail(n).cwiseSqrt();
+      const MatrixXd  rest = MatrixXd::Identity(n, n) - average(places, own.spacing);
+      MatrixXd        fine = MatrixXd::Identity(n, n);
+      for (int p = 0; p < own.sharpness; ++p)
+        fine = (rest * fine).eval();
+      const VectorXd along = ((places.array() + own.layer) / (own.layer + width)).max(0).min(1);
+      const MatrixXd scaled =
+        VectorXd(std::sqrt(own.rate) * along.cwiseProduct(root)).asDiagonal() * fine * root.cwiseInverse().asDiagonal();
+      const Eigen::SelfAdjointEigenSolver<MatrixXd> modes(scaled.transpose() * scaled);
+      const VectorXd                                left = (-row.step * modes.eigenvalues().cwiseMax(0)).array().exp();
+      return root.cwiseInverse().asDiagonal() * modes.eigenvectors() * left.asDiagonal() *
+             modes.eigenvectors().transpose() * root.asDiagonal();
     }
   } // namespace
 
   Answer transmit(const Row &row)
   {
     const Packet packet(row.wavelength);
-    const double time = (7.5 * packet.width - packet.centre) / packet.speed, h = row.element;
+    const double time = (6 * packet.width - packet.centre) / packet.speed, h = row.element;
     const auto   behind    = static_cast<Index>(8.4 * packet.width + 50),
                beyond      = static_cast<Index>(time + 5 * packet.width);
     const Index    in_both = row.overlap * row.element;
@@ -165,12 +204,17 @@ namespace row_and_elements
     packet.start(particles, row.step);
     share(row, particles);
     share(row, nodes, h);
-    const double all = alone.energy(alone.place.size());
-    const Tie    tie(row, particles, nodes);
+    const double   all = alone.energy(alone.place.size());
+    const Tie      tie(row, particles, nodes);
+    const MatrixXd absorber = row.absorber.sharpness > 0 ? damped(row, particles) : MatrixXd();
     for (auto steps = std::llround(time / row.step); steps > 0; --steps)
       {
         for (Line *line : {&alone, &particles, &nodes})
-          line->kick(row.step);
+          line->kick(0.5 * row.step);
+        if (absorber.size() > 0)
+          particles.velocity.tail(absorber.rows()) = (absorber * particles.velocity.tail(absorber.rows())).eval();
+        for (Line *line : {&alone, &particles, &nodes})
+          line->kick(0.5 * row.step);
         tie.apply(particles, nodes);
         for (Line *line : {&alone, &particles, &nodes})
           line->displacement += row.step * line->velocity;

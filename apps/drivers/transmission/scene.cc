@@ -74,6 +74,10 @@ namespace apps
       .means("Of the continuum, over the spacing");
     s.integer("Overlap", common.overlap, "-", Range::between(1, 64), Need::optional)
       .means("Where both fill the same space, in elements");
+    s.choice("Node masses", common.nearest_masses, {{"rows", false}, {"nearest", true}}, Need::optional)
+      .means(
+        "Of the continuum in the overlap: sums over rows of the consistent mass, which keep its centre, or what lies "
+        "nearest to the node, as the published tables have it");
     s.number("Step factor", common.step_factor, "-", Range::from_up_to(1e-3, 1), Need::optional)
       .means("Time step over the stable one of the particles");
     s.number("Layer", proportions.layer, "-", Range::at_least(0), Need::optional)

@@ -171,7 +171,7 @@ namespace apps
               fem::make_points(fem::AnisotropicElastic(medium.stiffness), fem::Plane::strain),
               wave.medium.density,
               sides,
-              wave.method,
+              wave,
               overlap};
     }
 

@@ -105,12 +105,9 @@ namespace apps
       fem::IsotropicElasticParameters elastic;
       elastic.young_modulus = wave.medium.young();
       elastic.poisson_ratio = wave.medium.poisson();
-      return {shape,
-              fem::make_points(fem::IsotropicElastic(elastic), fem::Plane::strain),
-              wave.medium.density,
-              sides,
-              wave.method,
-              overlap};
+      return {
+        shape,  fem::make_points(fem::IsotropicElastic(elastic), fem::Plane::strain), wave.medium.density, sides, wave,
+        overlap};
     }
 
     /**

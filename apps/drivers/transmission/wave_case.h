@@ -26,10 +26,11 @@ namespace apps
     WaveMedium   medium;
     WaveMethod   method;
     std::int64_t element = 8, overlap = 4; ///< size of an element over the spacing; width of the overlap in elements
-    bool         shear       = false;
-    double       angle       = 0;   ///< of the packet's way with x; of a plane only [rad]
-    double       wavelength  = 0;   ///< [m]
-    double       step_factor = 0.8; ///< of the particles' stable step
+    bool         shear          = false;
+    double       angle          = 0;     ///< of the packet's way with x; of a plane only [rad]
+    double       wavelength     = 0;     ///< [m]
+    double       step_factor    = 0.8;   ///< of the particles' stable step
+    bool         nearest_masses = false; ///< of nodes in the overlap: what lies nearest to them (fem::SharedMass)
   };
 
   /** Where the energy of the packet went, over what it had; particles alone are taken off first (doc/theory/volume-coupling.md, 6). */

@@ -10,7 +10,7 @@ namespace apps
   namespace
   {
     // Of the packet's centre from the overlap, over its width. Near the cut-off of a mesh packets are slow: they have to get away.
-    constexpr double packet_start = 4.2, packet_end = 7.5;
+    constexpr double packet_start = 4.2, packet_end = 6;
     // What runs to the left comes back too late to matter. Steps in time make short waves faster, by a third at most.
     constexpr double faster = 4.0 / 3.0;
 

@@ -20,9 +20,10 @@ namespace apps
                                     std::unique_ptr<fem::MaterialPoints> material,
                                     const double                         density,
                                     const std::vector<SlidingSide>      &sides,
-                                    const WaveMethod                    &method,
+                                    const WaveCase                      &wave,
                                     const coupling::Overlap             &overlap)
-    : solid(fem::make_shape<dim>(shape, {fem::ElementFamily::hypercube, 0, MPI_COMM_SELF}), options_of(method, overlap))
+    : solid(fem::make_shape<dim>(shape, {fem::ElementFamily::hypercube, 0, MPI_COMM_SELF}),
+            options_of(wave.method, overlap))
   {
     solid.assign(continuum_name, std::move(material));
     fem::Loads<dim> loads;
@@ -32,6 +33,7 @@ namespace apps
     solid.set_loads(loads);
     fem::ExplicitOptions explicitly;
     explicitly.density = {{continuum_name, density}};
+    explicitly.shared  = wave.nearest_masses ? fem::SharedMass::nearest : fem::SharedMass::rows;
     motion             = std::make_unique<fem::ExplicitSolver<dim>>(solid, explicitly);
     participant        = std::make_unique<coupling::SolidParticipant<dim>>(solid, *motion);
   }

@@ -25,12 +25,12 @@ namespace apps
   template <int dim>
   struct WaveContinuum
   {
-    /** @param method how it shares with particles @param density [kg/m^3] */
+    /** @param density [kg/m^3] @param wave says how it shares with particles */
     WaveContinuum(const fem::BodiesShape              &shape,
                   std::unique_ptr<fem::MaterialPoints> material,
                   double                               density,
                   const std::vector<SlidingSide>      &sides,
-                  const WaveMethod                    &method,
+                  const WaveCase                      &wave,
                   const coupling::Overlap             &overlap);
 
     double energy() const; ///< [J]
