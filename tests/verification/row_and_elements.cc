@@ -98,7 +98,11 @@ namespace row_and_elements
             shape(k, e)     = 1 - in;
             shape(k, e + 1) = in;
           }
-        const MatrixXd rows   = row.ties == Ties::coarse ? MatrixXd(shape.transpose()) : MatrixXd::Identity(tied, tied);
+        VectorXd counted = VectorXd::Ones(tied);
+        if (row.sides_half)
+          counted[0] = counted[tied - 1] = 0.5;
+        const MatrixXd rows   = row.ties == Ties::coarse ? MatrixXd(shape.transpose() * counted.asDiagonal()) :
+                                                           MatrixXd::Identity(tied, tied);
         const MatrixXd light  = particles.mass.tail(tied).cwiseInverse().asDiagonal() * rows.transpose(),
                        coarse = nodes.mass.head(corners).cwiseInverse().asDiagonal() * (rows * shape).transpose();
         const MatrixXd system = rows * light + rows * shape * coarse;

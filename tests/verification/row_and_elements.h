@@ -26,8 +26,9 @@ namespace row_and_elements
     Ties     ties;
     double   wavelength;
     int      element = 8, overlap = 4; ///< spacings of an element, elements of the overlap
-    double   step     = 0.25;
-    Absorber absorber = {0, 0, 0, 0, 0};
+    double   step       = 0.25;
+    Absorber absorber   = {0, 0, 0, 0, 0};
+    bool     sides_half = false; ///< coarse multipliers count the first and the last particle of the overlap half
   };
 
   struct Answer
