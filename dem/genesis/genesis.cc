@@ -19,6 +19,8 @@ namespace dem
     /** While fewer contacts than particles push nothing can be jammed: an increment is over when they have moved apart. */
     constexpr double       loose_overlap         = 0.01;
     constexpr double       longest_stress_change = 0.01; ///< of radii in one round
+    constexpr double       relief                = 0.25; ///< of the stress that a round from far above leaves
+    constexpr double       far_above             = 10;   ///< the stress that is asked for: rounds need not end at rest
     constexpr double       enlargement           = 1.3;  ///< of floaters in one round
     constexpr std::int64_t enlargement_steps     = 200;
     constexpr double       fitting_overlap       = 3;  ///< of floaters, over that of the others: they fit
@@ -164,24 +166,37 @@ namespace dem
       enter(parameters.stress > 0 ? GenesisStage::stress : GenesisStage::done, m, at_rest(m));
   }
 
-  /** Whether the stress of this round can be told: nearly at rest where it is far off, else at rest, to which the way is long. */
+  /**
+   * Whether the stress of this round can be told: nearly at rest where it is far above or too low, where rest would only show more of it;
+   * more at rest the nearer it is. Particles that are not jammed fly about and come to no such ratio: of these it is enough to know that
+   * they do not push.
+   */
   bool Genesis::round_is_over(const GrowthMeasures &m) const
   {
-    const bool far = std::abs(parameters.stress + m.stress) > parameters.stress;
-    return (far ? nearly_at_rest(m) : at_rest(m)) || steps_in_round >= parameters.solve_steps;
+    const double pressure = -m.stress / parameters.stress;
+    const double nearly   = std::sqrt(parameters.ratio * parameters.increment_ratio);
+    const double enough   = pressure > far_above || pressure < 0.5               ? nearly :
+                            std::abs(pressure - 1) > parameters.stress_tolerance ? std::sqrt(parameters.ratio * nearly) :
+                                                                                   parameters.ratio;
+    const bool   loose    = m.touching < static_cast<std::int64_t>(asked.size()) && pressure < 0.5;
+    return m.touching == 0 || m.ratio <= enough ||
+           steps_in_round >= (loose ? parameters.increment_steps : parameters.solve_steps);
   }
 
   void Genesis::change_stress(const GrowthMeasures &m)
   {
+    // From far above in a few even ratios: what has come loose once takes long to jam again.
+    const bool   far     = -m.stress > far_above * parameters.stress;
+    const double aim     = std::max(parameters.stress, (far ? relief : std::sqrt(relief)) * -m.stress);
     const double missing = parameters.stress + m.stress;
     // Assemblies answer softer than their contacts taken one by one, so by what the last round has shown, within reason.
-    constexpr double softest = 0.05;
+    constexpr double softest = 0.25;
     const double     shown   = last_change == 0 ? m.stress_by_growth : (last_missing - missing) / last_change;
     const double     slope   = std::clamp(shown, softest * m.stress_by_growth, m.stress_by_growth);
     // Past the stress and back: shorter ways.
     longest_change =
       last_missing * missing < 0 ? 0.5 * longest_change : std::min(1.5 * longest_change, longest_stress_change);
-    const double wanted = m.touching > 0 ? missing / slope : longest_change;
+    const double wanted = m.touching > 0 ? (aim + m.stress) / slope : longest_change;
     last_missing        = missing;
     last_change         = std::clamp(wanted, -longest_change, longest_change);
     ++round;

@@ -87,14 +87,15 @@ namespace dem
     for (const Side side : {low, high})
       {
         Vector3d point         = body.low;
-        place[side]            = side == low ? body.low[parameters.axis] + parameters.smoothing :
-                                               body.high[parameters.axis] - parameters.smoothing;
+        place[side]            = parameters.stand ? (*parameters.stand)[side] :
+                                 side == low      ? body.low[parameters.axis] + parameters.smoothing :
+                                                    body.high[parameters.axis] - parameters.smoothing;
         point[parameters.axis] = place[side];
         if (specimen->parameters().physics.dimension == 2)
           point[2] = 0;
         number[side] =
           specimen->add_surface({side_name[side], FacetMesh::plane(point, inward(side)), parameters.contact});
-        if (parameters.smoothing > 0)
+        if (parameters.stand || parameters.smoothing > 0)
           specimen->cut_off_at(number[side]);
       }
     start_height = place[high] - place[low];

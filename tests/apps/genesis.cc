@@ -110,6 +110,28 @@ TEST_CASE("The packing of a genesis is what a scene reads, to the same links", "
   CHECK(again.series.columns == found.series.columns);
 }
 
+TEST_CASE("Platens stand where the vessel's walls stood, without a force", "[apps][genesis]")
+{
+  const ScratchFolder            folder;
+  const std::vector<std::string> press = {"Specimen/Genesis/Stress=0",
+                                          "Laboratory/Test=uniaxial compression",
+                                          "Laboratory/Axis=y",
+                                          "Laboratory/Effective modulus=8e9",
+                                          "Laboratory/Speed=0.02",
+                                          "Laboratory/Largest strain=1e-3",
+                                          "Laboratory/Platens=vessel walls"};
+  folder.file("mortar.prm", mortar);
+  const Results found = results_of(folder, "mortar.prm", press);
+  // Of what lies at the walls a dozen discs at each end touch, not the one alone that was pressed in furthest.
+  CHECK(found.series.column("contacts").back() > 12);
+  CHECK(std::abs(found.series.column("stress").front()) < 1);
+  std::filesystem::copy(folder / "results/packing.txt", folder / "packing.txt");
+  std::filesystem::remove_all(folder / "results");
+  auto again = press;
+  again.insert(again.end(), {"Specimen/Source=file", "Specimen/File=packing.txt"});
+  is_refused(folder, "mortar.prm", again, "has a vessel");
+}
+
 TEST_CASE("A genesis that was interrupted goes on to the same bits", "[apps][genesis][slow]")
 {
   const ScratchFolder folder;

@@ -18,12 +18,13 @@
 
 namespace
 {
-  /** Discs of the published mortar with four sizes, in a window. */
-  dem::GenesisParameters mortar(const double width, const double height, const std::uint64_t seed = 1)
+  /** Discs of published mortars in a window, as much of the area of each diameter. */
+  dem::GenesisParameters
+  mortar_of(const std::vector<double> &diameters, const double width, const double height, const std::uint64_t seed)
   {
     std::vector<dem::SizeClass> classes;
-    for (const double d : {0.54e-3, 1.24e-3, 2.51e-3, 4.48e-3})
-      classes.push_back({0.25, d, d});
+    for (const double d : diameters)
+      classes.push_back({1.0 / static_cast<double>(diameters.size()), d, d});
     dem::GenesisParameters p;
     p.vessel.size                           = {width, height, 0};
     p.material.contact.effective_modulus    = 8e9;
@@ -32,6 +33,12 @@ namespace
     p.seed   = seed;
     p.stress = 27500;
     return p;
+  }
+
+  /** Of four sizes. */
+  dem::GenesisParameters mortar(const double width, const double height, const std::uint64_t seed = 1)
+  {
+    return mortar_of({0.54e-3, 1.24e-3, 2.51e-3, 4.48e-3}, width, height, seed);
   }
 
   dem::Packing grown(const dem::GenesisParameters &p)
@@ -82,6 +89,18 @@ TEST_CASE("a packing grows to its stress, in balance, with its energy accounted 
   CHECK(end.porosity == Approx(0.10).margin(0.03)); // under so low a stress they are as loose as discs get
   const dem::GrowthEnergies energy = genesis.energies();
   CHECK(std::abs(energy.error()) <= 0.01 * energy.growth);
+}
+
+TEST_CASE("a packing that presses far too hard comes to its stress from above, without coming loose on the way")
+{
+  dem::GenesisParameters p = mortar_of({1e-3, 3.2e-3}, 0.025, 0.05, 1);
+  p.fit_floaters           = false;
+  dem::Genesis genesis(p);
+  genesis.advance(std::numeric_limits<std::int64_t>::max() / 2);
+  REQUIRE(genesis.reports().size() == 3);
+  CHECK(-genesis.reports()[1].stress > 1000 * p.stress); // as the porosity has it
+  CHECK(genesis.reports()[2].reached);
+  CHECK(genesis.reports()[2].steps < p.solve_steps); // what has once come loose takes that long to jam again
 }
 
 TEST_CASE("spheres of two classes grow in a cylinder, to their stress and in balance", "[slow]")

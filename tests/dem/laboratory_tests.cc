@@ -253,6 +253,32 @@ TEST_CASE("what is cut off at platens touches without force until they move", "[
   CHECK_THROWS_WITH(run.body.cut_off_at(0), Catch::Contains("before the first step"));
 }
 
+TEST_CASE("platens stand where they are told, and what reaches through is cut off whatever its depth",
+          "[dem][laboratory]")
+{
+  dem::LabParameters asked  = between_platens(0.02);
+  dem::Packing       rough  = crystal(12, 6, 0.1);
+  const int          axis   = asked.press.axis;
+  double             lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  for (std::size_t i = 0; i < rough.size(); ++i)
+    {
+      lowest  = std::min(lowest, rough.centre[i][axis] - rough.radius[i]);
+      highest = std::max(highest, rough.centre[i][axis] + rough.radius[i]);
+    }
+  asked.press.stand = {lowest + 0.3 * R, highest - 0.2 * R};
+  dem::Specimen    body(rough, discs(), weak());
+  const dem::Press press(body, asked.press);
+  CHECK(press.planes().low == lowest + 0.3 * R);
+  CHECK(press.planes().high == highest - 0.2 * R);
+  CHECK(press.height() == Approx(highest - lowest - 0.5 * R).epsilon(1e-12));
+  Run run(rough, discs(), weak(), asked);
+  run.body.find_surface_forces();
+  CHECK(run.body.surface(0).total_force.norm() == 0);
+  CHECK(run.body.surface(1).total_force.norm() == 0);
+  run.advance(500);
+  CHECK(run.body.counts().wall_contacts > 12);
+}
+
 TEST_CASE("specimen loaded to a tenth of its strength and unloaded is what it was (genesis 7)",
           "[dem][laboratory][slow]")
 {

@@ -33,7 +33,8 @@ namespace apps
     , walls(body, what.walls)
   {
     if (what.laboratory.given())
-      lab = std::make_unique<dem::LabTest>(body, what.laboratory.parameters());
+      lab = std::make_unique<dem::LabTest>(
+        body, what.laboratory.parameters(what.source.genesis.vessel(what.physics.dimension).size));
     constexpr double limit = 1e12; // a year at thirty thousand steps a second
     const double     steps = what.end_time / body.time_step();
     if (!(steps < limit))

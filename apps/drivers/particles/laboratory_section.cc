@@ -38,7 +38,8 @@ namespace apps
   {
     const auto any     = [this] { return given(); };
     const auto platens = [this] { return presses(); };
-    const auto flat    = [this] { return presses() && test != Test::bending; };
+    const auto flat    = [this] { return flat_platens(); };
+    const auto outside = [this] { return flat_platens() && !at_vessel; };
     const auto bending = [this] { return test == Test::bending; };
     s.choice("Axis", asked.press.axis, {{"x", 0}, {"y", 1}, {"z", 2}}, Need::optional)
       .means("Along which the specimen is loaded")
@@ -56,11 +57,16 @@ namespace apps
     for (const char *entry : {"Effective modulus", "Stiffness ratio", "Friction coefficient"})
       s.find_entry(entry)->only_if(platens, "Test is of platens or rollers");
     s.find_entry("Friction coefficient")->means("Of platens, walls and rollers");
+    s.choice("Platens", at_vessel, {{"outermost particles", false}, {"vessel walls", true}}, Need::optional)
+      .means(
+        "Where they stand at first. vessel walls: where the walls of genesis stood; what was pressed into these is "
+        "cut off, so that all that touched them touches the platens, and nothing pushes yet")
+      .only_if(flat, "Test is of platens");
     s.number("Smoothing depth", asked.press.smoothing, "m", Range::at_least(0), Need::optional)
       .means("By which the platens stand inside the outermost particles, at most half a radius: what reaches beyond is "
              "cut off, so that "
              "the specimen's ends are flat and nothing pushes yet")
-      .only_if(flat, "Test is of platens");
+      .only_if(outside, "Test is of platens, and Platens = outermost particles");
     s.number("Glued layer", asked.press.layer, "m", Range::positive(), Need::required)
       .means("Centres within it of the outermost centre are held by the platen")
       .only_if([this] { return test == Test::tension; }, "Test = direct tension");
@@ -126,6 +132,7 @@ namespace apps
   }
 
   void SpecimenTestSection::validate(const Section                  &root,
+                                     const SpecimenSection          &specimen,
                                      const dem::Physics             &physics,
                                      const std::vector<std::string> &other) const
   {
@@ -133,6 +140,8 @@ namespace apps
       return;
     const Section &s     = *root.find_section("Laboratory");
     const bool     plane = physics.dimension == 2;
+    if (at_vessel && flat_platens() && specimen.source != SpecimenSection::Source::genesis)
+      s.refuse("Platens", "only a specimen of Specimen/Source = genesis has a vessel.");
     if (test == Test::biaxial && !plane)
       s.refuse("Test", "a biaxial test is one of the plane, and Physics/Dimension is 3. Take the triaxial one.");
     if (test == Test::triaxial && plane)
@@ -150,15 +159,17 @@ namespace apps
                            "\" to series.csv, and a gauge has that name. Rename the gauge.");
   }
 
-  dem::LabParameters SpecimenTestSection::parameters() const
+  dem::LabParameters SpecimenTestSection::parameters(const Eigen::Vector3d &vessel) const
   {
     dem::LabParameters made = asked;
-    using Kind              = dem::LabParameters::Test;
-    made.test               = test == Test::tension   ? Kind::tension :
-                              test == Test::splitting ? Kind::splitting :
-                              test == Test::bending   ? Kind::bending :
-                              confined()              ? Kind::confined :
-                                                        Kind::compression;
+    if (at_vessel && flat_platens())
+      made.press.stand = {0.0, vessel[asked.press.axis]};
+    using Kind = dem::LabParameters::Test;
+    made.test  = test == Test::tension   ? Kind::tension :
+                 test == Test::splitting ? Kind::splitting :
+                 test == Test::bending   ? Kind::bending :
+                 confined()              ? Kind::confined :
+                                           Kind::compression;
     return made;
   }
 

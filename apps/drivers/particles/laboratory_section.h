@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/scene/section.h"
+#include "apps/scene/specimen_section.h"
 #include "dem/laboratory/lab_test.h"
 #include "postprocess/series.h"
 
@@ -25,14 +26,19 @@ namespace apps
 
     Test               test = Test::none;
     dem::LabParameters asked;
+    bool               at_vessel = false; ///< platens stand where the walls stood in which the specimen grew
 
     void declare(Section &root);
     /** @param other names of columns that the series has already @throws base::InputError. */
-    void validate(const Section &root, const dem::Physics &physics, const std::vector<std::string> &other) const;
+    void validate(const Section                  &root,
+                  const SpecimenSection          &specimen,
+                  const dem::Physics             &physics,
+                  const std::vector<std::string> &other) const;
     bool given() const { return test != Test::none; }
     bool confined() const { return test == Test::biaxial || test == Test::triaxial; }
-    /** @pre given() */
-    dem::LabParameters parameters() const;
+    /** @param vessel edges of what the specimen grew in, a corner in the origin [m] @pre given() */
+    dem::LabParameters parameters(const Eigen::Vector3d &vessel) const;
+    bool               flat_platens() const { return presses() && test != Test::bending; }
     const char        *name() const; ///< "uniaxial compression"
 
     /** Columns that it adds to the series; none where there is no test. */

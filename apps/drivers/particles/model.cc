@@ -72,7 +72,7 @@ namespace apps
     validate_as_part(root);
     time.validate_by_time(root);
     gravity.validate(root, physics.dimension);
-    laboratory.validate(root, physics, names_before_test());
+    laboratory.validate(root, source, physics, names_before_test());
     if (laboratory.given() && gravity.asks_for_equilibrium())
       root.find_section("Gravity")->refuse(
         "Initial equilibrium", "platens of section Laboratory stand where the packing ends, and would not know of "
