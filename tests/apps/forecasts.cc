@@ -88,6 +88,12 @@ TEST_CASE("check forecasts without a folder for temporary files", "[apps]")
   CHECK_THAT(outcome.out, Contains("duration     roughly "));
 }
 
+TEST_CASE("check promises no duration of cells that may break", "[apps]")
+{
+  for (const std::string &said : forecasts_of({"cells_at_hole.prm"}))
+    CHECK_THAT(said, Contains("duration     at least ") && Contains("cells whose links break take longer"));
+}
+
 TEST_CASE("What particles would do after the end of a run is no part of its forecast", "[apps]")
 {
   // Away from the anvil, 0.5 mm by the end; after half a second, metres in a step.

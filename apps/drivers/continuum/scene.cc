@@ -27,7 +27,8 @@ namespace apps
         text += fmt::format("  warning      {}\n", warning);
       text += fmt::format("  elements     {}\n", run.body().mesh().triangulation->n_global_active_cells());
       text += fmt::format("  unknowns     {}\n", run.body().dofs().n_dofs());
-      for (const auto &group : model.materials.groups)
+      const auto &groups = model.materials.groups;
+      for (const auto &group : groups)
         if (const CellsConstants *cells = group->cells())
           text += fmt::format("  {:<12} {}\n", group->group, cells->forecast());
       const std::string solver = run.computation().linear_solver();
@@ -54,7 +55,14 @@ namespace apps
           if (!found.failure.empty())
             text +=
               fmt::format("  warning      after {:.0f} steps the next one fails: {}\n", found.states, found.failure);
-          text += stoppable_duration_line(whole, may_stop ? 0 : whole);
+          // Nothing says beforehand how many cells will break, and when: what was tried is mostly elastic.
+          const bool may_break = !found.whole && std::any_of(groups.begin(), groups.end(), [](const auto &group) {
+            return group->cells() != nullptr;
+          });
+          text += may_break ? fmt::format("  duration     at least {}, on this machine as it is now; cells whose links "
+                                          "break take longer\n",
+                                          duration_text(whole)) :
+                              stoppable_duration_line(whole, may_stop ? 0 : whole);
         }
       catch (const std::runtime_error &failure)
         {
