@@ -86,7 +86,7 @@ TEST_CASE("A scene with cells that is interrupted goes on to the same bits, on o
           "[apps][cells][slow][S13]")
 {
   const ScratchFolder folder;
-  const std::string   words = plate("0.04");
+  const std::string   words = plate("0.02");
   REQUIRE(shell(folder, program_on(0, 1) + words + " -o whole") == 0);
   const std::string whole = content_of(folder / "whole/series.csv");
   for (const int ranks : {0, 2})
@@ -96,7 +96,7 @@ TEST_CASE("A scene with cells that is interrupted goes on to the same bits, on o
       const std::string name = "ranks_" + std::to_string(ranks), program = program_on(ranks, 1) + words + " -o " + name;
       // Not before there are promoted cells to save: some of the ten snapshots are then written.
       shell(folder, program + " & while kill -0 $! && { [ ! -e " + name + "/running/checkpoint.h5 ] || [ ! -e " + name +
-                      "/running/solid/solid_000008.vtu ]; }; do sleep 0.01; done; kill -INT $!; wait $!");
+                      "/running/solid/solid_000006.vtu ]; }; do sleep 0.01; done; kill -INT $!; wait $!");
       INFO(content_of(folder / "said"));
       REQUIRE_FALSE(std::filesystem::exists(folder / (name + "/summary.json")));
       REQUIRE(shell(folder, program + " --resume") == 0);
