@@ -221,7 +221,7 @@ namespace postprocess
         PlotSeries series;
         series.name      = curve.name;
         series.style     = PlotSeries::Style::line;
-        series.mark_peak = true;
+        series.mark_peak = curve.mark_peak;
         for (const double strain : curve.strain)
           series.x.push_back(strain * 1e3);
         for (const double stress : curve.stress)

@@ -48,10 +48,11 @@ namespace postprocess
   /** Stress over strain of one loading, in the sign in which it should point upwards. */
   struct StressStrainCurve
   {
-    std::string         name;           ///< e.g. "seed 1"
-    std::vector<double> strain, stress; ///< [-], [Pa]
+    std::string         name;             ///< e.g. "seed 1"
+    std::vector<double> strain, stress;   ///< [-], [Pa]
+    bool                mark_peak = true; ///< and its place in the legend
   };
 
-  /** A panel of stress [MPa] over strain [1e-3] with the peak of each curve marked. */
+  /** A panel of stress [MPa] over strain [1e-3] with the peak of each curve marked that asks for it. */
   PlotPanel stress_strain_panel(const std::string &title, const std::vector<StressStrainCurve> &curves);
 } // namespace postprocess

@@ -132,6 +132,39 @@ TEST_CASE("Platens stand where the vessel's walls stood, without a force", "[app
   is_refused(folder, "mortar.prm", again, "has a vessel");
 }
 
+TEST_CASE("What is published of a test is told beside what it finds, which does not depend on it", "[apps][genesis]")
+{
+  const ScratchFolder            folder;
+  const std::vector<std::string> press = {"Specimen/Genesis/Stress=0", "Laboratory/Test=uniaxial compression",
+                                          "Laboratory/Axis=y",         "Laboratory/Effective modulus=8e9",
+                                          "Laboratory/Speed=0.04",     "Laboratory/Largest strain=4e-3",
+                                          "Laboratory/Stop at=0.7",    "Laboratory/Platens=vessel walls",
+                                          "Time/End time=0.1"};
+  folder.file("mortar.prm", mortar);
+  const Results alone = results_of(folder, "mortar.prm", press);
+  CHECK_FALSE(alone.summary["figures"]["laboratory"].contains("published"));
+  const std::string curve = content_of(folder / "results/stress_strain.csv");
+  auto              told  = press;
+  told.insert(told.end(), {"Laboratory/Published strength=2.75e6", "Laboratory/Published modulus=7.994e9",
+                           "Laboratory/Published Poisson ratio=0.2"});
+  std::filesystem::remove_all(folder / "results");
+  const Results beside = results_of(folder, "mortar.prm", told);
+  CHECK(content_of(folder / "results/stress_strain.csv") == curve);
+  const auto &found = beside.summary["figures"]["laboratory"];
+  for (const auto &[published, here, value] :
+       {std::tuple{"strength", "compressive_strength", 2.75e6}, std::tuple{"young_modulus", "young_modulus", 7.994e9},
+        std::tuple{"poisson_ratio", "poisson_ratio", 0.2}})
+    {
+      INFO(published);
+      CHECK(found["published"][published]["value"].get<double>() == value);
+      CHECK(found["published"][published]["found_over_published"].get<double>() ==
+            Approx(found[here]["value"].get<double>() / value).epsilon(1e-12));
+    }
+  CHECK(std::filesystem::exists(folder / "results/stress_strain.png"));
+  std::filesystem::remove_all(folder / "results");
+  is_refused(folder, "mortar.prm", {"Laboratory/Published strength=-1"}, "Published strength");
+}
+
 TEST_CASE("A genesis that was interrupted goes on to the same bits", "[apps][genesis][slow]")
 {
   const ScratchFolder folder;

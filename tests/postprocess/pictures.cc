@@ -92,6 +92,7 @@ TEST_CASE("the stress-strain panel is in MPa over 1e-3", "[postprocess]")
   REQUIRE(panel.series[0].x[1] == Approx(0.1));
   REQUIRE(panel.series[0].y[1] == Approx(3.5));
   REQUIRE(panel.series[0].mark_peak);
+  REQUIRE_FALSE(stress_strain_panel("", {{"published", {0, 1e-4}, {0, 3e6}, false}}).series[0].mark_peak);
 }
 
 TEST_CASE("a plot that cannot be drawn says why, keeps the earlier picture, and does not throw", "[postprocess]")

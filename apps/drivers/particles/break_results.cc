@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 namespace apps
@@ -40,7 +41,11 @@ namespace apps
     std::array<std::size_t, 3> count{};
     for (const dem::Break &b : specimen.breaks())
       ++count[static_cast<std::size_t>(b.mode)];
-    return fmt::format("broken       {} in tension, {} in shear, {} gradually; {} links\n", count[0], count[1],
-                       count[2], specimen.counts().broken);
+    const double all   = static_cast<double>(std::max<std::size_t>(count[0] + count[1] + count[2], 1));
+    const auto   share = [&](const std::size_t mode) {
+      return fmt::format("{} ({:.3g} %)", count[mode], 100 * static_cast<double>(count[mode]) / all);
+    };
+    return fmt::format("broken       {} in tension, {} in shear, {} gradually; {} links\n", share(0), share(1),
+                       share(2), specimen.counts().broken);
   }
 } // namespace apps

@@ -116,6 +116,8 @@ namespace apps
     found["poisson_ratio"]                                  = figure(f.poisson_secant, "-");
     found["poisson_ratio_by_slopes"]                        = figure(f.poisson_slope, "-");
     found["stress_over_force"]                              = quantity(test.stress_of_force(), "1/m^2");
+    if (asked.published.given())
+      found["published"] = asked.published.json(f);
     if (asked.confined())
       found["confining_pressure"] = quantity(asked.asked.pressure, "Pa");
     if (asked.confined() && f.strength.found)
@@ -136,6 +138,10 @@ namespace apps
     std::vector<postprocess::StressStrainCurve> curves = {{"by the platens", strain, stress}};
     if (std::any_of(gauges.begin(), gauges.end(), [](const double e) { return e != 0; }))
       curves.push_back({"by gauges", gauges, stress});
+    if (!strain.empty())
+      if (const auto line = asked.published.curve(*std::max_element(strain.begin(), strain.end()),
+                                                  *std::max_element(stress.begin(), stress.end())))
+        curves.push_back(*line);
     warn_of_missing("stress_strain.png",
                     postprocess::plot(folder / "stress_strain.png",
                                       {postprocess::stress_strain_panel(title + ", " + asked.name(), curves)}));
@@ -156,6 +162,7 @@ namespace apps
       fmt::format("moduli       E {}, by gauges {}, secant to half the peak {}; Poisson's ratio {}, by slopes {}\n",
                   words(f.modulus, 1e-9, " GPa"), words(f.gauge_modulus, 1e-9, " GPa"),
                   words(f.secant_modulus, 1e-9, " GPa"), words(f.poisson_secant, 1, ""), words(f.poisson_slope, 1, ""));
+    text += asked.published.text(f);
     text += text_of(test.how_static());
     for (const std::string &note : test.notes())
       text += "warning      " + note + "\n";

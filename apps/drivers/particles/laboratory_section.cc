@@ -32,6 +32,7 @@ namespace apps
     s.number("Largest strain", asked.stop_strain, "-", Range::positive(), Need::required)
       .means("By the platens, at which the test ends at the latest")
       .only_if(any, "Test is not none");
+    published.declare(s, any);
   }
 
   void SpecimenTestSection::declare_machine(Section &s)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/drivers/particles/published_figures.h"
 #include "apps/scene/section.h"
 #include "apps/scene/specimen_section.h"
 #include "dem/laboratory/lab_test.h"
@@ -26,6 +27,7 @@ namespace apps
 
     Test               test = Test::none;
     dem::LabParameters asked;
+    PublishedFigures   published;
     bool               at_vessel = false; ///< platens stand where the walls stood in which the specimen grew
 
     void declare(Section &root);
