@@ -5,6 +5,7 @@
 #include "apps/drivers/particles/body.h"
 #include "apps/drivers/particles/scene.h"
 #include "apps/process/stopwatch.h"
+#include "base/errors.h"
 #include "dem/statics/quasi_static_path.h"
 
 #include <fmt/format.h>
@@ -35,6 +36,9 @@ namespace apps
     };
 
     constexpr double unknown_figure = std::numeric_limits<double>::quiet_NaN();
+
+    /** Largest step of strain along equilibria: a fiftieth of that at the peak of the published mortars. */
+    constexpr double static_strain_step = 1e-5;
 
     double value_of(const dem::Finding &finding) { return finding.found ? finding.value : unknown_figure; }
 
@@ -76,11 +80,9 @@ namespace apps
       return row;
     }
 
-    /** The modulus of the same bonds in equilibrium, ends led as by smooth platens. */
-    MortarRow in_equilibrium(const ParticlesModel &model, const dem::Packing &packing)
+    /** The same bonds between ends led as by smooth platens. */
+    dem::LoadedNetwork between_smooth_ends(const ParticlesModel &model, const dem::Packing &packing)
     {
-      MortarRow              row{"equilibrium", "elastic"};
-      const double           start = processor_seconds();
       dem::NetworkParameters links;
       links.dimension         = model.physics.dimension;
       links.rotations         = model.physics.rotations;
@@ -93,12 +95,19 @@ namespace apps
       pair.axis = model.laboratory.asked.press.axis;
       pair.layers =
         dem::find_grip_layers({packing.centre, packing.radius, links.dimension, links.thickness}, pair.axis, ends);
-      const dem::LinkMaterials   materials = model.material.materials();
-      const dem::LoadedNetwork   loaded    = dem::load_grips(dem::make_network(packing, links, materials), pair);
+      return dem::load_grips(dem::make_network(packing, links, model.material.materials()), pair);
+    }
+
+    /** Their modulus while nothing has broken, after one step of equilibrium. */
+    MortarRow in_equilibrium(const ParticlesModel &model, const dem::Packing &packing)
+    {
+      MortarRow                  row{"equilibrium", "elastic"};
+      const double               start  = processor_seconds();
+      const dem::LoadedNetwork   loaded = between_smooth_ends(model, packing);
       dem::QuasiStaticParameters steps;
       steps.sign        = -1;
       steps.strain_step = steps.end_strain = 1e-6;
-      dem::QuasiStaticPath path(loaded, materials, steps);
+      dem::QuasiStaticPath path(loaded, model.material.materials(), steps);
       const auto          &point = path.advance();
       row.particles              = packing.size();
       row.bonds                  = loaded.network.links.size();
@@ -106,6 +115,45 @@ namespace apps
       row.strength = row.imbalance = unknown_figure;
       row.balance                  = point.balance_error();
       row.cost                     = processor_seconds() - start;
+      return row;
+    }
+
+    /** Strength, and the secant modulus to half of it, without inertia; the path ends as the test of the scene does. */
+    MortarRow along_equilibria(const ParticlesModel &model, const dem::Packing &packing)
+    {
+      MortarRow row{"equilibrium", "to failure"};
+      row.imbalance                   = unknown_figure;
+      const double             start  = processor_seconds();
+      const dem::LoadedNetwork loaded = between_smooth_ends(model, packing);
+      row.particles                   = packing.size();
+      row.bonds                       = loaded.network.links.size();
+      dem::QuasiStaticParameters steps;
+      steps.sign        = -1;
+      steps.strain_step = static_strain_step;
+      steps.end_strain  = model.laboratory.asked.stop_strain;
+      steps.end_stress  = model.laboratory.asked.stop_fraction;
+      steps.tolerance   = model.laboratory.asked.rest;
+      dem::QuasiStaticPath path(loaded, model.material.materials(), steps);
+      try
+        {
+          while (!path.finished())
+            row.balance = std::max(row.balance, path.advance().balance_error());
+        }
+      catch (const base::NumericalError &error)
+        {
+          fmt::print("{}: not to failure: {}\n", row.study, error.what());
+          row.strength = row.modulus = unknown_figure;
+          row.cost                   = processor_seconds() - start;
+          return row;
+        }
+      const auto stress = [&](const dem::QuasiStaticPoint &p) { return -p.stress[loaded.led]; };
+      for (const dem::QuasiStaticPoint &point : path.points())
+        row.strength = std::max(row.strength, stress(point));
+      const auto &points = path.points();
+      const auto  half =
+        std::find_if(points.begin(), points.end(), [&](const auto &p) { return stress(p) >= 0.5 * row.strength; });
+      row.modulus = half->stress[loaded.led] / half->strain[loaded.led];
+      row.cost    = processor_seconds() - start;
       return row;
     }
 
@@ -187,7 +235,11 @@ namespace apps
         row.growth    = one.grows ? growth : 0;
         note(row);
         if (rows.size() == 1)
-          note(in_equilibrium(model, packing));
+          {
+            note(in_equilibrium(model, packing));
+            if (bench.static_strength)
+              note(along_equilibria(model, packing));
+          }
       }
     return results.finish({panel_of(rows)});
   }

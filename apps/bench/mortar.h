@@ -13,11 +13,13 @@ namespace apps
     std::vector<std::string> overrides;
     std::filesystem::path    folder;
     bool                     quick = false; ///< fewer cases
+    /** Strength along equilibria too, which takes a linear solution or more for every element that breaks. */
+    bool static_strength = false;
   };
 
   /**
    * A bonded specimen that grows in its vessel and is crushed by platens: strength and modulus over the scale of its particles, the speed of
-   * the platens, damping and the elements of a joint, beside the cost, and the modulus without inertia. The scene is of kind particles, with
+   * the platens, damping and the elements of a joint, beside the cost, and the modulus, if asked for also the strength, without inertia. The scene is of kind particles, with
    * Specimen/Source = genesis, flat joints and a uniaxial compression in section Laboratory.
    *
    * Written after every case to mortar.csv and mortar.md, at the end to mortar.png.

@@ -25,6 +25,8 @@ namespace apps
     add_threads(command, options->threads);
     add_bench_folder(command, options->folder);
     command.add_flag("--quick", options->quick, "Fewer cases");
+    command.add_flag("--static-strength", options->static_strength,
+                     "Follow equilibria without inertia to failure, too: for small windows");
     command.callback([options, &chosen] {
       chosen = [options] {
         use_threads(options->threads);
