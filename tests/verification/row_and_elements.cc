@@ -80,25 +80,31 @@ namespace row_and_elements
       }
     };
 
+    /** N: what the first nodes are at the tied particles, the last ones of the row. */
+    MatrixXd shape_of(const Row &row)
+    {
+      const Index tied  = row.overlap * row.element + 1;
+      MatrixXd    shape = MatrixXd::Zero(tied, row.overlap + 1);
+      for (Index k = 0; k < tied; ++k)
+        {
+          const Index  e  = std::min<Index>(k / row.element, row.overlap - 1);
+          const double in = static_cast<double>(k - e * row.element) / row.element;
+          shape(k, e)     = 1 - in;
+          shape(k, e + 1) = in;
+        }
+      return shape;
+    }
+
     /** What ties the last particles to the first nodes: v - m^-1 B^T l, V + M^-1 (B N)^T l with l = A^-1 B (v - N V). */
     struct Tie
     {
       MatrixXd shape, of_particles, of_nodes; ///< N; what velocities change by for each unlike velocity
-      Index    first = 0;
 
       Tie(const Row &row, const Line &particles, const Line &nodes)
       {
-        const Index tied = row.overlap * row.element + 1, corners = row.overlap + 1;
-        first = particles.place.size() - tied;
-        shape = MatrixXd::Zero(tied, corners);
-        for (Index k = 0; k < tied; ++k)
-          {
-            const Index  e  = std::min<Index>(k / row.element, row.overlap - 1);
-            const double in = static_cast<double>(k - e * row.element) / row.element;
-            shape(k, e)     = 1 - in;
-            shape(k, e + 1) = in;
-          }
-        VectorXd counted = VectorXd::Ones(tied);
+        shape            = shape_of(row);
+        const Index tied = shape.rows(), corners = shape.cols();
+        VectorXd    counted = VectorXd::Ones(tied);
         if (row.sides_half)
           counted[0] = counted[tied - 1] = 0.5;
         const MatrixXd rows   = row.ties == Ties::coarse ? MatrixXd(shape.transpose() * counted.asDiagonal()) :
@@ -136,6 +142,9 @@ namespace row_and_elements
         particles.spring[i] = 1 - weight(row, particles.place[i] + 0.5);
       for (Index i = 1; i < n; ++i)
         particles.mass[i] = 0.5 * (particles.spring[i - 1] + (i + 1 < n ? particles.spring[i] : 0.0));
+      if (row.point_masses)
+        for (Index i = 0; i < n; ++i)
+          particles.mass[i] = 1 - std::min(weight(row, particles.place[i]), 1 - 1e-3);
       if (row.absorber.last_mass > 0)
         particles.mass[n - 1] = row.absorber.last_mass;
     }
@@ -150,6 +159,7 @@ namespace row_and_elements
           nodes.mass[e + 1] += 0.5 * h * weight(row, nodes.place[e] + 0.75 * h);
         }
     }
+
     double cubic_spline(const double t)
     {
       const double from = std::fabs(t);
@@ -171,6 +181,29 @@ namespace row_and_elements
       return spline * sums.asDiagonal() * spline.transpose();
     }
 
+    /** Normal distributions of the given width around each particle, over the particles that there are. */
+    MatrixXd gaussian_average(const VectorXd &places, const double width)
+    {
+      const Index n = places.size();
+      MatrixXd    part(n, n);
+      for (Index i = 0; i < n; ++i)
+        for (Index j = 0; j < n; ++j)
+          part(i, j) = std::exp(-0.5 * std::pow((places[i] - places[j]) / width, 2));
+      return part.rowwise().sum().cwiseInverse().asDiagonal() * part;
+    }
+
+    /** What velocities of the tied particles become in an explicit step of damping: 1 - dt C (1 - P), P the fit by elements, least in energy. */
+    MatrixXd less_residual(const Row &row, const Line &particles)
+    {
+      const MatrixXd shape  = shape_of(row);
+      const Index    tied   = shape.rows();
+      const VectorXd mass   = particles.mass.tail(tied);
+      const MatrixXd scaled = shape.transpose() * mass.asDiagonal();
+      const MatrixXd fit    = shape * MatrixXd(scaled * shape).ldlt().solve(scaled);
+      const VectorXd rate   = VectorXd::LinSpaced(tied, 0, row.residual_rate);
+      return MatrixXd::Identity(tied, tied) - row.step * rate.asDiagonal() * (MatrixXd::Identity(tied, tied) - fit);
+    }
+
     /** What velocities of the last particles become in a step: exp(-m^-1 F^T C m F step), by modes. */
     MatrixXd damped(const Row &row, const Line &particles)
     {
@@ -179,8 +212,9 @@ namespace row_and_elements
       const double    width  = row.overlap * row.element;
       const auto      n      = std::min(particles.place.size(), static_cast<Index>(own.layer + width) + beyond);
       const VectorXd  places = particles.place.tail(n), root = particles.mass.tail(n).cwiseSqrt();
-      const MatrixXd  rest = MatrixXd::Identity(n, n) - average(places, own.spacing);
-      MatrixXd        fine = MatrixXd::Identity(n, n);
+      const MatrixXd  rest = MatrixXd::Identity(n, n) -
+                            (own.gaussian ? gaussian_average(places, own.spacing) : average(places, own.spacing));
+      MatrixXd fine = MatrixXd::Identity(n, n);
       for (int p = 0; p < own.sharpness; ++p)
         fine = (rest * fine).eval();
       const VectorXd along = ((places.array() + own.layer) / (own.layer + width)).max(0).min(1);
@@ -196,8 +230,8 @@ namespace row_and_elements
   Answer transmit(const Row &row)
   {
     const Packet packet(row.wavelength);
-    const double time = (6 * packet.width - packet.centre) / packet.speed, h = row.element;
-    const auto   behind    = static_cast<Index>(8.4 * packet.width + 50),
+    const double time = (row.followed * packet.width - packet.centre) / packet.speed, h = row.element;
+    const auto   behind    = static_cast<Index>((row.followed + 2.4) * packet.width + 50),
                beyond      = static_cast<Index>(time + 5 * packet.width);
     const Index    in_both = row.overlap * row.element;
     const VectorXd whole =
@@ -210,7 +244,8 @@ namespace row_and_elements
     share(row, nodes, h);
     const double   all = alone.energy(alone.place.size());
     const Tie      tie(row, particles, nodes);
-    const MatrixXd absorber = row.absorber.sharpness > 0 ? damped(row, particles) : MatrixXd();
+    const MatrixXd absorber = row.absorber.sharpness > 0 ? damped(row, particles) : MatrixXd(),
+                   residual = row.residual_rate > 0 ? less_residual(row, particles) : MatrixXd();
     for (auto steps = std::llround(time / row.step); steps > 0; --steps)
       {
         for (Line *line : {&alone, &particles, &nodes})
@@ -219,6 +254,8 @@ namespace row_and_elements
           particles.velocity.tail(absorber.rows()) = (absorber * particles.velocity.tail(absorber.rows())).eval();
         for (Line *line : {&alone, &particles, &nodes})
           line->kick(0.5 * row.step);
+        if (residual.size() > 0)
+          particles.velocity.tail(residual.rows()) = (residual * particles.velocity.tail(residual.rows())).eval();
         tie.apply(particles, nodes);
         for (Line *line : {&alone, &particles, &nodes})
           line->displacement += row.step * line->velocity;

@@ -9,15 +9,16 @@ namespace row_and_elements
     lumped
   };
 
-  /** What damps waves that are too short for the elements: m dv/dt = -F^T C m F v, F = (1 - G)^p, G the average over a grid of splines. */
+  /** What damps waves that are too short for the elements: m dv/dt = -F^T C m F v, F = (1 - G)^p, G an average over neighbours. */
   struct Absorber
   {
     int    sharpness = 3;  ///< p; 0: there is none
-    double spacing   = 7;  ///< of the grid
+    double spacing   = 7;  ///< of the grid of splines; with `gaussian` w of exp(-d^2 / 2 w^2)
     double layer     = 32; ///< before the overlap, through which the rate grows as a square
     double rate      = 1;
     /** Mass of the last particle; 0: by its bonds. Averages end with it. */
     double last_mass = 0;
+    bool   gaussian  = false; ///< averages by the distance of particles instead of over a grid
   };
 
   /** A packet of waves in a row of particles that shares `overlap` elements with a row of linear elements; spacing, mass and stiffness 1. */
@@ -29,6 +30,10 @@ namespace row_and_elements
     double   step       = 0.25;
     Absorber absorber   = {0, 0, 0, 0, 0};
     bool     sides_half = false; ///< coarse multipliers count the first and the last particle of the overlap half
+    /** Rate, at the far side of the overlap, at which velocities lose what a fit by the overlap's elements leaves; 0: there is no such damping. */
+    double residual_rate = 0;
+    bool   point_masses  = false; ///< particles have the weight at their place instead of the mean of their bonds
+    double followed      = 6;     ///< widths of the packet that it goes past the beginning of the overlap
   };
 
   struct Answer
@@ -39,7 +44,7 @@ namespace row_and_elements
   /**
    * Weighted overlap with multipliers in one dimension, written from the formulas alone and sharing nothing with the program: weights that are
    * linear over the overlap, mass of a particle times the mean weight of its two bonds, of a node times the weight of the halves of elements next to
-   * it, velocities tied after each step (Xiao and Belytschko 2004; Rateau 2003 for the coarse ones), damping between two half steps. It ends when the packet has gone 6 of its widths past the overlap.
+   * it, velocities tied after each step (Xiao and Belytschko 2004; Rateau 2003 for the coarse ones), damping between two half steps, of the residual just before the tie.
    */
   Answer transmit(const Row &row);
 } // namespace row_and_elements

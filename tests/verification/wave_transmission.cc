@@ -48,16 +48,30 @@ namespace
     double wavelength, reflected, transmitted;
   };
 
-  template <typename Case>
-  void check_table(const std::vector<Entry> &table, const double within, const Case &make)
+  /** `answer` gives what becomes of a wavelength, in spacings. */
+  template <typename Answer>
+  void check_answers(const std::vector<Entry> &table, const double within, const Answer &answer)
   {
     for (const Entry &entry : table)
       {
         INFO("wavelength " << entry.wavelength << " spacings");
-        const apps::WaveAnswer answer = apps::transmit(make(entry.wavelength));
-        CHECK(answer.reflected == Approx(entry.reflected).margin(within));
-        CHECK(answer.transmitted == Approx(entry.transmitted).margin(within));
+        const auto found = answer(entry.wavelength);
+        CHECK(found.reflected == Approx(entry.reflected).margin(within));
+        CHECK(found.transmitted == Approx(entry.transmitted).margin(within));
       }
+  }
+
+  template <typename Case>
+  void check_table(const std::vector<Entry> &table, const double within, const Case &make)
+  {
+    check_answers(table, within, [&](const double wavelength) { return apps::transmit(make(wavelength)); });
+  }
+
+  /** By the second program. */
+  template <typename Make>
+  void check_row(const std::vector<Entry> &table, const double within, const Make &make)
+  {
+    check_answers(table, within, [&](const double wavelength) { return row_and_elements::transmit(make(wavelength)); });
   }
 } // namespace
 
@@ -289,18 +303,75 @@ TEST_CASE(
 {
   using namespace row_and_elements;
   for (const AbsorberTable &table : absorber_tables)
-    for (const Entry &entry : table.entries)
-      {
-        INFO("p = " << table.sharpness << ", " << table.layer << " elements before the overlap, wavelength "
-                    << entry.wavelength << " spacings");
-        Row row{Ties::coarse, entry.wavelength};
-        row.step          = 0.8;
-        row.absorber      = {table.sharpness, 0.875 * row.element, table.layer * row.element, table.rate / row.element,
-                             1e-3};
-        const auto answer = transmit(row);
-        CHECK(answer.reflected == Approx(entry.reflected).margin(0.005));
-        CHECK(answer.transmitted == Approx(entry.transmitted).margin(0.005));
-      }
+    {
+      INFO("p = " << table.sharpness << ", " << table.layer << " elements before the overlap");
+      check_row(table.entries, 0.005, [&](const double wavelength) {
+        Row row{Ties::coarse, wavelength};
+        row.step     = 0.8;
+        row.absorber = {table.sharpness, 0.875 * row.element, table.layer * row.element, table.rate / row.element,
+                        1e-3};
+        return row;
+      });
+    }
+}
+
+TEST_CASE("wave transmission: averages by a normal distribution give the table of such an absorber",
+          "[verification][volume][slow]")
+{
+  using namespace row_and_elements;
+  check_row({{8, 0, 0},
+             {12, 0, 0},
+             {16, 0.001, 0},
+             {20, 0.006, 0},
+             {24, 0.013, 0.067},
+             {28, 0.002, 0.581},
+             {32, 0.002, 0.837},
+             {40, 0, 0.980},
+             {48, 0, 0.999},
+             {64, 0, 1},
+             {96, 0, 1}},
+            0.005, [](const double wavelength) {
+              Row row{Ties::coarse, wavelength};
+              row.step     = 0.8;
+              row.absorber = {3, 0.75 * row.element, 32, 1, 1e-3, true};
+              return row;
+            });
+}
+
+TEST_CASE("wave transmission: damping what a fit by the overlap's elements leaves gives the tables of that scheme",
+          "[verification][volume][slow]")
+{
+  using namespace row_and_elements;
+  const auto damped = [](const int overlap) {
+    return [overlap](const double wavelength) {
+      Row row{Ties::coarse, wavelength};
+      row.overlap       = overlap;
+      row.residual_rate = 0.3;
+      row.point_masses  = true;
+      row.followed      = 7.5;
+      return row;
+    };
+  };
+  check_row({{8, 0.001, 0},
+             {12, 0.042, 0},
+             {16, 0.17, 0},
+             {20, 0.47, 0},
+             {24, 0.59, 0.16},
+             {28, 0.018, 0.918},
+             {32, 0, 0.970},
+             {48, 0, 0.996},
+             {96, 0, 1}},
+            0.01, damped(4));
+  check_row({{8, 0, 0},
+             {12, 0.009, 0},
+             {16, 0.22, 0},
+             {20, 0.53, 0},
+             {24, 0.37, 0.15},
+             {28, 0.009, 0.847},
+             {32, 0, 0.934},
+             {48, 0, 0.992},
+             {96, 0, 1}},
+            0.01, damped(8));
 }
 
 TEST_CASE("wave transmission: the table of a hexagonal plane, waves of compression and of shear",
