@@ -16,6 +16,7 @@ struct SceneResults
 {
   nlohmann::json        summary;
   postprocess::CsvTable series;
+  postprocess::CsvTable breaks = {}; ///< no columns: the scene has no log of them
 
   double figure(const char *name) const { return summary["figures"][name]["value"].get<double>(); }
 };
@@ -31,6 +32,9 @@ inline SceneResults results_of(const std::string &scene, const std::vector<std::
   const apps_tests::Outcome outcome = apps_tests::run(folder.path(), words);
   INFO(outcome.err);
   REQUIRE(outcome.status == 0);
-  return {nlohmann::json::parse(apps_tests::content_of(folder / "results/summary.json")),
-          postprocess::read_csv_table(folder / "results/series.csv", false, {"test"})};
+  SceneResults found{nlohmann::json::parse(apps_tests::content_of(folder / "results/summary.json")),
+                     postprocess::read_csv_table(folder / "results/series.csv", false, {"test"})};
+  if (const auto log = folder / "results/breaks.csv"; std::filesystem::exists(log))
+    found.breaks = postprocess::read_csv_table(log, false, {"mode", "pair"});
+  return found;
 }

@@ -114,6 +114,8 @@ namespace apps
       text += "warning      nothing has ever touched the solid\n";
     if (model.laboratory.given())
       text += text_of(notes());
+    if (model.particles.bonded())
+      text += BreakResults{body.particles().specimen(), {}}.text();
     text += common().text();
     text += fmt::format("cost         {}, {} windows with {} threads\n", duration_text(wall_seconds), body.windows(),
                         omp_get_max_threads());

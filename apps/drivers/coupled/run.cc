@@ -1,6 +1,7 @@
 #include "apps/drivers/coupled/run.h"
 
 #include "apps/drivers/coupled/report.h"
+#include "apps/drivers/particles/break_results.h"
 #include "apps/drivers/parts/duration.h"
 #include "apps/drivers/parts/left_out_of_balance.h"
 #include "apps/drivers/parts/specimen_packing.h"
@@ -48,7 +49,7 @@ namespace apps
     location = folder;
     if (model.particles.output.snapshots == 0)
       return;
-    snapshots.open(folder, "particles", {true, false});
+    snapshots.open(folder, "particles", {true, model.particles.bonded()});
     solids.emplace(folder, "solid", ".vtu");
   }
 
@@ -157,6 +158,7 @@ namespace apps
       {
         postprocess::write_discrete_state(dem::discrete_state(specimen), folder / "state.h5");
         warn_of_missing("crack.png", body->draw_cracks(folder / "crack.png", title));
+        BreakResults{specimen, packing.material_names}.write(folder);
       }
     warn_of_missing("coupled.png", body->draw(folder / "coupled.png", title));
     warn_of_missing("promoted.png", body->draw_promotion(folder / "promoted.png", title));
