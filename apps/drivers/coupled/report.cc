@@ -1,6 +1,7 @@
 #include "apps/drivers/coupled/report.h"
 
 #include "apps/drivers/continuum/gauge_column.h"
+#include "apps/drivers/particles/break_results.h"
 #include "apps/drivers/parts/series_figures.h"
 #include "apps/process/progress.h"
 
