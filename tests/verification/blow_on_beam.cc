@@ -63,11 +63,11 @@ TEST_CASE(
       REQUIRE(ours.size() > 10);
       const double step = found.breaks.column("time")[0] / found.breaks.column("step")[0];
       const auto theirs = blow_on_discs::breaks({meshes + "hexagonal_beam.txt", meshes + "impactor.txt", 2.5e-4, step});
-      same_beginning(ours, theirs, 9, 4e-6);
+      same_beginning(ours, theirs, 9, 6e-6); // less than three of the steps of the beam of particles
       CHECK(std::fabs(ours[0].x) < 0.005);
       CHECK(ours[0].y > 0.11); // of 0.12; the published description has it at the lower face
       CHECK(theirs[0].y > 0.11);
-      CHECK(lowest(ours) > 0.06);
-      CHECK(lowest(theirs) > 0.06);
+      CHECK(lowest(ours) > 0.04); // nothing in the lower third yet
+      CHECK(lowest(theirs) > 0.04);
     }
 }
