@@ -1,7 +1,6 @@
 #include "coupling/multiscale/cell_points.h"
 
 #include "base/errors.h"
-#include "base/flat_state.h"
 #include "coupling/multiscale/ellipticity.h"
 #include "coupling/multiscale/stretch.h"
 
@@ -142,8 +141,7 @@ namespace coupling
             point.is_promoted = false;
           }
       }
-    if (!dealt.alone())
-      share_answers(asked);
+    share_answers(asked);
     for (const std::size_t i : asked)
       if (points[i].failure.empty())
         tell(points[i]);
@@ -151,34 +149,19 @@ namespace coupling
 
   void CellPoints::share_answers(const std::vector<std::size_t> &asked)
   {
-    base::Column          own;
-    base::FlatStateWriter writer(own);
+    std::vector<std::size_t> own;
     for (const std::size_t i : asked)
       if (is_mine(i) && (points[i].is_promoted || !points[i].failure.empty()))
-        {
-          own.push_back(static_cast<double>(i));
-          visit_answer(points[i], writer);
-        }
-    for (const base::Column &of_rank : dealt.shown(own))
-      {
-        base::FlatStateReader reader(of_rank);
-        while (reader.position() < of_rank.size())
-          {
-            std::int64_t i = 0;
-            reader.scalar("point", i);
-            visit_answer(points[static_cast<std::size_t>(i)], reader);
-          }
-      }
+        own.push_back(i);
+    dealt.share(own, [this](const std::size_t i, base::StateVisitor &visitor) { visit_answer(points[i], visitor); });
   }
 
   void CellPoints::visit_answer(Point &point, base::StateVisitor &visitor)
   {
-    std::int64_t              promoted = point.is_promoted ? 1 : 0;
-    std::vector<std::int32_t> letters(point.failure.begin(), point.failure.end());
+    std::int64_t promoted = point.is_promoted ? 1 : 0;
     visitor.scalar("promoted", promoted);
-    visitor.column("failure", letters);
+    visit_text(visitor, "failure", point.failure);
     point.is_promoted = promoted == 1;
-    point.failure.assign(letters.begin(), letters.end());
     for (double &component : point.of_law.stress)
       visitor.scalar("stress", component);
     for (double &entry : point.of_law.tangent.reshaped())
@@ -251,8 +234,7 @@ namespace coupling
     for (std::int64_t k = 0; k < n; ++k)
       if (const std::size_t i = changed[static_cast<std::size_t>(k)]; is_mine(i) && points[i].is_promoted)
         news[i] = commit_cell(i);
-    if (!dealt.alone())
-      share_news(changed, news);
+    share_news(changed, news);
     ++states;
     for (const std::size_t i : changed)
       take(i, news[i]);
@@ -277,10 +259,7 @@ namespace coupling
         news.normal        = *normal;
         const double share = share_of_cell(number, *normal);
         if (parameters.localised == Localised::crack_band && share <= 1)
-          point.band.emplace(*normal, share, point.law_strain, point.of_law.stress,
-                             point.prepared->in_space(
-                               point.cell->unloading_stiffness(point.prepared->system_of_thread(omp_get_thread_num()))),
-                             news.stored);
+          point.band.emplace(*normal, share, point.law_strain, point.of_law.stress, unloading_of(point), news.stored);
       }
     catch (const std::exception &problem)
       {
@@ -291,35 +270,20 @@ namespace coupling
 
   void CellPoints::share_news(const std::vector<std::size_t> &changed, std::vector<News> &news) const
   {
-    base::Column          own;
-    base::FlatStateWriter writer(own);
+    std::vector<std::size_t> own;
     for (const std::size_t i : changed)
       if (is_mine(i) && points[i].is_promoted)
-        {
-          own.push_back(static_cast<double>(i));
-          news[i].visit(writer);
-        }
-    for (const base::Column &of_rank : dealt.shown(own))
-      {
-        base::FlatStateReader reader(of_rank);
-        while (reader.position() < of_rank.size())
-          {
-            std::int64_t i = 0;
-            reader.scalar("point", i);
-            news[static_cast<std::size_t>(i)].visit(reader);
-          }
-      }
+        own.push_back(i);
+    dealt.share(own, [&news](const std::size_t i, base::StateVisitor &visitor) { news[i].visit(visitor); });
   }
 
   void CellPoints::News::visit(base::StateVisitor &visitor)
   {
-    std::vector<std::int32_t> letters(failure.begin(), failure.end());
     visitor.scalar("damage", damage);
     visitor.scalar("stored", stored);
     for (double &component : normal)
       visitor.scalar("normal", component);
-    visitor.column("failure", letters);
-    failure.assign(letters.begin(), letters.end());
+    visit_text(visitor, "failure", failure);
   }
 
   void CellPoints::take(const std::size_t number, const News &news)
@@ -364,8 +328,15 @@ namespace coupling
             return std::nullopt; // seen again in the next state
           }
       }
-    const WeakestPlane plane = weakest_plane(tangent, point.prepared->stiffness(), parameters.plane);
-    return plane.is_lost() ? std::optional(plane.normal) : std::nullopt;
+    if (!weakest_plane(tangent, point.prepared->stiffness(), parameters.plane).is_lost())
+      return std::nullopt;
+    return first_lost_normal(unloading_of(point), tangent, point.prepared->stiffness(), parameters.plane);
+  }
+
+  base::Stiffness CellPoints::unloading_of(const Point &point)
+  {
+    dem::CellSystem &system = point.prepared->system_of_thread(omp_get_thread_num());
+    return point.prepared->in_space(point.cell->unloading_stiffness(system));
   }
 
   double CellPoints::share_of_cell(const std::size_t number, const Vector3d &normal) const

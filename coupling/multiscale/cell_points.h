@@ -158,6 +158,8 @@ namespace coupling
     void take(std::size_t number, const News &news);
     /** The plane of a committed cell that has just lost ellipticity. */
     std::optional<Eigen::Vector3d> lost_plane(const Point &point, double damage) const;
+    /** Of a committed cell, should it damage no further [Pa]. */
+    static base::Stiffness unloading_of(const Point &point);
     /** What part of its element the cell of a point fills along a normal; above 1: it is the longer one. */
     double                  share_of_cell(std::size_t number, const Eigen::Vector3d &normal) const;
     void                    localise(std::size_t number, const Eigen::Vector3d &normal);

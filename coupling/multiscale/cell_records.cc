@@ -26,8 +26,7 @@ namespace coupling
 
   void CellPoints::visit_localisations(base::StateVisitor &visitor)
   {
-    base::Column              row;
-    std::vector<std::int32_t> letters(end.begin(), end.end());
+    base::Column row;
     for (const Localisation &l : found)
       {
         row.insert(row.end(), l.place.begin(), l.place.end());
@@ -35,8 +34,7 @@ namespace coupling
         row.push_back(static_cast<double>(l.state));
       }
     visitor.column("localisations", row);
-    visitor.column("end", letters);
-    end.assign(letters.begin(), letters.end());
+    visit_text(visitor, "end", end);
     found.clear();
     for (std::size_t i = 0; i + 7 <= row.size(); i += 7)
       found.push_back({{row[i], row[i + 1], row[i + 2]},
@@ -140,16 +138,17 @@ namespace coupling
 
   void CellPoints::find_losses() const
   {
-    base::Column own;
+    std::vector<std::size_t> own;
     for (std::size_t i = 0; i < points.size(); ++i)
       if (is_mine(i) && points[i].known && points[i].is_promoted)
         {
           points[i].lost = losses_of(points[i]);
-          own.insert(own.end(), {static_cast<double>(i), points[i].lost.plasticity, points[i].lost.damage});
+          own.push_back(i);
         }
-    for (const base::Column &of_rank : dealt.shown(own))
-      for (std::size_t k = 0; k + 3 <= of_rank.size(); k += 3)
-        points[static_cast<std::size_t>(of_rank[k])].lost = {of_rank[k + 1], of_rank[k + 2]};
+    dealt.share(own, [this](const std::size_t i, base::StateVisitor &visitor) {
+      visitor.scalar("plasticity", points[i].lost.plasticity);
+      visitor.scalar("damage", points[i].lost.damage);
+    });
     losses_known = true;
   }
 

@@ -1,5 +1,7 @@
 #include "coupling/multiscale/dealt_points.h"
 
+#include "base/flat_state.h"
+
 #include <numeric>
 
 namespace coupling
@@ -31,5 +33,35 @@ namespace coupling
     for (std::size_t r = 0; r < ranks; ++r)
       of_ranks[r].assign(all.begin() + starts[r], all.begin() + starts[r] + sizes[r]);
     return of_ranks;
+  }
+
+  void DealtPoints::share(const std::vector<std::size_t> &own, const OfPoint &visit) const
+  {
+    if (alone())
+      return;
+    base::Column          row;
+    base::FlatStateWriter writer(row);
+    for (const std::size_t point : own)
+      {
+        row.push_back(static_cast<double>(point));
+        visit(point, writer);
+      }
+    for (const base::Column &of_rank : shown(row))
+      {
+        base::FlatStateReader reader(of_rank);
+        while (reader.position() < of_rank.size())
+          {
+            std::int64_t point = 0;
+            reader.scalar("point", point);
+            visit(static_cast<std::size_t>(point), reader);
+          }
+      }
+  }
+
+  void visit_text(base::StateVisitor &visitor, const std::string &name, std::string &text)
+  {
+    std::vector<std::int32_t> letters(text.begin(), text.end());
+    visitor.column(name, letters);
+    text.assign(letters.begin(), letters.end());
   }
 } // namespace coupling

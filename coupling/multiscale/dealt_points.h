@@ -1,10 +1,12 @@
 #pragma once
 
 #include "base/column.h"
+#include "base/state.h"
 
 #include <mpi.h>
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace coupling
@@ -27,8 +29,16 @@ namespace coupling
     /** To be called by all ranks. @param own numbers that this one shows, as many as it likes @return those of each rank */
     std::vector<base::Column> shown(const base::Column &own) const;
 
+    /** Walks over what is shown of a point: written where it lives, read elsewhere. */
+    using OfPoint = std::function<void(std::size_t point, base::StateVisitor &visitor)>;
+    /** To be called by all ranks. @param own points of this one that have something to show */
+    void share(const std::vector<std::size_t> &own, const OfPoint &visit) const;
+
   private:
     MPI_Comm      communicator;
     std::uint64_t ranks = 1, rank = 0;
   };
+
+  /** A text as a column of a state. */
+  void visit_text(base::StateVisitor &visitor, const std::string &name, std::string &text);
 } // namespace coupling

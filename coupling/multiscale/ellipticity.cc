@@ -70,4 +70,24 @@ namespace coupling
       }
     return best;
   }
+
+  Vector3d first_lost_normal(const base::Stiffness &unloading,
+                             const base::Stiffness &tangent,
+                             const base::Stiffness &elastic,
+                             const bool             in_plane)
+  {
+    constexpr int halvings = 20;
+    double        kept = 0, lost = 1;
+    WeakestPlane  plane = weakest_plane(tangent, elastic, in_plane);
+    for (int i = 0; i < halvings; ++i)
+      {
+        const double          middle  = 0.5 * (kept + lost);
+        const base::Stiffness between = unloading + middle * (tangent - unloading);
+        const WeakestPlane    there   = weakest_plane(between, elastic, in_plane);
+        if (there.is_lost())
+          plane = there;
+        (there.is_lost() ? lost : kept) = middle;
+      }
+    return plane.normal;
+  }
 } // namespace coupling

@@ -24,6 +24,17 @@ namespace coupling
    */
   WeakestPlane weakest_plane(const base::Stiffness &tangent, const base::Stiffness &elastic, bool in_plane);
 
+  /**
+   * Of all planes that a tangent has lost by now, the one lost first while the stiffness goes straight from the unloading one to it: that
+   * which bears the least softening. A state far past the loss has lost many planes, and the smallest determinant is then chance.
+   *
+   * @param unloading [Pa], positive definite @param tangent [Pa], of which weakest_plane() is lost
+   */
+  Eigen::Vector3d first_lost_normal(const base::Stiffness &unloading,
+                                    const base::Stiffness &tangent,
+                                    const base::Stiffness &elastic,
+                                    bool                   in_plane);
+
   /** The strain (engineering shears) of a jump a of the displacement gradient across a plane, a n^T: 6 x 3, times a. */
   Eigen::Matrix<double, 6, 3> jump_strain(const Eigen::Vector3d &normal);
 } // namespace coupling

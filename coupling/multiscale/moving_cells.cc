@@ -1,7 +1,6 @@
 #include "coupling/multiscale/moving_cells.h"
 
 #include "base/errors.h"
-#include "base/flat_state.h"
 #include "base/number_text.h"
 #include "coupling/multiscale/stretch.h"
 
@@ -103,37 +102,21 @@ namespace coupling
           }
       }
     length = 0;
-    if (!dealt.alone())
-      share_answers();
+    share_answers();
   }
 
   void MovingCells::share_answers()
   {
-    base::Column          own;
-    base::FlatStateWriter writer(own);
+    std::vector<std::size_t> own;
     for (std::size_t i = 0; i < points.size(); ++i)
       if (points[i].specimen)
-        {
-          own.push_back(static_cast<double>(i));
-          visit_answer(points[i], writer);
-        }
-    for (const base::Column &of_rank : dealt.shown(own))
-      {
-        base::FlatStateReader reader(of_rank);
-        while (reader.position() < of_rank.size())
-          {
-            std::int64_t i = 0;
-            reader.scalar("point", i);
-            visit_answer(points[static_cast<std::size_t>(i)], reader);
-          }
-      }
+        own.push_back(i);
+    dealt.share(own, [this](const std::size_t i, base::StateVisitor &visitor) { visit_answer(points[i], visitor); });
   }
 
   void MovingCells::visit_answer(Point &point, base::StateVisitor &visitor)
   {
-    std::vector<std::int32_t> letters(point.failure.begin(), point.failure.end());
-    visitor.column("failure", letters);
-    point.failure.assign(letters.begin(), letters.end());
+    visit_text(visitor, "failure", point.failure);
     visitor.scalar("stored", point.stored);
     for (base::Voigt *of : {&point.strain, &point.stress, &point.inertia})
       for (double &component : *of)

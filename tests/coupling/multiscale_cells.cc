@@ -233,6 +233,35 @@ TEST_CASE("cells: the plane in which ellipticity is lost is found", "[coupling][
       }
 }
 
+TEST_CASE("cells: the plane of a localised cell does not hang on how far past the loss the state is",
+          "[coupling][multiscale]")
+{
+  const base::Stiffness D = prepared()->stiffness();
+  std::mt19937          draw(11);
+  double                astray = 1;
+  for (int i = 0; i < 10; ++i)
+    {
+      base::Stiffness softening = base::Stiffness::Zero(); // across several planes
+      for (int k = 0; k < 3; ++k)
+        {
+          const Eigen::Vector3d n      = random_strain(draw).head<3>().normalized();
+          const base::Voigt     opened = D * (coupling::jump_strain(n) * n);
+          softening += (1 + 0.1 * k) / (coupling::jump_strain(n) * n).dot(opened) * opened * opened.transpose();
+        }
+      double just = 0.01;
+      while (!coupling::weakest_plane(D - just * softening, D, false).is_lost())
+        just *= 1.001;
+      const Eigen::Vector3d there = coupling::weakest_plane(D - just * softening, D, false).normal;
+      for (const double far : {1.0, 1.3, 3.0})
+        {
+          const base::Stiffness past = D - far * just * softening;
+          CHECK(std::fabs(coupling::first_lost_normal(D, past, D, false).dot(there)) > 1 - 1e-3);
+          astray = std::min(astray, std::fabs(coupling::weakest_plane(past, D, false).normal.dot(there)));
+        }
+    }
+  CHECK(astray < 0.9); // the smallest determinant is elsewhere
+}
+
 TEST_CASE("cells: an elastic path leaves no trace, then the cell localises and says so", "[coupling][multiscale][slow]")
 {
   // S17
