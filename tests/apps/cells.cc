@@ -1,5 +1,7 @@
 // Scenes whose integration points are cells of particles.
 #include "dem/homogenisation/relaxed_stiffness.h"
+#include "dem/laws/cpm.h"
+#include "dem/loading/periodic_cell.h"
 #include "dem/packing/compaction.h"
 #include "tests/apps/scene_runs.h"
 #include "tests/places.h"
@@ -33,8 +35,8 @@ namespace
     return all;
   }
 
-  /** D33 of eight packings of three_cubes.prm, from its first one on, links of this modulus [Pa]. */
-  double mean_of_static_moduli(const std::uint64_t first, const double modulus)
+  /** A packing of three_cubes.prm. */
+  dem::Packing packing_of_cubes(const std::uint64_t number)
   {
     dem::CompactionParameters packing;
     packing.radius       = 0.01;
@@ -42,17 +44,60 @@ namespace
     packing.friction     = 0.1;
     packing.damping      = 0.8;
     packing.low_pressure = 6.667e-3;
+    packing.seed         = 10 + number;
+    return dem::compact(packing).packing;
+  }
+
+  /** D33 of eight of them, from the first one on, links of this modulus [Pa]. */
+  double mean_of_static_moduli(const std::uint64_t first, const double modulus)
+  {
     dem::NetworkParameters links;
     links.interaction_ratio = 1.5;
     links.normal_modulus    = modulus;
     links.shear_ratio       = 0.2;
     double sum              = 0;
     for (std::uint64_t i = 0; i < 8; ++i)
-      {
-        packing.seed = 10 + first + i;
-        sum += dem::relaxed_stiffness(dem::make_network(dem::compact(packing).packing, links)).stiffness(2, 2);
-      }
+      sum += dem::relaxed_stiffness(dem::make_network(packing_of_cubes(first + i), links)).stiffness(2, 2);
     return sum / 8;
+  }
+
+  /** Mean pressure of eight of them [Pa] at shortenings of i/100 to a half, each led there alone, slowly, and held sideways. */
+  std::vector<double> pressures_of_cells(const std::uint64_t first, const double modulus)
+  {
+    dem::CpmParameters law;
+    law.normal_modulus       = modulus;
+    law.shear_ratio          = 0.2;
+    law.limit_elastic_strain = 1e30;
+    law.relative_ductility   = 30;
+    law.cohesion             = 1e18;
+    law.friction_coefficient = 0;
+    dem::SpecimenParameters how;
+    how.physics.periodic  = true;
+    how.density           = 4800;
+    how.damping           = 0.2;
+    how.interaction_ratio = 1.5;
+    std::vector<double> sum(51, 0.0);
+    for (std::uint64_t i = 0; i < 8; ++i)
+      {
+        dem::Specimen           specimen(packing_of_cubes(first + i), how, law);
+        dem::CellTestParameters p;
+        dem::CellLeg            leg;
+        leg.duration = 5000 * specimen.time_step();
+        leg.target   = -0.5 * base::Vector6::Unit(2);
+        p.path       = {leg};
+        dem::CellTest test(specimen, p);
+        for (std::size_t k = 1; k < sum.size(); ++k)
+          sum[k] -= test.advance(100).stress[2] / 8;
+      }
+    return sum;
+  }
+
+  /** Where a curve of pressures_of_cells() reaches a pressure. */
+  double shortening_at(const std::vector<double> &curve, const double pressure)
+  {
+    const auto        above = std::lower_bound(curve.begin(), curve.end(), pressure);
+    const std::size_t i = std::min<std::size_t>(curve.size() - 1, std::max<std::ptrdiff_t>(1, above - curve.begin()));
+    return 0.01 * (static_cast<double>(i) - 1 + (pressure - curve[i - 1]) / (curve[i] - curve[i - 1]));
   }
 
   std::string scene(const std::string &name) { return places::sources() + "/apps/scenes/" + name; }
@@ -91,6 +136,40 @@ TEST_CASE(
   // The eight points of a cube are strained alike: they are as stiff as the static solutions of their packings on average.
   CHECK(stress / lower == Approx(mean_of_static_moduli(0, 2e6)).epsilon(0.02));
   CHECK(stress / (upper - lower) == Approx(mean_of_static_moduli(8, 4e6)).epsilon(0.02));
+}
+
+TEST_CASE("Three cubes pushed by a third share the way as cells led alone say, at every stage", "[apps][cells][slow]")
+{
+  // Far beyond small strains: the links of cells that are shortened turn away from the push, and the elastic cube stays linear.
+  const ScratchFolder folder;
+  const Results       run =
+    results_of(folder, scene("three_cubes.prm"),
+               {"Boundary conditions/head/Displacement z=-0.4*t", "Motion/End time=2.5", "Motion/Damping=10"});
+  const auto       lower = pressures_of_cells(0, 2e6), middle = pressures_of_cells(8, 4e6);
+  constexpr double elastic = 4e6 * 0.8 / (1.2 * 0.6);
+  for (const double stage : {0.25, 0.5, 0.75, 1.0})
+    {
+      INFO("pushed by " << stage << " m");
+      double low = 0, high = elastic * stage;
+      while (high - low > 1)
+        {
+          const double p             = 0.5 * (low + high);
+          const double way           = p / elastic + shortening_at(middle, p) + shortening_at(lower, p);
+          (way > stage ? high : low) = p;
+        }
+      const auto       &time = run.series.column("time");
+      const std::size_t row =
+        static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), (stage - 1e-9) / 0.4) - time.begin());
+      const double pushed   = 0.4 * time[row];
+      const double of_lower = -run.series.column("displacement_lower_joint_z")[row],
+                   of_both  = -run.series.column("displacement_upper_joint_z")[row];
+      CHECK(of_lower / pushed == Approx(shortening_at(lower, low) / stage).epsilon(0.02));
+      CHECK((of_both - of_lower) / pushed == Approx(shortening_at(middle, low) / stage).epsilon(0.02));
+      CHECK((pushed - of_both) / pushed == Approx(low / elastic / stage).epsilon(0.02));
+      const double force =
+        0.5 * (run.series.column("reaction_base_z")[row] - run.series.column("reaction_head_z")[row]);
+      CHECK(force / pushed == Approx(low / stage).epsilon(0.02));
+    }
 }
 
 TEST_CASE("A scene with cells says what they are, how many are particles and where", "[apps][cells]")
