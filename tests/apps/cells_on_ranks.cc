@@ -1,6 +1,7 @@
 // Scenes with cells on several ranks and threads, and interrupted: the same bits.
 #include "tests/apps/program.h"
 #include "tests/apps/scratch_folder.h"
+#include "tests/apps/signalled_ranks.h"
 #include "tests/places.h"
 
 #include <catch2/catch.hpp>
@@ -14,10 +15,10 @@ using namespace apps_tests;
 namespace
 {
   /** The program on so many ranks and threads, as a shell says it; 0 ranks: without mpirun. */
-  std::string program_on(const int ranks, const int threads)
+  std::string program_on(const int ranks, const int threads, const std::string &prefix = "")
   {
     const std::string mpi = ranks == 0 ? "" : places::mpirun() + " --oversubscribe -np " + std::to_string(ranks) + " ";
-    return "OMP_NUM_THREADS=" + std::to_string(threads) + " " + mpi + places::program();
+    return "OMP_NUM_THREADS=" + std::to_string(threads) + " " + mpi + prefix + places::program();
   }
 
   /** What the command says lands in the file "said". */
@@ -94,10 +95,11 @@ TEST_CASE(
     {
       if (ranks > 0 && places::mpirun().empty())
         return;
-      const std::string name = "ranks_" + std::to_string(ranks), program = program_on(ranks, 1) + words + " -o " + name;
+      const std::string name = "ranks_" + std::to_string(ranks), into = words + " -o " + name;
       // Not before there are promoted cells to save: some of the ten snapshots are then written.
-      shell(folder, program + " & while kill -0 $! && { [ ! -e " + name + "/running/checkpoint.h5 ] || [ ! -e " + name +
-                      "/running/solid/solid_000006.vtu ]; }; do sleep 0.01; done; kill -INT $!; wait $!");
+      shell(folder, program_on(ranks, 1, noting_its_process) + into + " & while kill -0 $! && { [ ! -e " + name +
+                      "/running/checkpoint.h5 ] || [ ! -e " + name +
+                      "/running/solid/solid_000006.vtu ]; }; do sleep 0.01; done; " + interrupt_noted + "; wait $!");
       INFO(content_of(folder / "said"));
       REQUIRE_FALSE(std::filesystem::exists(folder / (name + "/summary.json")));
       if (ranks == 2)
@@ -107,7 +109,7 @@ TEST_CASE(
           CHECK_THAT(content_of(folder / "said"),
                      Catch::Contains("was written by 2 ranks, and there are 1 now. Start as many."));
         }
-      REQUIRE(shell(folder, program + " --resume") == 0);
+      REQUIRE(shell(folder, program_on(ranks, 1) + into + " --resume") == 0);
       CHECK(content_of(folder / (name + "/series.csv")) == whole);
     }
 }

@@ -3,6 +3,7 @@
 #include "tests/apps/program.h"
 #include "tests/apps/scenes.h"
 #include "tests/apps/scratch_folder.h"
+#include "tests/apps/signalled_ranks.h"
 #include "tests/places.h"
 
 #include <catch2/catch.hpp>
@@ -18,10 +19,15 @@ namespace
 {
   const std::string &mpirun = places::mpirun();
 
-  /** A shell command in the folder, "RUN" standing for the program on two ranks; what it says lands in the file "said". */
+  /**
+   * A shell command in the folder, "RUN" standing for the program on two ranks and "NOTED RUN" for one that notes its
+   * processes; what it says lands in the file "said".
+   */
   int shell(const ScratchFolder &folder, std::string command)
   {
-    command = replaced(command, "RUN", mpirun + " --oversubscribe -np 2 " + places::program() + " run x.prm");
+    const bool        noted   = command.find("NOTED RUN") != std::string::npos;
+    const std::string program = (noted ? noting_its_process : "") + places::program() + " run x.prm";
+    command = replaced(command, noted ? "NOTED RUN" : "RUN", mpirun + " --oversubscribe -np 2 " + program);
     return std::system(("cd " + folder.path().string() +
                         " && export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMP_NUM_THREADS=1 && { " +
                         command + "; } > said 2>&1")
@@ -88,9 +94,10 @@ TEST_CASE("A run on two ranks that is interrupted past the peak goes on to the s
                                 "subsection Output\n  set Checkpoint interval = 0.001"));
   const std::string slowly = " -s 'Control/First step=5e-7'"; // long enough to be caught
   REQUIRE(shell(folder, "RUN -o whole" + slowly) == 0);
-  shell(folder, "RUN -o results" + slowly +
+  shell(folder, "NOTED RUN -o results" + slowly +
                   " & while kill -0 $! && { [ ! -e results/running/checkpoint.h5 ] || "
-                  "[ ! -e results/running/solid/solid_000002.pvtu ]; }; do sleep 0.01; done; kill -INT $!; wait $!");
+                  "[ ! -e results/running/solid/solid_000002.pvtu ]; }; do sleep 0.01; done; " +
+                  interrupt_noted + "; wait $!");
   INFO(content_of(folder / "said"));
   REQUIRE_FALSE(std::filesystem::exists(folder / "results/summary.json"));
   CHECK_THAT(content_of(folder / "said"), Contains("interrupted in equilibrium, state saved"));
