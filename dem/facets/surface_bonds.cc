@@ -171,6 +171,7 @@ namespace dem
   std::vector<std::int32_t> SurfaceBonds::find_forces(const Particles &particles, const Surface &surface)
   {
     std::vector<std::int32_t> off;
+    broken.clear();
     if (!holds())
       return off;
     follow(particles, surface);
@@ -187,11 +188,30 @@ namespace dem
     return off;
   }
 
+  void SurfaceBonds::note_breaks(const std::size_t b, const LinkReader &reader)
+  {
+    for (const BrokenElement &element : reader.broken_elements())
+      {
+        Break event;
+        event.ends    = {particle[b], -1};
+        event.surface = surface_number;
+        event.pair    = static_cast<std::int32_t>(links.pair_of(b));
+        event.element = element.element;
+        event.mode    = element.mode;
+        event.place   = bodies.position_of(count() + b) + element.offset;
+        event.normal  = reader.view().direction;
+        event.area    = links.area[b] * element.share;
+        broken.push_back(event);
+      }
+  }
+
   void SurfaceBonds::tear_off(const std::size_t b, std::vector<std::int32_t> &off)
   {
     LinkReader reader(bodies, links, *law);
     reader.read(b, Geometry::present);
     const LinkPhase phase = reader.phase();
+    if (!links.is_broken(b))
+      note_breaks(b, reader);
     if (phase == LinkPhase::whole)
       return;
     if (!links.is_broken(b))

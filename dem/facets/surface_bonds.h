@@ -4,6 +4,7 @@
 #include "dem/facets/near_facets.h"
 #include "dem/facets/pressure.h"
 #include "dem/facets/surface.h"
+#include "dem/model/break_log.h"
 #include "dem/model/link_law.h"
 #include "dem/model/links.h"
 #include "dem/model/particles.h"
@@ -16,6 +17,7 @@
 namespace dem
 {
   struct GlueOutput;
+  class LinkReader;
 
   /**
    * Particles that are glued to a surface (doc/theory/surface-coupling.md, 5).
@@ -47,6 +49,8 @@ namespace dem
     std::int32_t particle_of(const std::size_t bond) const { return particle[bond]; } ///< in the order of Particles
     bool         is_alive(const std::size_t bond) const { return links.is_alive(bond); }
     std::int64_t torn() const { return torn_count; } ///< since the start
+    /** What broke when forces were last found, elements that had broken before included; first ends in the order of Particles, no time. */
+    const std::vector<Break> &breaks() const { return broken; }
 
     /** Forces where everything is now. @return the particles that were torn off, which carry nothing from now on */
     std::vector<std::int32_t> find_forces(const Particles &particles, const Surface &surface);
@@ -84,6 +88,7 @@ namespace dem
     void make_bonds(const ParticleShape &shape, bool rotations);
     /** Bodies and anchors are where particles and facets are now. */
     void follow(const Particles &particles, const Surface &surface);
+    void note_breaks(std::size_t bond, const LinkReader &reader);
     /** Look whether a bond is broken or gone; its particle is then added to those that are off. */
     void tear_off(std::size_t bond, std::vector<std::int32_t> &off);
     /** To the corners of the facets. */
@@ -104,6 +109,7 @@ namespace dem
     std::vector<double>            seen;             ///< [N/m]
     std::vector<double>            pulling, turning; ///< stiffness that the anchor feels [N/m], [N m]
     std::vector<VertexPart>        vertex_parts;
+    std::vector<Break>             broken;
     std::int64_t                   torn_count  = 0;
     double                         torn_damage = 0, let_go = 0; ///< [J]
   };

@@ -1,8 +1,11 @@
 #include "dem/genesis/polygon.h"
 
+#include "base/errors.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 namespace dem
 {
@@ -68,6 +71,15 @@ namespace dem
     return inside;
   }
 
+  double Polygon::depth(const Vector2d &place) const
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for_edges(*this, [&](const Vector2d &a, const Vector2d &b, double) {
+      least = std::min(least, cross(b - a, place - a) / (b - a).norm());
+    });
+    return least;
+  }
+
   void Polygon::scale(const double factor)
   {
     const Vector2d centre = centroid();
@@ -79,6 +91,33 @@ namespace dem
   {
     for (Vector2d &corner : corners)
       corner += by;
+  }
+
+  Polygon convex_polygon(const std::vector<Vector2d> &corners)
+  {
+    /** Sine of the least angle by which an outline turns at a corner: less is a place on an edge, or the same place again. */
+    constexpr double least_turn = 1e-6;
+    Polygon          made{corners};
+    const auto       n = corners.size();
+    if (n < 3)
+      throw base::InputError("a polygon has at least 3 corners, and " + std::to_string(n) + " were given.");
+    if (made.area() < 0)
+      std::reverse(made.corners.begin(), made.corners.end());
+    double turned = 0;
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        const Vector2d in  = made.corners[i] - made.corners[(i + n - 1) % n],
+                       out = made.corners[(i + 1) % n] - made.corners[i];
+        turned += std::atan2(cross(in, out), in.dot(out));
+        if (cross(in, out) > least_turn * in.norm() * out.norm())
+          continue;
+        const auto given = std::find(corners.begin(), corners.end(), made.corners[i]) - corners.begin();
+        throw base::InputError("the polygon is not convex at corner " + std::to_string(given + 1) +
+                               ": it turns the other way there, or not at all.");
+      }
+    if (turned > 3 * M_PI) // a star turns the same way everywhere, twice around
+      throw base::InputError("the outline of the polygon crosses itself. Give its corners in their order.");
+    return made;
   }
 
   double separation(const Polygon &one, const Polygon &other)

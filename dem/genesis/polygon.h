@@ -20,10 +20,15 @@ namespace dem
     double polar_moment() const;
     /** Inside or on an edge. */
     bool holds(const Eigen::Vector2d &place) const;
+    /** How deep a place lies inside: the distance to the nearest edge, below 0 outside [m]. */
+    double depth(const Eigen::Vector2d &place) const;
     /** Multiply distances from the centroid. */
     void scale(double factor);
     void move(const Eigen::Vector2d &by);
   };
+
+  /** @param corners in their order, either way round [m] @throws base::InputError where they bound no convex polygon, naming one (from 1) */
+  Polygon convex_polygon(const std::vector<Eigen::Vector2d> &corners);
 
   /** Gap along the axis that parts two convex polygons best, among the normals of their edges; at most their distance, below 0: they overlap [m]. */
   double separation(const Polygon &one, const Polygon &other);

@@ -46,6 +46,8 @@ namespace dem
         refuse("Stop at: must lie in [0, 1).");
       if (p.test == Test::confined && !(p.pressure > 0))
         refuse("Confining pressure: must be above 0 Pa.");
+      if (p.test == Test::confined && p.confinement == LabParameters::Confinement::cylinder && dimension != 3)
+        refuse("Confinement: in the plane there are walls or a membrane, no cylinder.");
       if (p.test == Test::tension && !(p.press.layer > 0))
         refuse("Glued layer: must be above 0 m.");
       if (p.test == Test::bending && !(p.press.span > 0 && p.press.roller > 0))
@@ -87,6 +89,8 @@ namespace dem
     now = Stage::confining;
     if (what.confinement == LabParameters::Confinement::walls)
       walls.emplace(body, extent, what.press.axis, what.press.contact);
+    else if (what.confinement == LabParameters::Confinement::cylinder)
+      jacket.emplace(body, particles, what.press.axis, what.press.contact);
     else
       {
         membrane.emplace(body, what.ball > 0 ? what.ball : 0.5 * mean_diameter(particles.radius));
@@ -152,6 +156,8 @@ namespace dem
       press.move(0);
     if (walls)
       walls->hold(pressure_now(), press.planes(), what.largest_speed, what.gain);
+    if (jacket)
+      jacket->hold(pressure_now(), press.planes(), what.largest_speed, what.gain);
     if (membrane)
       membrane->push(pressure_now(), press.planes());
   }
@@ -177,11 +183,26 @@ namespace dem
     return side_gauges.empty() ? 0.0 : sum / static_cast<double>(side_gauges.size());
   }
 
+  double LabTest::confinement_now() const
+  {
+    return walls    ? walls->pressure(press.planes()) :
+           jacket   ? jacket->pressure(press.planes()) :
+           membrane ? pressure_now() :
+                      0.0;
+  }
+
+  bool LabTest::sides_near_pressure() const
+  {
+    if (jacket)
+      return std::abs(jacket->pressure(press.planes()) / what.pressure - 1) < near_enough;
+    return !walls || walls->error(what.pressure, press.planes()) < near_enough;
+  }
+
   void LabTest::read_rest()
   {
     last.gauge_strain   = gauge_strain() - gauge_zero;
     last.lateral_strain = lateral_strain() - lateral_zero;
-    last.confinement    = walls ? walls->pressure(press.planes()) : membrane ? pressure_now() : 0.0;
+    last.confinement    = confinement_now();
     last.kinetic        = specimen->kinetic_energy();
     last.work           = specimen->external_work() - worked;
     last.force_ratio    = specimen->force_ratio();
@@ -231,7 +252,7 @@ namespace dem
     if (now != Stage::confining)
       return true;
     return stage_steps >= what.ramp_steps && std::abs(last.stress / what.pressure - 1) < near_enough &&
-           (!walls || walls->error(what.pressure, press.planes()) < near_enough);
+           sides_near_pressure();
   }
 
   void LabTest::next_stage()

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "dem/laboratory/cylinder_wall.h"
 #include "dem/laboratory/membrane.h"
 #include "dem/laboratory/particle_gauges.h"
 #include "dem/laboratory/press.h"
@@ -28,7 +29,8 @@ namespace dem
     enum class Confinement
     {
       walls,
-      membrane
+      membrane,
+      cylinder ///< a rigid jacket around a cylinder of spheres
     };
 
     Test            test = Test::compression;
@@ -71,6 +73,9 @@ namespace dem
     /** Before the first step: adds platens, walls or glue. @throws base::InputError naming the entry of section Laboratory */
     LabTest(Specimen &specimen, const LabParameters &parameters);
 
+    /** Load at another speed from now on, a part of that asked for. No part of the state. */
+    void change_speed(const double part) { what.speed *= part; }
+
     /** What the next step does. Calling it again changes nothing. */
     void lead();
     /** Whether lead() pushes particles (Specimen::add_force()): clear_forces() before it. */
@@ -96,8 +101,10 @@ namespace dem
     void choose_measures(const ParticleOutput &particles, const BodyExtent &body);
     /** Speed of the step to come: that asked for, growing from zero [m/s]. */
     double ramped(double speed) const;
-    double strain_now() const;   ///< by the platens, where they are now [-]
-    double pressure_now() const; ///< that is asked for [Pa]
+    double strain_now() const;      ///< by the platens, where they are now [-]
+    double pressure_now() const;    ///< that is asked for [Pa]
+    double confinement_now() const; ///< as it is measured, mean of all sides [Pa]
+    bool   sides_near_pressure() const;
     double load() const { return last.stress - (is(LabParameters::Test::confined) ? what.pressure : 0.0); }
     double gauge_strain() const;
     double lateral_strain() const;
@@ -113,16 +120,17 @@ namespace dem
     bool      test_ends() const;
     TestCurve curve() const;
 
-    Specimen                  *specimen;
-    LabParameters              what;
-    Press                      press;
-    std::optional<SideWalls>   walls;
-    std::optional<Membrane>    membrane;
-    double                     stress_per_force = 0, strain_per_approach = 0; ///< [1/m^2], [1/m]
-    ParticleGauge              rows_gauge;
-    std::vector<ParticleGauge> side_gauges;
-    MeanMotion                 middle_of_beam, left_support, right_support;
-    std::int64_t               wave_steps = 0; ///< that a dip of the stress may last before it is a fall
+    Specimen                   *specimen;
+    LabParameters               what;
+    Press                       press;
+    std::optional<SideWalls>    walls;
+    std::optional<CylinderWall> jacket;
+    std::optional<Membrane>     membrane;
+    double                      stress_per_force = 0, strain_per_approach = 0; ///< [1/m^2], [1/m]
+    ParticleGauge               rows_gauge;
+    std::vector<ParticleGauge>  side_gauges;
+    MeanMotion                  middle_of_beam, left_support, right_support;
+    std::int64_t                wave_steps = 0; ///< that a dip of the stress may last before it is a fall
 
     bool         bonded      = false; ///< there were bonds at the start
     Stage        now         = Stage::seating;

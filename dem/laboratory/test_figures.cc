@@ -135,6 +135,15 @@ namespace dem
     return found;
   }
 
+  Finding effect_of_speed(const TestFigures &test, const TestFigures &slow)
+  {
+    if (!test.strength.found)
+      return Finding::none("the strength is not determined");
+    if (!slow.strength.found)
+      return Finding::none("at half the speed the strength is not determined: " + slow.strength.why_not);
+    return Finding::of(std::abs(slow.strength.value / test.strength.value - 1));
+  }
+
   QuasiStatic quasi_static(const TestCurve &curve)
   {
     QuasiStatic       found;

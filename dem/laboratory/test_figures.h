@@ -58,12 +58,21 @@ namespace dem
     Finding kinetic;
     /** Largest Specimen::force_ratio(), likewise. */
     Finding force_ratio;
+    /** By how much the strength differs at half the speed, over it; only where that was looked at: see effect_of_speed(). */
+    Finding speed = Finding::none("the loading was not repeated at half the speed");
 
-    static constexpr double most_imbalance = 0.01, most_kinetic = 0.001;
+    static constexpr double most_imbalance = 0.01, most_kinetic = 0.001, most_speed = 0.02;
 
     bool determined() const { return imbalance.found && kinetic.found; }
-    bool holds() const { return determined() && imbalance.value < most_imbalance && kinetic.value < most_kinetic; }
+    bool holds() const
+    {
+      return determined() && imbalance.value < most_imbalance && kinetic.value < most_kinetic &&
+             (!speed.found || speed.value < most_speed);
+    }
   };
+
+  /** |strength at half the speed / strength - 1|. */
+  Finding effect_of_speed(const TestFigures &test, const TestFigures &at_half_the_speed);
 
   QuasiStatic quasi_static(const TestCurve &curve);
 } // namespace dem

@@ -106,6 +106,19 @@ namespace dem
     return sum;
   }
 
+  double energy_of_strain(const Particles &particles, const LinkSet &links, const LinkLaw &law, const double strain)
+  {
+    LinkReader reader(particles, links, law);
+    double     sum = 0;
+    for (std::size_t l = 0; l < links.count; ++l)
+      if (links.is_alive(l))
+        {
+          reader.read(l);
+          sum += 0.5 * links.area[l] * links.reference_length[l] * reader.closed_stiffness().normal * strain * strain;
+        }
+    return sum;
+  }
+
   double damage_dissipation(const Particles &particles, const LinkSet &links, const LinkLaw &law)
   {
     LinkReader reader(particles, links, law);

@@ -89,6 +89,9 @@ namespace dem
   /** Power that particles put into living links by their velocities, those about a periodic cell's motion [W]. */
   double power_of_ends(const Particles &particles, const LinkSet &links);
 
+  /** Energy that all living links would store at this normal strain, undamaged [J]. */
+  double energy_of_strain(const Particles &particles, const LinkSet &links, const LinkLaw &law, double strain);
+
   /** Energy stored in all living links [J]. */
   double elastic_energy(const Particles &particles, const LinkSet &links, const LinkLaw &law);
 

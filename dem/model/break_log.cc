@@ -1,11 +1,13 @@
 #include "dem/model/break_log.h"
 
+#include <algorithm>
+
 namespace dem
 {
   void BreakLog::add(const Break &b)
   {
     known.insert(key(b));
-    names.insert(names.end(), {b.ends[0], b.ends[1], b.image, b.pair, b.element, static_cast<std::int32_t>(b.mode)});
+    names.insert(names.end(), {b.ends[0], second(b), b.image, b.pair, b.element, static_cast<std::int32_t>(b.mode)});
     numbers.insert(numbers.end(), {b.time, static_cast<double>(b.step), b.place[0], b.place[1], b.place[2], b.normal[0],
                                    b.normal[1], b.normal[2], b.area});
   }
@@ -17,7 +19,8 @@ namespace dem
     Break               found;
     found.time    = value[0];
     found.step    = static_cast<std::int64_t>(value[1]);
-    found.ends    = {name[0], name[1]};
+    found.ends    = {name[0], std::max(name[1], -1)};
+    found.surface = name[1] < 0 ? -1 - name[1] : -1;
     found.image   = name[2];
     found.pair    = name[3];
     found.element = name[4];

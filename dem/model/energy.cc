@@ -9,7 +9,7 @@ namespace dem
   {
     const double dissipated = damage + friction + released + damping;
     const double largest = std::max({std::abs(initial) + std::abs(external_work) + std::abs(gravity), std::abs(kinetic),
-                                     std::abs(elastic), std::abs(dissipated)});
+                                     std::abs(elastic), std::abs(dissipated), rounding});
     return largest > 0 ? std::abs(residual()) / largest : 0.0;
   }
 } // namespace dem

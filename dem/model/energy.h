@@ -23,6 +23,7 @@ namespace dem
     double friction      = 0; ///< dissipated by plastic sliding of links and contacts
     double released      = 0; ///< still stored in links and contacts when they were deleted
     double damping       = 0; ///< dissipated by local damping
+    double rounding      = 0; ///< no part of the balance: what a strain of 1e-11 would store in the bonds
 
     /** input - (stored + dissipated) [J]; zero when every mechanism is accounted for. */
     double residual() const
@@ -30,7 +31,10 @@ namespace dem
       return initial + external_work + gravity - (kinetic + elastic + damage + friction + released + damping);
     }
 
-    /** |residual| over the largest amount that took part (initial + |work|, kinetic, elastic, dissipated); 0 for nothing. */
+    /**
+     * |residual| over the largest amount that took part (initial + |work|, kinetic, elastic, dissipated); 0 for nothing. Amounts below the
+     * rounding are none: of a specimen at rest they are all that there is, and balance in no digit.
+     */
     double balance_error() const;
 
     /** Call visitor(name, value) for every term, in the order above, then the residual: the one list for series and summary. */

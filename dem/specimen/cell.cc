@@ -85,7 +85,11 @@ namespace dem
       return Eigen::Vector3d((mobile.array() > 0).cast<double>());
     };
     for (std::size_t i = 0; i < p.count; ++i)
-      left += Eigen::Vector3d(&p.force[record_size * i]).cwiseProduct(free(i)).norm();
+      {
+        left += Eigen::Vector3d(&p.force[record_size * i]).cwiseProduct(free(i)).norm();
+        if (free(i).any())
+          all += p.mass[i] * self->parameters.gravity.norm();
+      }
     for (const LinkSet *links : {&self->bonds, &self->contacts})
       for (std::size_t l = 0; l < links->count; ++l)
         if (links->is_alive(l))

@@ -110,6 +110,8 @@ namespace dem
            work_after             = 0; ///< by grips and from outside: before t_n's half step, it, the half after
     double          damped_before = 0, damped_now = 0, damped_after = 0; ///< dissipated, likewise
     double          released = 0, broken_damage = 0;                     ///< of deleted links
+    double          rounding_energy = 0;                                 ///< see EnergyAccount::rounding [J]
+    double          largest_turn    = 0; ///< of a particle in one of the steps that were looked at [rad]
     double          stored_at_start = 0, weight_at_start = 0; ///< energy in links, work of weight, of a static start
     Eigen::Matrix3d stress_moment = Eigen::Matrix3d::Zero();  ///< sum l (x) f at t_n [N m]; only if periodic
     std::vector<std::int32_t> crack_log;                      ///< ends of the cohesive links deleted so far, flattened
@@ -233,6 +235,8 @@ namespace dem
     double largest_displacement() const;
     /** Forces of surfaces at t_n, unless they are known; new contacts may shorten the step. */
     void find_surface_forces();
+    /** Enter in the log what of glue broke when these were found. */
+    void log_torn_glue();
     /** Glue particles to a surface. @throws base::InputError where nobody is near, or the law has no bonds */
     void glue(std::size_t surface, const SurfaceGlue &glue);
     /** Look where particles are before the first step. @return energy of surfaces that the account starts from [J] @throws base::InputError */
@@ -243,5 +247,7 @@ namespace dem
     void refuse_too_fast(double largest_of_particles, double largest_of_surfaces) const;
     /** NaN and infinity spread to velocities within a step. */
     void check_numbers() const;
+    /** Laws take rotations of a step for small ones: note the largest. */
+    void watch_turns();
   };
 } // namespace dem

@@ -42,6 +42,7 @@ namespace dem
     e.friction = plastic_dissipation(s.bonds) + plastic_dissipation(s.contacts) + of_surfaces.friction;
     e.released = s.released + released_in_place(s.bonds) + of_surfaces.released;
     e.damping  = s.damped_before + s.damped_now;
+    e.rounding = s.rounding_energy;
     return e;
   }
 
@@ -66,7 +67,8 @@ namespace dem
       {
         found.push_back(self->breaks.at(b));
         for (std::int32_t &end : found.back().ends)
-          end = self->particles.number[static_cast<std::size_t>(end)];
+          if (end >= 0)
+            end = self->particles.number[static_cast<std::size_t>(end)];
       }
     return found;
   }

@@ -92,6 +92,9 @@ namespace dem
     }
 
     /** Bounding box of the particles (or their cell) over their own volume: how much space, voids included, stands for one volume of particle. */
+    /** As much as rounding of places strains a bond, a few digits more; see EnergyAccount::rounding. */
+    constexpr double strain_of_rounding = 1e-11;
+
     /** Of the particles that have links: what flies beside the specimen is no part of it. */
     double volume_per_solid(const Particles &p, const ParticleShape &shape)
     {
@@ -136,6 +139,7 @@ namespace dem
     for (std::size_t i = 0; i < particles.count; ++i)
       slot[particles.number[i]] = static_cast<std::int32_t>(i);
     link();
+    rounding_energy = energy_of_strain(particles, bonds, *bond_law, strain_of_rounding);
     space_per_solid = volume_per_solid(particles, shape);
     longest_step = time_step = parameters.step_factor * (bond_law->bonds() ? stable() : step_of_lone_particles());
     if (!std::isfinite(time_step))
@@ -315,7 +319,8 @@ namespace dem
             self->crack_log.size() / 2,
             self->search.searches(),
             self->surfaces.list().size(),
-            std::max(self->deepest_seen, self->deepest().depth)};
+            std::max(self->deepest_seen, self->deepest().depth),
+            self->largest_turn};
   }
 
   std::size_t Specimen::bytes() const { return self->particles.bytes() + self->bonds.bytes() + self->contacts.bytes(); }
@@ -443,6 +448,7 @@ namespace dem
                                                                   {"energy/released", &s.released},
                                                                   {"energy/broken_damage", &s.broken_damage},
                                                                   {"deepest_overlap", &s.deepest_seen},
+                                                                  {"largest_turn", &s.largest_turn},
                                                                   {"path_unlooked", &s.path_unlooked}})
       visitor.scalar(name, *value);
     for (std::size_t g = 0; g < s.grips.size(); ++g)

@@ -146,7 +146,8 @@ namespace dem
     std::int64_t neighbour_searches = 0; ///< since the start: how often motion could have made a contact nobody watched
     std::size_t  wall_contacts      = 0; ///< of particles with surfaces, at t_n
     double       deepest_overlap =
-      0; ///< that there has been of unbonded particles, over the smaller radius: see DeepestOverlap
+      0;                     ///< that there has been of unbonded particles, over the smaller radius: see DeepestOverlap
+    double largest_turn = 0; ///< of a particle in a step, of those that were looked at, every hundredth [rad]
   };
 
   /**
@@ -305,7 +306,7 @@ namespace dem
    */
     base::Matrix6 affine_stiffness() const;
     /**
-   * Mean size of the force on a particle over the mean sum of the sizes of all single forces on it, at t_n: ratio_mean of particle codes.
+   * Mean size of the force on a particle over the mean sum of sizes of all single forces on it (weight too), at t_n: ratio_mean of codes.
    * Prescribed particles do not count; 1 where nothing acts on any.
    */
     double force_ratio() const;

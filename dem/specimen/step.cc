@@ -76,8 +76,10 @@ namespace dem
         watch_overlaps();
         make_contacts();
       }
-    if (step_count % steps_between_checks == 0)
-      check_numbers();
+    if (step_count % steps_between_checks != 0)
+      return;
+    check_numbers();
+    watch_turns();
   }
 
   void Specimen::Implementation::sum_stress()
@@ -346,6 +348,14 @@ namespace dem
       return std::isfinite(sum);
     }
   } // namespace
+
+  void Specimen::Implementation::watch_turns()
+  {
+    double fastest = 0; // squared
+    for (std::size_t i = 0; i < particles.count; ++i)
+      fastest = std::max(fastest, Eigen::Vector3d(&particles.velocity[record_size * i + 3]).squaredNorm());
+    largest_turn = std::max(largest_turn, time_step * std::sqrt(fastest));
+  }
 
   void Specimen::Implementation::check_numbers() const
   {

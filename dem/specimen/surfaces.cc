@@ -75,9 +75,22 @@ namespace dem
     for (const std::int32_t i : surfaces.find_forces(particles, shape))
       longest_step = std::min(longest_step, parameters.step_factor * stable(i));
     time_step = std::min(time_step, longest_step);
+    log_torn_glue();
     if (glides)
       gliding.pushes.add_work(surfaces, particles.motion);
     gliding.looked = gliding.glided;
+  }
+
+  void Specimen::Implementation::log_torn_glue()
+  {
+    for (const SurfaceBonds &glue : surfaces.bonds())
+      for (Break event : glue.breaks())
+        {
+          event.time = time;
+          event.step = step_count;
+          if (!breaks.knows(event))
+            breaks.add(event);
+        }
   }
 
   double Specimen::Implementation::begin_surfaces()

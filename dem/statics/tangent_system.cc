@@ -45,6 +45,8 @@ namespace dem
       for (int p = 0; p < 6; ++p)
         if (loaded.network.dimension == 3 || p < 2 || p == 5)
           all.push_back(p);
+      if (count == 0) // all particles are led: nothing is left to solve for
+        return;
       weak_diagonal = undamaged_diagonal();
       around        = std::make_unique<SurroundedSystem>(loaded, unknown, count, weak_diagonal.mean());
       lu.umfpackControl()[UMFPACK_ORDERING] = UMFPACK_ORDERING_METIS;
@@ -54,7 +56,10 @@ namespace dem
       lu.analyzePattern(around->whole(matrix));
     }
 
-    Eigen::MatrixXd solve(const Eigen::MatrixXd &right) { return around->motions_of(lu.solve(around->forces(right))); }
+    Eigen::MatrixXd solve(const Eigen::MatrixXd &right)
+    {
+      return count == 0 ? right : Eigen::MatrixXd(around->motions_of(lu.solve(around->forces(right))));
+    }
 
     void number_unknowns()
     {
@@ -152,6 +157,8 @@ namespace dem
 
     bool factorize(const std::vector<base::Matrix6> &stiffness)
     {
+      if (count == 0)
+        return true;
       assemble(stiffness);
       lu.factorize(around->whole(matrix));
       return lu.info() == Eigen::Success;

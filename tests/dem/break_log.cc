@@ -204,3 +204,71 @@ TEST_CASE("forces and moments of an isolated pair balance in every state: bonded
         CHECK(largest > 0);
       }
 }
+
+TEST_CASE("a pair answers the same whichever of the two comes first, and however it is turned (T12)", "[dem][laws]")
+{
+  // Strains of per cents, so that rounding of places is far below them.
+  auto joint                 = mortar(4);
+  joint.friction_coefficient = 0.5;
+  joint.tensile_strength *= 100;
+  joint.cohesion *= 100;
+  auto bond = cement();
+  bond.tensile_strength *= 100;
+  bond.cohesion *= 100;
+  struct Answer
+  {
+    std::vector<double> numbers;
+    double              largest = 0;
+  };
+  const auto follow = [](const dem::LinkMaterials &law, const double angle, const bool swapped) {
+    Answer       answer;
+    const double unit    = 0.05 * R;
+    dem::Packing packing = HeldPair::turned(angle);
+    if (swapped)
+      std::swap(packing.centre[0], packing.centre[1]);
+    dem::Specimen     body(packing, in(2), law);
+    const Vector3d    along(std::cos(angle), std::sin(angle), 0), across(-along.y(), along.x(), 0);
+    const std::size_t first = swapped ? 1 : 0, second = 1 - first;
+    for (const std::size_t i : {0, 1})
+      {
+        dem::Grip grip;
+        grip.particles  = {i};
+        grip.prescribed = all;
+        body.add_grip(grip);
+      }
+    for (const auto &[opening, slip, bend] :
+         {std::array<double, 3>{-0.3, 0.1, 0.1}, {0.2, 0.1, 3}, {-0.8, 10, 1}, {-0.2, -5, -2}})
+      {
+        const double time = 100 * body.time_step();
+        body.set_grip_velocity(first, Vector3d::Zero(), Vector3d(0, 0, -0.5 * bend * unit / R / time));
+        body.set_grip_velocity(second, unit * (opening * along + slip * across) / time,
+                               Vector3d(0, 0, 0.5 * bend * unit / R / time));
+        for (int i = 0; i < 100; i += 5)
+          {
+            body.advance(5);
+            const Vector3d force = body.reaction(second);
+            answer.numbers.insert(answer.numbers.end(),
+                                  {force.dot(along), force.dot(across), body.reaction_moment(second).z() / R});
+            answer.largest = std::max(answer.largest, force.norm());
+          }
+      }
+    answer.numbers.push_back(answer.largest * static_cast<double>(body.logged_breaks()));
+    return answer;
+  };
+  for (const dem::LinkMaterials &law : {dem::LinkMaterials(joint), dem::LinkMaterials(bond)})
+    {
+      const Answer straight = follow(law, 0, false);
+      REQUIRE(straight.largest > 0);
+      CHECK(straight.numbers.back() > 0); // something breaks on the way
+      for (const double angle : {0.0, 0.7, 2.0})
+        for (const bool swapped : {false, true})
+          {
+            const Answer other = follow(law, angle, swapped);
+            double       worst = 0;
+            for (std::size_t k = 0; k < straight.numbers.size(); ++k)
+              worst = std::max(worst, std::abs(other.numbers[k] - straight.numbers[k]) / straight.largest);
+            INFO("angle " << angle << ", swapped " << swapped << ", differs by " << worst);
+            CHECK(worst < 1e-12);
+          }
+    }
+}

@@ -149,3 +149,31 @@ TEST_CASE("energy of a heap of balls that overlap at the start balances, to seco
   CHECK(coarse < 5e-3);
   CHECK(fine < coarse / 6);
 }
+
+TEST_CASE("of a bonded body at rest rounding is no error of the balance", "[dem]")
+{
+  for (const double damping : {0.0, 0.7})
+    {
+      auto how    = cluster::bonded(1.2);
+      how.damping = damping;
+      dem::UniformRandom random(3);
+      dem::Packing       packing = cluster::cubic_lattice(5, 4, 3, 0.01);
+      for (Eigen::Vector3d &x : packing.centre)
+        x += 0.001 * cluster::random_vector(random) + Eigen::Vector3d(0.3, 0.7, 0.1);
+      dem::Specimen body(packing, how, cluster::concrete());
+      body.advance(3000);
+      const dem::EnergyAccount energy = body.energy();
+      CHECK(energy.rounding > 0);
+      CHECK(energy.balance_error() < 1e-3);
+    }
+}
+
+TEST_CASE("the largest turn of a particle in a step is noted", "[dem]")
+{
+  dem::Specimen body(walls::balls({{0, 0, 0}, {0.1, 0, 0}}, 0.01), walls::loose(), walls::contact());
+  body.set_velocity(1, Eigen::Vector3d::Zero(), {3, 4, 0});
+  body.advance(99);
+  CHECK(body.counts().largest_turn == 0); // not looked at yet
+  body.advance(1);
+  CHECK(body.counts().largest_turn == Approx(5 * body.time_step()).epsilon(1e-12));
+}

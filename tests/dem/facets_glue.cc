@@ -3,6 +3,7 @@
 #include "closed_system.h"
 #include "clusters.h"
 #include "dem/facets/facet_spin.h"
+#include "dem/laws/flat_joint.h"
 #include "dem/laws/parallel_bond.h"
 #include "facets_fixture.h"
 #include "memory_state.h"
@@ -198,6 +199,15 @@ TEST_CASE("what is glued is torn off at the strength of the glue, and is an ordi
   CHECK(crack.damage[0] == 1);
   CHECK(crack.normal_force[0] == 0);
   CHECK(ball.surface(face).total_force.norm() == 0);
+  REQUIRE(ball.logged_breaks() == 1);
+  const dem::Break logged = ball.breaks().front();
+  CHECK(logged.ends == std::array<std::int32_t, 2>{0, -1});
+  CHECK(logged.surface == static_cast<std::int32_t>(face));
+  CHECK(logged.mode == dem::BreakMode::tension);
+  CHECK(logged.place.norm() < 1e-9 * R);
+  CHECK((logged.normal + Vector3d::UnitZ()).norm() < 1e-9);
+  CHECK(logged.area == Approx(area).epsilon(1e-12));
+  CHECK(logged.time > 0);
   // Released: what the bond held in that moment.
   CHECK(ball.energy().released == Approx(0.5 * strength * area * strength / 1e8 * R).epsilon(0.02));
   for (int n = 400; n >= -200; --n)
@@ -206,6 +216,49 @@ TEST_CASE("what is glued is torn off at the strength of the glue, and is an ordi
   CHECK(ball.wall_contacts().size() == 1);
   CHECK(ball.surface(face).total_force.z() == Approx(-pi * R * 1e7 * 0.01 * R).epsilon(1e-9));
   CHECK(ball.energy().balance_error() < 0.02);
+  CHECK(ball.logged_breaks() == 1); // once
+}
+
+TEST_CASE("glue that is sheared off, and glue of several elements, is logged as what broke", "[dem][facets]")
+{
+  dem::Specimen ball(balls({{0, 0, R}}, R), loose(), contact());
+  ball.add_surface(glued(wall(patch(4 * R, 3), 0.3), 1e-6, glue_of(mortar(1e6), ball.parameters().physics)));
+  Led led(ball, 0);
+  for (int n = 1; n <= 4000 && ball.logged_breaks() == 0; ++n)
+    led.to({5e-5 * R * n, 0, R});
+  REQUIRE(ball.logged_breaks() == 1);
+  CHECK(ball.breaks().front().mode == dem::BreakMode::shear);
+  // A disc whose joint with a line opens on one side: element after element, each with its place along the line.
+  dem::FlatJointParameters joint;
+  joint.effective_modulus = 1e8;
+  joint.tensile_strength  = 1e5;
+  joint.cohesion          = 1e6;
+  dem::FacetMesh line;
+  line.corners = 2;
+  line.vertex  = {{-3 * R, 0, 0}, {3 * R, 0, 0}};
+  line.facet   = {{0, 1, 0}};
+  dem::Specimen disc(balls({{0, R, 0}}, R), loose(2), contact());
+  const auto    face =
+    disc.add_surface(glued(wall(line), 1e-6, dem::LinkMaterials(joint).bonds(disc.parameters().physics)));
+  dem::Grip grip;
+  grip.particles  = {0};
+  grip.prescribed = {true, true, true, true, true, true};
+  const auto held = disc.add_grip(grip);
+  for (int n = 0; n < 20000 && disc.logged_breaks() < 2; ++n)
+    {
+      const double spin = 1; // about its foot
+      disc.set_grip_velocity(held, spin * Vector3d(-disc.particle(0).position.y(), disc.particle(0).position.x(), 0),
+                             {0, 0, spin});
+      disc.advance(1);
+    }
+  REQUIRE(disc.logged_breaks() == 2);
+  const auto all = disc.breaks();
+  CHECK(all[0].mode == dem::BreakMode::tension);
+  CHECK(all[0].element != all[1].element);
+  CHECK(std::abs(all[0].place.x()) == Approx(0.75 * R).epsilon(1e-2));
+  CHECK(all[1].place.x() == Approx(all[0].place.x() / 3).epsilon(1e-2)); // further in, on the same side
+  CHECK(all[0].area == Approx(0.5 * R * disc.parameters().thickness).epsilon(1e-9));
+  CHECK(disc.surface(face).torn == 0); // half of it still holds
 }
 
 namespace
@@ -327,6 +380,9 @@ TEST_CASE("glued particles move to the same bits with 1 and 2 threads, as a copy
       CHECK(difference(one.specimen.particles().position, other->specimen.particles().position) == 0);
       CHECK(one.specimen.energy().residual() == other->specimen.energy().residual());
       CHECK(one.specimen.surface(0).torn == other->specimen.surface(0).torn);
+      CHECK(static_cast<std::int64_t>(one.specimen.logged_breaks()) >= one.specimen.surface(0).torn);
+      REQUIRE(one.specimen.logged_breaks() == other->specimen.logged_breaks());
+      CHECK(one.specimen.breaks().back().place == other->specimen.breaks().back().place);
       CHECK(difference(one.specimen.surface(0).impulse, other->specimen.surface(0).impulse) == 0);
     }
 }

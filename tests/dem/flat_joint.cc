@@ -86,6 +86,87 @@ TEST_CASE("flat joint bent about its middle cracks at the closed form, and goes 
     }
 }
 
+TEST_CASE("flat joint sheared at a constant normal stress breaks at c - sigma tan phi, then rubs (T2)", "[dem][laws]")
+{
+  const double published[][3] = {
+    {-5e6, 3.8693426e6, 1.05e6}, {-1e6, 2.3578685e6, 0.21e6}, {0, 1.98e6, 0}, {0.2e6, 1.9044263e6, 0}};
+  const int steps = 2000;
+  for (const auto &[normal, peak, left] : published)
+    {
+      const auto   law    = mortar();
+      const double length = 2 * R * (1 + normal / law.effective_modulus), area = section(2);
+      const double slip = 1.2 * peak / (law.effective_modulus / law.stiffness_ratio) * 2 * R;
+      HeldPair     pair(2, law);
+      pair.lead(length - 2 * R, 0, 0, 100);
+      pair.specimen.advance(101);
+      // On a circle about the first disc: the distance stays.
+      double largest = 0, last = 0;
+      for (int i = 1; i <= steps; ++i)
+        {
+          const double   angle = slip / length * i / steps;
+          const Vector3d place = length * Vector3d(std::cos(angle), std::sin(angle), 0),
+                         across(-std::sin(angle), std::cos(angle), 0);
+          pair.specimen.set_grip_velocity(1, (place - pair.specimen.particle(1).position) / pair.specimen.time_step(),
+                                          Vector3d::Zero());
+          pair.specimen.advance(1);
+          last    = std::abs(pair.specimen.reaction(1).dot(across)) / area;
+          largest = std::max(largest, last);
+        }
+      INFO("normal stress " << normal);
+      CHECK(largest <= peak * (1 + 1e-6));
+      CHECK(largest >= peak * (1 - 2.4 / steps));
+      CHECK(last == Approx(left).epsilon(1e-4).margin(1e-6 * peak));
+      for (const dem::Break &b : pair.specimen.breaks())
+        CHECK(b.mode == dem::BreakMode::shear);
+      CHECK(pair.specimen.logged_breaks() == 4);
+    }
+}
+
+TEST_CASE("flat joint bent without axial force breaks one element after the other, but for the last (T4)",
+          "[dem][laws]")
+{
+  const std::vector<std::vector<double>> published = {{0.257778, 0.163125, 0.096667},
+                                                      {0.232000, 0.167824, 0.114568, 0.072500, 0.042963}};
+  for (const auto &moments : published)
+    {
+      const int  elements = static_cast<int>(moments.size()) + 1;
+      const auto law      = mortar(elements);
+      auto       how      = in(2);
+      how.damping         = 0.7;
+      dem::Specimen body(cluster::pair_of_spheres(R, R, 2 * R), how, law);
+      const double  end   = 1.2 * 3.4e-4; // beyond the last break
+      const int     steps = 60000;
+      const double  spin  = end / (steps * body.time_step());
+      for (const std::size_t i : {0, 1})
+        {
+          dem::Grip grip;
+          grip.particles     = {i};
+          grip.prescribed    = all;
+          grip.prescribed[0] = i == 0; // the second goes where no force is along the axis
+          grip.spin          = {0, 0, (i == 0 ? -0.5 : 0.5) * spin};
+          body.add_grip(grip);
+        }
+      std::vector<double> found;
+      double              before = 0;
+      for (int i = 0; i < steps; ++i)
+        {
+          const auto logged = body.logged_breaks();
+          body.advance(1);
+          if (body.logged_breaks() > logged)
+            found.push_back(before);
+          before = std::abs(body.reaction_moment(1).z());
+        }
+      INFO(elements << " elements");
+      REQUIRE(found.size() == moments.size());
+      for (std::size_t k = 0; k < found.size(); ++k)
+        CHECK(found[k] == Approx(moments[k]).epsilon(3e-3));
+      // M = k_n t l^3 theta/12 of the last one.
+      const double l = 2 * R / elements, kn = law.effective_modulus / (2 * R);
+      CHECK(before == Approx(kn * l * l * l * end / 12).epsilon(2e-2));
+      CHECK(body.counts().links == 1);
+    }
+}
+
 TEST_CASE("bonded flat joint is as stiff in bending as the disk or segment, however many elements it has",
           "[dem][laws]")
 {

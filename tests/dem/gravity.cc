@@ -119,6 +119,30 @@ TEST_CASE("energy with weight balances, with and without damping, damage and gri
       }
 }
 
+TEST_CASE("the force ratio of what falls is one, and of what stands the sum of forces on it knows its weight",
+          "[dem][gravity]")
+{
+  auto how    = cluster::bonded(1.05);
+  how.gravity = {0, 0, -9.81};
+  how.damping = 0.7;
+  // Two spheres, one above the other: both fall freely.
+  const dem::Packing pair = {{{0, 0, 0.01}, {0, 0, 0.03}}, {0.01, 0.01}, {}};
+  dem::Specimen      falls(pair, how, cluster::concrete());
+  falls.advance(1);
+  CHECK(falls.force_ratio() == Approx(1).epsilon(1e-9));
+  // The lower one held: of the upper one's weight all is borne by the link, and its forces are twice its weight.
+  dem::Specimen stands(pair, how, cluster::concrete());
+  dem::Grip     foot;
+  foot.particles  = {0};
+  foot.prescribed = {true, true, true, true, true, true};
+  stands.add_grip(foot);
+  stands.advance(1);
+  CHECK(stands.force_ratio() == Approx(1).epsilon(1e-9)); // nothing bears it yet
+  stands.advance(3);
+  const double weight = stands.particle(1).mass * 9.81, borne = stands.links().normal_force.at(0);
+  CHECK(stands.force_ratio() == Approx(std::abs(weight + borne) / (weight + std::abs(borne))).epsilon(1e-9));
+}
+
 TEST_CASE("grips carry the weight of their own particles too", "[dem][gravity]")
 {
   omp_set_num_threads(1);

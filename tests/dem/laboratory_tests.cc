@@ -372,6 +372,110 @@ TEST_CASE("triaxial walls hold a cube of spheres at a pressure from all sides", 
     }
 }
 
+namespace
+{
+  /** A close packing of spheres cut to an upright cylinder, its radii a little unequal. */
+  dem::Packing cylinder_of_spheres(const double radius, const double height)
+  {
+    const int          across = static_cast<int>(std::ceil(radius / (std::sqrt(2) * R))) + 1;
+    const int          along  = static_cast<int>(std::ceil(height / (2 * std::sqrt(2) * R))) + 1;
+    const auto         whole  = dem::make_lattice(dem::Lattice::face_centred_cubic, R, {across, across, along});
+    const Vector3d     middle = 0.5 * *whole.periodic_cell;
+    dem::Packing       packing;
+    dem::UniformRandom random(11);
+    for (const Vector3d &x : whole.centre)
+      if ((x - middle).head<2>().norm() <= radius - R && std::abs(x.z() - middle.z()) <= 0.5 * height - R)
+        {
+          packing.centre.push_back(x);
+          packing.radius.push_back(R * (1 - 0.02 * random()));
+        }
+    return packing;
+  }
+
+  dem::SpecimenParameters spheres()
+  {
+    dem::SpecimenParameters p = discs();
+    p.physics.dimension       = 3;
+    p.thickness               = 0;
+    p.interaction_ratio       = 1.1;
+    return p;
+  }
+
+  dem::LabParameters in_a_jacket(const double pressure)
+  {
+    dem::LabParameters asked = between_platens(0.02);
+    asked.test               = Test::confined;
+    asked.confinement        = dem::LabParameters::Confinement::cylinder;
+    asked.press.axis         = 2;
+    asked.press.smoothing    = 0.2 * R;
+    asked.pressure           = pressure;
+    asked.largest_speed      = 0.3;
+    asked.gain               = 0.5;
+    asked.rest               = 1e-3;
+    asked.stop_strain        = 5e-4;
+    return asked;
+  }
+} // namespace
+
+TEST_CASE("a jacket of facets holds its pressure around a cylinder, which is as stiff in it as under a membrane",
+          "[dem][laboratory][slow]")
+{
+  const double       pressure = 2e6;
+  const dem::Packing packing  = cylinder_of_spheres(8 * R, 22 * R);
+  dem::LabParameters asked    = in_a_jacket(pressure);
+  double             E[2] = {0, 0}, nu[2] = {0, 0};
+  for (const bool membrane : {false, true})
+    {
+      if (membrane)
+        asked.confinement = dem::LabParameters::Confinement::membrane;
+      INFO("membrane " << membrane);
+      Run run(packing, spheres(), strong(), asked);
+      run.to_end(600000);
+      CHECK(run.test.notes().empty());
+      const dem::TestRecord &record = run.test.record();
+      double                 worst  = 0;
+      for (std::size_t row = 0; row < record.rows(); ++row)
+        worst = std::max(worst, std::abs(record.at(row, dem::TestRecord::confinement) / pressure - 1));
+      CHECK(worst < 0.01);
+      CHECK(run.body.energy().balance_error() < 1e-3);
+      E[membrane]  = run.test.figures().gauge_modulus.value;
+      nu[membrane] = run.test.figures().poisson_slope.value;
+      if (membrane)
+        continue;
+      // What the jacket says is what the specimen bears, by the forces inside: across planes through its axis, in the mean of their
+      // directions (a rigid jacket presses harder where the crystal is).
+      const Vector3d middle =
+        0.5 * (run.body.surface(2).place[0] + run.body.surface(2 + dem::CylinderWall::sides / 2).place[0]);
+      const double radius = (run.body.surface(2).place[0] - middle).norm();
+      const auto   ends   = [&](const std::size_t n) { return run.body.surface(n).place[0].z(); };
+      const int    planes = 36;
+      const auto   links  = run.body.links();
+      double       across = 0;
+      for (int k = 0; k < planes; ++k)
+        {
+          const Vector3d normal(std::cos(k * M_PI / planes), std::sin(k * M_PI / planes), 0);
+          for (const dem::LinkLoad &load : links.load)
+            {
+              const double first = normal.dot(load.first - middle), second = normal.dot(load.second() - middle);
+              if (first * second < 0)
+                across += normal.dot(load.force) * (first < 0 ? -1 : 1) / planes;
+            }
+        }
+      CHECK(across / (2 * radius * (ends(1) - ends(0))) == Approx(pressure).epsilon(0.01));
+    }
+  CHECK(E[0] == Approx(E[1]).epsilon(0.03));
+  CHECK(nu[0] == Approx(nu[1]).margin(0.03));
+}
+
+TEST_CASE("a jacket goes around cylinders only, and in space only", "[dem][laboratory]")
+{
+  dem::LabParameters asked = in_a_jacket(1e6);
+  CHECK_THROWS_WITH(Run(cluster::cubic_lattice(6, 6, 8, R), spheres(), strong(), asked),
+                    Catch::Contains("would touch the edges only"));
+  asked.press.axis = 1;
+  CHECK_THROWS_WITH(Run(crystal(6, 4), discs(), strong(), asked), Catch::Contains("no cylinder"));
+}
+
 TEST_CASE("a weak specimen breaks, and its test ends past the peak with figures", "[dem][laboratory][slow]")
 {
   dem::LabParameters asked = between_platens(0.1);
@@ -392,19 +496,31 @@ TEST_CASE("a weak specimen breaks, and its test ends past the peak with figures"
 
 TEST_CASE("tests of the laboratory have the same bits with any threads and after a restart", "[dem][laboratory][slow]")
 {
-  for (const bool membrane : {false, true})
+  for (const char *const how : {"platens", "membrane", "jacket"})
     {
+      const bool         membrane = how == std::string("membrane"), jacket = how == std::string("jacket");
       dem::LabParameters asked = between_platens(0.3);
-      asked.stop_strain        = 0.02;
-      asked.press.smoothing    = 0.2 * R;
+      if (jacket)
+        {
+          asked               = in_a_jacket(5e5);
+          asked.ramp_steps    = 300;
+          asked.largest_speed = 1;
+        }
+      asked.speed           = jacket ? 1.5 : 0.3;
+      asked.stop_strain     = 0.02;
+      asked.press.smoothing = 0.2 * R;
       if (membrane)
         {
           asked.test        = Test::confined;
           asked.confinement = dem::LabParameters::Confinement::membrane;
           asked.pressure    = 5e5;
-          asked.rest        = 1e-2;
         }
-      const auto made     = [&] { return std::make_unique<Run>(crystal(10, 8, 0.05), discs(), weak(), asked); };
+      if (membrane || jacket)
+        asked.rest = 1e-2;
+      const auto made = [&] {
+        return jacket ? std::make_unique<Run>(cylinder_of_spheres(5 * R, 12 * R), spheres(), weak(), asked) :
+                        std::make_unique<Run>(crystal(10, 8, 0.05), discs(), weak(), asked);
+      };
       const auto state_of = [](Run &run) {
         MemoryState         memory;
         MemoryState::Writer writer(memory);
@@ -419,7 +535,7 @@ TEST_CASE("tests of the laboratory have the same bits with any threads and after
       MemoryState half = state_of(*one);
       one->advance(steps - 2500);
       const MemoryState end = state_of(*one);
-      INFO("membrane " << membrane << ", strain " << one->test.reading().strain);
+      INFO(how << ", strain " << one->test.reading().strain);
       CHECK(one->body.logged_breaks() > 0);
       omp_set_num_threads(3);
       auto several = made();
@@ -433,6 +549,28 @@ TEST_CASE("tests of the laboratory have the same bits with any threads and after
       resumed->advance(steps - 2500);
       CHECK(state_of(*resumed) == end);
     }
+}
+
+TEST_CASE("a loading is static only if half the speed changes its strength little, where that was looked at",
+          "[dem][laboratory]")
+{
+  dem::QuasiStatic how;
+  how.imbalance = dem::Finding::of(0.005);
+  how.kinetic   = dem::Finding::of(0.0005);
+  CHECK(how.holds());
+  dem::TestFigures test, slow;
+  test.strength = dem::Finding::of(30e6);
+  slow.strength = dem::Finding::of(29.7e6);
+  how.speed     = dem::effect_of_speed(test, slow);
+  CHECK(how.speed.value == Approx(0.01));
+  CHECK(how.holds());
+  slow.strength = dem::Finding::of(29.1e6);
+  how.speed     = dem::effect_of_speed(test, slow);
+  CHECK_FALSE(how.holds());
+  slow.strength = dem::Finding::none("it did not break");
+  how.speed     = dem::effect_of_speed(test, slow);
+  CHECK_FALSE(how.speed.found);
+  CHECK(how.speed.why_not == "at half the speed the strength is not determined: it did not break");
 }
 
 TEST_CASE("a test that cannot be is refused by the name of the entry", "[dem][laboratory]")

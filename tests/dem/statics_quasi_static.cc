@@ -1,4 +1,5 @@
 // Quasi-static paths of CPM links, past the peak: cells and gripped specimens.
+#include "dem/grips/grip_layers.h"
 #include "dem/homogenisation/isotropy.h"
 #include "dem/homogenisation/relaxed_stiffness.h"
 #include "dem/laws/cpm.h"
@@ -478,4 +479,34 @@ TEST_CASE("quasi-static cell: dynamic strengths fall towards the static one as t
   CAPTURE(still, fast, slow, slowest);
   CHECK(std::fabs(slow - still) < std::fabs(fast - still));
   CHECK(slowest == Approx(still).epsilon(0.01)); // finite against small strain: parts in 1e-4; the rate: what is left
+}
+
+TEST_CASE("a path of particles that are all led is that of their links", "[dem][statics]")
+{
+  // Two spheres, each in a grip: no motion is left to solve for.
+  const dem::CpmParameters law = concrete();
+  const double             r   = 0.01;
+  dem::Packing             pair;
+  pair.centre = {{0, 0, 0}, {0, 0, 2 * r}};
+  pair.radius = {r, r};
+  dem::GripParameters ends;
+  ends.thickness = 0.5 * r;
+  dem::GripPair grips;
+  grips.axis            = 2;
+  grips.lateral_blocked = grips.spin_blocked = true;
+  grips.layers                               = dem::find_grip_layers({pair.centre, pair.radius, 3, 0}, 2, ends);
+  const dem::LoadedNetwork loaded            = dem::load_grips(network_of(pair, 1.05, law), grips);
+  const auto               path              = follow(loaded, law, steps(5e-4));
+  REQUIRE(path.size() > 10);
+  double most = 0;
+  for (const dem::QuasiStaticPoint &point : path)
+    {
+      const double strain = point.strain[loaded.led], stress = point.stress[loaded.led];
+      if (strain > 0 && strain <= law.limit_elastic_strain)
+        CHECK(stress / strain == Approx(path[1].stress[loaded.led] / path[1].strain[loaded.led]).epsilon(1e-9));
+      most = std::max(most, stress);
+    }
+  CHECK(most ==
+        Approx(path[1].stress[loaded.led] / path[1].strain[loaded.led] * law.limit_elastic_strain).epsilon(1e-3));
+  CHECK(path.back().stress[loaded.led] < 0.99 * most); // it softens
 }
