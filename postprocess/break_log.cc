@@ -31,10 +31,12 @@ namespace postprocess
 
   void write_break_table(const std::filesystem::path    &path,
                          const std::vector<dem::Break>  &breaks,
-                         const std::vector<std::string> &materials)
+                         const std::vector<std::string> &materials,
+                         const std::vector<std::string> &surfaces)
   {
     SeriesWriter table(path, {{"mode", ""},
                               {"pair", ""},
+                              {"surface", ""},
                               {"time", "s"},
                               {"step", ""},
                               {"first", ""},
@@ -48,7 +50,8 @@ namespace postprocess
                               {"normal_z", "-"},
                               {"area", "m^2"}});
     for (const dem::Break &b : breaks)
-      table.append({name_of(b.mode), name_of_pair(b.pair, materials)},
+      table.append({name_of(b.mode), name_of_pair(b.pair, materials),
+                    b.surface < 0 ? "-" : surfaces.at(static_cast<std::size_t>(b.surface))},
                    {b.time, static_cast<double>(b.step), static_cast<double>(b.ends[0]), static_cast<double>(b.ends[1]),
                     static_cast<double>(b.element), b.place[0], b.place[1], b.place[2], b.normal[0], b.normal[1],
                     b.normal[2], b.area});
@@ -95,7 +98,7 @@ namespace postprocess
     else
       add_points(data, breaks);
     std::vector<double>          when, area;
-    std::vector<std::int32_t>    mode, element, pair;
+    std::vector<std::int32_t>    mode, element, pair, surface;
     std::vector<Eigen::Vector3d> normal;
     for (const dem::Break &b : breaks)
       {
@@ -104,6 +107,7 @@ namespace postprocess
         mode.push_back(static_cast<std::int32_t>(b.mode));
         element.push_back(b.element);
         pair.push_back(b.pair);
+        surface.push_back(b.surface);
         normal.push_back(b.normal);
       }
     const FieldWriter writer(field_file("breaks"), data);
@@ -111,6 +115,7 @@ namespace postprocess
     writer.add("mode", mode);
     writer.add("element", element);
     writer.add("material_pair", pair);
+    writer.add("surface", surface);
     writer.add("normal", normal);
     writer.add("area", area);
     write(path, data, time);

@@ -15,12 +15,14 @@ namespace postprocess
   std::string name_of_pair(std::int32_t pair, const std::vector<std::string> &materials);
 
   /**
-   * A row per bond, or element of one, that broke: when, between which particles (numbers from 0, as in files for ParaView), which element,
-   * how, where, across what, and what area it had. @throws OutputError
+   * A row per bond, or element of one, that broke: when, between which particles (numbers from 0, as in files for ParaView) or from which
+   * surface, which element, how, where, across what, and what area it had.
+   * @param surfaces their names; of breaks between particles "-" is written, and -1 for the second particle of the others @throws OutputError
    */
   void write_break_table(const std::filesystem::path    &path,
                          const std::vector<dem::Break>  &breaks,
-                         const std::vector<std::string> &materials);
+                         const std::vector<std::string> &materials,
+                         const std::vector<std::string> &surfaces = {});
 
   /**
    * The same for ParaView: in the plane a segment as long as what broke, across the bond; in space a point with the direction across it.

@@ -82,6 +82,8 @@ namespace postprocess
                {"mode", "", 1, cells, "0: tension, 1: shear, 2: damaged until it was broken", ""},
                {"element", "", 1, cells, "of a joint of several, from 0", ""},
                {"material_pair", "", 1, cells, "pair of materials that it joined, as of links", ""},
+               {"surface", "", 1, cells,
+                "that the particle was glued to, as walls are numbered; -1: to another particle", ""},
                {"normal", "-", 3, cells, "across it, unit", ""},
                {"area", "m^2", 1, cells, "of what broke", ""}}};
     }

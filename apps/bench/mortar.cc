@@ -1,15 +1,15 @@
 #include "apps/bench/mortar.h"
 
+#include "apps/bench/mortar_constants.h"
+#include "apps/bench/mortar_crush.h"
 #include "apps/bench/results.h"
-#include "apps/bench/scene_variant.h"
-#include "apps/drivers/particles/body.h"
-#include "apps/drivers/particles/scene.h"
 #include "apps/process/stopwatch.h"
 #include "base/errors.h"
 #include "dem/statics/quasi_static_path.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <optional>
@@ -25,60 +25,8 @@ namespace apps
       bool         grows = false;
     };
 
-    struct MortarRow
-    {
-      std::string study, value;
-      std::size_t particles = 0, bonds = 0;
-      double      strength = 0, modulus = 0; ///< [Pa]; NaN: not determined
-      double      imbalance = 0;             ///< of the platens' forces before the peak [-]; NaN likewise
-      double      balance   = 0;             ///< of energies
-      double      growth = 0, cost = 0;      ///< processor time of genesis and of the test [s]
-    };
-
-    constexpr double unknown_figure = std::numeric_limits<double>::quiet_NaN();
-
     /** Largest step of strain along equilibria: a fiftieth of that at the peak of the published mortars. */
     constexpr double static_strain_step = 1e-5;
-
-    double value_of(const dem::Finding &finding) { return finding.found ? finding.value : unknown_figure; }
-
-    std::string in_table(const double value, const double unit, const char *digits)
-    {
-      return std::isnan(value) ? "-" : fmt::format(fmt::runtime(digits), value / unit);
-    }
-
-    std::string in_csv(const double value) { return std::isnan(value) ? "" : fmt::format("{}", value); }
-
-    const ParticlesModel &mortar_in(const CheckedScene &checked)
-    {
-      const ParticlesModel &model = scene_of_kind<ParticlesScene>(checked, "particles").parameters();
-      if (model.source.source != SpecimenSection::Source::genesis)
-        refuse_scene(checked, "Specimen/Source: this bench needs genesis.");
-      if (model.laboratory.test != SpecimenTestSection::Test::compression)
-        refuse_scene(checked, "Laboratory/Test: this bench needs uniaxial compression.");
-      return model;
-    }
-
-    MortarRow crush(const MortarCase &one, const ParticlesModel &model, const dem::Packing &packing)
-    {
-      MortarRow     row{one.variant.study, one.variant.value};
-      ParticlesBody body(model, packing);
-      body.start();
-      row.particles      = body.specimen().counts().particles;
-      row.bonds          = body.specimen().counts().links;
-      const double start = processor_seconds();
-      while (!body.test_is_over() && body.specimen().time() < model.end_time)
-        {
-          body.advance(1000);
-          row.balance = std::max(row.balance, body.specimen().energy().balance_error());
-        }
-      row.cost                       = processor_seconds() - start;
-      const dem::TestFigures figures = body.test()->figures();
-      row.strength                   = value_of(figures.strength);
-      row.modulus                    = value_of(figures.modulus);
-      row.imbalance                  = value_of(body.test()->how_static().imbalance);
-      return row;
-    }
 
     /** The same bonds between ends led as by smooth platens. */
     dem::LoadedNetwork between_smooth_ends(const ParticlesModel &model, const dem::Packing &packing)
@@ -211,6 +159,8 @@ namespace apps
 
   int run_mortar_bench(const MortarBench &bench)
   {
+    if (bench.constants)
+      return run_constants_bench(bench);
     const BenchResults          results(bench.folder, "mortar");
     std::vector<MortarRow>      rows;
     std::optional<dem::Packing> reference; ///< for cases that grow none of their own
@@ -231,7 +181,7 @@ namespace apps
         const double          growth  = processor_seconds() - start;
         if (!reference)
           reference = packing;
-        MortarRow row = crush(one, model, packing);
+        MortarRow row = crush(one.variant, model, packing);
         row.growth    = one.grows ? growth : 0;
         note(row);
         if (rows.size() == 1)

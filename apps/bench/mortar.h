@@ -15,6 +15,8 @@ namespace apps
     bool                     quick = false; ///< fewer cases
     /** Strength along equilibria too, which takes a linear solution or more for every element that breaks. */
     bool static_strength = false;
+    /** Instead, the effect of each constant: see mortar_constants.h. */
+    bool constants = false;
   };
 
   /**

@@ -27,6 +27,9 @@ namespace apps
     command.add_flag("--quick", options->quick, "Fewer cases");
     command.add_flag("--static-strength", options->static_strength,
                      "Follow equilibria without inertia to failure, too: for small windows");
+    command.add_flag(
+      "--constants", options->constants,
+      "Instead: what each constant of the joints does to strength and modulus, beside what is published");
     command.callback([options, &chosen] {
       chosen = [options] {
         use_threads(options->threads);

@@ -216,6 +216,46 @@ TEST_CASE("bench mortar crushes a grown specimen faster and slower, and has its 
   CHECK_THAT(refused.err, Contains("Specimen/Source: this bench needs genesis"));
 }
 
+TEST_CASE("bench mortar --constants has the published signs of what breaks, and E by the joints' modulus",
+          "[apps][slow]")
+{
+  const ScratchFolder folder;
+  const Outcome       outcome =
+    run(folder.path(), {"bench", "mortar", places::sources() + "/apps/scenes/mortar_window.prm", "--constants",
+                        "--quick", "-o", "bench", "-s", "Specimen/Genesis/Size=0.015, 0.03, 0"});
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  std::map<std::string, std::vector<double>> strength, modulus; // by constant, at 0.25, 1 and 1.5
+  for (const auto &row : table(folder / "bench/constants.csv"))
+    {
+      CHECK(row.at("reading") == "as named");
+      strength[row.at("constant")].push_back(*apps::number_in(row.at("strength")));
+      modulus[row.at("constant")].push_back(*apps::number_in(row.at("modulus")));
+    }
+  REQUIRE(strength.size() == 8);
+  for (const auto &[constant, values] : strength)
+    {
+      INFO(constant);
+      REQUIRE(values.size() == 3);
+      CHECK(values[1] == strength["c"][1]); // the scene itself
+    }
+  // Published: cohesion raises the peak, tensile strength and the angle of friction too.
+  CHECK(strength["c"][0] < 0.7 * strength["c"][1]);
+  CHECK(strength["c"][2] > strength["c"][1]);
+  for (const char *slightly : {"sigma_c", "phi"})
+    {
+      INFO(slightly);
+      CHECK(strength[slightly][2] > strength[slightly][0]);
+    }
+  // What is published of linear contacts the joints do here: E is proportional to their modulus, and falls with their ratio.
+  CHECK(modulus["E_FJ"][0] == Approx(0.25 * modulus["E_FJ"][1]).epsilon(0.15));
+  CHECK(modulus["kbar_rat"][2] < modulus["kbar_rat"][0]);
+  CHECK(modulus["E_LC"][0] == Approx(modulus["E_LC"][1]).epsilon(0.1));
+  CHECK_THAT(content_of(folder / "bench/constants.md"),
+             Contains("| c | Cohesion |") && Contains("| raises the peak | yes |"));
+  CHECK(std::filesystem::file_size(folder / "bench/constants.png") > 0);
+}
+
 TEST_CASE("bench surface: errors of an impact fall with the elements", "[apps][slow]")
 {
   const ScratchFolder folder;

@@ -287,6 +287,19 @@ TEST_CASE("What is glued to a face hangs from it until the strength of the glue,
   CHECK(torn.summary["figures"]["torn_off"]["block"] == 2);
   CHECK(torn.summary["figures"]["broken_links"] == 2);
   CHECK(torn.series.column("block_force_z").back() == 0);
+  const std::string log = content_of(folder.path() / "results/breaks.csv");
+  INFO(log);
+  CHECK_THAT(log, Contains("\ntension,0,block,"));
+  const auto breaks =
+    postprocess::read_csv_table(folder.path() / "results/breaks.csv", false, {"mode", "pair", "surface"});
+  REQUIRE(breaks.rows() == 2);
+  for (std::size_t b = 0; b < 2; ++b)
+    {
+      CHECK(breaks.column("second")[b] == -1);
+      CHECK(std::fabs(breaks.column("normal_z")[b]) == Approx(1).epsilon(1e-6)); // they hang from it
+      CHECK(breaks.column("z")[b] == Approx(0.1).epsilon(1e-3));
+      CHECK(breaks.column("area")[b] == Approx(1.2566e-3).epsilon(1e-3));
+    }
   const auto refused = [&](const std::string &change, const char *words) {
     const Outcome outcome = outcome_of(folder, "check", "x.prm", {change});
     INFO(outcome.err);

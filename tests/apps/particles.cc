@@ -131,6 +131,20 @@ TEST_CASE("A run whose balls were pressed deep into each other says so", "[apps]
   CHECK_THAT(said, Contains("pressed into each other by up to 0.4"));
 }
 
+TEST_CASE("A run whose balls turn far in a step says so", "[apps][particles]")
+{
+  const ScratchFolder folder;
+  const std::string   scene = shipped("bouncing_sphere.prm");
+  const auto          spun  = [&](const char *spin) {
+    return results_of(
+                folder, scene, {"Output/Snapshots=0", "Time/End time=0.01", std::string("Initial velocity/ball/Spin z=") + spin});
+  };
+  CHECK(spun("1").summary["warnings"].empty());
+  const Results fast = spun("2000");
+  REQUIRE(fast.summary["warnings"].size() == 1);
+  CHECK_THAT(fast.summary["warnings"][0].get<std::string>(), Contains("rad in a step"));
+}
+
 TEST_CASE("Two balls that meet exchange momentum as their masses ask, and lose no energy", "[apps][particles]")
 {
   const ScratchFolder folder;

@@ -11,6 +11,8 @@
 #include <cmath>
 #include <csignal>
 #include <filesystem>
+#include <iomanip>
+#include <sstream>
 
 using namespace apps_tests;
 using Catch::Contains;
@@ -61,7 +63,8 @@ TEST_CASE("rock between platens breaks with figures, log and pictures of its cra
       INFO(file);
       CHECK(exists(folder, file));
     }
-  const auto breaks = postprocess::read_csv_table(folder.path() / "results" / "breaks.csv", false, {"mode", "pair"});
+  const auto breaks =
+    postprocess::read_csv_table(folder.path() / "results" / "breaks.csv", false, {"mode", "pair", "surface"});
   CHECK(breaks.rows() > 20);
   const auto &time = breaks.column("time");
   CHECK(std::is_sorted(time.begin(), time.end()));
@@ -145,6 +148,88 @@ TEST_CASE("a test of the laboratory that is interrupted or killed goes on to the
      {"checkpoint.h5", "particles_breaks/particles_breaks_000004.vtp"},
      bits_of},
     {SIGINT, SIGKILL});
+}
+
+TEST_CASE("a loading is repeated at half the speed from where it began, as a run of its own would do it",
+          "[apps][laboratory][slow]")
+{
+  const ScratchFolder            folder, alone;
+  const std::vector<std::string> small = {"Specimen/Box size=0.012, 0.02, 1", "Laboratory/Speed=1",
+                                          "Output/Samples=200"};
+  const auto                     with  = [&](const std::vector<std::string> &more) {
+    auto all = small;
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  // Glued, so that the loading begins with the first step: at half the speed it is another run altogether.
+  const Results both = run_of(folder, "tension", with({"Laboratory/Check speed=true"}));
+  const Results slow = run_of(alone, "tension", with({"Laboratory/Speed=0.5"}));
+  CHECK(content_of(folder / "results/stress_strain_at_half_the_speed.csv") ==
+        content_of(alone / "results/stress_strain.csv"));
+  const double fast = of_laboratory(both, "tensile_strength"), half = of_laboratory(slow, "tensile_strength");
+  const auto  &how = both.summary["figures"]["laboratory"]["quasi_static"];
+  CHECK(how["strength_at_half_the_speed"]["value"].get<double>() == half);
+  CHECK(how["change_at_half_the_speed"]["value"].get<double>() == Approx(std::abs(half / fast - 1)).epsilon(1e-12));
+  CHECK(std::abs(half / fast - 1) > 0.005); // so fast it is that this shows
+  CHECK(how["holds"] == false);
+  // What the test itself finds does not depend on it.
+  const ScratchFolder without;
+  const Results       plain = run_of(without, "tension", small);
+  CHECK(content_of(folder / "results/series.csv") == content_of(without / "results/series.csv"));
+  CHECK(content_of(folder / "results/stress_strain.csv") == content_of(without / "results/stress_strain.csv"));
+  CHECK(plain.summary["figures"]["laboratory"]["quasi_static"]["strength_at_half_the_speed"]["value"].is_null());
+}
+
+TEST_CASE("a loading at half the speed that is interrupted goes on to the same bits", "[apps][laboratory][slow]")
+{
+  // Under a membrane it begins after the pressure has come on. Stopped at the end of the test or in its repetition.
+  std::vector<std::string> words = {"run", rock("biaxial")};
+  for (const char *change : {"Output/Snapshots=100", "Output/Samples=100", "Time/End time=0.01",
+                             "Specimen/Box size=0.012, 0.02, 1", "Laboratory/Confinement=membrane",
+                             "Laboratory/Speed=0.4", "Output/Checkpoint interval=0.01", "Laboratory/Check speed=true"})
+    words.insert(words.end(), {"-s", change});
+  const ScratchFolder folder;
+  auto                whole = words;
+  whole.insert(whole.end(), {"-o", "counted"});
+  REQUIRE(run(folder.path(), whole).status == 0);
+  std::size_t snapshots = 0;
+  for ([[maybe_unused]] const auto &file : std::filesystem::directory_iterator(folder / "counted/particles_breaks"))
+    ++snapshots;
+  const auto all_bits = [](const std::filesystem::path &results) {
+    return bits_of(results) + content_of(results / "stress_strain_at_half_the_speed.csv");
+  };
+  const auto snapshot = [](const std::size_t number) {
+    std::string digits = std::to_string(number);
+    digits.insert(0, 6 - digits.size(), '0');
+    return "particles_breaks/particles_breaks_" + digits + ".vtp";
+  };
+  goes_on_to_the_same_bits(folder, {words, {"checkpoint.h5", snapshot(snapshots - 1)}, all_bits}, {SIGINT});
+}
+
+TEST_CASE("a family under several pressures has a strength that rises along a line", "[apps][laboratory][slow]")
+{
+  const ScratchFolder folder;
+  const Outcome       outcome =
+    run(folder.path(), {"bench", "confined", rock("biaxial"), "--pressures", "8e6,2e6", "-o", "family", "-s",
+                        "Specimen/Box size=0.012, 0.02, 1", "-s", "Laboratory/Speed=0.2"});
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  const auto rows = postprocess::read_csv_table(folder / "family/confined.csv", true);
+  REQUIRE(rows.rows() == 2);
+  CHECK(rows.column("pressure") == std::vector<double>{2e6, 8e6});
+  const auto &strength = rows.column("axial_strength");
+  CHECK(strength[1] > strength[0] + 6e6); // more than the pressure alone adds
+  for (const double error : rows.column("balance_error"))
+    CHECK(error < 1e-2);
+  // The line through two points, and its angle.
+  const double       k = (strength[1] - strength[0]) / 6e6;
+  std::ostringstream angle;
+  angle << std::fixed << std::setprecision(1) << std::asin((k - 1) / (k + 1)) * 180 / M_PI;
+  CHECK_THAT(content_of(folder / "family/confined.md"), Contains("angle of friction " + angle.str() + " degrees"));
+  CHECK(std::filesystem::file_size(folder / "family/confined.png") > 0);
+  const Outcome refused = run(folder.path(), {"bench", "confined", rock("compression"), "-o", "none"});
+  CHECK(refused.status == 2);
+  CHECK_THAT(refused.err, Contains("needs biaxial or triaxial compression"));
 }
 
 TEST_CASE("what a laboratory cannot do is refused with the entry", "[apps][laboratory]")

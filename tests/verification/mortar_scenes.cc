@@ -12,6 +12,29 @@ TEST_CASE("Mortar of four sizes with the published constants has the published s
   CHECK(found.summary["energy"]["balance_error"].get<double>() < 1e-3);
 }
 
+TEST_CASE("Mortars of finer grains have the published contacts, with an installation gap that shrinks with the grains",
+          "[verification][slow]")
+{
+  // Ortiz-Cahun et al. (2023): contacts per particle, and sum of R_min t over contacts [mm], at the scales 1.5 and 1.
+  struct Published
+  {
+    const char *scene;
+    double      contacts, area;
+  };
+  for (const Published &one :
+       {Published{"mortar_fine", 262291.0 / 97500, 0.2398}, {"mortar_sand", 591398.0 / 218800, 0.1600}})
+    {
+      INFO(one.scene);
+      const SceneResults found = results_of(one.scene, {"Specimen/Genesis/Size=0.02, 0.04, 0", "Laboratory/Test=none",
+                                                        "Time/End time=1e-7", "Output/Samples=1"});
+      const auto        &bonds = found.genesis["bonds"];
+      CHECK(bonds["per_particle"].get<double>() == Approx(one.contacts).epsilon(0.05));
+      CHECK(1e3 * bonds["half_area_m2"].get<double>() / bonds["count"].get<double>() == Approx(one.area).epsilon(0.05));
+      CHECK(std::abs(found.genesis["energy_J"]["error"].get<double>()) <
+            0.01 * found.genesis["energy_J"]["growth"].get<double>());
+    }
+}
+
 TEST_CASE("Concrete with aggregates: a window has the published ratio of Poisson, is a quarter too stiff and too weak",
           "[verification][slow]")
 {

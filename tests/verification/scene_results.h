@@ -16,7 +16,8 @@ struct SceneResults
 {
   nlohmann::json        summary;
   postprocess::CsvTable series;
-  postprocess::CsvTable breaks = {}; ///< no columns: the scene has no log of them
+  postprocess::CsvTable breaks  = {}; ///< no columns: the scene has no log of them
+  nlohmann::json        genesis = {}; ///< null: the scene grew nothing
 
   double figure(const char *name) const { return summary["figures"][name]["value"].get<double>(); }
 };
@@ -35,6 +36,8 @@ inline SceneResults results_of(const std::string &scene, const std::vector<std::
   SceneResults found{nlohmann::json::parse(apps_tests::content_of(folder / "results/summary.json")),
                      postprocess::read_csv_table(folder / "results/series.csv", false, {"test"})};
   if (const auto log = folder / "results/breaks.csv"; std::filesystem::exists(log))
-    found.breaks = postprocess::read_csv_table(log, false, {"mode", "pair"});
+    found.breaks = postprocess::read_csv_table(log, false, {"mode", "pair", "surface"});
+  if (const auto grown = folder / "results/genesis.json"; std::filesystem::exists(grown))
+    found.genesis = nlohmann::json::parse(apps_tests::content_of(grown));
   return found;
 }

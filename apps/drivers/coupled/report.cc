@@ -25,7 +25,7 @@ namespace apps
             start,
             series,
             not_in_balance,
-            body.particles().specimen().counts().deepest_overlap,
+            body.particles().specimen(),
             body.notes()};
   }
 

@@ -158,8 +158,9 @@ namespace apps
       {
         postprocess::write_discrete_state(dem::discrete_state(specimen), folder / "state.h5");
         warn_of_missing("crack.png", body->draw_cracks(folder / "crack.png", title));
-        BreakResults{specimen, packing.material_names}.write(folder);
       }
+    if (model.particles.bonded() || specimen.logged_breaks() > 0) // glue may have a law of its own
+      BreakResults{specimen, packing.material_names}.write(folder);
     warn_of_missing("coupled.png", body->draw(folder / "coupled.png", title));
     warn_of_missing("promoted.png", body->draw_promotion(folder / "promoted.png", title));
     const CoupledReport report{request,

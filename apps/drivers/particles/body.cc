@@ -3,6 +3,7 @@
 #include "apps/drivers/parts/energy_terms.h"
 #include "apps/process/interrupt.h"
 #include "base/errors.h"
+#include "base/flat_state.h"
 #include "dem/specimen/packed_clumps.h"
 
 #include <fmt/format.h>
@@ -82,13 +83,24 @@ namespace apps
 
   void ParticlesBody::advance_to(const double time)
   {
+    const bool comes_back = model->laboratory.check_speed && lab && !test_is_loading();
     push();
     body.advance(std::numeric_limits<std::int64_t>::max(), [&] {
       if (lab)
         lab->observe();
       lead_next_step();
-      return body.time() < time && !interrupted() && !test_is_over();
+      return body.time() < time && !interrupted() && !test_is_over() && !(comes_back && test_is_loading());
     });
+  }
+
+  void ParticlesBody::repeat_loading_of(ParticlesBody &other, const double part_of_speed)
+  {
+    base::Column          state;
+    base::FlatStateWriter writer(state);
+    other.visit_state(writer);
+    base::FlatStateReader reader(state);
+    visit_state(reader);
+    load_at(part_of_speed);
   }
 
   void ParticlesBody::advance(const std::int64_t steps)

@@ -1,6 +1,7 @@
 #include "apps/drivers/particles/break_results.h"
 
 #include "apps/results/warning.h"
+#include "dem/facets/surface.h"
 #include "postprocess/break_log.h"
 #include "postprocess/break_pictures.h"
 #include "postprocess/force_chains.h"
@@ -15,7 +16,10 @@ namespace apps
   void BreakResults::write(const std::filesystem::path &folder) const
   {
     const std::vector<dem::Break> breaks = specimen.breaks();
-    postprocess::write_break_table(folder / "breaks.csv", breaks, materials);
+    std::vector<std::string>      surfaces;
+    for (std::size_t s = 0; s < specimen.surfaces(); ++s)
+      surfaces.push_back(specimen.surface(s).name);
+    postprocess::write_break_table(folder / "breaks.csv", breaks, materials, surfaces);
     postprocess::PictureSlab slab;
     slab.axis                           = specimen.parameters().physics.dimension == 2 ? 2 : 1;
     slab.materials                      = materials;
@@ -45,7 +49,10 @@ namespace apps
     const auto   share = [&](const std::size_t mode) {
       return fmt::format("{} ({:.3g} %)", count[mode], 100 * static_cast<double>(count[mode]) / all);
     };
-    return fmt::format("broken       {} in tension, {} in shear, {} gradually; {} links\n", share(0), share(1),
-                       share(2), specimen.counts().broken);
+    const auto breaks = specimen.breaks();
+    const auto glue   = std::count_if(breaks.begin(), breaks.end(), [](const dem::Break &b) { return b.surface >= 0; });
+    return fmt::format("broken       {} in tension, {} in shear, {} gradually; {} links{}\n", share(0), share(1),
+                       share(2), specimen.counts().broken,
+                       glue > 0 ? fmt::format("; {} of these at glued surfaces", glue) : std::string());
   }
 } // namespace apps

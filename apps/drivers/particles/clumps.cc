@@ -1,6 +1,10 @@
 #include "apps/drivers/particles/clumps.h"
 
+#include "apps/scene/corner_list.h"
 #include "base/errors.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace apps
 {
@@ -27,7 +31,30 @@ namespace apps
         }
       return clump;
     }
+
+    /** The shape that its particles stand for, of their density. */
+    dem::RigidClump
+    shaped(const dem::Specimen &specimen, const std::vector<std::size_t> &particles, const dem::PackedBody &body)
+    {
+      const dem::SpecimenParameters &p     = specimen.parameters();
+      const dem::ParticleState       one   = specimen.particle(particles.at(0));
+      const double                   solid = p.physics.dimension == 2 ? M_PI * one.radius * one.radius :
+                                                                        4.0 / 3.0 * M_PI * one.radius * one.radius * one.radius;
+      dem::RigidClump                clump;
+      clump.particles = particles;
+      clump.mass      = one.mass / solid * body.volume; // the thickness of discs is in both masses
+      clump.centre    = body.centre;
+      clump.inertia   = clump.mass * body.inertia;
+      return clump;
+    }
+
+    constexpr std::size_t fewest_pebbles = 3;
   } // namespace
+
+  dem::ConvexBody ClumpSection::shape(const int dimension) const
+  {
+    return {corners_in_text(corners, dimension), dimension};
+  }
 
   void ClumpsSection::declare(Section &root)
   {
@@ -38,22 +65,75 @@ namespace apps
       .named_sections("GROUP", [this](Section &opened) {
         ClumpSection &added = clumps.emplace_back();
         added.group         = opened.name();
+        opened.text("Corners", added.corners, Need::optional)
+          .means(
+            "Of a convex polyhedron, in two dimensions a polygon, that the particles stand for [m]: coordinates "
+            "between "
+            "commas, corners between semicolons, those of a polygon in their order. Mass, centre and inertia are then "
+            "those of the shape, with the density of the group's first particle; empty: those of the particles "
+            "together");
+        opened.choice("Pebbles", added.inside, {{"group", false}, {"inside", true}}, Need::optional)
+          .means(
+            "group: all particles of the group of this name; inside: all whose centre lies in the shape, a new group "
+            "of this name")
+          .only_if([&added] { return added.has_shape(); }, "Corners is given");
         opened.number("Mass", added.mass, "kg", Range::at_least(0), Need::optional)
-          .means("Of the body; 0: that of its particles together, overlaps counted twice");
+          .means("Of the body; 0: that of the shape, or of its particles together, overlaps counted twice");
         opened.number("Inertia", added.inertia, "kg m^2", Range::at_least(0), Need::optional)
-          .means("About its centre, in two dimensions; 0: that of its particles together, in proportion to the mass");
+          .means(
+            "About its centre, in two dimensions; 0: that of the shape or of its particles together, in proportion to "
+            "the mass");
       });
   }
 
-  void ClumpsSection::validate(const Section &root, const int dimension, const GroupNames &names) const
+  void ClumpsSection::validate(const Section &root, const int dimension, GroupNames &names) const
   {
     const Section &all = *root.find_section("Clumps");
-    names.require_sections(all);
     for (const ClumpSection &given : clumps)
-      if (dimension == 3 && given.inertia > 0)
-        all.find_section(given.group)
-          ->refuse("Inertia",
-                   "in three dimensions it is that of the particles, in proportion to the mass. Leave it out.");
+      {
+        const Section &section = *all.find_section(given.group);
+        if (dimension == 3 && given.inertia > 0)
+          section.refuse("Inertia",
+                         "in three dimensions it is that of the shape or of the particles, in proportion to the mass. "
+                         "Leave it out.");
+        if (given.inside && !given.has_shape())
+          section.refuse("Pebbles", "there is no shape to lie inside of. Give its Corners.");
+        if (given.inside && names.knows(given.group))
+          section.refuse("Pebbles",
+                         "there is a group of this name already, and those inside would be another one. Choose "
+                         "another name for the sub-section, or Pebbles = group.");
+        if (given.has_shape())
+          try
+            {
+              given.shape(dimension);
+            }
+          catch (const base::InputError &refused)
+            {
+              section.refuse("Corners", refused.what());
+            }
+        if (given.inside)
+          names.names.push_back(given.group);
+      }
+    names.require_sections(all);
+  }
+
+  void ClumpsSection::find_pebbles(const dem::Packing &packing, const int dimension, ParticleGroups &found) const
+  {
+    for (const ClumpSection &given : clumps)
+      {
+        if (!given.inside)
+          continue;
+        const dem::ConvexBody shape   = given.shape(dimension);
+        auto                 &pebbles = found[given.group];
+        for (std::size_t i = 0; i < packing.size(); ++i)
+          if (shape.holds(packing.centre[i]))
+            pebbles.push_back(i);
+        if (pebbles.size() < fewest_pebbles)
+          throw base::InputError("Clumps/" + given.group + "/Corners: the centres of " +
+                                 std::to_string(pebbles.size()) + " particles lie in the shape, it needs " +
+                                 std::to_string(fewest_pebbles) +
+                                 ". Check its place and size against the packing (metres).");
+      }
   }
 
   std::function<bool(std::size_t, std::size_t)> ClumpsSection::one_body(const ParticleGroups &groups,
@@ -76,7 +156,11 @@ namespace apps
   {
     for (const ClumpSection &given : clumps)
       {
-        dem::RigidClump clump = together(specimen, groups.at(given.group));
+        const auto     &pebbles = groups.at(given.group);
+        dem::RigidClump clump =
+          given.has_shape() ?
+            shaped(specimen, pebbles, given.shape(specimen.parameters().physics.dimension).properties()) :
+            together(specimen, pebbles);
         if (given.mass > 0)
           {
             clump.inertia *= given.mass / clump.mass;

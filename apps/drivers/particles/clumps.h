@@ -2,6 +2,7 @@
 
 #include "apps/drivers/particles/groups.h"
 #include "apps/scene/section.h"
+#include "dem/genesis/convex_body.h"
 #include "dem/specimen/specimen.h"
 
 #include <functional>
@@ -14,9 +15,14 @@ namespace apps
   struct ClumpSection
   {
     std::string group;
-    double      mass = 0; ///< [kg]; 0: that of its particles together
-    double      inertia =
-      0; ///< about its centre, in the plane [kg m^2]; 0: that of its particles, in proportion to the mass
+    std::string corners; ///< of the shape that its particles stand for; empty: they are the body
+    bool inside = false; ///< particles whose centre lies in the shape; otherwise those of a group that there is already
+    double mass = 0;     ///< [kg]; 0: that of the shape, or of its particles together
+    double inertia = 0;  ///< about its centre, in the plane [kg m^2]; 0: likewise, in proportion to the mass
+
+    bool has_shape() const { return !corners.empty(); }
+    /** @pre has_shape() @throws base::InputError */
+    dem::ConvexBody shape(int dimension) const;
   };
 
   /** Section "Clumps". */
@@ -25,8 +31,10 @@ namespace apps
     std::list<ClumpSection> clumps;
 
     void declare(Section &root);
-    /** @throws base::InputError. */
-    void validate(const Section &root, int dimension, const GroupNames &names) const;
+    /** @param names takes those of shapes whose pebbles lie inside. @throws base::InputError. */
+    void validate(const Section &root, int dimension, GroupNames &names) const;
+    /** Add the groups of shapes whose pebbles are what lies inside. @throws base::InputError for one with fewer than three */
+    void find_pebbles(const dem::Packing &packing, int dimension, ParticleGroups &found) const;
     /** Whether two particles are of one clump. @param particles how many there are of all */
     std::function<bool(std::size_t, std::size_t)> one_body(const ParticleGroups &groups, std::size_t particles) const;
     /** Before anything is held. @throws base::InputError as dem::Specimen::add_clump(), naming the group */

@@ -59,18 +59,20 @@ namespace apps
       table.flush();
     }
 
-    constexpr const char *slower = "not looked at: run the scene at half the Speed and compare the strengths";
-
-    nlohmann::json json_of(const dem::QuasiStatic &how)
+    /** @param slow the test at half the speed; nullptr: there was none */
+    nlohmann::json json_of(const dem::QuasiStatic &how, const dem::LabTest *slow)
     {
       nlohmann::json found;
-      found["force_difference"]           = figure(how.imbalance, "-");
-      found["most_force_difference"]      = dem::QuasiStatic::most_imbalance;
-      found["kinetic_over_work"]          = figure(how.kinetic, "-");
-      found["most_kinetic_over_work"]     = dem::QuasiStatic::most_kinetic;
-      found["force_ratio"]                = figure(how.force_ratio, "-");
-      found["strength_at_half_the_speed"] = {{"value", nullptr}, {"not_determined", slower}};
-      found["holds"]                      = how.determined() ? nlohmann::json(how.holds()) : nlohmann::json(nullptr);
+      found["force_difference"]       = figure(how.imbalance, "-");
+      found["most_force_difference"]  = dem::QuasiStatic::most_imbalance;
+      found["kinetic_over_work"]      = figure(how.kinetic, "-");
+      found["most_kinetic_over_work"] = dem::QuasiStatic::most_kinetic;
+      found["force_ratio"]            = figure(how.force_ratio, "-");
+      found["strength_at_half_the_speed"] =
+        figure(slow ? slow->figures().strength : dem::Finding::none("not looked at: set Laboratory/Check speed"), "Pa");
+      found["change_at_half_the_speed"] = figure(how.speed, "-");
+      found["most_change"]              = dem::QuasiStatic::most_speed;
+      found["holds"]                    = how.determined() ? nlohmann::json(how.holds()) : nlohmann::json(nullptr);
       return found;
     }
 
@@ -82,14 +84,23 @@ namespace apps
       };
       return fmt::format(
         "static       {}: up to the peak, difference of the two forces over their mean {}, kinetic energy over "
-        "work {}, force ratio {}\n",
+        "work {}, force ratio {}; strength at half the speed {}\n",
         !how.determined() ? "not determined" :
         how.holds()       ? "yes" :
                             "NO, load more slowly",
         part(how.imbalance, dem::QuasiStatic::most_imbalance), part(how.kinetic, dem::QuasiStatic::most_kinetic),
-        words(how.force_ratio, 1, ""));
+        words(how.force_ratio, 1, ""),
+        how.speed.found ? "differs by " + part(how.speed, dem::QuasiStatic::most_speed) : std::string("not looked at"));
     }
   } // namespace
+
+  dem::QuasiStatic LaboratoryReport::how_static() const
+  {
+    dem::QuasiStatic how = test.how_static();
+    if (slower)
+      how.speed = dem::effect_of_speed(test.figures(), slower->figures());
+    return how;
+  }
 
   const char *LaboratoryReport::strength_name() const
   {
@@ -124,7 +135,7 @@ namespace apps
       found["axial_strength"] = quantity(f.strength.value + asked.asked.pressure, "Pa");
     if (test.parameters().seating_stress > 0)
       found["strain_at_end_of_seating"] = quantity(test.seated_strain(), "-");
-    found["quasi_static"] = json_of(test.how_static());
+    found["quasi_static"] = json_of(how_static(), slower);
     found["warnings"]     = test.notes();
     return found;
   }
@@ -132,12 +143,17 @@ namespace apps
   void LaboratoryReport::write(const std::filesystem::path &folder, const std::string &title) const
   {
     write_record(test.record(), folder / "stress_strain.csv");
+    if (slower)
+      write_record(slower->record(), folder / "stress_strain_at_half_the_speed.csv");
     const auto strain                                  = test.record().values(dem::TestRecord::strain),
                gauges                                  = test.record().values(dem::TestRecord::gauge_strain),
                stress                                  = test.record().values(dem::TestRecord::stress);
     std::vector<postprocess::StressStrainCurve> curves = {{"by the platens", strain, stress}};
     if (std::any_of(gauges.begin(), gauges.end(), [](const double e) { return e != 0; }))
       curves.push_back({"by gauges", gauges, stress});
+    if (slower && slower->record().rows() > 0)
+      curves.push_back({"at half the speed", slower->record().values(dem::TestRecord::strain),
+                        slower->record().values(dem::TestRecord::stress)});
     if (!strain.empty())
       if (const auto line = asked.published.curve(*std::max_element(strain.begin(), strain.end()),
                                                   *std::max_element(stress.begin(), stress.end())))
@@ -163,7 +179,7 @@ namespace apps
                   words(f.modulus, 1e-9, " GPa"), words(f.gauge_modulus, 1e-9, " GPa"),
                   words(f.secant_modulus, 1e-9, " GPa"), words(f.poisson_secant, 1, ""), words(f.poisson_slope, 1, ""));
     text += asked.published.text(f);
-    text += text_of(test.how_static());
+    text += text_of(how_static());
     for (const std::string &note : test.notes())
       text += "warning      " + note + "\n";
     return text;

@@ -14,15 +14,17 @@ namespace apps
   {
     const SpecimenTestSection &asked;
     const dem::LabTest        &test;
+    const dem::LabTest        *slower = nullptr; ///< its loading at half the speed; nullptr: there was none
 
     /** Every figure with its unit; where one is not determined, null and the reason. */
     nlohmann::json json() const;
-    /** stress_strain.csv and stress_strain.png. @throws postprocess::OutputError */
+    /** stress_strain.csv, that at half the speed, and stress_strain.png. @throws postprocess::OutputError */
     void write(const std::filesystem::path &folder, const std::string &title) const;
     /** Strength, moduli, ratio of Poisson and the criteria of a static loading. */
     std::string text() const;
 
   private:
-    const char *strength_name() const;
+    const char      *strength_name() const;
+    dem::QuasiStatic how_static() const;
   };
 } // namespace apps

@@ -32,6 +32,10 @@ namespace apps
     s.number("Largest strain", asked.stop_strain, "-", Range::positive(), Need::required)
       .means("By the platens, at which the test ends at the latest")
       .only_if(any, "Test is not none");
+    s.flag("Check speed", check_speed)
+      .means("When the test is over, load once more at half the speed, from the state in which the loading began: a "
+             "loading is quasi-static if that changes the strength by less than 2 %. Costs twice the loading besides")
+      .only_if(any, "Test is not none");
     published.declare(s, any);
   }
 
@@ -108,11 +112,12 @@ namespace apps
     const auto  within   = [this] { return confined(); };
     const auto  membrane = [this] { return confined() && asked.confinement == Confinement::membrane; };
     const char *words    = "Test is biaxial or triaxial compression";
-    s.choice("Confinement", asked.confinement, {{"walls", Confinement::walls}, {"membrane", Confinement::membrane}},
+    s.choice("Confinement", asked.confinement,
+             {{"walls", Confinement::walls}, {"membrane", Confinement::membrane}, {"cylinder", Confinement::cylinder}},
              Need::optional)
       .means("walls: rigid ones across all other axes, each held at the pressure by a servo; membrane: the pressure "
-             "acts on the "
-             "outermost particles, whatever the shape of the specimen")
+             "acts on the outermost particles, whatever the shape of the specimen; cylinder: rigid facets around a "
+             "cylinder, that all move alike and hold the mean pressure")
       .only_if(within, words);
     s.number("Confining pressure", asked.pressure, "Pa", Range::positive(), Need::required)
       .means("Across the axis; before the loading along it as well")
@@ -147,6 +152,8 @@ namespace apps
       s.refuse("Test", "a biaxial test is one of the plane, and Physics/Dimension is 3. Take the triaxial one.");
     if (test == Test::triaxial && plane)
       s.refuse("Test", "a triaxial test is one of space, and Physics/Dimension is 2. Take the biaxial one.");
+    if (test == Test::biaxial && asked.confinement == dem::LabParameters::Confinement::cylinder)
+      s.refuse("Confinement", "in the plane there are walls or a membrane, no cylinder.");
     if (plane && asked.press.axis == 2)
       s.refuse("Axis", "in two dimensions the axes are x and y.");
     const bool bodied = test == Test::bending || (test == Test::splitting && !plane);

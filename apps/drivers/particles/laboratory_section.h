@@ -28,7 +28,8 @@ namespace apps
     Test               test = Test::none;
     dem::LabParameters asked;
     PublishedFigures   published;
-    bool               at_vessel = false; ///< platens stand where the walls stood in which the specimen grew
+    bool               check_speed = false; ///< load once more at half the speed, from where the loading began
+    bool               at_vessel   = false; ///< platens stand where the walls stood in which the specimen grew
 
     void declare(Section &root);
     /** @param other names of columns that the series has already @throws base::InputError. */

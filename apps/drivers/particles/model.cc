@@ -119,8 +119,9 @@ namespace apps
 
   ParticleGroups ParticlesModel::groups_in(const dem::Packing &packing) const
   {
-    ParticleGroups found = more.groups_in(packing.size());
+    ParticleGroups found = more.groups_in(packing.size(), physics.dimension);
     groups.find(packing, physics.dimension, found);
+    clumps.find_pebbles(packing, physics.dimension, found);
     return found;
   }
 
@@ -132,7 +133,7 @@ namespace apps
     made.interaction_ratio = source.interaction_ratio;
     made.installation_gap  = source.installation_gap;
     made.thickness         = source.thickness;
-    made.loose             = more.loose();
+    made.loose             = more.loose(physics.dimension);
     made.step_factor       = time.step_factor;
     made.damping           = time.damping_at(0);
     made.gravity           = gravity.vector();

@@ -1,6 +1,7 @@
 #include "apps/drivers/particles/more_particles.h"
 
 #include "apps/drivers/parts/specimen_packing.h"
+#include "apps/scene/corner_list.h"
 #include "apps/scene/nearest_name.h"
 #include "dem/packing/overlaps.h"
 #include "postprocess/packing_io.h"
@@ -13,16 +14,24 @@ namespace apps
 {
   void AddedParticles::declare(Section &s)
   {
-    const auto read = [this] { return from_file; };
-    const auto one  = [this] { return !from_file; };
-    s.choice("Source", from_file, {{"sphere", false}, {"file", true}}, Need::optional)
-      .means("sphere: one, in two dimensions a disc; file: all of another packing");
-    s.file("File", file).means("Packing, as Specimen/File").only_if(read, "Source = file");
+    const auto is = [this](const Source wanted) { return [this, wanted] { return source == wanted; }; };
+    s.choice("Source", source, {{"sphere", Source::sphere}, {"file", Source::file}, {"body", Source::body}},
+             Need::optional)
+      .means("sphere: one, in two dimensions a disc; file: all of another packing; body: a rigid convex polyhedron, in "
+             "two dimensions a polygon, filled with pebbles");
+    s.file("File", file).means("Packing, as Specimen/File").only_if(is(Source::file), "Source = file");
     s.vector("Centre", centre, "m", Range(), Need::optional)
-      .means("Of the sphere; of a file, what is added to the places in it");
+      .means("Of the sphere; of a file and of corners, what is added to the places there");
     s.number("Radius", radius, "m", Range::positive(), Need::required)
-      .means("Of the sphere")
-      .only_if(one, "Source = sphere");
+      .means("Of the sphere; of each pebble")
+      .only_if([this] { return source != Source::file; }, "Source = sphere or body");
+    s.text("Corners", corners, Need::required)
+      .means("Of the body [m], coordinates between commas, corners between semicolons; those of a polygon in their "
+             "order. Its mass, centre and inertia are those of the shape, whatever its pebbles")
+      .only_if(is(Source::body), "Source = body");
+    s.choice("Filling", filling, {{"close", dem::Filling::close}, {"cubic", dem::Filling::cubic}}, Need::optional)
+      .means("How touching pebbles lie in the body. close: as densely as can be; cubic: in a grid along the axes")
+      .only_if(is(Source::body), "Source = body");
     s.flag("Bonded", bonded)
       .means("Linked to particles within the interaction ratio, as those of the specimen are; off: only touched");
     s.text("Material", material, Need::optional)
@@ -31,32 +40,51 @@ namespace apps
 
   void AddedParticles::validate(const Section &section, const int dimension, const MaterialSection &materials) const
   {
-    if (from_file && !std::filesystem::is_regular_file(file))
+    if (source == Source::file && !std::filesystem::is_regular_file(file))
       section.refuse("File", "there is no such file.");
     if (dimension == 2 && centre[2] != 0)
       section.refuse("Centre", "in two dimensions it lies in the plane: its z must be 0.");
+    if (source == Source::body)
+      try
+        {
+          particles(dimension);
+        }
+      catch (const base::InputError &refused)
+        {
+          section.refuse("Corners", refused.what());
+        }
     const auto known = materials.names();
     if (!material.empty() && std::find(known.begin(), known.end(), material) == known.end())
       section.refuse("Material", "is not in section Materials. " + did_you_mean(material, known));
   }
 
-  dem::Packing AddedParticles::particles() const
+  dem::Packing AddedParticles::particles(const int dimension) const
   {
     const Eigen::Vector3d place(centre[0], centre[1], centre[2]);
-    if (!from_file)
+    if (source == Source::sphere)
       return {{place}, {radius}, {}};
+    if (source == Source::body)
+      {
+        auto at = corners_in_text(corners, dimension);
+        for (Eigen::Vector3d &corner : at)
+          corner += place;
+        return dem::filled_with_pebbles(dem::ConvexBody(at, dimension), radius, filling);
+      }
     dem::Packing packing = postprocess::read_packing(file);
     packing.periodic_cell.reset(); // one body of it, as it is
     for (Eigen::Vector3d &each : packing.centre)
       each += place;
+    for (dem::PackedBody &body : packing.bodies)
+      body.centre += place;
     return packing;
   }
 
   void MoreParticlesSection::declare(Section &root)
   {
     root
-      .section("More particles", "One sub-section per sphere or packing beside the specimen; each is a group of its "
-                                 "name as well")
+      .section("More particles",
+               "One sub-section per sphere, packing or rigid body of pebbles beside the specimen; each "
+               "is a group of its name as well")
       .named_sections("PARTICLES", [this](Section &opened) {
         AddedParticles &one = added.emplace_back();
         one.name            = opened.name();
@@ -102,8 +130,9 @@ namespace apps
 
     dem::Packing numbered(const AddedParticles &one, const MaterialSection &materials, const int dimension)
     {
-      dem::Packing part = one.particles();
-      materials.number(part, dimension, one.from_file ? one.file : "More particles/" + one.name);
+      dem::Packing part = one.particles(dimension);
+      materials.number(part, dimension,
+                       one.source == AddedParticles::Source::file ? one.file : "More particles/" + one.name);
       if (one.material.empty())
         return part;
       const auto known = materials.names();
@@ -146,15 +175,15 @@ namespace apps
     return whole;
   }
 
-  std::size_t MoreParticlesSection::loose() const
+  std::size_t MoreParticlesSection::loose(const int dimension) const
   {
     std::size_t count = 0;
     for (const AddedParticles &one : added)
-      count += one.bonded ? 0 : one.particles().size();
+      count += one.bonded ? 0 : one.particles(dimension).size();
     return count;
   }
 
-  ParticleGroups MoreParticlesSection::groups_in(const std::size_t particles) const
+  ParticleGroups MoreParticlesSection::groups_in(const std::size_t particles, const int dimension) const
   {
     ParticleGroups groups;
     std::size_t    end   = particles;
@@ -162,7 +191,7 @@ namespace apps
     for (auto one = order.rbegin(); one != order.rend(); ++one)
       {
         auto &members = groups[(*one)->name];
-        members.resize((*one)->particles().size());
+        members.resize((*one)->particles(dimension).size());
         end -= members.size();
         std::iota(members.begin(), members.end(), end);
       }

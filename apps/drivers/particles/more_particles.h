@@ -3,6 +3,7 @@
 #include "apps/drivers/particles/groups.h"
 #include "apps/scene/material_section.h"
 #include "apps/scene/specimen_section.h"
+#include "dem/genesis/convex_body.h"
 
 #include <functional>
 #include <list>
@@ -10,20 +11,31 @@
 
 namespace apps
 {
-  /** Sub-section of "More particles": one sphere, or those of another packing file. Its name is that of a group. */
+  /** Sub-section of "More particles": one sphere, those of another packing file, or a convex body of pebbles. Its name is that of a group. */
   struct AddedParticles
   {
-    std::string           name;
-    bool                  from_file = false;
-    std::string           file;
-    std::array<double, 3> centre = {0, 0, 0}; ///< of the sphere, or what is added to the places of the file [m]
-    double                radius = 0;         ///< [m]
-    bool                  bonded = false;
-    std::string           material; ///< "": as Regions and file say
+    enum class Source
+    {
+      sphere,
+      file,
+      body ///< rigid, filled with pebbles
+    };
 
-    void         declare(Section &section);
-    void         validate(const Section &section, int dimension, const MaterialSection &materials) const;
-    dem::Packing particles() const;
+    std::string           name;
+    Source                source = Source::sphere;
+    std::string           file;
+    std::string           corners; ///< of a body
+    dem::Filling          filling = dem::Filling::close;
+    std::array<double, 3> centre  = {
+       0, 0, 0};            ///< of the sphere, or what is added to the places of the file and to corners [m]
+    double      radius = 0; ///< of the sphere, or of each pebble [m]
+    bool        bonded = false;
+    std::string material; ///< "": as Regions and file say
+
+    void declare(Section &section);
+    void validate(const Section &section, int dimension, const MaterialSection &materials) const;
+    /** @param dimension of the scene */
+    dem::Packing particles(int dimension) const;
   };
 
   /** Which two particles of a packing are of one body, and may overlap as they like. */
@@ -45,9 +57,9 @@ namespace apps
                          const std::function<bool(const Eigen::Vector3d &)> &keeps = {},
                          std::optional<dem::Packing>                        *cell  = nullptr) const;
 
-    std::size_t loose() const; ///< how many of the last particles are linked to nothing
+    std::size_t loose(int dimension) const; ///< how many of the last particles are linked to nothing
     /** Where those of each sub-section are. @param particles how many there are of all, in what compose() made */
-    ParticleGroups groups_in(std::size_t particles) const;
+    ParticleGroups groups_in(std::size_t particles, int dimension) const;
 
   private:
     std::vector<const AddedParticles *> in_order() const; ///< of numbers: bonded ones first

@@ -16,8 +16,9 @@ namespace apps
   MotionReport ParticlesReport::common() const
   {
     const std::string by_stop = model.stops.what_ended(series);
-    return {request, "particles",    body.test_is_over() ? "test" : by_stop, specimen().time(), materials, start,
-            series,  not_in_balance, specimen().counts().deepest_overlap};
+    return {
+      request,        "particles", body.test_is_over() ? "test" : by_stop, specimen().time(), materials, start, series,
+      not_in_balance, specimen()};
   }
 
   nlohmann::json ParticlesReport::figures() const
@@ -27,7 +28,7 @@ namespace apps
       found[gauge.name] = figure_of(series, gauge.name, gauge.unit());
     found["broken_links"] = specimen().counts().broken;
     if (body.test())
-      found["laboratory"] = LaboratoryReport{model.laboratory, *body.test()}.json();
+      found["laboratory"] = LaboratoryReport{model.laboratory, *body.test(), slower}.json();
     return found;
   }
 
@@ -50,7 +51,7 @@ namespace apps
     for (const GaugeSection &gauge : model.gauges.gauges)
       text += fmt::format("{:<24} {:.6g} {}\n", gauge.name, series.column(gauge.name).back(), gauge.unit());
     if (body.test())
-      text += LaboratoryReport{model.laboratory, *body.test()}.text();
+      text += LaboratoryReport{model.laboratory, *body.test(), slower}.text();
     if (model.bonded())
       text += BreakResults{specimen(), {}}.text();
     text += common().text();

@@ -2,6 +2,7 @@
 
 #include "apps/drivers/particles/body.h"
 #include "apps/drivers/parts/motion_report.h"
+#include "dem/laboratory/lab_test.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -20,7 +21,8 @@ namespace apps
     const StaticStart    &start;
     postprocess::CsvTable series; ///< complete
     double                wall_seconds;
-    std::string           not_in_balance; ///< see left_out_of_balance()
+    std::string           not_in_balance;   ///< see left_out_of_balance()
+    const dem::LabTest   *slower = nullptr; ///< the test's loading at half the speed; nullptr: there was none
 
     /** summary.json and curve.png. @throws postprocess::OutputError. */
     void write(const std::filesystem::path &folder) const;

@@ -22,6 +22,9 @@ namespace apps
 {
   namespace
   {
+    /** Part of a test's speed at which its loading is repeated. */
+    constexpr double slower = 0.5;
+
     /** What another scene can begin with: places as they are, outside any mould. */
     dem::Packing at_end(const dem::Packing &packing, const dem::Specimen &specimen)
     {
@@ -126,7 +129,25 @@ namespace apps
     state.group("specimen");
     body->visit_state(state);
     snapshots.visit_state(state);
+    visit_slow(state);
     steps_before = body->specimen().steps();
+  }
+
+  void ParticlesRun::visit_slow(RunState &state)
+  {
+    if (!model.laboratory.check_speed)
+      return;
+    std::int64_t kept = slow ? 1 : 0;
+    state.group("half_speed");
+    state.scalar("kept", kept);
+    if (kept == 0)
+      return;
+    if (!slow)
+      {
+        slow = std::make_unique<ParticlesBody>(model, packing);
+        slow->load_at(slower);
+      }
+    slow->visit_state(state);
   }
 
   std::string ParticlesRun::size() const
@@ -139,17 +160,25 @@ namespace apps
 
   double ParticlesRun::done() const
   {
-    return genesis ? genesis->done() : std::min(1.0, body->specimen().time() / model.end_time);
+    if (genesis)
+      return genesis->done();
+    if (sampling.finished() && slow)
+      return std::min(1.0, slow->specimen().time() / last_time_of_slow());
+    return std::min(1.0, body->specimen().time() / model.end_time);
   }
 
   std::string ParticlesRun::details() const
   {
     if (genesis)
       return genesis->details();
-    const dem::Counts counts = body->specimen().counts();
-    return fmt::format("time {:.4g} s, {} contacts, {} links broken, {:.0f} steps/s", body->specimen().time(),
-                       counts.contacts, counts.broken,
-                       static_cast<double>(body->specimen().steps() - steps_before) / std::max(stepping_seconds, 1e-9));
+    const dem::Specimen &moves  = sampling.finished() && slow ? slow->specimen() : body->specimen();
+    const dem::Counts    counts = moves.counts();
+    const std::string    text =
+      fmt::format("time {:.4g} s, {} contacts, {} links broken", moves.time(), counts.contacts, counts.broken);
+    if (&moves != &body->specimen())
+      return text;
+    return text + fmt::format(", {:.0f} steps/s",
+                              static_cast<double>(moves.steps() - steps_before) / std::max(stepping_seconds, 1e-9));
   }
 
   void ParticlesRun::grow(const Record &record)
@@ -171,6 +200,9 @@ namespace apps
   {
     if (genesis)
       return grow(record);
+    if (sampling.finished())
+      return slow->advance_to(std::min(slow->specimen().time() + seconds_of_a_row(), last_time_of_slow()));
+    keep_start_of_loading();
     const Stopwatch watch;
     body->advance_to(sampling.next_time());
     stepping_seconds += watch.seconds();
@@ -181,6 +213,20 @@ namespace apps
     record_row(record);
     if (sampling.snapshot_due())
       snapshots.take(body->specimen());
+  }
+
+  void ParticlesRun::keep_start_of_loading()
+  {
+    if (slow || !model.laboratory.check_speed || !body->test_is_loading())
+      return;
+    slow = std::make_unique<ParticlesBody>(model, packing);
+    slow->repeat_loading_of(*body, slower);
+  }
+
+  bool ParticlesRun::checks_speed() const
+  {
+    return slow && body->test_is_over() && body->test()->figures().strength.found && !slow->test_is_over() &&
+           slow->specimen().time() < last_time_of_slow();
   }
 
   void ParticlesRun::record_row(const Record &record)
@@ -210,7 +256,7 @@ namespace apps
         BreakResults{body->specimen(), packing.material_names}.write(folder);
       }
     if (body->test())
-      LaboratoryReport{model.laboratory, *body->test()}.write(
+      LaboratoryReport{model.laboratory, *body->test(), slow ? slow->test() : nullptr}.write(
         folder, std::filesystem::path(request.scene_file).stem().string());
     const ParticlesReport report{
       request,
@@ -220,7 +266,8 @@ namespace apps
       start,
       postprocess::read_csv_table(folder / "series.csv", true),
       wall_seconds,
-      left_out_of_balance(*model.material.materials().bonds(model.physics), body->specimen().particles().radius)};
+      left_out_of_balance(*model.material.materials().bonds(model.physics), body->specimen().particles().radius),
+      slow ? slow->test() : nullptr};
     report.write(folder);
     return grown_text + report.text();
   }

@@ -36,18 +36,28 @@ namespace apps
     void                                   visit_state(RunState &state) override;
     std::vector<postprocess::SeriesColumn> series_columns() const override { return model.columns(); }
     std::string                            size() const override;
-    std::string                            stage() const override { return genesis ? genesis->stage() : "motion"; }
-    double                                 done() const override;
-    std::string                            details() const override;
-    bool                                   finished() const override { return !genesis && sampling.finished(); }
-    void                                   advance(const Record &record) override;
-    std::string                            finish(const std::filesystem::path &folder, double wall_seconds) override;
+    std::string                            stage() const override
+    {
+      return genesis ? genesis->stage() : sampling.finished() && slow ? "loading at half the speed" : "motion";
+    }
+    double      done() const override;
+    std::string details() const override;
+    bool        finished() const override { return !genesis && sampling.finished() && !checks_speed(); }
+    void        advance(const Record &record) override;
+    std::string finish(const std::filesystem::path &folder, double wall_seconds) override;
 
     void make_body();
     /** The body and its initial state. */
     void make_start();
     /** What a run in motion begins with, to its folder and series. */
     void begin_motion(const Record &record);
+    /** Where the loading of a test has begun whose speed is to be checked: a copy that shall do it at half the speed. */
+    void   keep_start_of_loading();
+    void   visit_slow(RunState &state);
+    double last_time_of_slow() const { return 2 * model.end_time; } ///< [s]
+    double seconds_of_a_row() const { return model.end_time / static_cast<double>(model.output.samples); }
+    /** Whether that copy still has something to do. */
+    bool checks_speed() const;
     /** Some further; where particles have grown up, they begin to move. */
     void grow(const Record &record);
     void open(const std::filesystem::path &folder);
@@ -62,11 +72,13 @@ namespace apps
     std::filesystem::path          location;   ///< where results grow
     std::unique_ptr<GenesisWork>   genesis;    ///< while particles grow; then there is the body
     std::unique_ptr<ParticlesBody> body;
-    MaterialCounts                 materials; ///< before anything moves
-    StaticStart                    start;
-    Sampling                       sampling;
-    SpecimenSnapshots              snapshots;
-    double                         stepping_seconds = 0; ///< wall clock, since the run began or was resumed
-    std::int64_t                   steps_before     = 0; ///< when it did
+    std::unique_ptr<ParticlesBody>
+                      slow;      ///< as it was when the loading began, to load at half the speed when the test is over
+    MaterialCounts    materials; ///< before anything moves
+    StaticStart       start;
+    Sampling          sampling;
+    SpecimenSnapshots snapshots;
+    double            stepping_seconds = 0; ///< wall clock, since the run began or was resumed
+    std::int64_t      steps_before     = 0; ///< when it did
   };
 } // namespace apps

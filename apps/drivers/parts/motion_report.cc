@@ -15,13 +15,25 @@
 
 namespace apps
 {
+  std::vector<std::string> MotionReport::doubts() const
+  {
+    const dem::Counts        counts = specimen.counts();
+    std::vector<std::string> all;
+    for (const std::string &doubt : {overlap_warning(counts.deepest_overlap), turn_warning(counts.largest_turn)})
+      if (!doubt.empty())
+        all.push_back(doubt);
+    return all;
+  }
+
+  double MotionReport::balance_error() const { return worst_residual(series, specimen.energy().rounding); }
+
   void MotionReport::write(const std::filesystem::path               &folder,
                            const nlohmann::json                      &figures,
                            nlohmann::json                             energy,
                            nlohmann::json                             cost,
                            const std::pair<std::string, std::string> &curve) const
   {
-    energy["balance_error"] = worst_residual(series);
+    energy["balance_error"] = balance_error();
     energy["unit"]          = "J";
     if (!not_in_balance.empty())
       energy["not_in_balance"] = not_in_balance;
@@ -32,9 +44,7 @@ namespace apps
     summary["figures"]     = figures;
     summary["energy"]      = std::move(energy);
     summary["cost"]        = std::move(cost);
-    summary["warnings"]    = nlohmann::json::array();
-    if (const std::string doubt = overlap_warning(deepest_overlap); !doubt.empty())
-      summary["warnings"].push_back(doubt);
+    summary["warnings"]    = doubts();
     if (!notes.empty())
       summary["notes"] = notes;
     materials.put_into(summary);
@@ -53,8 +63,8 @@ namespace apps
       text += fmt::format("start        {}\n", text_of(*start));
     for (const std::string &note : notes)
       text += fmt::format("note         {}\n", note);
-    text += fmt::format("energy       balance error {:.1e} of the largest energy\n", worst_residual(series));
-    if (const std::string doubt = overlap_warning(deepest_overlap); !doubt.empty())
+    text += fmt::format("energy       balance error {:.1e} of the largest energy\n", balance_error());
+    for (const std::string &doubt : doubts())
       text += fmt::format("warning      {}\n", doubt);
     return text + balance_note(not_in_balance);
   }

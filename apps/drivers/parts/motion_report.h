@@ -3,6 +3,7 @@
 #include "apps/drivers/parts/material_counts.h"
 #include "apps/drivers/parts/static_start.h"
 #include "apps/scene/scene.h"
+#include "dem/specimen/specimen.h"
 #include "postprocess/csv_table.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -23,10 +24,10 @@ namespace apps
     double                       end_time; ///< [s]
     const MaterialCounts        &materials;
     const StaticStart           &start;
-    const postprocess::CsvTable &series;          ///< complete
-    const std::string           &not_in_balance;  ///< see left_out_of_balance()
-    double                       deepest_overlap; ///< see dem::Counts
-    std::vector<std::string>     notes = {};      ///< what else a user should know, one sentence each
+    const postprocess::CsvTable &series;         ///< complete
+    const std::string           &not_in_balance; ///< see left_out_of_balance()
+    const dem::Specimen         &specimen;       ///< as it is at the end
+    std::vector<std::string>     notes = {};     ///< what else a user should know, one sentence each
 
     /**
      * summary.json and curve.png.
@@ -40,5 +41,9 @@ namespace apps
                const std::pair<std::string, std::string> &curve) const;
     /** Lines for the terminal: what ended the run, its start, the balance of its energy. */
     std::string text() const;
+
+  private:
+    std::vector<std::string> doubts() const; ///< what is large that laws take for small
+    double                   balance_error() const;
   };
 } // namespace apps

@@ -34,10 +34,10 @@ namespace apps
     }
   } // namespace
 
-  double worst_residual(const postprocess::CsvTable &series)
+  double worst_residual(const postprocess::CsvTable &series, const double rounding)
   {
     const auto largest = [](const std::vector<double> &values) { return std::fabs(values[peak_row(values)]); };
-    double     most    = 0;
+    double     most    = rounding;
     for (const std::string &name : series.names)
       if (name.rfind("energy_", 0) == 0 && name != "energy_balance_error" && !ends_with_residual(name))
         most = std::max(most, largest(series.column(name)));

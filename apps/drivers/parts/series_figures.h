@@ -17,6 +17,7 @@ namespace apps
   /**
    * Largest value of the column "energy_residual" over the largest energy, both of all rows: a run that ends at rest has only rounding
    * left to divide by. 0 without energy.
+   * @param rounding what energies are at least divided by [J]: a run that rests all the time has nothing else (dem::EnergyAccount)
    */
-  double worst_residual(const postprocess::CsvTable &series);
+  double worst_residual(const postprocess::CsvTable &series, double rounding = 0);
 } // namespace apps

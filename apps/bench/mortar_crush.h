@@ -1,0 +1,35 @@
+#pragma once
+
+#include "apps/bench/scene_variant.h"
+#include "apps/drivers/particles/model.h"
+
+#include <cstddef>
+#include <limits>
+#include <string>
+
+namespace apps
+{
+  /** What a case of a bench of mortar found, and what it cost. */
+  struct MortarRow
+  {
+    std::string study, value;
+    std::size_t particles = 0, bonds = 0;
+    double      strength = 0, modulus = 0; ///< [Pa]; NaN: not determined
+    double      imbalance = 0;             ///< of the platens' forces before the peak [-]; NaN likewise
+    double      balance   = 0;             ///< of energies
+    double      growth = 0, cost = 0;      ///< processor time of genesis and of the test [s]
+  };
+
+  constexpr double unknown_figure = std::numeric_limits<double>::quiet_NaN();
+
+  /** For a table, in a unit; "-" where it is not known. @param digits format of the value, e.g. "{:.3f}" */
+  std::string in_table(double value, double unit, const char *digits);
+  /** Empty where it is not known. */
+  std::string in_csv(double value);
+
+  /** The scene of such a bench: kind particles, with genesis and uniaxial compression. @throws base::InputError for another one */
+  const ParticlesModel &mortar_in(const CheckedScene &checked);
+
+  /** Crush a specimen that has grown already. */
+  MortarRow crush(const SceneVariant &variant, const ParticlesModel &model, const dem::Packing &packing);
+} // namespace apps
