@@ -1,10 +1,16 @@
 #include "apps/commands/command.h"
+#include "apps/commands/link_law_named.h"
 #include "apps/commands/scene_options.h"
 #include "apps/drivers/homogenisation/report.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
 #include "apps/process/version.h"
 #include "apps/results/result_folder.h"
+#include "apps/scene/law_block.h"
+#include "apps/scene/material_section.h"
+#include "apps/scene/overrides.h"
+#include "apps/scene/parameter_file.h"
+#include "apps/scene/reader.h"
 #include "apps/scene/value_text.h"
 #include "base/errors.h"
 #include "dem/packing/compaction.h"
@@ -15,6 +21,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 
@@ -24,9 +31,10 @@ namespace apps
   {
     struct HomogeniseOptions
     {
-      std::string            packing, folder;
-      HomogenisationQuestion question;
-      int                    seeds = 1, threads = 0;
+      std::string              packing, folder, law, materials;
+      std::vector<std::string> constants;
+      HomogenisationQuestion   question;
+      int                      seeds = 1, threads = 0;
     };
 
     /** The friction a packing was compacted with, where its file says so. */
@@ -38,10 +46,65 @@ namespace apps
                                        number_in(found->second).value_or(dem::CompactionParameters().friction);
     }
 
-    std::vector<HomogenisationAnswer> answers_of(const HomogeniseOptions &options)
+    /** Links of one law, its constants from the command line. */
+    dem::LinkMaterials materials_of_law(const std::string &name, const std::vector<std::string> &constants)
     {
-      const dem::Packing                packing = postprocess::read_packing(options.packing);
+      const dem::LinkLawKind &law = link_law_named(name);
+      const auto              own = law.constants();
+      Section                 block;
+      LawBlock                entries(block);
+      own->visit(entries);
+      assign(block, read_overrides(constants), "command line");
+      own->check();
+      return law.materials({{"", own.get(), 0}});
+    }
+
+    /** Materials as a scene has them, in the packing's numbers; whatever else the scene says is left aside. */
+    dem::LinkMaterials materials_of_scene(const std::string              &scene,
+                                          const std::vector<std::string> &changes,
+                                          dem::Packing                   &packing,
+                                          int                             dimension)
+    {
+      MaterialSection materials;
+      Section         root;
+      materials.declare(root);
+      std::vector<Assignment>       said    = read_parameter_file(scene);
+      const std::vector<Assignment> changed = read_overrides(changes);
+      said.insert(said.end(), changed.begin(), changed.end());
+      said.erase(std::remove_if(said.begin(), said.end(),
+                                [&](const Assignment &each) {
+                                  return each.sections.empty() || root.find_section(each.sections.front()) == nullptr;
+                                }),
+                 said.end());
+      assign(root, said, scene);
+      materials.validate(root, dimension);
+      materials.assign(packing, dimension, scene);
+      return materials.materials();
+    }
+
+    /** What the links obey: moduli, or a law, or the materials of a scene. */
+    void choose_links(HomogeniseOptions &options, dem::Packing &packing)
+    {
+      auto      &links  = options.question.links;
+      const bool moduli = links.normal_modulus > 0 || links.shear_ratio > 0;
+      if ((moduli ? 1 : 0) + (options.law.empty() ? 0 : 1) + (options.materials.empty() ? 0 : 1) != 1)
+        throw base::InputError("command line: give one of --normal-modulus with --shear-ratio, --law and --materials.");
+      if (!options.constants.empty() && moduli)
+        throw base::InputError("command line: -s changes constants of --law, or entries of --materials.");
+      if (!options.law.empty())
+        options.question.materials = materials_of_law(options.law, options.constants);
+      if (!options.materials.empty())
+        options.question.materials = materials_of_scene(options.materials, options.constants, packing, links.dimension);
+    }
+
+    std::vector<HomogenisationAnswer> answers_of(HomogeniseOptions &options)
+    {
+      dem::Packing packing = postprocess::read_packing(options.packing);
+      choose_links(options, packing);
       std::vector<HomogenisationAnswer> answers = {homogenise(packing, options.question, options.packing)};
+      if (options.seeds > 1 && options.question.materials && options.question.materials->several())
+        throw base::InputError(
+          "command line: --seeds makes packings of one material; homogenise those of several one by one.");
       if (options.seeds > 1 && options.question.links.dimension == 2)
         throw base::InputError(
           "command line: --seeds makes packings of spheres; homogenise packings of discs one by one.");
@@ -65,9 +128,15 @@ namespace apps
       json["made_by"]     = "breccia " + version();
       json["packing"]     = options.packing;
       json["asked"]       = {{"interaction_ratio", options.question.links.interaction_ratio},
-                             {"normal_modulus", options.question.links.normal_modulus},
-                             {"shear_ratio", options.question.links.shear_ratio},
+                             {"installation_gap", options.question.links.installation_gap},
                              {"tolerance", options.question.solver.tolerance}};
+      if (options.question.materials)
+        json["asked"].update({{"law", options.question.materials->bonds(dem::Physics())->name()},
+                              {"materials", options.materials},
+                              {"changes", options.constants}});
+      else
+        json["asked"].update({{"normal_modulus", options.question.links.normal_modulus},
+                              {"shear_ratio", options.question.links.shear_ratio}});
       if (answers.size() > 1)
         json["scatter"] = scatter_json(answers);
       ResultFolder folder(options.folder, ResultFolder::Start::afresh);
@@ -91,12 +160,27 @@ namespace apps
                   "Links up to this times the sum of radii, from 1 to 10")
       ->required()
       ->type_name("IOTA");
-    command.add_option("--normal-modulus", links.normal_modulus, "Of the link material along the link [Pa]")
-      ->required()
-      ->type_name("E");
-    command.add_option("--shear-ratio", links.shear_ratio, "Shear over normal modulus of the link material")
-      ->required()
-      ->type_name("G/E");
+    command.add_option("--installation-gap", links.installation_gap, "That much further still [m]; default: 0")
+      ->type_name("GAP")
+      ->check(CLI::Range(0.0, 1e3));
+    auto *modulus =
+      command.add_option("--normal-modulus", links.normal_modulus, "Of the link material along the link [Pa]")
+        ->type_name("E");
+    auto *ratio =
+      command.add_option("--shear-ratio", links.shear_ratio, "Shear over normal modulus of the link material")
+        ->type_name("G/E");
+    modulus->needs(ratio);
+    ratio->needs(modulus);
+    command
+      .add_option("--law", options->law,
+                  "In place of moduli: a law of links by its name, with its constants by -s; moments count")
+      ->type_name("NAME");
+    command
+      .add_option("--materials", options->materials,
+                  "Or a scene: sections Material or Materials, Interfaces and Regions of it are what the links obey")
+      ->type_name("SCENE");
+    add_overrides(command, options->constants,
+                  "Constant of --law, e.g. -s \"Effective modulus=10e9\", or entry of --materials; repeatable");
     command
       .add_option("--thickness", links.thickness, "The packing is of discs this thick [m]: stiffness in the plane")
       ->type_name("T")

@@ -1,4 +1,5 @@
 #include "apps/commands/command.h"
+#include "apps/commands/link_law_named.h"
 #include "apps/commands/scene_options.h"
 #include "apps/drivers/paths/link_motion.h"
 #include "apps/drivers/paths/link_path.h"
@@ -119,19 +120,9 @@ namespace apps
       return path;
     }
 
-    const dem::LinkLawKind &law_named(const std::string &name)
-    {
-      if (const dem::LinkLawKind *found = dem::find_link_law(name))
-        return *found;
-      std::vector<std::string> names;
-      for (const auto &law : dem::link_laws())
-        names.push_back(law->name());
-      throw base::InputError("command line: law \"" + name + "\" is not known. " + did_you_mean(name, names));
-    }
-
     int link_test(const LinkTestOptions &options)
     {
-      const dem::LinkLawKind     &law   = law_named(options.law);
+      const dem::LinkLawKind     &law   = link_law_named(options.law);
       const postprocess::CsvTable table = read_path_table(options.path);
       Section                     block;
       LawBlock                    entries(block);

@@ -53,20 +53,44 @@ namespace apps
     section.text("Material", one, Need::required).means("Name of a section in Materials");
     section.text("Other material", other, Need::required)
       .means("Likewise; of links between its own particles the same");
+    std::vector<std::string> laws = {"of the materials"};
+    for (const auto &kind : dem::link_laws())
+      laws.push_back(kind->name());
+    section
+      .choice_of(
+        "Law", laws, 0,
+        [this](const std::size_t chosen) { law = chosen == 0 ? nullptr : dem::link_laws().at(chosen - 1).get(); },
+        Need::optional)
+      .means("Law of its links, where it is not that of both materials");
     section.flag("Bonded", bonded).means("The two are linked at the start; off: they only touch");
     for (const auto &kind : dem::link_laws())
       {
         Section &block = section.section(kind->name(), kind->meaning());
         block.only_if(
-          [&materials, kind] {
+          [this, &materials, kind] {
             return !materials.empty() &&
-                   (materials.front().law.law == kind.get() || materials.front().law.contacts == kind.get());
+                   (law_among(materials) == kind.get() || materials.front().law.contacts == kind.get());
           },
-          "Law or Contacts of the materials = " + kind->name());
+          "its Law, or Contacts of the materials = " + kind->name());
         LawBlock entries(block);
         constants[kind->name()] = kind->constants();
         constants[kind->name()]->visit(entries);
       }
+  }
+
+  const dem::LinkLawKind *MaterialInterface::law_among(const std::list<NamedMaterial> &materials) const
+  {
+    if (law != nullptr)
+      return law;
+    const dem::LinkLawKind *found = nullptr;
+    for (const NamedMaterial &material : materials)
+      if (material.name == one || material.name == other)
+        {
+          if (found != nullptr && found != material.law.law)
+            return nullptr;
+          found = material.law.law;
+        }
+    return found;
   }
 
   void MaterialSection::declare(Section &root, const bool inertia)
@@ -152,13 +176,11 @@ namespace apps
       {
         const Section &section = *materials_section.find_section(material.name);
         validate_material(material, section);
-        if (material.law.law != named.front().law.law)
-          section.refuse("Law",
-                         "all materials of a scene must have the same, here " + named.front().law.law->name() + ".");
         if (material.law.contacts != named.front().law.contacts)
           section.refuse("Contacts", "all materials of a scene must have the same, as the first of them.");
       }
     validate_interfaces(root);
+    validate_pairs(root);
     try
       {
         materials().bonds(dem::Physics());
@@ -187,9 +209,12 @@ namespace apps
         for (const auto &[entry, name] : {std::pair{"Material", each.one}, std::pair{"Other material", each.other}})
           if (std::find(known.begin(), known.end(), name) == known.end())
             section.refuse(entry, "is not in section Materials. " + did_you_mean(name, known));
+        const dem::LinkLawKind *law = each.law_among(named);
+        if (law == nullptr)
+          section.refuse("Law", "the two materials have different ones: choose that of the links between them.");
         try
           {
-            each.constants.at(named.front().law.law->name())->check();
+            each.constants.at(law->name())->check();
           }
         catch (const base::InputError &refusal)
           {
@@ -198,31 +223,116 @@ namespace apps
       }
   }
 
-  std::vector<dem::PairConstants> MaterialSection::pairs_of(const dem::LinkLawKind &kind) const
+  void MaterialSection::validate_pairs(const Section &root) const
   {
-    const std::vector<std::string> known  = names();
-    const auto                     number = [&](const std::string &name) {
-      return static_cast<std::int32_t>(std::find(known.begin(), known.end(), name) - known.begin());
+    const auto laws = laws_of_pairs();
+    const auto at   = [this](const std::int32_t number) -> const NamedMaterial   &{
+      return *std::next(named.begin(), number);
     };
-    std::vector<dem::PairConstants> pairs;
+    for (std::int32_t one = 0; one < static_cast<std::int32_t>(named.size()); ++one)
+      for (std::int32_t other = 0; other < one; ++other)
+        if (laws[static_cast<std::size_t>(dem::material_pair(one, other))] == nullptr)
+          root.find_section("Materials")
+            ->find_section(at(one).name)
+            ->refuse("Law", fmt::format("links with {} ({}) have none. Choose it: add to Interfaces a sub-section with "
+                                        "Material = {}, Other material = {} and their Law.",
+                                        at(other).name, at(other).law.law->name(), at(other).name, at(one).name));
+  }
+
+  const MaterialInterface *MaterialSection::between(const std::int32_t one, const std::int32_t other) const
+  {
+    const std::string &first = std::next(named.begin(), one)->name, &second = std::next(named.begin(), other)->name;
+    const MaterialInterface *found = nullptr;
     for (const MaterialInterface &each : interfaces)
-      pairs.push_back({number(each.one), number(each.other), each.constants.at(kind.name()).get(), each.bonded});
-    return pairs;
+      if ((each.one == first && each.other == second) || (each.one == second && each.other == first))
+        found = &each;
+    return found;
+  }
+
+  std::vector<const dem::LinkLawKind *> MaterialSection::laws_of_pairs() const
+  {
+    std::vector<const dem::LinkLawKind *> laws;
+    std::int32_t                          one = 0;
+    for (const NamedMaterial &material : named)
+      {
+        std::int32_t other = 0;
+        for (auto partner = named.begin(); other <= one; ++partner, ++other)
+          if (const MaterialInterface *own = between(one, other))
+            laws.push_back(own->law_among(named));
+          else
+            laws.push_back(partner->law.law == material.law.law ? material.law.law : nullptr);
+        ++one;
+      }
+    return laws;
+  }
+
+  dem::LinkMaterials MaterialSection::by_law(const dem::LinkLawKind &kind) const
+  {
+    std::vector<dem::NamedConstants> all;
+    std::vector<dem::PairConstants>  pairs;
+    for (const NamedMaterial &material : named)
+      all.push_back({material.name, material.law.constants.at(kind.name()).get(), material.density});
+    if (named.empty())
+      all.push_back({"", only.constants.at(kind.name()).get(), 0});
+    for (std::int32_t one = 0; one < static_cast<std::int32_t>(named.size()); ++one)
+      for (std::int32_t other = 0; other <= one; ++other)
+        if (const MaterialInterface *own = between(one, other))
+          pairs.push_back({one, other, own->constants.at(kind.name()).get(), own->bonded});
+    return kind.materials(all, pairs);
+  }
+
+  dem::LinkMaterials MaterialSection::by_law(const dem::LinkLawKind                      &kind,
+                                             const std::vector<const dem::LinkLawKind *> &of_pairs) const
+  {
+    const dem::LinkConstants        *any = nullptr; // of this law
+    std::vector<dem::NamedConstants> all;
+    std::vector<dem::PairConstants>  pairs;
+    for (const NamedMaterial &material : named)
+      if (material.law.law == &kind)
+        any = material.law.constants.at(kind.name()).get();
+    for (const MaterialInterface &each : interfaces)
+      if (any == nullptr && each.law_among(named) == &kind)
+        any = each.constants.at(kind.name()).get();
+    for (const NamedMaterial &material : named)
+      all.push_back({material.name, material.law.law == &kind ? material.law.constants.at(kind.name()).get() : any,
+                     material.density});
+    for (std::int32_t one = 0; one < static_cast<std::int32_t>(named.size()); ++one)
+      for (std::int32_t other = 0; other <= one; ++other)
+        {
+          const MaterialInterface *own = between(one, other);
+          if (of_pairs[static_cast<std::size_t>(dem::material_pair(one, other))] != &kind)
+            pairs.push_back({one, other, any, true});
+          else if (own != nullptr)
+            pairs.push_back({one, other, own->constants.at(kind.name()).get(), own->bonded});
+        }
+    return kind.materials(all, pairs);
   }
 
   dem::LinkMaterials MaterialSection::materials() const
   {
-    const auto of_law = [this](const dem::LinkLawKind &kind) {
-      std::vector<dem::NamedConstants> all;
-      for (const NamedMaterial &material : named)
-        all.push_back({material.name, material.law.constants.at(kind.name()).get(), material.density});
-      if (named.empty())
-        all.push_back({"", only.constants.at(kind.name()).get(), 0});
-      return kind.materials(all, pairs_of(kind));
-    };
-    const LinkLaw           &laws  = named.empty() ? only : named.front().law;
-    const dem::LinkMaterials bonds = of_law(*laws.law);
-    return laws.contacts == nullptr ? bonds : bonds.with_contacts(of_law(*laws.contacts));
+    if (named.empty())
+      {
+        const dem::LinkMaterials bonds = by_law(*only.law);
+        return only.contacts == nullptr ? bonds : bonds.with_contacts(by_law(*only.contacts));
+      }
+    const std::vector<const dem::LinkLawKind *> of_pairs = laws_of_pairs();
+    std::vector<const dem::LinkLawKind *>       laws;
+    std::vector<std::int32_t>                   kinds;
+    for (const dem::LinkLawKind *law : of_pairs)
+      {
+        const auto found = std::find(laws.begin(), laws.end(), law);
+        kinds.push_back(static_cast<std::int32_t>(found - laws.begin()));
+        if (found == laws.end())
+          laws.push_back(law);
+      }
+    std::vector<dem::LinkMaterials> of_laws;
+    if (laws.size() > 1)
+      for (const dem::LinkLawKind *law : laws)
+        of_laws.push_back(by_law(*law, of_pairs));
+    const dem::LinkMaterials bonds =
+      laws.size() > 1 ? dem::LinkMaterials::by_pair(of_laws, kinds) : by_law(*laws.front());
+    const dem::LinkLawKind *contacts = named.front().law.contacts;
+    return contacts == nullptr ? bonds : bonds.with_contacts(by_law(*contacts));
   }
 
   std::vector<std::string> MaterialSection::names() const

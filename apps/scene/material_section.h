@@ -35,14 +35,17 @@ namespace apps
     double      density = 0; ///< of its particles [kg/m^3]; 0: that of the specimen
   };
 
-  /** Sub-section of "Interfaces": links between two materials with constants of their own. */
+  /** Sub-section of "Interfaces": links between two materials with constants, perhaps a law, of their own. */
   struct MaterialInterface
   {
-    std::string name, one, other; ///< of the section, and of the materials
-    bool        bonded = true;
+    std::string             name, one, other; ///< of the section, and of the materials
+    const dem::LinkLawKind *law    = nullptr; ///< nullptr: that of the materials
+    bool                    bonded = true;
     std::map<std::string, std::shared_ptr<dem::LinkConstants>> constants; ///< of every law, by its name
 
     void declare(Section &section, const std::list<NamedMaterial> &materials);
+    /** Law of its links; nullptr where none is chosen and the materials have different ones. */
+    const dem::LinkLawKind *law_among(const std::list<NamedMaterial> &materials) const;
   };
 
   /**
@@ -79,7 +82,17 @@ namespace apps
     void require_all(const dem::Packing &packing, const std::string &origin) const;
 
   private:
-    void                            validate_interfaces(const Section &root) const;
-    std::vector<dem::PairConstants> pairs_of(const dem::LinkLawKind &kind) const;
+    void validate_interfaces(const Section &root) const;
+    /** Every pair of materials has a law. @throws base::InputError */
+    void validate_pairs(const Section &root) const;
+    /** The interface of a pair of materials, by their numbers: the last of several; nullptr if there is none. */
+    const MaterialInterface *between(std::int32_t one, std::int32_t other) const;
+    /** Law of the links of each pair of materials, in the order of dem::material_pair(); nullptr: none follows from the scene. */
+    std::vector<const dem::LinkLawKind *> laws_of_pairs() const;
+    /** All materials by one law, which all pairs obey, or the contacts of all. */
+    dem::LinkMaterials by_law(const dem::LinkLawKind &kind) const;
+    /** All materials by one of several laws: what obeys another one has constants of this one that nobody looks at. */
+    dem::LinkMaterials by_law(const dem::LinkLawKind                      &kind,
+                              const std::vector<const dem::LinkLawKind *> &of_pairs) const;
   };
 } // namespace apps

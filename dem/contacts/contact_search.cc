@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace dem
 {
@@ -25,8 +26,9 @@ namespace dem
     if (links.count == 0)
       return false;
     const auto [first, second, image] = pair;
-    for (std::int32_t l = links.own_begin[first]; l < links.own_begin[first + 1]; ++l)
-      if (links.second[l] == second && (!links.periodic || links.image[l] == image) && links.is_alive(l))
+    for (std::int32_t o = links.own_begin[first]; o < links.own_begin[first + 1]; ++o)
+      if (const std::size_t l = links.own(o);
+          links.second[l] == second && (!links.periodic || links.image[l] == image) && links.is_alive(l))
         return true;
     return false;
   }
@@ -168,23 +170,33 @@ namespace dem
     make_links(fresh, born, particles, shape, law);
     LinkSet merged = fresh.empty_like();
     merged.alive   = contacts.alive + born.size();
-    merged.resize(merged.alive, particles.count);
+
+    std::vector<std::size_t> links_of_law = fresh.alive_by_law();
+    for (std::size_t l = 0; l < contacts.count; ++l)
+      if (contacts.is_alive(l))
+        ++links_of_law[contacts.kind_of_line(l)];
+    std::vector<std::size_t> to = merged.resize_by_law(links_of_law, particles.count);
     for (const auto &account : contacts.accounts)
       merged.accounts[0].friction += account.friction;
 
     const auto before = [](const LinkSet &a, const std::size_t i, const LinkSet &b, const std::size_t j) {
-      return a.first[i] != b.first[j] ? a.first[i] < b.first[j] : a.second[i] < b.second[j];
+      return std::make_tuple(a.kind_of_line(i), a.first[i], a.second[i]) <
+             std::make_tuple(b.kind_of_line(j), b.first[j], b.second[j]);
     };
-    std::size_t to = 0, next = 0;
+    const auto take = [&](const LinkSet &source, const std::size_t line) {
+      if (source.is_alive(line))
+        merged.copy_line(source, line, to[source.kind_of_line(line)]++);
+    };
+    std::size_t next = 0;
     for (std::size_t old = 0; old < contacts.count; ++old)
       if (contacts.is_alive(old))
         {
-          while (next < fresh.count && before(fresh, next, contacts, old))
-            merged.copy_line(fresh, next++, to++);
-          merged.copy_line(contacts, old, to++);
+          while (next < fresh.count && (!fresh.is_alive(next) || before(fresh, next, contacts, old)))
+            take(fresh, next++);
+          take(contacts, old);
         }
     while (next < fresh.count)
-      merged.copy_line(fresh, next++, to++);
+      take(fresh, next++);
     merged.tabulate(particles.count);
     contacts = std::move(merged);
   }

@@ -117,7 +117,7 @@ namespace dem
         fresh.area         = shape.link_area(fresh.first_radius, fresh.first_radius);
         fresh.thickness    = shape.dimension == 3 ? 0 : shape.thickness;
 
-        links.reference_length[b] = law->reference_length(fresh);
+        links.reference_length[b] = law->reference_length(links.pair_of(b), fresh);
         links.area[b]             = fresh.area;
         std::fill(row.begin(), row.end(), 0.0);
         law->begin(links.pair_of(b), fresh, row.data());
@@ -175,7 +175,7 @@ namespace dem
     if (!holds())
       return off;
     follow(particles, surface);
-    pass(links, bodies, *law);
+    pass(links, bodies, *law, links.whole());
     for (std::size_t block = 0; block < links.blocks(); ++block)
       if (links.accounts[block].event)
         {

@@ -169,7 +169,7 @@ namespace dem
     if (forces_known)
       return;
     if (contacts.count > 0)
-      pass(contacts, particles, *law);
+      pass(contacts, particles, *law, contacts.whole());
     push_from_walls();
     forces_known = true;
   }

@@ -39,6 +39,24 @@ namespace dem
     return statistics;
   }
 
+  LinkModuli mean_moduli(const ElasticNetwork &network)
+  {
+    const double across      = network.dimension - 1;
+    double       length_area = 0;
+    LinkModuli   sum;
+    for (const ElasticLink &link : network.links)
+      {
+        const double           square = link.branch.squaredNorm();
+        const Eigen::Matrix3d &C      = link.stiffness;
+        const double           along  = link.direction.dot(C * link.direction);
+        const double           trace  = network.dimension == 3 ? C.trace() : C.topLeftCorner<2, 2>().trace();
+        length_area += link.branch.norm() * link.area;
+        sum.normal += square * along;
+        sum.shear += square * (trace - along) / across;
+      }
+    return {sum.normal / length_area, sum.shear / length_area};
+  }
+
   ElasticConstants closed_form(const LinkStatistics &s, const double normal_modulus, const double shear_ratio)
   {
     const double normal = normal_modulus, shear = shear_ratio * normal_modulus;

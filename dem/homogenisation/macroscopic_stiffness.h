@@ -30,6 +30,15 @@ namespace dem
   /** @throws std::invalid_argument if the network is not periodic: there is no volume to refer to. */
   LinkStatistics link_statistics(const ElasticNetwork &network);
 
+  /** Moduli of links [Pa]: force over area = modulus times slip over length. */
+  struct LinkModuli
+  {
+    double normal = 0, shear = 0;
+  };
+
+  /** Means over the links of a network, each with its length times its area; those of all where all are alike. */
+  LinkModuli mean_moduli(const ElasticNetwork &network);
+
   /**
    * Closed form for links without preferred direction. In space E = s En (2 En + 3 Gn)/(4 En + Gn), nu = (En - Gn)/(4 En +
    * Gn), Stransky (2018), (3.38), after Kuhl et al. (2001); in the plane, read as plane stress, E = S En (En + Gn)/(3 En +

@@ -54,9 +54,9 @@ namespace dem
       const LinkSet &links = of.links;
       StiffnessSeen  seen(p, of, rotations);
       double         sum = 0;
-      for (std::int32_t l = links.own_begin[i]; l < links.own_begin[i + 1]; ++l)
-        if (links.is_alive(l))
-          sum += seen(l, true);
+      for (std::int32_t o = links.own_begin[i]; o < links.own_begin[i + 1]; ++o)
+        if (links.is_alive(links.own(o)))
+          sum += seen(links.own(o), true);
       for (std::int32_t o = links.other_begin[i]; o < links.other_begin[i + 1]; ++o)
         if (links.is_alive(links.others[o]))
           sum += seen(links.others[o], false);

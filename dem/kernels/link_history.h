@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dem/core/simd.h"
+#include "dem/kernels/link_law_of.h"
 #include "dem/model/links.h"
 
 #include <cstddef>
@@ -16,11 +17,16 @@ namespace dem::link_update
 
     double *column[State::columns > 0 ? State::columns : 1];
 
-    explicit HistoryColumns(LinkSet &links)
+    /** @param first of the set's columns that is the law's */
+    HistoryColumns(LinkSet &links, const std::size_t first)
     {
       for (int c = 0; c < State::columns; ++c)
-        column[c] = links.history[static_cast<std::size_t>(c)].data();
+        column[c] = links.history[first + static_cast<std::size_t>(c)].data();
+      if constexpr (law_has_rows<typename P::Law>(0))
+        rows = links.history.data() + first + State::columns;
     }
+
+    base::Column        *rows = nullptr; ///< that the constants ask for, behind the columns
     static constexpr int shear_column(const int i) { return State::numbers + P::across * i; }
     static constexpr int bending_column(const int i) { return shear_column(State::shears) + P::across * i; }
     static constexpr int axis_column(const int i) { return bending_column(State::bendings) + P::across * i; }

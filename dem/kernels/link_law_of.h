@@ -154,7 +154,7 @@ namespace dem
       return all_columns;
     }
 
-    double reference_length(const NewLink &link) const override { return Law::reference_length(link); }
+    double reference_length(std::size_t, const NewLink &link) const override { return Law::reference_length(link); }
     void   begin(const std::size_t pair, const NewLink &link, double *history) const override
     {
       Law::begin(all[pair], link, history);

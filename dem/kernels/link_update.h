@@ -123,7 +123,7 @@ namespace dem::link_update
     State state;
     load_history<P>(history, l, state);
     if constexpr (law_has_rows<typename P::Law>(0))
-      state.rows = {links.history.data() + State::columns, l};
+      state.rows = {history.rows, l};
     const State before    = state;
     const Pack  reference = load(&links.reference_length[l]), area = load(&links.area[l]);
     const Pack  inverse_reference = Pack(1.0) / reference;
@@ -197,10 +197,11 @@ namespace dem::link_update
   void update_block(LinkSet                          &links,
                     const Particles                  &particles,
                     const LinkLawOf<typename P::Law> &laws,
-                    const std::size_t                 block)
+                    const std::size_t                 block,
+                    const std::size_t                 first_column)
   {
     Sums<P>                 sums;
-    const HistoryColumns<P> history(links);
+    const HistoryColumns<P> history(links, first_column);
     const Pack              signs = difference_and_sum;
     const auto             &only  = laws.constants(0);
     const std::size_t begin = block * links_per_block, end = std::min(begin + links_per_block, links.first.size());
@@ -226,13 +227,14 @@ namespace dem::link_update
   }
 
   template <typename P>
-  void link_pass(LinkSet &links, const Particles &particles, const LinkLaw &law)
+  void link_pass(LinkSet &links, const Particles &particles, const LinkLaw &law, const LinkLines &lines)
   {
-    const auto &laws   = static_cast<const LinkLawOf<typename P::Law> &>(law);
-    const auto  blocks = static_cast<std::ptrdiff_t>(links.blocks());
+    const auto &laws  = static_cast<const LinkLawOf<typename P::Law> &>(law);
+    const auto  first = static_cast<std::ptrdiff_t>(lines.first_block),
+               end    = static_cast<std::ptrdiff_t>(lines.end_block);
 #pragma omp parallel for schedule(static)
-    for (std::ptrdiff_t b = 0; b < blocks; ++b)
-      update_block<P>(links, particles, laws, static_cast<std::size_t>(b));
+    for (std::ptrdiff_t b = first; b < end; ++b)
+      update_block<P>(links, particles, laws, static_cast<std::size_t>(b), lines.first_column);
   }
 
   /** Turn a run-time choice into a compile-time one: continue with std::true_type or std::false_type. */

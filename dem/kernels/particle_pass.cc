@@ -41,12 +41,25 @@ namespace dem
         return (sign + Pack(record[6]) * arm) * load(record);
     }
 
+    /** Go through the links whose first end is a particle: line after line where all links obey one law. */
+    template <typename Use>
+    BRECCIA_KERNEL void each_own_link(const LinkSet &links, const std::size_t i, const Use &use)
+    {
+      if (links.owned.empty())
+        for (std::int32_t l = links.own_begin[i]; l < links.own_begin[i + 1]; ++l)
+          use(static_cast<std::size_t>(l));
+      else
+        for (std::int32_t o = links.own_begin[i]; o < links.own_begin[i + 1]; ++o)
+          use(links.own(o));
+    }
+
     template <bool equal_radii>
     BRECCIA_KERNEL void add_links(const LinkSet &links, const std::size_t i, const Lanes &lanes, Pack &sum)
     {
       const double *force = links.force.data();
-      for (std::int32_t l = links.own_begin[i]; l < links.own_begin[i + 1]; ++l)
-        sum += weighted<equal_radii>(force + record_size * static_cast<std::size_t>(l), lanes.own_sign, lanes.own_arm);
+      each_own_link(links, i, [&](const std::size_t link) {
+        sum += weighted<equal_radii>(force + record_size * link, lanes.own_sign, lanes.own_arm);
+      });
       for (std::int32_t o = links.other_begin[i]; o < links.other_begin[i + 1]; ++o)
         sum += weighted<equal_radii>(force + record_size * static_cast<std::size_t>(links.others[o]), lanes.other_sign,
                                      lanes.other_arm);
@@ -58,12 +71,10 @@ namespace dem
     add_links_with_moments(const LinkSet &links, const std::size_t i, const Lanes &lanes, Pack &sum, HalfPack &moments)
     {
       const double *force = links.force.data(), *moment = links.moment.data();
-      for (std::int32_t l = links.own_begin[i]; l < links.own_begin[i + 1]; ++l)
-        {
-          const auto link = static_cast<std::size_t>(l);
-          sum += weighted<equal_radii>(force + record_size * link, lanes.own_sign, lanes.own_arm);
-          moments += load_half(moment + half_record_size * link);
-        }
+      each_own_link(links, i, [&](const std::size_t link) {
+        sum += weighted<equal_radii>(force + record_size * link, lanes.own_sign, lanes.own_arm);
+        moments += load_half(moment + half_record_size * link);
+      });
       for (std::int32_t o = links.other_begin[i]; o < links.other_begin[i + 1]; ++o)
         {
           const auto link = static_cast<std::size_t>(links.others[o]);

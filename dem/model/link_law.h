@@ -17,11 +17,18 @@ namespace dem
   struct Particles;
   class LinkLaw;
 
+  /** Part of a set: blocks of links that obey the same law, and the first of the history's columns that is this law's. */
+  struct LinkLines
+  {
+    std::size_t first_block = 0, end_block = 0;
+    std::size_t first_column = 0;
+  };
+
   /**
    * First of the two passes: force records and new history of every link from its two particles. No scatter; blocks of
    * links are independent, so the result does not depend on the number of threads.
    */
-  using LinkPass = void (*)(LinkSet &links, const Particles &particles, const LinkLaw &law);
+  using LinkPass = void (*)(LinkSet &links, const Particles &particles, const LinkLaw &law, const LinkLines &lines);
 
   /** A quantity that a law remembers or shows: its name in files, its unit ("-" for a pure number), what it is. */
   struct LinkQuantity
@@ -152,9 +159,11 @@ namespace dem
     virtual bool                      bonds() const = 0; ///< carries tension; otherwise it lives only in contact
     /** Its contacts may be made before the particles touch, and remain when they part: nothing is made or deleted at each touch. */
     virtual bool waits() const { return false; }
+    /** Where pairs of materials obey laws of different kinds, the number of each one's law; empty: all obey the same. */
+    virtual std::vector<std::int32_t> kinds() const { return {}; }
 
     /** Length that strains are measured against [m]. */
-    virtual double reference_length(const NewLink &link) const = 0;
+    virtual double reference_length(std::size_t pair, const NewLink &link) const = 0;
     /** History of a new link. */
     virtual void begin(std::size_t pair, const NewLink &link, double *history) const = 0;
 

@@ -21,7 +21,8 @@ namespace dem
     for (const base::Column &column : history)
       doubles += column.capacity();
     std::size_t integers = 0;
-    for (const auto *column : {&first, &second, &image, &pair, &noted, &own_begin, &other_begin, &others})
+    for (const auto *column :
+         {&first, &second, &image, &pair, &noted, &kinds, &first_block, &own_begin, &owned, &other_begin, &others})
       integers += column->capacity();
     return doubles * sizeof(double) + integers * sizeof(std::int32_t) + accounts.capacity() * sizeof(LinkBlockAccount);
   }
@@ -33,6 +34,7 @@ namespace dem
     has_moment    = links_law.has_moment();
     logs_breaks   = links_law.breaks_in_place();
     quantities    = links_law.columns();
+    kinds         = links_law.kinds();
     history.resize(quantities.size());
   }
 
@@ -44,8 +46,54 @@ namespace dem
     other.has_moment    = has_moment;
     other.logs_breaks   = logs_breaks;
     other.quantities    = quantities;
+    other.kinds         = kinds;
     other.history.resize(quantities.size());
     return other;
+  }
+
+  std::size_t LinkSet::laws() const
+  {
+    return kinds.empty() ? 1 : static_cast<std::size_t>(*std::max_element(kinds.begin(), kinds.end())) + 1;
+  }
+
+  std::vector<std::size_t> LinkSet::resize_by_law(const std::vector<std::size_t> &links_of_law,
+                                                  const std::size_t               particles)
+  {
+    if (kinds.empty())
+      {
+        resize(links_of_law.front(), particles);
+        return {0};
+      }
+    std::vector<std::size_t> first_line;
+    std::size_t              end = 0;
+    first_block.clear();
+    padding = 0;
+    for (const std::size_t n : links_of_law)
+      {
+        padding += round_up(end, links_per_block) - end;
+        end = round_up(end, links_per_block);
+        first_line.push_back(end);
+        first_block.push_back(static_cast<std::int32_t>(end / links_per_block));
+        end += n;
+      }
+    first_block.push_back(static_cast<std::int32_t>(round_up(end, links_per_block) / links_per_block));
+    resize(end, particles);
+    pad(0, particles);
+    return first_line;
+  }
+
+  void LinkSet::pad(const std::size_t from, const std::size_t particles)
+  {
+    const auto begin = static_cast<std::ptrdiff_t>(from);
+    std::fill(first.begin() + begin, first.end(), static_cast<std::int32_t>(particles));
+    std::fill(second.begin() + begin, second.end(), static_cast<std::int32_t>(particles + 1));
+    for (auto *column : {&image, &pair, &noted})
+      if (!column->empty())
+        std::fill(column->begin() + begin, column->end(), 0);
+    std::fill(reference_length.begin() + begin, reference_length.end(), 1.0);
+    std::fill(area.begin() + begin, area.end(), 0.0);
+    for (base::Column &column : history)
+      std::fill(column.begin() + begin, column.end(), 0.0);
   }
 
   void LinkSet::resize(const std::size_t n, const std::size_t particles)
@@ -54,33 +102,20 @@ namespace dem
     const std::size_t lines = round_up(n, links_per_block);
     first.resize(lines);
     second.resize(lines);
-    std::fill(first.begin() + n, first.end(), static_cast<std::int32_t>(particles));
-    std::fill(second.begin() + n, second.end(), static_cast<std::int32_t>(particles + 1));
     if (periodic)
       {
         image.resize(lines);
-        std::fill(image.begin() + n, image.end(), 0);
         stress_moments.assign(stress_record * std::max<std::size_t>(lines / links_per_block, 1), 0.0);
       }
     if (several_pairs)
-      {
-        pair.resize(lines);
-        std::fill(pair.begin() + n, pair.end(), 0);
-      }
+      pair.resize(lines);
     if (logs_breaks)
-      {
-        noted.resize(lines);
-        std::fill(noted.begin() + n, noted.end(), 0);
-      }
+      noted.resize(lines);
     reference_length.resize(lines);
-    std::fill(reference_length.begin() + n, reference_length.end(), 1.0);
     area.resize(lines);
-    std::fill(area.begin() + n, area.end(), 0.0);
     for (base::Column &column : history)
-      {
-        column.resize(lines);
-        std::fill(column.begin() + n, column.end(), 0.0);
-      }
+      column.resize(lines);
+    pad(n, particles);
     force.assign(record_size * lines, 0.0);
     if (has_moment)
       moment.assign(half_record_size * lines, 0.0);
@@ -90,22 +125,30 @@ namespace dem
 
   void LinkSet::tabulate(const std::size_t particles)
   {
+    const auto is_padding = [&](const std::size_t l) { return first[l] == static_cast<std::int32_t>(particles); };
     own_begin.assign(particles + 1, 0);
     other_begin.assign(particles + 1, 0);
     for (std::size_t l = 0; l < count; ++l)
-      {
-        ++own_begin[first[l] + 1];
-        ++other_begin[second[l] + 1];
-      }
+      if (!is_padding(l))
+        {
+          ++own_begin[first[l] + 1];
+          ++other_begin[second[l] + 1];
+        }
     for (std::size_t i = 0; i < particles; ++i)
       {
         own_begin[i + 1] += own_begin[i];
         other_begin[i + 1] += other_begin[i];
       }
-    others.resize(count);
-    std::vector<std::int32_t> next(other_begin.begin(), other_begin.end() - 1);
-    for (std::size_t l = 0; l < count; ++l)
-      others[next[second[l]]++] = static_cast<std::int32_t>(l);
+    const auto list = [&](const std::vector<std::int32_t> &begin, const std::vector<std::int32_t> &ends) {
+      std::vector<std::int32_t> links(count - padding), next(begin.begin(), begin.end() - 1);
+      for (std::size_t l = 0; l < count; ++l)
+        if (!is_padding(l))
+          links[next[ends[l]]++] = static_cast<std::int32_t>(l);
+      return links;
+    };
+    others = list(other_begin, second);
+    if (!kinds.empty())
+      owned = list(own_begin, first);
   }
 
   void LinkSet::copy_line(const LinkSet &source, const std::size_t from, const std::size_t to)
@@ -157,15 +200,23 @@ namespace dem
       history[c][link] = row[c];
   }
 
-  void LinkSet::compact(const std::size_t particles)
+  std::vector<std::size_t> LinkSet::alive_by_law() const
   {
-    LinkSet kept = empty_like();
-    kept.alive   = alive;
-    kept.resize(alive, particles);
-    std::size_t to = 0;
+    std::vector<std::size_t> found(laws(), 0);
     for (std::size_t l = 0; l < count; ++l)
       if (is_alive(l))
-        kept.copy_line(*this, l, to++);
+        ++found[kind_of_line(l)];
+    return found;
+  }
+
+  void LinkSet::compact(const std::size_t particles)
+  {
+    LinkSet kept                = empty_like();
+    kept.alive                  = alive;
+    std::vector<std::size_t> to = kept.resize_by_law(alive_by_law(), particles);
+    for (std::size_t l = 0; l < count; ++l)
+      if (is_alive(l))
+        kept.copy_line(*this, l, to[kind_of_line(l)]++);
     for (const auto &account : accounts)
       {
         kept.accounts[0].friction += account.friction;
@@ -189,18 +240,25 @@ namespace dem
                   const LinkLaw                    &law)
   {
     links.shape_for(law, particles.cell.repeats(), !particles.material.empty());
-    links.alive = pairs.size();
-    links.resize(pairs.size(), particles.count);
-    std::vector<double> row(links.history.size());
-    for (std::size_t l = 0; l < pairs.size(); ++l)
+    links.alive                  = pairs.size();
+    const auto pair_of_materials = [&](const NeighbourPair &each) {
+      return links.several_pairs ? material_pair(particles.material[each.first], particles.material[each.second]) : 0;
+    };
+    std::vector<std::size_t> links_of_law(links.laws(), 0);
+    for (const NeighbourPair &each : pairs)
+      ++links_of_law[links.kind_of(pair_of_materials(each))];
+    std::vector<std::size_t> next = links.resize_by_law(links_of_law, particles.count);
+    std::vector<double>      row(links.history.size());
+    for (const NeighbourPair &each : pairs)
       {
-        const auto [J, K, shift] = pairs[l];
+        const auto [J, K, shift] = each;
+        const std::size_t l      = next[links.kind_of(pair_of_materials(each))]++;
         links.first[l]           = J;
         links.second[l]          = K;
         if (links.periodic)
           links.image[l] = particles.cell.enter(shift);
         if (links.several_pairs)
-          links.pair[l] = material_pair(particles.material[J], particles.material[K]);
+          links.pair[l] = pair_of_materials(each);
         NewLink fresh;
         fresh.distance      = branch_of(particles, links, l).norm();
         fresh.first_radius  = particles.radius_of(J);
@@ -211,7 +269,7 @@ namespace dem
         fresh.second_number = particles.number[K];
         fresh.direction     = branch_of(particles, links, l).normalized();
 
-        links.reference_length[l] = law.reference_length(fresh);
+        links.reference_length[l] = law.reference_length(links.pair_of(l), fresh);
         links.area[l]             = fresh.area;
         std::fill(row.begin(), row.end(), 0.0);
         law.begin(links.pair_of(l), fresh, row.data());
@@ -227,6 +285,8 @@ namespace dem
     visitor.scalar(name + "/alive", living);
     count = static_cast<std::size_t>(counted);
     alive = static_cast<std::size_t>(living);
+    if (!kinds.empty())
+      visitor.column(name + "/first_block", first_block);
     visitor.column(name + "/first", first);
     visitor.column(name + "/second", second);
     if (periodic)
@@ -260,6 +320,8 @@ namespace dem
       }
     if (periodic)
       stress_moments.assign(stress_record * accounts.size(), 0.0); // of the step to come
+    padding = static_cast<std::size_t>(std::count(first.begin(), first.begin() + static_cast<std::ptrdiff_t>(count),
+                                                  static_cast<std::int32_t>(particles)));
     tabulate(particles);
   }
 } // namespace dem

@@ -30,6 +30,9 @@ namespace dem
   /**
  * Links (or contacts) as columns, sorted by first end, padded to whole blocks; a deleted link stays as a line of area zero until
  * the set is compacted. What their law remembers of each stands in columns that the law declares.
+ *
+ * Where pairs of materials obey laws of different kinds, the links of one law follow those of the other, each padded to whole
+ * blocks: a block has one law.
  */
   struct LinkSet
   {
@@ -41,7 +44,10 @@ namespace dem
     bool streams       = false; ///< too many for the caches: force records are written past them
     bool logs_breaks   = false; ///< broken ones may stay: `noted` tells which the crack log has
 
-    std::vector<LinkQuantity> quantities; ///< what the columns of the history are, as the law declares them
+    std::vector<LinkQuantity> quantities;  ///< what the columns of the history are, as the law declares them
+    std::vector<std::int32_t> kinds;       ///< of each pair of materials the number of its law; empty: there is one
+    std::vector<std::int32_t> first_block; ///< of each of several laws, and behind the last
+    std::size_t               padding = 0; ///< lines between the laws, which are no links
 
     std::vector<std::int32_t> first,
       second;                        ///< particle numbers in the order of Particles, first < second (<= if periodic)
@@ -59,6 +65,7 @@ namespace dem
       stress_moments; ///< of each block a record of 16: sum l (x) f by rows (9) [N m] | 0 ..; only if periodic
 
     std::vector<std::int32_t> own_begin;   ///< links whose first end is particle i: own_begin[i] .. own_begin[i + 1]
+    std::vector<std::int32_t> owned;       ///< of several laws: these are places in `owned`, which are links, ascending
     std::vector<std::int32_t> other_begin; ///< as own_begin, into `others`
     std::vector<std::int32_t> others;      ///< links whose second end is particle i, ascending
 
@@ -68,6 +75,20 @@ namespace dem
     bool is_broken(const std::size_t link) const { return logs_breaks && noted[link] != 0; }
     /** How many of the living are such. */
     std::size_t broken() const;
+    /** Lines of links that were deleted. */
+    std::size_t deleted() const { return count - padding - alive; }
+    /** All lines of links that obey one law. */
+    LinkLines whole() const { return {0, blocks(), 0}; }
+    /** A link by its place between own_begin[i] and own_begin[i + 1]. */
+    std::size_t own(const std::int32_t place) const
+    {
+      return static_cast<std::size_t>(owned.empty() ? place : owned[static_cast<std::size_t>(place)]);
+    }
+    /** Number of the law of the links of a pair of materials. */
+    std::size_t kind_of(const std::int32_t of_pair) const
+    {
+      return kinds.empty() ? 0 : static_cast<std::size_t>(kinds[static_cast<std::size_t>(of_pair)]);
+    }
     /** Number of the pair of materials that a link joins. */
     std::size_t pair_of(const std::size_t link) const { return several_pairs ? pair[link] : 0; }
     std::size_t bytes() const;
@@ -78,10 +99,18 @@ namespace dem
     LinkSet empty_like() const;
     /** Make room for `n` links of particles numbered below `particles`; all lines are padding between its two extra particles. */
     void resize(std::size_t n, std::size_t particles);
+    /** The same for as many links of each law. @return the first line of each */
+    std::vector<std::size_t> resize_by_law(const std::vector<std::size_t> &links_of_law, std::size_t particles);
+    /** How many laws its links obey. */
+    std::size_t laws() const;
+    /** Living links of each law. */
+    std::vector<std::size_t> alive_by_law() const;
+    /** Number of the law of a link. */
+    std::size_t kind_of_line(const std::size_t link) const { return kinds.empty() ? 0 : kind_of(pair[link]); }
     /** History of a link as a row of numbers, in the order of `quantities`. */
     void get_history(std::size_t link, std::vector<double> &row) const;
     void set_history(std::size_t link, const std::vector<double> &row);
-    /** Sort out which links belong to which particle. @pre links sorted by (first, second) */
+    /** Sort out which links belong to which particle. @pre links of each law sorted by (first, second) */
     void tabulate(std::size_t particles);
     /** Copy line `from` of another set to line `to` of this one. */
     void copy_line(const LinkSet &source, std::size_t from, std::size_t to);
@@ -90,6 +119,10 @@ namespace dem
     void remove(std::size_t link);
 
     void visit_state(base::StateVisitor &visitor, const std::string &name, std::size_t particles);
+
+  private:
+    /** Lines from there on are no links. */
+    void pad(std::size_t from, std::size_t particles);
   };
 
   /** Branch l from the first end to the (image of the) second where the particles are now [m]. */

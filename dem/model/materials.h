@@ -136,8 +136,16 @@ namespace dem
     }
     /** The same materials, whose contacts obey another law. @throws base::InputError if it has another number of materials */
     LinkMaterials with_contacts(const LinkMaterials &other) const;
+    /**
+     * Materials whose pairs obey laws of different kinds (LawsByPair). Pairs whose law carries no tension are not linked at the start.
+     * Contacts that wait for particles to meet and others that do not are refused together: contacts() throws base::InputError.
+     * @param of_laws the same materials by each law; constants of pairs that obey another one do not matter
+     * @param kinds of each pair, in the order of material_pair(), which of `of_laws` it obeys
+     */
+    static LinkMaterials by_pair(const std::vector<LinkMaterials> &of_laws, const std::vector<std::int32_t> &kinds);
 
   private:
+    struct ByPair;
     struct Concept
     {
       virtual ~Concept()                                                                                  = default;

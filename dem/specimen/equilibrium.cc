@@ -39,6 +39,8 @@ namespace dem
         network.centre[static_cast<std::size_t>(p.number[i])] = p.position_of(i);
       for (std::size_t l = 0; l < bonds.count; ++l)
         {
+          if (!bonds.is_alive(l))
+            continue;
           reader.read(l, Geometry::present);
           const LinkStiffnesses moduli = reader.stiffness();
           const std::int32_t    J = bonds.first[l], K = bonds.second[l];
@@ -101,6 +103,8 @@ namespace dem
       double     links = 0, noise = 0;
       for (std::size_t l = 0; l < bonds.count; ++l)
         {
+          if (!bonds.is_alive(l))
+            continue;
           reader.read(l, Geometry::present);
           links += Eigen::Vector3d(&bonds.force[record_size * l]).squaredNorm();
           const double coordinate = std::max(p.position_of(bonds.first[l]).lpNorm<Eigen::Infinity>(),
@@ -148,6 +152,8 @@ namespace dem
       LinkReader  reader(p, bonds, law);
       for (std::size_t l = 0; l < bonds.count; ++l)
         {
+          if (!bonds.is_alive(l))
+            continue;
           reader.read(l);
           const LinkExertion exertion = reader.exertion();
           sliding += slid && exertion.sliding >= 1 - 1e-9;
@@ -161,7 +167,7 @@ namespace dem
       if (damaged + sliding == 0)
         return;
       std::ostringstream why;
-      why << "under gravity alone " << damaged << " of " << bonds.count << " links damage and " << sliding
+      why << "under gravity alone " << damaged << " of " << bonds.alive << " links damage and " << sliding
           << " slide, so that it is not elastic.";
       if (damaged > 0)
         why << " The worst joins particles " << p.number[bonds.first[worst]] + 1 << " and "
@@ -236,13 +242,14 @@ namespace dem
   {
     if (contacts.alive == 0)
       return 0;
-    contact_pass(contacts, particles, *contact_law); // nothing has moved yet: the first step will find the same
+    contact_pass(contacts, particles, *contact_law,
+                 contacts.whole()); // nothing has moved yet: the first step will find the same
     return elastic_energy(particles, contacts, *contact_law) - 0.5 * time_step * power_of_ends(particles, contacts);
   }
 
   void Specimen::Implementation::find_forces()
   {
-    bond_pass(bonds, particles, *bond_law);
+    bond_pass(bonds, particles, *bond_law, bonds.whole());
     // A step of no length: forces are summed up, nothing moves, and the last motion is done with.
     select_particle_pass(false, false, equal_radii, moments(), surroundings())(
       particles, bonds, nullptr, surfaces.on_particles(), {0.0, 0.0}, 0.0, parameters.gravity, accounts);
@@ -335,6 +342,8 @@ namespace dem
     LinkReader reader(particles, bonds, *bond_law);
     for (std::size_t l = 0; l < bonds.count; ++l)
       {
+        if (!bonds.is_alive(l))
+          continue;
         reader.read(l);
         found.largest_strain = std::max(found.largest_strain, reader.exertion().damage);
       }

@@ -57,6 +57,8 @@ namespace dem
     LinkSet   &bonds = self->bonds;
     for (std::size_t l = 0; l < bonds.count; ++l)
       {
+        if (!bonds.is_alive(l))
+          continue;
         const Eigen::Vector3d place = contact_point(p, bonds, l);
         bonds.area[l] *= checked(of_bonds(place), place);
       }

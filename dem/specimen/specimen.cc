@@ -242,6 +242,8 @@ namespace dem
         LinkReader reader(particles, bonds, *bond_law);
         for (std::size_t l = 0; l < bonds.count; ++l)
           {
+            if (!bonds.is_alive(l))
+              continue;
             reader.read(l, Geometry::present);
             bonds.noted[l] = reader.phase() == LinkPhase::whole ? 0 : 1;
           }

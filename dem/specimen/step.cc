@@ -34,9 +34,9 @@ namespace dem
 
   void Specimen::Implementation::find_link_forces()
   {
-    bond_pass(bonds, particles, *bond_law);
+    bond_pass(bonds, particles, *bond_law, bonds.whole());
     if (contacts.alive > 0)
-      contact_pass(contacts, particles, *contact_law);
+      contact_pass(contacts, particles, *contact_law, contacts.whole());
     if (parameters.physics.periodic)
       sum_stress();
     settle_events(bonds, *bond_law);
@@ -190,8 +190,7 @@ namespace dem
                 links.noted[l] = 1;
             }
         }
-    if (law.bonds() &&
-        static_cast<double>(links.count - links.alive) > idle_lines_allowed * static_cast<double>(links.count))
+    if (law.bonds() && static_cast<double>(links.deleted()) > idle_lines_allowed * static_cast<double>(links.count))
       links.compact(particles.count);
   }
 

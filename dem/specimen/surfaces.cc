@@ -135,6 +135,9 @@ namespace dem
     if (!(glue.within > 0 && std::isfinite(glue.within)))
       throw base::InputError("wall " + name + ": particles are glued within a distance above 0 m.");
     const auto law = glue.law ? glue.law : bond_law;
+    if (!law->kinds().empty())
+      throw base::InputError("wall " + name + ": links of the particles obey several laws (" + law->name() +
+                             "). Choose the one of what is glued.");
     if (!law->bonds())
       throw base::InputError("wall " + name + ": links of law " + law->name() +
                              " carry no tension. Take another law for what is glued.");

@@ -199,7 +199,7 @@ namespace dem
         link.pair = material_pair(material[link.first], material[link.second]);
       std::fill(history.begin(), history.end(), 0.0);
       law->begin(link.pair, link.made, history.data());
-      link.reference = law->reference_length(link.made);
+      link.reference = law->reference_length(link.pair, link.made);
       put_stiffness(link, law->stiffness(link.pair, geometry_of(link), history.data()));
     });
     if (materials.several())

@@ -69,6 +69,67 @@ TEST_CASE("homogenise gives plane stiffnesses of discs", "[apps]")
   CHECK(D[2][2].get<double>() == 0);
 }
 
+TEST_CASE("homogenise takes any law of links, one or several: a crystal of discs has the closed form (T8)", "[apps]")
+{
+  const ScratchFolder folder;
+  // E = 2 sqrt(3) k_n (k_n + k_s)/(3 k_n + k_s) with k_n = E*, k_s = E*/2.5; nu = (k_n - k_s)/(3 k_n + k_s)
+  const double young = 2 * std::sqrt(3.0) * 1.4 / 3.4, poisson = 0.6 / 3.4;
+  folder.file("crystal.txt", "# periodic_cell 2 3.4641016151377544 1\nx y z radius material\n"
+                             "0 0 0 1 first\n1 1.7320508075688772 0 1 second\n");
+  const auto relaxed = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(),
+                     {"homogenise", "crystal.txt", "--interaction-ratio", "1.05", "--thickness", "1", "-o", "out"});
+    const Outcome outcome = run(folder.path(), arguments);
+    INFO(outcome.err);
+    REQUIRE(outcome.status == 0);
+    return nlohmann::json::parse(content_of(folder / "out/homogenised.json"))["relaxed"];
+  };
+  const auto law = [](const std::string &name) {
+    return "    set Law = " + name + "\n    subsection " + name +
+           "\n      set Effective modulus = 1\n      set Tensile strength = 1\n      set Cohesion = 1\n    end\n";
+  };
+  folder.file("laws.prm", "subsection Materials\n  subsection first\n" + law("flat-joint") +
+                            "  end\n  subsection second\n" + law("contact-bond") +
+                            "  end\nend\nsubsection Interfaces\n  subsection between\n"
+                            "    set Material = first\n    set Other material = second\n" +
+                            law("contact-bond") + "  end\nend\nsubsection Output\n  set Samples = 3\nend\n");
+  for (const auto &arguments : std::vector<std::vector<std::string>>{
+         {"--materials", "laws.prm"},
+         {"--materials", "laws.prm", "-s", "Interfaces/between/contact-bond/Effective modulus=1"}})
+    {
+      const auto found = relaxed(arguments);
+      CHECK(found["E"].get<double>() == Approx(young).epsilon(1e-6));
+      CHECK(found["nu"].get<double>() == Approx(poisson).epsilon(1e-6));
+    }
+  folder.file("crystal.txt", "# periodic_cell 2 3.4641016151377544 1\nx y z radius\n"
+                             "0 0 0 1\n1 1.7320508075688772 0 1\n");
+  for (const std::string name : {"flat-joint", "contact-bond"})
+    {
+      const auto found =
+        relaxed({"--law", name, "-s", "Effective modulus=10e9", "-s", "Tensile strength=1e6", "-s", "Cohesion=1e6"});
+      CHECK(found["E"].get<double>() == Approx(10e9 * young).epsilon(1e-6));
+      CHECK(found["nu"].get<double>() == Approx(poisson).epsilon(1e-6));
+    }
+}
+
+TEST_CASE("homogenise is told once what the links obey", "[apps]")
+{
+  const ScratchFolder folder;
+  folder.file("eight.txt", eight_spheres);
+  const auto refused = [&](std::vector<std::string> arguments, const std::string &why) {
+    arguments.insert(arguments.begin(), {"homogenise", "eight.txt", "--interaction-ratio", "1.5"});
+    const Outcome outcome = run(folder.path(), arguments);
+    CHECK(outcome.status == 2);
+    CHECK_THAT(outcome.err, Contains(why));
+  };
+  refused({}, "give one of --normal-modulus with --shear-ratio, --law and --materials");
+  refused({"--normal-modulus", "1"}, "--shear-ratio");
+  refused({"--law", "flat-join"}, "Did you mean \"flat-joint\"?");
+  refused({"--law", "CPM", "--normal-modulus", "1", "--shear-ratio", "1"}, "give one of");
+  refused({"--law", "contact-bond", "-s", "Tensile strength=1e6", "-s", "Cohesion=1e6"}, "Effective modulus");
+  refused({"--materials", "none.prm"}, "none.prm");
+}
+
 TEST_CASE("homogenise refuses what has no stiffness, with one message and status 2", "[apps]")
 {
   const ScratchFolder folder;

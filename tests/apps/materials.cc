@@ -246,6 +246,45 @@ TEST_CASE("Materials that do not fit a packing or each other are refused in one 
   CHECK_THAT(refusal(stack_with_column("agregate"), scene_of(both), "check"), Contains("particle 76"));
 }
 
+TEST_CASE("Materials of different laws need the law of the links between them, and have it", "[apps]")
+{
+  const std::string bonds =
+    "    set Law = contact-bond\n    subsection contact-bond\n      set Effective modulus = 30e9\n"
+    "      set Tensile strength  = 2e6\n      set Cohesion          = 6e6\n    end\n";
+  const auto with_contacts = [](const std::string &material) {
+    return "    set Contacts = linear\n    subsection linear\n      set Effective modulus = 20e9\n    end\n" + material;
+  };
+  const auto interface = [](const std::string &more) {
+    return "subsection Interfaces\n  subsection zone\n    set Material = mortar\n    set Other material = aggregate\n" +
+           more + "  end\nend\n";
+  };
+  const std::string both   = materials(with_contacts(cpm(25e9)), with_contacts(bonds)) + middle_layer;
+  const std::string linear = "    subsection linear\n      set Effective modulus = 20e9\n    end\n";
+  const std::string weak =
+    "    set Law = contact-bond\n    subsection contact-bond\n      set Effective modulus = 10e9\n"
+    "      set Tensile strength  = 0.5e6\n      set Cohesion          = 2e6\n    end\n" +
+    linear;
+  CHECK_THAT(refusal(stack_packing(), scene_of(both)),
+             Contains("Materials/aggregate/Law = contact-bond: links with mortar (CPM) have none.") &&
+               Contains("add to Interfaces"));
+  CHECK_THAT(refusal(stack_packing(), scene_of(both + interface(linear))),
+             Contains("Interfaces/zone/Law = of the materials: the two materials have different ones"));
+  CHECK_THAT(
+    refusal(stack_packing(), scene_of(both + interface(replaced(weak, "      set Cohesion          = 2e6\n", "")))),
+    Contains("\"Interfaces/zone/contact-bond/Cohesion\" [Pa] is not set"));
+  CHECK_THAT(refusal(stack_packing(), scene_of(materials(cpm(25e9), bonds) + middle_layer + interface(weak))),
+             Contains("Contacts = linear"));
+
+  const ScratchFolder folder;
+  folder.file("packing.txt", stack_packing());
+  folder.file("x.prm", scene_of(both + interface(weak)));
+  const Outcome outcome = run(folder.path(), {"run", "x.prm", "-o", "results"});
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  const auto summary = nlohmann::json::parse(content_of(folder / "results/summary.json"));
+  CHECK(summary["energy"]["balance_error"].get<double>() < 1e-3);
+}
+
 TEST_CASE("breccia pack keeps the materials of a packing, and homogenise refuses several", "[apps]")
 {
   const ScratchFolder folder;

@@ -53,8 +53,8 @@ TEST_CASE("links give the same forces and histories, whether their records are w
   dem::LinkSet past = kept;
   past.streams      = true;
   const auto pass   = law->pass(dem::Mixture::equal, false);
-  pass(kept, particles, *law);
-  pass(past, particles, *law);
+  pass(kept, particles, *law, kept.whole());
+  pass(past, particles, *law, past.whole());
   CHECK(std::any_of(kept.force.begin(), kept.force.end(), [](const double f) { return f != 0; }));
   CHECK(kept.force == past.force);
   CHECK(kept.history == past.history);

@@ -19,12 +19,15 @@ namespace apps
                          [&](const auto &c) { return c[2] == packing.centre.front()[2]; });
     }
 
-    void refuse_unsuitable(const dem::Packing &packing, const int dimension, const std::string &origin)
+    void
+    refuse_unsuitable(const dem::Packing &packing, const HomogenisationQuestion &question, const std::string &origin)
     {
-      const auto &m = packing.material;
-      if (std::any_of(m.begin(), m.end(), [&](const std::int32_t number) { return number != m.front(); }))
+      const int   dimension = question.links.dimension;
+      const auto &m         = packing.material;
+      if (!question.materials &&
+          std::any_of(m.begin(), m.end(), [&](const std::int32_t number) { return number != m.front(); }))
         throw base::InputError(origin + ": its particles are of several materials, and all links get one modulus here. "
-                                        "Strain such a cell in a scene of kind quasi_static (Specimen/Body = cell).");
+                                        "Name a scene that has these materials (--materials SCENE.prm).");
       if (!packing.periodic_cell)
         throw base::InputError(origin +
                                ": not a periodic packing, so that its stiffness would depend on how its surface is "
@@ -78,16 +81,21 @@ namespace apps
   {
     const Stopwatch watch;
     const auto     &links = question.links;
-    refuse_unsuitable(packing, links.dimension, origin);
-    const dem::ElasticNetwork network = dem::make_network(packing, links);
+    refuse_unsuitable(packing, question, origin);
+    const dem::ElasticNetwork network =
+      question.materials ? dem::make_network(packing, links, *question.materials) : dem::make_network(packing, links);
+    // Alike links have what was asked for, to the last bit.
+    const dem::LinkModuli mean           = question.materials ? dem::mean_moduli(network) : dem::LinkModuli();
+    const double          normal_modulus = question.materials ? mean.normal : links.normal_modulus,
+                 shear_ratio             = question.materials ? mean.shear / mean.normal : links.shear_ratio;
 
     HomogenisationAnswer answer;
     answer.dimension  = links.dimension;
     answer.particles  = network.particles();
     answer.links      = network.links.size();
     answer.density    = dem::link_statistics(network);
-    answer.statistics = {dem::closed_form_stiffness(answer.density, links.normal_modulus, links.shear_ratio),
-                         dem::closed_form(answer.density, links.normal_modulus, links.shear_ratio),
+    answer.statistics = {dem::closed_form_stiffness(answer.density, normal_modulus, shear_ratio),
+                         dem::closed_form(answer.density, normal_modulus, shear_ratio),
                          dem::strains_of(links.dimension)};
     answer.affine     = found_affine(network);
 

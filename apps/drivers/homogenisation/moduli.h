@@ -2,6 +2,7 @@
 
 #include "dem/homogenisation/isotropy.h"
 #include "dem/homogenisation/relaxed_stiffness.h"
+#include "dem/model/materials.h"
 #include "dem/model/packing.h"
 
 #include <array>
@@ -17,6 +18,8 @@ namespace apps
   {
     dem::NetworkParameters links;
     dem::SolverParameters  solver;
+    std::optional<dem::LinkMaterials>
+      materials; ///< law of the links, of each pair of materials; none: `links` has moduli
   };
 
   /** Stiffness found in one way, and the constants read from it. */

@@ -153,7 +153,7 @@ namespace apps
       dem::LinkGeometry geometry_at(const Vector6 &at) const
       {
         dem::LinkGeometry geometry;
-        geometry.reference = law->reference_length(made);
+        geometry.reference = law->reference_length(0, made);
         geometry.length    = pair.radius_1 + pair.radius_2 + pair.gap + at[0];
         // Not from the length: of lengths so near each other the difference is mostly rounding.
         geometry.strain = (pair.radius_1 + pair.radius_2 + pair.gap - geometry.reference + at[0]) / geometry.reference;
