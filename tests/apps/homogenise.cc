@@ -86,7 +86,8 @@ TEST_CASE("homogenise takes any law of links, one or several: a crystal of discs
   };
   const auto law = [](const std::string &name) {
     return "    set Law = " + name + "\n    subsection " + name +
-           "\n      set Effective modulus = 1\n      set Tensile strength = 1\n      set Cohesion = 1\n    end\n";
+           "\n      set Effective modulus = 10e9\n      set Tensile strength = 1e6\n      set Cohesion = 1e6\n    "
+           "end\n";
   };
   folder.file("laws.prm", "subsection Materials\n  subsection first\n" + law("flat-joint") +
                             "  end\n  subsection second\n" + law("contact-bond") +
@@ -95,10 +96,10 @@ TEST_CASE("homogenise takes any law of links, one or several: a crystal of discs
                             law("contact-bond") + "  end\nend\nsubsection Output\n  set Samples = 3\nend\n");
   for (const auto &arguments : std::vector<std::vector<std::string>>{
          {"--materials", "laws.prm"},
-         {"--materials", "laws.prm", "-s", "Interfaces/between/contact-bond/Effective modulus=1"}})
+         {"--materials", "laws.prm", "-s", "Interfaces/between/contact-bond/Effective modulus=10e9"}})
     {
       const auto found = relaxed(arguments);
-      CHECK(found["E"].get<double>() == Approx(young).epsilon(1e-6));
+      CHECK(found["E"].get<double>() == Approx(10e9 * young).epsilon(1e-6));
       CHECK(found["nu"].get<double>() == Approx(poisson).epsilon(1e-6));
     }
   folder.file("crystal.txt", "# periodic_cell 2 3.4641016151377544 1\nx y z radius\n"
