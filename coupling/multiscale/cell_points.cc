@@ -100,6 +100,8 @@ namespace coupling
       {
         if (point.cell)
           point.cell->begin_step();
+        if (point.band)
+          point.band->begin_step();
         point.fresh.reset();
         point.known = false;
       }
@@ -215,10 +217,10 @@ namespace coupling
         point.of_law                     = {response.stress, point.prepared->in_space(response.tangent)};
         return;
       }
-    const CrackBand::Answer whole = point.band->respond(point.law_strain, [&](const base::Voigt &of_band) {
-      const dem::CellResponse response = cell.respond(of_band, system);
-      return CrackBand::Answer{response.stress, point.prepared->in_space(response.tangent)};
-    });
+    const CrackBand::Cell asked = {
+      [&](const base::Voigt &of_band) { return cell.respond(of_band, system, false).stress; },
+      [&] { return point.prepared->in_space(cell.tangent(system)); }};
+    const CrackBand::Answer whole = point.band->respond(point.law_strain, asked);
     point.of_law                  = {whole.stress, whole.tangent};
   }
 
@@ -348,16 +350,16 @@ namespace coupling
   void CellPoints::localise(const std::size_t number, const Vector3d &normal)
   {
     points[number].record.localised = 1;
-    found.push_back({sites[number].place, normal, states});
+    const Localisation here         = {sites[number].place, normal, states};
+    std::ostringstream end;
     if (parameters.localised == Localised::stop || parameters.localised == Localised::refuse)
-      end = text_of(found.back()) + ". What its mean stress is worth from here on, the size of the element decides: "
-                                    "When localised = crack band goes on with it.";
-    if (parameters.localised != Localised::crack_band || share_of_cell(number, normal) <= 1)
-      return;
-    std::ostringstream text;
-    text << text_of(found.back()) << ", along which the cell is " << points[number].prepared->length_along(normal)
-         << " m long and the element " << sites[number].element.along(normal)
-         << " m: a band does not fit in. Take wider elements, or a smaller cell.";
-    end = text.str();
+      end << here.text()
+          << ". What its mean stress is worth from here on, the size of the element decides: When localised = crack "
+             "band goes on with it.";
+    if (parameters.localised == Localised::crack_band && share_of_cell(number, normal) > 1)
+      end << here.text() << ", along which the cell is " << points[number].prepared->length_along(normal)
+          << " m long and the element " << sites[number].element.along(normal)
+          << " m: a band does not fit in. Take wider elements, or a smaller cell.";
+    localised.add(here, end.str());
   }
 } // namespace coupling

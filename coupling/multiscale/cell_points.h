@@ -2,6 +2,7 @@
 
 #include "coupling/multiscale/crack_band.h"
 #include "coupling/multiscale/dealt_points.h"
+#include "coupling/multiscale/localisations.h"
 #include "coupling/multiscale/prepared_cell.h"
 #include "fem/points/gathered_points.h"
 
@@ -57,13 +58,6 @@ namespace coupling
       }
     };
 
-    /** A cell that has localised. */
-    struct Localisation
-    {
-      Eigen::Vector3d place = {0, 0, 0}, normal = {0, 0, 0}; ///< [m], unit
-      std::int64_t    state = 0;                             ///< in which
-    };
-
     /** @throws base::InputError for spheres in plane stress, which is not built; discs know of no difference */
     CellPoints(CellPointsParameters parameters, fem::Plane plane);
 
@@ -84,8 +78,8 @@ namespace coupling
                                     fem::PointAnswer         &answer) override;
     void                   commit() override;
     void        set_initial(std::size_t, const fem::InitialPointState &, const fem::ElementExtent &) override;
-    std::string end_of_validity() const override { return end; }
-    std::vector<std::string> notes() const override;
+    std::string end_of_validity() const override { return localised.end_of_validity(); }
+    std::vector<std::string> notes() const override { return localised.notes(); }
 
     std::vector<fem::PointQuantity> quantities() const override;
     void                            visit(std::size_t point, const fem::StateColumn &column) override;
@@ -96,7 +90,7 @@ namespace coupling
     fem::Dissipation dissipated(std::size_t point, const fem::ElementExtent &element) const override;
 
     std::size_t                      promoted() const; ///< of the committed state
-    const std::vector<Localisation> &localisations() const { return found; }
+    const std::vector<Localisation> &localisations() const { return localised.all(); }
     const Record                    &record(const std::size_t point) const { return points.at(point).record; }
     /** nullptr while it is elastic. */
     const dem::RespondingCell *cell(const std::size_t point) const { return points.at(point).cell.get(); }
@@ -166,8 +160,6 @@ namespace coupling
     double                  stored_now(const Point &point, const base::Voigt &strain) const;
     void                    find_losses() const;
     static fem::Dissipation losses_of(const Point &point);
-    std::string             text_of(const Localisation &localisation) const;
-    void                    visit_localisations(base::StateVisitor &visitor);
 
     CellPointsParameters       parameters;
     base::Stiffness            stiffest;
@@ -175,8 +167,7 @@ namespace coupling
     mutable std::vector<Point> points; ///< `lost` is found when it is asked for
     mutable bool               losses_known = false;
     std::vector<Site>          sites;
-    std::vector<Localisation>  found;
-    std::string                end;
+    Localisations              localised;
     std::int64_t               states = 0; ///< committed so far
   };
 } // namespace coupling

@@ -4,44 +4,9 @@
 #include "coupling/multiscale/stretch.h"
 
 #include <algorithm>
-#include <sstream>
 
 namespace coupling
 {
-  std::string CellPoints::text_of(const Localisation &localisation) const
-  {
-    std::ostringstream text;
-    text << "the cell at " << localisation.place.transpose() << " has localised in state " << localisation.state
-         << ", across the normal " << localisation.normal.transpose();
-    return text.str();
-  }
-
-  std::vector<std::string> CellPoints::notes() const
-  {
-    std::vector<std::string> all;
-    for (const Localisation &localisation : found)
-      all.push_back(text_of(localisation));
-    return all;
-  }
-
-  void CellPoints::visit_localisations(base::StateVisitor &visitor)
-  {
-    base::Column row;
-    for (const Localisation &l : found)
-      {
-        row.insert(row.end(), l.place.begin(), l.place.end());
-        row.insert(row.end(), l.normal.begin(), l.normal.end());
-        row.push_back(static_cast<double>(l.state));
-      }
-    visitor.column("localisations", row);
-    visit_text(visitor, "end", end);
-    found.clear();
-    for (std::size_t i = 0; i + 7 <= row.size(); i += 7)
-      found.push_back({{row[i], row[i + 1], row[i + 2]},
-                       {row[i + 3], row[i + 4], row[i + 5]},
-                       static_cast<std::int64_t>(row[i + 6])});
-  }
-
   void CellPoints::set_initial(std::size_t, const fem::InitialPointState &, const fem::ElementExtent &)
   {
     throw base::InputError("cells: no initial state can be given to them.");
@@ -83,7 +48,7 @@ namespace coupling
   void CellPoints::visit_more(base::StateVisitor &visitor)
   {
     visitor.scalar("states", states);
-    visit_localisations(visitor);
+    localised.visit_state(visitor);
     for (std::size_t i = 0; i < points.size(); ++i)
       {
         Point       &point  = points[i];

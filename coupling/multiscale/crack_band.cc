@@ -32,36 +32,52 @@ namespace coupling
     return strain - share * (jump_strain(direction) * trial_jump);
   }
 
+  Matrix3d CrackBand::of_jump(const base::Stiffness &of_cell) const
+  {
+    const Eigen::Matrix<double, 6, 3> N = jump_strain(direction);
+    return N.transpose() * ((1 - share) * of_cell + share * unloading) * N;
+  }
+
   CrackBand::Answer CrackBand::respond(const base::Voigt &strain, const Cell &cell)
   {
     constexpr int                     most      = 30;
-    constexpr double                  tolerance = 1e-9;
-    const Eigen::Matrix<double, 6, 3> N         = jump_strain(direction);
-    const double                      rest      = 1 - share;
-    trial_jump                                  = jump;
+    constexpr double                  tolerance = 1e-9, little = 1e-4; // of the traction
+    const Eigen::Matrix<double, 6, 3> N    = jump_strain(direction);
+    const double                      rest = 1 - share;
+    trial_jump                             = last ? Vector3d(last->jump + last->rate * (strain - last->strain)) : jump;
+    base::Stiffness of_cell;
+    double          before = 1; // what was missing where `of_cell` was found
     for (int i = 0; i < most; ++i)
       {
-        const Answer      band    = cell(strain + rest * (N * trial_jump));
+        const base::Voigt in_band = cell.stress(strain + rest * (N * trial_jump));
         const base::Voigt beside  = stress_then + unloading * (outside(strain) - strain_then);
-        const Vector3d    missing = N.transpose() * (band.stress - beside);
-        const Matrix3d    K       = N.transpose() * (rest * band.tangent + share * unloading) * N;
-        const Matrix3d    inverse = K.inverse();
-        if (missing.norm() <= tolerance * std::max(beside.norm(), 1e-6 * stress_then.norm()))
-          {
-            // In a stable solid the layers hold each other: otherwise the band snaps open.
-            if (!(K.determinant() > 0))
-              throw fem::MaterialFailure(
-                "the crack band snaps back: the element is too wide for its cell along the normal.");
-            const base::Stiffness difference = band.tangent - unloading;
-            return {share * band.stress + rest * beside,
-                    share * band.tangent + rest * unloading -
-                      share * rest * difference * N * inverse * N.transpose() * difference};
-          }
+        const Vector3d    missing = N.transpose() * (in_band - beside);
+        const double      size    = std::max(beside.norm(), 1e-6 * stress_then.norm());
+        const bool        is_done = missing.norm() <= tolerance * size;
+        if (!is_done || before > little)
+          of_cell = cell.tangent();
+        if (is_done)
+          return {share * in_band + rest * beside, tangent_of_whole(strain, of_cell)};
+        before                 = missing.norm() / size;
+        const Matrix3d inverse = of_jump(of_cell).inverse();
         if (!inverse.allFinite())
           break;
         trial_jump -= inverse * missing;
       }
     throw fem::MaterialFailure("the crack band and the parts beside it find no common traction. Shorten the step.");
+  }
+
+  base::Stiffness CrackBand::tangent_of_whole(const base::Voigt &strain, const base::Stiffness &of_cell)
+  {
+    // In a stable solid the layers hold each other: otherwise the band snaps open.
+    const Matrix3d K = of_jump(of_cell);
+    if (!(K.determinant() > 0))
+      throw fem::MaterialFailure("the crack band snaps back: the element is too wide for its cell along the normal.");
+    const Eigen::Matrix<double, 6, 3> N          = jump_strain(direction);
+    const base::Stiffness             difference = of_cell - unloading;
+    const Eigen::Matrix<double, 3, 6> rate       = -K.inverse() * N.transpose() * difference;
+    last                                         = Found{strain, trial_jump, rate};
+    return share * of_cell + (1 - share) * unloading + share * (1 - share) * difference * N * rate;
   }
 
   double CrackBand::stored_outside(const base::Voigt &strain) const
@@ -80,6 +96,7 @@ namespace coupling
     const auto    take = [&](auto &m) { std::copy_n(next, m.size(), m.data()), next += m.size(); };
     take(direction), take(jump), take(strain_then), take(stress_then), take(unloading);
     trial_jump = jump;
+    begin_step();
     visitor.scalar("share", share);
     visitor.scalar("stored_then", stored_then);
   }

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include <functional>
+#include <optional>
 
 namespace coupling
 {
@@ -17,13 +18,17 @@ namespace coupling
   class CrackBand
   {
   public:
-    /** What the cell answers. */
     struct Answer
     {
       base::Voigt     stress;
       base::Stiffness tangent;
     };
-    using Cell = std::function<Answer(const base::Voigt &strain)>;
+    /** What is asked of the cell. */
+    struct Cell
+    {
+      std::function<base::Voigt(const base::Voigt &strain)> stress;
+      std::function<base::Stiffness()>                      tangent; ///< at the last strain; dear
+    };
 
     CrackBand() = default;
     /**
@@ -39,12 +44,19 @@ namespace coupling
               double                 stored);
 
     /**
-     * Answer of the whole. The last strain that the cell is asked for is that of the band.
+     * Answer of the whole. The last strain that the cell is asked for is that of the band. Its iterations begin where the last answer since
+     * begin_step() says that the jump is; the tangent may be that of the last iteration but one, where the last has moved little.
      * @throws fem::MaterialFailure where the layers find no common traction: the element is too wide, and snaps back
      */
     Answer respond(const base::Voigt &strain, const Cell &cell);
     /** The last answer becomes the state. */
-    void commit() { jump = trial_jump; }
+    void commit()
+    {
+      jump = trial_jump;
+      begin_step();
+    }
+    /** Another step from the committed state is looked for. */
+    void begin_step() { last.reset(); }
 
     double                 share_of_cell() const { return share; }
     const Eigen::Vector3d &normal() const { return direction; }
@@ -56,11 +68,25 @@ namespace coupling
     void visit_state(base::StateVisitor &visitor);
 
   private:
+    /** A jump of this step, and how it moves with the strain. */
+    struct Found
+    {
+      base::Voigt                 strain;
+      Eigen::Vector3d             jump;
+      Eigen::Matrix<double, 3, 6> rate;
+    };
+
     base::Voigt outside(const base::Voigt &strain) const; ///< their strain
+    /** Of the whole, with all layers in equilibrium. @throws fem::MaterialFailure where it snaps back */
+    base::Stiffness tangent_of_whole(const base::Voigt &strain, const base::Stiffness &of_cell);
+    /** Of the jump's traction by the jump. */
+    Eigen::Matrix3d of_jump(const base::Stiffness &of_cell) const;
 
     Eigen::Vector3d direction = {1, 0, 0}, jump = {0, 0, 0}, trial_jump = {0, 0, 0};
     double          share = 1, stored_then = 0;
     base::Voigt     strain_then = base::Voigt::Zero(), stress_then = base::Voigt::Zero();
     base::Stiffness unloading = base::Stiffness::Zero();
+
+    std::optional<Found> last;
   };
 } // namespace coupling

@@ -4,7 +4,7 @@
 
 namespace dem
 {
-  BlockMatrix::BlockMatrix(const int rows, const std::vector<std::pair<int, int>> &joined)
+  BlockPattern::BlockPattern(const int rows, const std::vector<std::pair<int, int>> &joined)
     : begin_{0}
   {
     std::vector<std::vector<int>> neighbours(static_cast<std::size_t>(rows));
@@ -25,18 +25,23 @@ namespace dem
         columns.insert(columns.end(), of_row.begin(), of_row.end());
         begin_.push_back(static_cast<int>(columns.size()));
       }
-    blocks.assign(columns.size(), Block::Zero());
   }
 
-  int BlockMatrix::place(const int row, const int column) const
+  int BlockPattern::place(const int row, const int column) const
   {
     const auto first = columns.begin() + begin(row), last = columns.begin() + begin(row + 1);
     return static_cast<int>(std::lower_bound(first, last, column) - columns.begin());
   }
 
+  BlockMatrix::BlockMatrix(const int rows, const std::vector<std::pair<int, int>> &joined)
+    : of(std::make_shared<BlockPattern>(rows, joined))
+    , wide(static_cast<std::size_t>(of->blocks()), WideBlock<double>::Zero())
+  {
+  }
+
   void BlockMatrix::set_zero()
   {
-    for (Block &b : blocks)
+    for (WideBlock<double> &b : wide)
       b.setZero();
   }
 
@@ -54,14 +59,34 @@ namespace dem
         block(diagonal(row))(c, c) = unit;
   }
 
-  void BlockMatrix::multiply(const Eigen::VectorXd &x, Eigen::VectorXd &y) const
+  template <int n>
+  void BlockMatrix::multiply(const Columns<n> &x, Columns<n> &y) const
   {
+    alignas(64) double out[pack_size];
     for (int row = 0; row < rows(); ++row)
       {
-        Eigen::Matrix<double, motions, 1> sum = Eigen::Matrix<double, motions, 1>::Zero();
+        Pack sum[n];
+        for (Pack &s : sum)
+          s = 0.0;
         for (int k = begin(row); k < begin(row + 1); ++k)
-          sum.noalias() += block(k) * x.segment<motions>(motions * column(k));
-        y.segment<motions>(motions * row) = sum;
+          {
+            const double *const block = wide[static_cast<std::size_t>(k)].data();
+            const double *const from  = x.data() + motions * column(k);
+            for (int c = 0; c < motions; ++c)
+              {
+                const Pack of_block = load(block + pack_size * c);
+                for (int i = 0; i < n; ++i)
+                  sum[i] += of_block * Pack(from[i * x.rows() + c]);
+              }
+          }
+        for (int i = 0; i < n; ++i)
+          {
+            store(sum[i], out);
+            std::copy_n(out, motions, y.data() + i * y.rows() + motions * row);
+          }
       }
   }
+
+  template void BlockMatrix::multiply(const Columns<1> &, Columns<1> &) const;
+  template void BlockMatrix::multiply(const Columns<motions> &, Columns<motions> &) const;
 } // namespace dem

@@ -2,8 +2,6 @@
 
 #include <Eigen/Geometry>
 
-#include <array>
-
 namespace dem
 {
   namespace
@@ -82,33 +80,44 @@ namespace dem
 
   bool CellSystem::condense(const std::vector<base::Matrix6> &stiffness, const double accuracy, base::Matrix6 &forces)
   {
+    Rates rates;
+    return condense(stiffness, accuracy, forces, rates);
+  }
+
+  bool CellSystem::condense(const std::vector<base::Matrix6> &stiffness,
+                            const double                      accuracy,
+                            base::Matrix6                    &forces,
+                            Rates                            &rates)
+  {
     TangentIteration *const by_iteration = iteration_for(stiffness);
-    return (by_iteration && condense(stiffness, accuracy, *by_iteration, forces)) || factor.condense(stiffness, forces);
+    if (by_iteration && condense(stiffness, accuracy, *by_iteration, forces, rates))
+      return true;
+    rates.fill(CarrierMotions());
+    return factor.condense(stiffness, forces);
   }
 
   bool CellSystem::condense(const std::vector<base::Matrix6> &stiffness,
                             const double                      accuracy,
                             TangentIteration                 &by_iteration,
-                            base::Matrix6                    &forces) const
+                            base::Matrix6                    &forces,
+                            Rates                            &rates) const
   {
-    std::array<LoadedMotion, 6>   answer;
-    std::array<CarrierMotions, 6> left;
+    Rates pushed, left;
     for (std::size_t p = 0; p < 6; ++p)
-      {
-        answer[p].loads             = base::Vector6::Unit(static_cast<Eigen::Index>(p));
-        const CarrierMotions pushed = forces_of_change(loaded, stiffness, answer[p].loads);
-        if (!by_iteration.solve(pushed, accuracy, answer[p].particles))
-          return false;
-        left[p] = by_iteration.left_over();
-      }
+      pushed[p] = forces_of_change(loaded, stiffness, base::Vector6::Unit(static_cast<Eigen::Index>(p)));
+    if (!by_iteration.solve(pushed, accuracy, rates, left))
+      return false;
+    LoadedMotion answer;
     for (std::size_t p = 0; p < 6; ++p)
       {
         const auto column  = static_cast<Eigen::Index>(p);
-        forces.col(column) = load_forces(loaded, stiffness, answer[p]);
+        answer.loads       = base::Vector6::Unit(column);
+        answer.particles   = rates[p];
+        forces.col(column) = load_forces(loaded, stiffness, answer);
         // What is left over would move the particles once more. By symmetry that meets what they do under the other parameters; where links
         // slide it is so but for their share.
         for (std::size_t q = 0; q < 6; ++q)
-          forces(static_cast<Eigen::Index>(q), column) -= answer[q].particles.cwiseProduct(left[p]).sum();
+          forces(static_cast<Eigen::Index>(q), column) -= rates[q].cwiseProduct(left[p]).sum();
       }
     return forces.allFinite();
   }

@@ -3,6 +3,7 @@
 #include "dem/statics/tangent_iteration.h"
 #include "dem/statics/tangent_system.h"
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -32,10 +33,15 @@ namespace dem
                double                            accuracy,
                LoadedMotion                     &correction);
 
+    /** Motion of all particles per unit of each parameter [m], [-]; all empty where they are not known. */
+    using Rates = std::array<CarrierMotions, 6>;
+
     /**
      * Stiffness of the whole network to its parameters, particles in equilibrium: change of each parameter's force per unit of each
      * [J]. In the plane, and of parameters that move nothing, rows and columns are zero.
+     * @param rates in: of a stiffness near by, to start from, or empty; out: of this one, or empty
      */
+    bool condense(const std::vector<base::Matrix6> &stiffness, double accuracy, base::Matrix6 &forces, Rates &rates);
     bool condense(const std::vector<base::Matrix6> &stiffness, double accuracy, base::Matrix6 &forces);
 
   private:
@@ -44,7 +50,8 @@ namespace dem
     bool              condense(const std::vector<base::Matrix6> &stiffness,
                                double                            accuracy,
                                TangentIteration                 &by_iteration,
-                               base::Matrix6                    &forces) const;
+                               base::Matrix6                    &forces,
+                               Rates                            &rates) const;
 
     const LoadedNetwork            &loaded;
     bool                            may_iterate;

@@ -2,6 +2,8 @@
 
 #include "dem/statics/block_matrix.h"
 
+#include <array>
+#include <memory>
 #include <vector>
 
 namespace dem
@@ -9,7 +11,10 @@ namespace dem
   /**
    * Incomplete LU factor of a matrix of blocks: what elimination would put outside the pattern is dropped (Meijerink and van der
    * Vorst 1977, with blocks in place of numbers). Unsymmetric and indefinite matrices are taken as they come.
+   *
+   * @tparam Number float halves what is read of it; an iteration that it steers does not notice
    */
+  template <typename Number>
   class IncompleteFactor
   {
   public:
@@ -19,13 +24,17 @@ namespace dem
      */
     bool compute(const BlockMatrix &matrix, const Eigen::VectorXd &on_diagonal);
 
-    /** z = (L U)^-1 r; z has the size of r. */
-    void apply(const Eigen::VectorXd &r, Eigen::VectorXd &z) const;
+    /** z_i = (L U)^-1 r_i for columns that stand in any place; as large as the matrix each. */
+    template <int n>
+    void apply(const std::array<const double *, n> &r, const std::array<Number *, n> &z);
 
   private:
-    void eliminate(int row, std::vector<int> &place_of_column);
+    void eliminate(int row);
 
-    std::vector<BlockMatrix> factor;  ///< one, or none yet; L has unit blocks on its diagonal
-    std::vector<Block>       inverse; ///< of the pivots
+    std::shared_ptr<const BlockPattern> pattern;
+    std::vector<WideBlock<Number>>      factor;  ///< L has unit blocks on its diagonal
+    std::vector<WideBlock<Number>>      inverse; ///< of the pivots
+    std::vector<int>                    place_of_column;
+    std::vector<Number>                 work; ///< of a solution: a pack per row and column
   };
 } // namespace dem

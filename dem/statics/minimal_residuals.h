@@ -2,40 +2,62 @@
 
 #include "dem/statics/incomplete_factor.h"
 
+#include <array>
+
 namespace dem
 {
   /** How far it went. */
   struct ResidualLeft
   {
-    double residual   = 1; ///< |b - A x| / |b|, true and not of the recurrence
-    int    iterations = 0;
+    double residual   = 1; ///< |b - A x| / |b|, true and not of the recurrence; the largest of several
+    int    iterations = 0; ///< of the one that took most
   };
 
   /**
-   * GMRES (Saad and Schultz 1986), restarted, preconditioned from the right, for matrices of any kind; keeps its memory from one
-   * solution to the next. By one thread: the same bits for any number of them.
+   * GMRES (Saad and Schultz 1986), restarted, for matrices of any kind, preconditioned from the right by a factor in single precision:
+   * what that answers is kept, as it rounds anew each time (flexible, Saad 1993). Of several right sides each has a space of its own; they
+   * go together, so that matrix and factor are read once for all. Keeps its memory from one solution to the next. By one
+   * thread: the same bits for any number of them.
+   *
+   * @tparam n right sides
    */
+  template <int n>
   class MinimalResiduals
   {
   public:
-    /** @param tolerance of the residual @param most iterations in all @param x out: the solution, started from zero */
-    ResidualLeft solve(const BlockMatrix      &matrix,
-                       const IncompleteFactor &factor,
-                       const Eigen::VectorXd  &b,
-                       double                  tolerance,
-                       int                     most,
-                       Eigen::VectorXd        &x);
+    /** @param tolerance of the residual @param most iterations in all @param x in: where to start, or empty; out: the solution */
+    ResidualLeft solve(const BlockMatrix       &matrix,
+                       IncompleteFactor<float> &factor,
+                       const Columns<n>        &b,
+                       double                   tolerance,
+                       int                      most,
+                       Columns<n>              &x);
 
   private:
     static constexpr int restart = 80;
 
-    int  run(const BlockMatrix &matrix, const IncompleteFactor &factor, double target, int most);
-    void orthogonalise(int k);
-    void rotate(int k);
+    /** What one right side has found since the last restart. */
+    struct Space
+    {
+      Eigen::MatrixXd basis;        ///< orthonormal columns
+      Eigen::MatrixXf found;        ///< what the factor made of them
+      Eigen::MatrixXd upper;        ///< triangular: of the space's projection
+      Eigen::VectorXd left;         ///< of the projected residual
+      Eigen::VectorXd cosine, sine; ///< rotations
+      int             used = 0;
+      bool            done = true;
 
-    Eigen::MatrixXd basis;        ///< columns of the Krylov space
-    Eigen::MatrixXd upper;        ///< triangular: of the space's projection
-    Eigen::VectorXd left, z, w;   ///< of the projected residual; work space
-    Eigen::VectorXd cosine, sine; ///< rotations
+      void begin(const Eigen::VectorXd &residual, double size);
+      void orthogonalise(int k, Eigen::Ref<Eigen::VectorXd> w);
+      void rotate(int k);
+    };
+
+    /** @return iterations */
+    int  run(const BlockMatrix &matrix, IncompleteFactor<float> &factor, double tolerance, int most);
+    void add_to(Columns<n> &x);
+
+    std::array<Space, n>        spaces;
+    Columns<n>                  z, w;
+    Eigen::Matrix<double, n, 1> size; ///< of the right sides
   };
 } // namespace dem

@@ -80,6 +80,9 @@ namespace dem
     , committed(other.committed)
     , trial(other.trial)
     , fallen(other.fallen)
+    , way(other.way)
+    , near_by(other.near_by)
+    , may_be_near(other.may_be_near)
     , elastic(other.elastic)
     , answer(other.answer)
   {
@@ -89,14 +92,17 @@ namespace dem
   {
     if (cell != other.cell)
       own.reset();
-    cell       = other.cell;
-    scale      = other.scale;
-    parameters = other.parameters;
-    committed  = other.committed;
-    trial      = other.trial;
-    fallen     = other.fallen;
-    elastic    = other.elastic;
-    answer     = other.answer;
+    cell        = other.cell;
+    scale       = other.scale;
+    parameters  = other.parameters;
+    committed   = other.committed;
+    trial       = other.trial;
+    fallen      = other.fallen;
+    way         = other.way;
+    near_by     = other.near_by;
+    may_be_near = other.may_be_near;
+    elastic     = other.elastic;
+    answer      = other.answer;
     return *this;
   }
 
@@ -119,10 +125,16 @@ namespace dem
   {
     check(*cell, strain);
     system = &shared;
-    trial  = start();
+    if (way && !way->leads_to(strain))
+      {
+        way.reset();
+        near_by.reset();
+      }
+    trial  = way ? way->begin : start();
     answer = CellResponse();
-    if (strain != trial.motion.loads && !respond_elastically(strain))
+    if (strain != trial.motion.loads && !respond_elastically(strain) && !respond_near_by(strain))
       walk_to(strain);
+    may_be_near     = !trial.is_elastic && (answer.parts == 1 || way) && answer.relaxation_steps == 0;
     answer.stress   = trial.unbalanced.loads / cell->volume;
     answer.residual = trial.unbalanced.residual;
     if (with_tangent)
@@ -137,9 +149,15 @@ namespace dem
     base::Matrix6       D;
     const LinkStiffness kind =
       trial.motion.loads == start().motion.loads ? LinkStiffness::onward : LinkStiffness::consistent;
-    if (!shared.condense(trial.links.stiffness(kind), accuracy_of_tangent(parameters.tolerance), D))
+    CellSystem::Rates rates;
+    if (near_by && may_be_near)
+      rates = std::move(near_by->rates);
+    if (!shared.condense(trial.links.stiffness(kind), accuracy_of_tangent(parameters.tolerance), D, rates))
       throw base::NumericalError("cell: its stiffness has no finite tangent; something holds it no more.");
     ++answer.iterations;
+    near_by.reset();
+    if (may_be_near && rates[0].size() > 0)
+      near_by = NearBy{trial.motion, std::move(rates)};
     return D / cell->volume;
   }
 
@@ -178,6 +196,30 @@ namespace dem
     return false;
   }
 
+  bool RespondingCell::respond_near_by(const base::Vector6 &strain)
+  {
+    constexpr double enough = 1e-2; // of the residual, to be nearer than the committed state
+    if (!near_by)
+      return false;
+    const LoadedMotion  before = trial.motion;
+    const base::Vector6 force = trial.unbalanced.loads, change = strain - before.loads;
+    trial.motion = near_by->motion;
+    for (int p = 0; p < 6; ++p)
+      trial.motion.particles += (strain[p] - near_by->motion.loads[p]) * near_by->rates[static_cast<std::size_t>(p)];
+    trial.motion.loads = strain;
+    evaluate(trial.motion);
+    if (trial.unbalanced.residual <= enough && iterate(LinkStiffness::consistent) &&
+        trial.links.largest_growth() <= parameters.growth_step)
+      {
+        trial.external_work += 0.5 * (force + trial.unbalanced.loads).dot(change);
+        answer.parts = 1;
+        return true;
+      }
+    trial.motion = before;
+    evaluate(before);
+    return false;
+  }
+
   void RespondingCell::walk_to(const base::Vector6 &strain)
   {
     constexpr double    smallest = 1.0 / 64;
@@ -188,10 +230,15 @@ namespace dem
         part                       = std::min(part, 1 - done);
         const base::Vector6 target = done + part < 1 ? base::Vector6(strain - (1 - done - part) * whole) : strain;
         const base::Vector6 force = trial.unbalanced.loads, change = target - trial.motion.loads;
+        std::optional<Way>  last;
+        if (parameters.keeps_its_way && done > 0 && done + part >= 1)
+          last = Way{trial, strain};
         if (attempt(target, LinkStiffness::onward, part > smallest) ||
             (part <= smallest && attempt(target, LinkStiffness::secant, false)))
           {
             trial.external_work += 0.5 * (force + trial.unbalanced.loads).dot(change);
+            if (last)
+              way = std::move(last);
             ++answer.parts;
             done += part;
             part *= 2;
@@ -202,13 +249,20 @@ namespace dem
           part /= 2;
         else
           {
-            relax(target);
-            if (parameters.stays_fallen)
-              fallen = trial;
+            fall_to(target);
             ++answer.parts;
             done += part;
           }
       }
+  }
+
+  void RespondingCell::fall_to(const base::Vector6 &strain)
+  {
+    relax(strain);
+    near_by.reset();
+    way.reset();
+    if (parameters.keeps_its_way)
+      fallen = trial;
   }
 
   bool RespondingCell::attempt(const base::Vector6 &strain, const LinkStiffness stiffness, const bool limited)
@@ -293,7 +347,7 @@ namespace dem
   {
     go_on_from_here();
     committed = trial;
-    fallen.reset();
+    begin_step();
   }
 
   CellEnergy RespondingCell::energy() const
@@ -312,7 +366,7 @@ namespace dem
   {
     committed.links.visit_state(visitor);
     committed.motion.visit_state(visitor);
-    fallen.reset();
+    begin_step();
     visitor.scalar("external_work", committed.external_work);
     visitor.scalar("damped", committed.damped);
     visitor.scalar("is_elastic", committed.is_elastic);

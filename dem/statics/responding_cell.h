@@ -18,11 +18,12 @@ namespace dem
     double growth_step = 0.5; ///< largest growth of any link's damaging strain in one part of a step, over itself, > 0
     LinkRelaxationParameters relaxation; ///< its tolerance is the one above
     /**
-     * A cascade that an answer went through is the start of the next answers too, until commit() or begin_step(): what particles come to
-     * in it hangs on the way there in its last digits, and asked anew for each strain the answer would be rough where the one who asks
-     * looks for a strain.
+     * What an answer could not reach in one part is kept until commit() or begin_step(): a cascade that it went through is the start of the
+     * next answers too, as what particles come to in it hangs on the way there in its last digits, and asked anew for each strain the
+     * answer would be rough where the one who asks looks for a strain; and where its last part began, strains near by are looked for from
+     * there, of which the tangent is then consistent.
      */
-    bool stays_fallen = false;
+    bool keeps_its_way = false;
   };
 
   /** Energies of a cell since it was made [J]. */
@@ -63,8 +64,10 @@ namespace dem
    * A periodic cell of links that damage and slide, as a material point: strain in, stress and consistent tangent out
    * (doc/theory/periodic-cell.md). Small strain; without inertia.
    *
-   * respond() starts from the committed state as often as wanted (but see CellResponseParameters::stays_fallen), commit() makes the last
-   * answer the state. A copy is whole and knows nothing of the other. Same calls, same bits, for any number of threads; copies may be used by several threads at once.
+   * respond() starts from the committed state as often as wanted (but see CellResponseParameters::keeps_its_way), commit() makes the last
+   * answer the state. Until then its iterations begin where the last answer with a tangent says that the particles are: an
+   * answer is the same whatever was asked before to the tolerance, not to the bit, unless begin_step() comes between.
+   * A copy is whole and knows nothing of the other. Same calls, same bits, for any number of threads; copies may be used by several threads at once.
    */
   class RespondingCell
   {
@@ -92,8 +95,14 @@ namespace dem
     /** CellResponse::tangent of the last answer. @throws base::NumericalError if there is none */
     base::Matrix6 tangent(CellSystem &shared);
     void          commit();
-    /** Another step from the committed state is looked for: no cascade of an attempt before shall matter. */
-    void begin_step() { fallen.reset(); }
+    /** Another step from the committed state is looked for: no attempt before shall matter. */
+    void begin_step()
+    {
+      fallen.reset();
+      way.reset();
+      near_by.reset();
+      may_be_near = false;
+    }
     /** Of the committed state, if no link damaged or slid further: every link answers with its secant [Pa]. */
     base::Matrix6 unloading_stiffness(CellSystem &shared) const;
 
@@ -117,15 +126,39 @@ namespace dem
       std::int64_t  is_elastic = 1; ///< all answers so far were those of the undamaged cell
     };
 
-    /** What answers start from. */
+    /** Where the last part of an answer in this step began, and what it led to. */
+    struct Way
+    {
+      State         begin;
+      base::Vector6 end;
+
+      /** Whether the last part would lead to that strain almost as well. */
+      bool leads_to(const base::Vector6 &strain) const
+      {
+        return (strain - end).norm() <= 0.25 * (end - begin.motion.loads).norm();
+      }
+    };
+
+    /** An answer of this step that was found in one part, and how its particles move with the strain. */
+    struct NearBy
+    {
+      LoadedMotion      motion;
+      CellSystem::Rates rates;
+    };
+
+    /** What answers start from, but for those to which a way leads. */
     const State &start() const { return fallen ? *fallen : committed; }
     void         evaluate(const LoadedMotion &motion);
     /** Whether the elastic solution is an equilibrium in which every link still has its first stiffness; then it is the trial. */
     bool respond_elastically(const base::Vector6 &strain);
+    /** In one part, from where the last answer says that the particles will be. */
+    bool respond_near_by(const base::Vector6 &strain);
     void walk_to(const base::Vector6 &strain);
     bool attempt(const base::Vector6 &strain, LinkStiffness stiffness, bool limited);
     bool iterate(LinkStiffness stiffness);
     void relax(const base::Vector6 &strain);
+    /** By relaxation, where Newton's method has found nothing. */
+    void fall_to(const base::Vector6 &strain);
     /** Make the trial the state that the next part starts from. */
     void go_on_from_here();
 
@@ -133,10 +166,13 @@ namespace dem
     double                                 scale; ///< that makes forces of moments [m]
     CellResponseParameters                 parameters;
     State                                  committed, trial;
-    std::optional<State>                   fallen;  ///< where the cascade of an answer in this step has come to
-    std::shared_ptr<const ElasticResponse> elastic; ///< nullptr: always solved for
-    std::unique_ptr<CellSystem>            own;     ///< each copy has its own, made when first needed
-    CellSystem                            *system = nullptr; ///< in use
-    CellResponse                           answer;           ///< under way
+    std::optional<State>                   fallen; ///< where the cascade of an answer in this step has come to
+    std::optional<Way>                     way;
+    std::optional<NearBy>                  near_by;
+    bool                                   may_be_near = false; ///< the last answer may become `near_by`
+    std::shared_ptr<const ElasticResponse> elastic;             ///< nullptr: always solved for
+    std::unique_ptr<CellSystem>            own;                 ///< each copy has its own, made when first needed
+    CellSystem                            *system = nullptr;    ///< in use
+    CellResponse                           answer;              ///< under way
   };
 } // namespace dem

@@ -82,7 +82,7 @@ namespace dem
     const double          J = l.arm_first, K = l.arm_second;
     const auto put = [&](const int place, const double row_sign, const double row_arm, const double column_sign,
                          const double column_arm) {
-      Block &block = matrix[0].block(place);
+      auto block = matrix[0].block(place);
       block.topLeftCorner<3, 3>() += row_sign * column_sign * C;
       block.topRightCorner<3, 3>() += row_sign * column_arm * CN;
       block.bottomLeftCorner<3, 3>() += row_arm * column_sign * NC;
@@ -124,38 +124,66 @@ namespace dem
     return factor.compute(matrix[0], added_to_diagonal * diagonal);
   }
 
-  bool TangentIteration::solve(const CarrierMotions &force, const double accuracy, CarrierMotions &motion)
+  void TangentIteration::put(const CarrierMotions &force, Eigen::Ref<Eigen::VectorXd> column) const
   {
-    right.resize(matrix[0].size());
     for (std::size_t i = 0; i < row_of.size(); ++i)
       {
-        const auto k                              = static_cast<Eigen::Index>(i);
-        right.segment<3>(motions * row_of[i])     = force.col(k).head<3>();
-        right.segment<3>(motions * row_of[i] + 3) = force.col(k).tail<3>() / scale;
+        const auto k                               = static_cast<Eigen::Index>(i);
+        column.segment<3>(motions * row_of[i])     = force.col(k).head<3>();
+        column.segment<3>(motions * row_of[i] + 3) = force.col(k).tail<3>() / scale;
       }
-    if (!(iteration.solve(matrix[0], factor, right, accuracy, most_iterations, found).residual <= accuracy))
-      return false;
-    motion.resize(motions, force.cols());
+  }
+
+  CarrierMotions TangentIteration::motion_in(const Eigen::Ref<const Eigen::VectorXd> &column) const
+  {
+    CarrierMotions motion(motions, static_cast<Eigen::Index>(row_of.size()));
     for (std::size_t i = 0; i < row_of.size(); ++i)
       {
         const auto k            = static_cast<Eigen::Index>(i);
-        motion.col(k).head<3>() = found.segment<3>(motions * row_of[i]);
-        motion.col(k).tail<3>() = found.segment<3>(motions * row_of[i] + 3) / scale;
+        motion.col(k).head<3>() = column.segment<3>(motions * row_of[i]);
+        motion.col(k).tail<3>() = column.segment<3>(motions * row_of[i] + 3) / scale;
       }
+    return motion;
+  }
+
+  bool TangentIteration::solve(const CarrierMotions &force, const double accuracy, CarrierMotions &motion)
+  {
+    Columns<1> right(matrix[0].size()), found;
+    put(force, right);
+    if (!(iteration.solve(matrix[0], factor, right, accuracy, most_iterations, found).residual <= accuracy))
+      return false;
+    motion = motion_in(found);
     return true;
   }
 
-  CarrierMotions TangentIteration::left_over() const
+  bool TangentIteration::solve(const Six &force, const double accuracy, Six &motion, Six &left_over)
   {
-    Eigen::VectorXd balanced(right.size());
-    matrix[0].multiply(found, balanced);
-    const Eigen::VectorXd missing = right - balanced;
-    CarrierMotions        left(motions, static_cast<Eigen::Index>(row_of.size()));
-    for (std::size_t i = 0; i < row_of.size(); ++i)
+    Columns<6> right(matrix[0].size(), 6), found;
+    for (std::size_t p = 0; p < 6; ++p)
+      put(force[p], right.col(static_cast<Eigen::Index>(p)));
+    if (motion[0].cols() == force[0].cols())
       {
-        const Eigen::Matrix<double, motions, 1> r = missing.segment<motions>(motions * row_of[i]);
-        left.col(static_cast<Eigen::Index>(i)) << r.head<3>(), r.tail<3>() * scale;
+        found.resize(right.rows(), 6);
+        for (std::size_t p = 0; p < 6; ++p)
+          {
+            // Motions are the other way about: a rotation times the scale is a length.
+            CarrierMotions start = motion[p];
+            start.bottomRows<3>() *= scale * scale;
+            put(start, found.col(static_cast<Eigen::Index>(p)));
+          }
       }
-    return left;
+    if (!(iteration_of_six.solve(matrix[0], factor, right, accuracy, most_iterations, found).residual <= accuracy))
+      return false;
+    Columns<6> balanced(right.rows(), 6);
+    matrix[0].multiply<6>(found, balanced);
+    const Columns<6> missing = right - balanced;
+    for (std::size_t p = 0; p < 6; ++p)
+      {
+        const auto column = static_cast<Eigen::Index>(p);
+        motion[p]         = motion_in(found.col(column));
+        left_over[p]      = motion_in(missing.col(column));
+        left_over[p].bottomRows<3>() *= scale * scale; // moments
+      }
+    return true;
   }
 } // namespace dem

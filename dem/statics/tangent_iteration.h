@@ -3,6 +3,7 @@
 #include "dem/statics/loaded_network.h"
 #include "dem/statics/minimal_residuals.h"
 
+#include <array>
 #include <vector>
 
 namespace dem
@@ -32,8 +33,10 @@ namespace dem
      * @param motion out [m], [-] @return false if it was not reached
      */
     bool solve(const CarrierMotions &force, double accuracy, CarrierMotions &motion);
-    /** Force and moment on each particle that the last solution has left over [N], [N m]. */
-    CarrierMotions left_over() const;
+
+    using Six = std::array<CarrierMotions, 6>;
+    /** The same of six forces at once. @param motion in: where to start, or empty @param left_over force that they leave over [N], [N m] */
+    bool solve(const Six &force, double accuracy, Six &motion, Six &left_over);
 
   private:
     void number_rows();
@@ -41,6 +44,9 @@ namespace dem
     void add_forces(std::size_t link, const Eigen::Matrix3d &stiffness);
     void add_moments(std::size_t link, const base::Matrix6 &stiffness);
     void take_diagonal();
+
+    void           put(const CarrierMotions &force, Eigen::Ref<Eigen::VectorXd> column) const;
+    CarrierMotions motion_in(const Eigen::Ref<const Eigen::VectorXd> &column) const;
 
     /** Where the four blocks of a link stand. */
     struct BlockPlaces
@@ -55,8 +61,8 @@ namespace dem
     std::vector<BlockMatrix> matrix; ///< one
     bool                     has_moments = false;
     Eigen::VectorXd          diagonal; ///< of the undamaged links; where a motion meets none, the mean
-    IncompleteFactor         factor;
-    MinimalResiduals         iteration;
-    Eigen::VectorXd          right, found;
+    IncompleteFactor<float>  factor;
+    MinimalResiduals<1>      iteration;
+    MinimalResiduals<6>      iteration_of_six;
   };
 } // namespace dem

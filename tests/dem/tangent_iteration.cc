@@ -78,8 +78,13 @@ TEST_CASE("tangent iteration: blocks multiply and hold as a matrix does", "[dem]
   dem::BlockMatrix      matrix = ring(9);
   const Eigen::VectorXd x      = Eigen::VectorXd::LinSpaced(matrix.size(), -1, 2);
   Eigen::VectorXd       y(matrix.size());
-  matrix.multiply(x, y);
+  matrix.multiply<1>(x, y);
   CHECK((y - dense(matrix) * x).norm() < 1e-13 * y.norm());
+  dem::Columns<6> six(matrix.size(), 6), products(matrix.size(), 6);
+  for (int i = 0; i < 6; ++i)
+    six.col(i) = (i - 2) * x.array() + x.array().square();
+  matrix.multiply<6>(six, products);
+  CHECK((products - dense(matrix) * six).norm() < 1e-13 * products.norm());
   matrix.hold(4, 0x5, 7);
   const Eigen::MatrixXd held = dense(matrix);
   for (const int k : {24, 26})
@@ -91,22 +96,50 @@ TEST_CASE("tangent iteration: blocks multiply and hold as a matrix does", "[dem]
 
 TEST_CASE("tangent iteration: it ends at the accuracy that it says, for unsymmetric systems too", "[dem][statics]")
 {
-  const dem::BlockMatrix matrix = ring(40);
-  dem::IncompleteFactor  factor;
+  const dem::BlockMatrix       matrix = ring(40);
+  dem::IncompleteFactor<float> factor;
   REQUIRE(factor.compute(matrix, Eigen::VectorXd::Zero(matrix.size())));
-  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(matrix.size(), 1, -3);
-  dem::MinimalResiduals iteration;
-  Eigen::VectorXd       x;
+  const Eigen::VectorXd    b = Eigen::VectorXd::LinSpaced(matrix.size(), 1, -3);
+  dem::MinimalResiduals<1> iteration;
+  Eigen::VectorXd          x;
   for (const double accuracy : {1e-2, 1e-6, 1e-12})
     {
+      x.resize(0);
       const dem::ResidualLeft left = iteration.solve(matrix, factor, b, accuracy, 200, x);
       CHECK(left.residual <= accuracy);
       CHECK((b - dense(matrix) * x).norm() == Approx(left.residual * b.norm()).margin(1e-14 * b.norm()));
     }
   CHECK((x - dense(matrix).partialPivLu().solve(b)).norm() < 1e-10 * x.norm());
+  x.resize(0);
   CHECK(iteration.solve(matrix, factor, 0 * b, 1e-12, 200, x).residual == 0);
   CHECK(x.isZero(0));
   CHECK(iteration.solve(matrix, factor, b, 1e-12, 1, x).residual > 1e-12); // it says where it did not get
+}
+
+TEST_CASE("tangent iteration: six right sides together are each solved as alone, from any start", "[dem][statics]")
+{
+  const dem::BlockMatrix       matrix = ring(40);
+  dem::IncompleteFactor<float> factor;
+  REQUIRE(factor.compute(matrix, Eigen::VectorXd::Zero(matrix.size())));
+  dem::MinimalResiduals<1> alone;
+  dem::MinimalResiduals<6> together;
+  dem::Columns<6>          b(matrix.size(), 6), x;
+  for (int i = 0; i < 6; ++i)
+    b.col(i) = i * Eigen::VectorXd::LinSpaced(matrix.size(), 1, -3).array().pow(i); // the first is zero
+  const dem::ResidualLeft left = together.solve(matrix, factor, b, 1e-10, 200, x);
+  CHECK(left.residual <= 1e-10);
+  CHECK(x.col(0).isZero(0));
+  for (int i = 1; i < 6; ++i)
+    {
+      Eigen::VectorXd one;
+      alone.solve(matrix, factor, b.col(i), 1e-10, 200, one);
+      CHECK((x.col(i) - one).norm() < 1e-9 * one.norm());
+    }
+  // From near by it takes less, and from far off it is no worse than from zero.
+  dem::Columns<6> near_by = 1.001 * x, far_off = 100 * x;
+  CHECK(together.solve(matrix, factor, b, 1e-10, 200, near_by).iterations < left.iterations);
+  CHECK(together.solve(matrix, factor, b, 1e-10, 200, far_off).iterations == left.iterations);
+  CHECK((near_by - x).norm() < 1e-9 * x.norm());
 }
 
 TEST_CASE("tangent iteration: of a tridiagonal chain of blocks the incomplete factor is the factor", "[dem][statics]")
@@ -119,12 +152,17 @@ TEST_CASE("tangent iteration: of a tridiagonal chain of blocks the incomplete fa
   for (int row = 0; row < 12; ++row)
     for (int k = chain.begin(row); k < chain.begin(row + 1); ++k)
       chain.block(k) = full.block(full.place(row, chain.column(k)));
-  dem::IncompleteFactor factor;
+  dem::IncompleteFactor<double> factor;
   REQUIRE(factor.compute(chain, Eigen::VectorXd::Zero(chain.size())));
   const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(chain.size(), 1, 2);
   Eigen::VectorXd       x(b.size());
-  factor.apply(b, x);
+  factor.apply<1>({b.data()}, {x.data()});
   CHECK((dense(chain) * x - b).norm() < 1e-12 * b.norm());
+  dem::IncompleteFactor<float> in_single;
+  REQUIRE(in_single.compute(chain, Eigen::VectorXd::Zero(chain.size())));
+  Eigen::VectorXf rough(b.size());
+  in_single.apply<1>({b.data()}, {rough.data()});
+  CHECK((rough.cast<double>() - x).norm() < 1e-5 * x.norm());
   chain.block(chain.diagonal(0)).setZero();
   CHECK_FALSE(factor.compute(chain, Eigen::VectorXd::Zero(chain.size())));
 }
