@@ -2,7 +2,7 @@
 
 #include "base/errors.h"
 #include "base/number_text.h"
-#include "dem/kernels/first_order_shear.h"
+#include "dem/statics/waiting_contacts.h"
 
 #include <Eigen/Cholesky>
 
@@ -15,22 +15,11 @@ namespace coupling
 {
   using Eigen::Vector3d;
 
-  namespace
-  {
-    dem::Physics physics_of_cell(const dem::ElasticNetwork &network)
-    {
-      dem::Physics physics;
-      physics.dimension = network.dimension;
-      physics.rotations = network.rotations;
-      return physics;
-    }
-  } // namespace
-
   ElasticRange::ElasticRange(const dem::ElasticNetwork   &network,
                              const dem::LinkMaterials    &materials,
                              const dem::RelaxedStiffness &relaxed,
                              const double                 threshold)
-    : law(dem::with_exact_shear(materials.bonds_in_space(physics_of_cell(network))))
+    : law(dem::law_of_links(network, materials))
     , links(network.links)
     , columns(law->columns().size())
     , history(columns * links.size(), 0.0)

@@ -46,7 +46,8 @@ namespace coupling
     base::Stiffness in_space(const base::Stiffness &of_cell) const;
     double          volume() const { return network->volume; } ///< [m^3]
     std::size_t     particles() const { return network->network.particles(); }
-    std::size_t     links() const { return network->network.links.size(); }
+    std::size_t     links() const { return network->network.bonds(); }
+    std::size_t     waiting_contacts() const { return network->network.links.size() - links(); }
     /** Density of the bulk for particles of these densities [kg/m^3]. */
     double density(const std::vector<double> &of_materials) const;
 

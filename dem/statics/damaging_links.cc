@@ -1,7 +1,7 @@
 #include "dem/statics/damaging_links.h"
 
 #include "base/state_vectors.h"
-#include "dem/kernels/first_order_shear.h"
+#include "dem/statics/waiting_contacts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,19 +17,11 @@ namespace dem
       visitor.column(name, column);
       numbers.assign(column.begin(), column.end());
     }
-
-    Physics physics_of(const ElasticNetwork &network)
-    {
-      Physics physics;
-      physics.dimension = network.dimension;
-      physics.rotations = network.rotations;
-      return physics;
-    }
   } // namespace
 
   DamagingLinks::DamagingLinks(const LoadedNetwork &network, const LinkMaterials &materials)
     : loaded(&network)
-    , law(with_exact_shear(materials.bonds_in_space(physics_of(network.network))))
+    , law(law_of_links(network.network, materials))
     , columns(law->columns().size())
     , state(columns * network.network.links.size(), 0.0)
     , shear(network.network.links.size(), Eigen::Vector3d::Zero())
@@ -182,6 +174,8 @@ namespace dem
   // A closed link may open again: what counts is whether it would carry tension.
   bool DamagingLinks::is_exhausted(const std::size_t i) const
   {
+    if (loaded->network.links[i].waits)
+      return false;
     const double opened = std::max(strain[i], std::numeric_limits<double>::min());
     return law->phase(pair_of(i), geometry(i, opened), row(state, i)) != LinkPhase::whole;
   }
@@ -191,7 +185,7 @@ namespace dem
     double sum = 0;
     for (std::size_t i = 0; i < size(); ++i)
       sum += damage_of(i).stiffness;
-    return sum / static_cast<double>(size());
+    return sum / static_cast<double>(loaded->network.bonds());
   }
 
   double DamagingLinks::stored() const

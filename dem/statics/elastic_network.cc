@@ -5,6 +5,7 @@
 #include "dem/kernels/first_order_shear.h"
 #include "dem/model/particles.h"
 #include "dem/neighbours/cell_list.h"
+#include "dem/statics/waiting_contacts.h"
 
 #include <Eigen/LU>
 
@@ -30,6 +31,7 @@ namespace dem
               "must be from 1, the ratio at which touching particles link, to 10.");
       require(p.dimension == 3 || (p.thickness > 0 && std::isfinite(p.thickness)), "Thickness", p.thickness,
               "discs must be thicker than 0 m.");
+      require(p.contact_reach >= 0 && p.contact_reach <= 1, "Contact reach", p.contact_reach, "must be from 0 to 1.");
     }
 
     void check(const NetworkParameters &p)
@@ -101,6 +103,12 @@ namespace dem
       return link;
     }
 
+    [[noreturn]] void refuse_no_link(const NetworkParameters &p)
+    {
+      throw base::InputError("Interaction ratio = " + base::number_text(p.interaction_ratio) +
+                             ": no two particles are near enough to be linked. Raise it, or take a denser packing.");
+    }
+
     /** @param finish what gives a link of two particles its stiffness */
     template <typename Finish>
     ElasticNetwork link_up(const CellPacking                &packing,
@@ -110,8 +118,7 @@ namespace dem
                            const Finish                     &finish)
     {
       if (pairs.empty())
-        throw base::InputError("Interaction ratio = " + base::number_text(p.interaction_ratio) +
-                               ": no two particles are near enough to be linked. Raise it, or take a denser packing.");
+        refuse_no_link(p);
       ElasticNetwork network;
       network.dimension = p.dimension;
       network.rotations = p.rotations;
@@ -133,6 +140,53 @@ namespace dem
       };
     }
 
+    /** Gives links the stiffness of their law, and tells bonds from contacts that wait. */
+    class LinkFinisher
+    {
+    public:
+      LinkFinisher(const NetworkParameters &parameters, const LinkMaterials &materials)
+        : p(parameters)
+        , bonds(with_exact_shear(materials.bonds_in_space(physics_of(p))))
+      {
+        if (1 + p.contact_reach > p.interaction_ratio)
+          contacts = with_exact_shear(materials.contacts_in_space(physics_of(p)));
+      }
+
+      void finish(ElasticLink &link) const
+      {
+        const double touching = link.made.first_radius + link.made.second_radius;
+        link.waits            = contacts && !(link.made.distance < p.interaction_ratio * touching + p.installation_gap);
+        link.waits ? wait(link, touching) : join(link);
+      }
+
+    private:
+      void join(ElasticLink &link) const
+      {
+        std::vector<double> history(bonds->columns().size(), 0.0);
+        bonds->begin(link.pair, link.made, history.data());
+        link.reference = bonds->reference_length(link.pair, link.made);
+        put_stiffness(link, bonds->stiffness(link.pair, geometry_of(link), history.data()));
+      }
+
+      void wait(ElasticLink &link, const double touching) const
+      {
+        std::vector<double> history(contacts->columns().size(), 0.0);
+        NewLink             touch = link.made;
+        touch.distance            = touching;
+        contacts->begin(link.pair, touch, history.data());
+        link.reference            = contacts->reference_length(link.pair, touch);
+        const LinkGeometry closed = {0, link.reference, link.reference, link.area};
+        put_stiffness(link, contacts->stiffness(link.pair, closed, history.data()));
+        link.once_closed = link.stiffness;
+        link.stiffness.setZero();
+        link.turning.setZero();
+        link.pair += static_cast<std::int32_t>(bonds->pairs());
+      }
+
+      const NetworkParameters       &p;
+      std::shared_ptr<const LinkLaw> bonds, contacts; ///< the latter where some may wait
+    };
+
     /** Links of a free packing, or one with an upright cell. */
     template <typename Finish>
     ElasticNetwork network_of(const Packing &packing, const NetworkParameters &p, const Finish &finish)
@@ -145,9 +199,9 @@ namespace dem
         (*cell)[2] = std::numeric_limits<double>::infinity();
       if (cell)
         general.cell = cell->asDiagonal();
-      ElasticNetwork network =
-        link_up(general, find_pairs(packing.centre, packing.radius, p.interaction_ratio, p.installation_gap, cell),
-                general.cell, p, finish);
+      const double   factor  = std::max(p.interaction_ratio, 1 + p.contact_reach);
+      ElasticNetwork network = link_up(
+        general, find_pairs(packing.centre, packing.radius, factor, p.installation_gap, cell), general.cell, p, finish);
       if (cell)
         network.volume = (*cell)[0] * (*cell)[1] * (p.dimension == 2 ? p.thickness : (*cell)[2]);
       return network;
@@ -166,6 +220,12 @@ namespace dem
     all.topLeftCorner<3, 3>()     = link.stiffness;
     all.bottomRightCorner<3, 3>() = link.turning;
     return all;
+  }
+
+  std::size_t ElasticNetwork::bonds() const
+  {
+    return static_cast<std::size_t>(
+      std::count_if(links.begin(), links.end(), [](const ElasticLink &link) { return !link.waits; }));
   }
 
   bool ElasticNetwork::moves(const int component) const
@@ -189,19 +249,17 @@ namespace dem
       throw base::InputError(
         "Interfaces: materials without bonds between them are for particles in motion; a network in "
         "equilibrium links all that are near.");
-    const std::shared_ptr<const LinkLaw> law      = with_exact_shear(materials.bonds_in_space(physics_of(p)));
-    std::vector<std::int32_t>            material = packing.material;
+    std::vector<std::int32_t> material = packing.material;
     if (materials.several())
       material.resize(packing.size(), 0);
-    std::vector<double> history(law->columns().size());
-    ElasticNetwork      network = network_of(packing, p, [&](ElasticLink &link) {
+    const LinkFinisher finisher(p, materials);
+    ElasticNetwork     network = network_of(packing, p, [&](ElasticLink &link) {
       if (materials.several())
         link.pair = material_pair(material[link.first], material[link.second]);
-      std::fill(history.begin(), history.end(), 0.0);
-      law->begin(link.pair, link.made, history.data());
-      link.reference = law->reference_length(link.pair, link.made);
-      put_stiffness(link, law->stiffness(link.pair, geometry_of(link), history.data()));
+      finisher.finish(link);
     });
+    if (network.bonds() == 0)
+      refuse_no_link(p);
     if (materials.several())
       network.material = material;
     return network;

@@ -30,8 +30,12 @@ namespace dem
     Eigen::Matrix3d stiffness;             ///< C, symmetric [N/m]
     /** Moment over relative rotation phi_K - phi_J, symmetric [N m]; zero where the law has no moment. */
     Eigen::Matrix3d turning = Eigen::Matrix3d::Zero();
-    std::int32_t    pair    = 0; ///< number of the pair of materials
+    std::int32_t    pair    = 0; ///< number of the pair of materials; see `waits`
     NewLink         made;        ///< as the law saw it when it was made
+    /** A contact of particles that are apart (dem/statics/waiting_contacts.h): its pair is numbered past those of all bonds. */
+    bool            waits = false;
+    Eigen::Matrix3d once_closed =
+      Eigen::Matrix3d::Zero(); ///< stiffness that a contact which waits has when it touches [N/m]
   };
 
   /** A link where it lies, as its law sees it. */
@@ -51,6 +55,7 @@ namespace dem
     double volume = 0; ///< of the periodic cell (area times thickness in the plane) [m^3]; 0: free
 
     std::size_t particles() const { return centre.size(); }
+    std::size_t bonds() const; ///< links but for contacts that wait
     bool        periodic() const { return volume > 0; }
 
     /** Which of a particle's six motions x, y, z, rotation about x, y, z exist at all. */
@@ -67,6 +72,8 @@ namespace dem
     double normal_modulus    = 0;    ///< E of the link [Pa], > 0
     double shear_ratio       = 0;    ///< G/E of the link, > 0
     double thickness         = 0;    ///< of the discs [m], > 0; two dimensions only
+    /** Particles that no link joins wait for contact where distance < (1 + reach)(r_J + r_K), >= 0; with a law's materials only. */
+    double contact_reach = 0;
   };
 
   /** Spheres or discs in a general periodic cell: what Packing cannot hold. */

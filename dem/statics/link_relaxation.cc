@@ -107,7 +107,8 @@ namespace dem
             for (int p = 0; p < 6; ++p)
               if (!loaded.free[p])
                 B.col(12 + p).setZero();
-            Eigen::Matrix<double, 18, 1> rows = (B.transpose() * l.stiffness * B).cwiseAbs().rowwise().sum();
+            Eigen::Matrix<double, 18, 1> rows =
+              (B.transpose() * (l.stiffness + l.once_closed) * B).cwiseAbs().rowwise().sum();
             if (!l.turning.isZero(0)) // of relative rotation: half of a row is of the other end
               for (const int end : {3, 9})
                 rows.segment<3>(end) += 2 * l.turning.cwiseAbs().rowwise().sum() / (scale * scale);

@@ -2,10 +2,12 @@
 #include "dem/laws/contact_bond.h"
 #include "dem/laws/flat_joint.h"
 #include "dem/laws/parallel_bond.h"
+#include "dem/packing/compaction.h"
 #include "tests/coupling/multiscale_fixture.h"
 
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <cmath>
 
 using namespace multiscale;
@@ -214,4 +216,50 @@ TEST_CASE(
   CHECK(std::fabs(asked(*of, sheared + closed + 5e-4 * base::Voigt::Unit(5)).stress[5]) > 1.2 * shear);
   const dem::CellEnergy energy = of->cell(0)->energy();
   CHECK(std::fabs(energy.residual()) < 0.03 * energy.external_work);
+}
+
+TEST_CASE("cells with contacts: particles take over before two of them touch, and bear more than without",
+          "[coupling][multiscale]")
+{
+  dem::CompactionParameters how;
+  how.radius           = 1e-3;
+  how.count            = 64;
+  how.low_pressure     = 2e-2;
+  dem::Packing packing = dem::compact(how).packing;
+  for (std::size_t i = 0; i < packing.size(); i += 3)
+    packing.radius[i] *= 0.99; // apart by half a per cent of the diameter, or twice that
+  dem::CpmParameters unbreakable = concrete(1e3);
+  unbreakable.cohesion           = 1e15;
+  coupling::CellParameters p     = parameters(1e-10);
+  p.links.interaction_ratio      = 1.001;
+  const auto squeezed            = [](const double size) {
+    return base::Voigt((base::Voigt() << -1, -1, -1, 0.1, 0, 0.2).finished() * size);
+  };
+  std::array<base::Voigt, 2> stress;
+  for (const double reach : {0.0, 0.05})
+    {
+      p.links.contact_reach = reach;
+      const auto cell       = std::make_shared<coupling::PreparedCell>(packing, unbreakable, p);
+      CHECK((cell->waiting_contacts() > 0) == (reach > 0));
+      auto of = points({cell});
+      of->allocate(1);
+      double size = 0;
+      while (size < 8e-3)
+        {
+          size += of->promoted() == 0 ? 1e-5 : 2e-4;
+          const base::Voigt elastic = cell->stiffness() * squeezed(size);
+          const auto        answer  = asked(*of, squeezed(size));
+          const bool        just    = of->promoted() == 0;
+          of->commit();
+          stress[reach > 0 ? 1 : 0] = answer.stress;
+          if (just && of->promoted() == 1)
+            {
+              CHECK(cell->elastic_range()->nearest(squeezed(size)).exertion == Approx(0.95).margin(0.06));
+              CHECK((answer.stress - elastic).norm() < 1e-9 * elastic.norm());
+            }
+        }
+      CHECK(of->promoted() == (reach > 0 ? 1u : 0u));
+      CHECK(of->record(0).damage == 0);
+    }
+  CHECK(stress[1].head<3>().sum() < 1.05 * stress[0].head<3>().sum()); // pressure is negative
 }
