@@ -17,9 +17,9 @@ namespace coupling
     : parameters(std::move(given))
     , dealt(parameters.communicator)
   {
-    if (plane == fem::Plane::stress)
-      throw base::InputError(
-        "cells of spheres are not built for plane stress. Set Model/Plane = strain, or Model/Dimension = 3.");
+    if (plane == fem::Plane::stress && !of_discs())
+      throw base::InputError("cells of spheres are not built for plane stress. Set Model/Plane = strain, or "
+                             "Model/Dimension = 3, or take discs (Particles = discs).");
     if (parameters.packings.empty())
       throw std::invalid_argument("moving cells: at least one packing is needed.");
     for (const dem::Packing &packing : parameters.packings)
@@ -40,6 +40,9 @@ namespace coupling
   {
     sites         = std::move(given);
     large_strains = setting.large_strains;
+    if (of_discs() && !setting.plane)
+      throw base::InputError("cells of discs are plane, and the model has three dimensions. Set Model/Dimension = 2, "
+                             "or take spheres.");
     for (std::size_t i = 0; i < points.size(); ++i)
       {
         if (!dealt.has(sites[i].number))
@@ -77,7 +80,10 @@ namespace coupling
 
   Matrix3d MovingCells::deformation(const base::Voigt &strain) const
   {
-    return Matrix3d::Identity() + base::strain_tensor(large_strains ? Stretch(strain).strain() : strain);
+    base::Voigt seen = large_strains ? Stretch(strain).strain() : strain;
+    if (of_discs())
+      seen.segment<3>(2).setZero();
+    return Matrix3d::Identity() + base::strain_tensor(seen);
   }
 
   void MovingCells::gather(const std::vector<base::Voigt> &strains, bool)
@@ -103,6 +109,23 @@ namespace coupling
       }
     length = 0;
     share_answers();
+    find_localised();
+  }
+
+  void MovingCells::find_localised()
+  {
+    ++states;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (Point &point = points[i]; !point.normal.isZero(0))
+        {
+          point.has_localised     = 1;
+          const Localisation here = {sites[i].place, point.normal, states};
+          localised.add(here, parameters.stops_localised ?
+                                here.text() + ". What its mean stress is worth from here on, its size decides: When "
+                                              "localised = go on takes it nevertheless." :
+                                std::string());
+          point.normal.setZero();
+        }
   }
 
   void MovingCells::share_answers()
@@ -118,6 +141,8 @@ namespace coupling
   {
     visit_text(visitor, "failure", point.failure);
     visitor.scalar("stored", point.stored);
+    for (double &component : point.normal)
+      visitor.scalar("normal", component);
     for (base::Voigt *of : {&point.strain, &point.stress, &point.inertia})
       for (double &component : *of)
         visitor.scalar("component", component);
@@ -138,9 +163,15 @@ namespace coupling
     const std::int64_t last = std::max<std::int64_t>(1, steps - 1);
     for (std::int64_t k = 1; k <= steps; ++k)
       {
-        const double   part = std::min(1.0, static_cast<double>(k) / static_cast<double>(last));
-        const Matrix3d next = from + part * (to - from);
-        specimen.set_velocity_gradient((next * specimen.cell().deformation.inverse() - Matrix3d::Identity()) / step);
+        const double   part     = std::min(1.0, static_cast<double>(k) / static_cast<double>(last));
+        const Matrix3d next     = from + part * (to - from);
+        Matrix3d       gradient = (next * specimen.cell().deformation.inverse() - Matrix3d::Identity()) / step;
+        if (of_discs())
+          {
+            gradient.row(2).setZero(); // round-off of the inverse
+            gradient.col(2).setZero();
+          }
+        specimen.set_velocity_gradient(gradient);
         specimen.advance(1);
       }
     point.strain = strain;
@@ -165,8 +196,14 @@ namespace coupling
         const dem::ParticleState particle = specimen.particle(i);
         inertia -= particle.mass * particle.velocity * particle.velocity.transpose();
       }
-    point.inertia = base::stress_voigt(inertia / cell.volume);
-    point.stored  = (specimen.energy().elastic + specimen.energy().kinetic) / point.volume;
+    point.inertia                   = base::stress_voigt(inertia / cell.volume);
+    const dem::EnergyAccount energy = specimen.energy();
+    point.stored                    = (energy.elastic + energy.kinetic) / point.volume;
+    // Compared with where its links are as they make this stress: one step before.
+    if (const auto band =
+          point.watch.look(specimen, {base::strain_voigt(cell.deformation_at_forces - Matrix3d::Identity()),
+                                      base::stress_voigt(cauchy), energy.damage}))
+      point.normal = band->normal;
   }
 
   void MovingCells::evaluate(const std::size_t  number,
@@ -193,9 +230,11 @@ namespace coupling
     using Kind  = fem::PointQuantity::Kind;
     using Role  = fem::PointQuantity::Role;
     using Shown = fem::PointQuantity::Shown;
-    return {{"inertia_stress", "Pa", "of the particles' own motion, not in the stress", Kind::stress},
-            {"strain_of_cell", "-", "", Kind::strain, Role::other, Shown::nowhere},
-            {"stress_of_cell", "Pa", "", Kind::stress, Role::other, Shown::nowhere}};
+    return {
+      {"inertia_stress", "Pa", "of the particles' own motion, not in the stress", Kind::stress},
+      {"strain_of_cell", "-", "", Kind::strain, Role::other, Shown::nowhere},
+      {"stress_of_cell", "Pa", "", Kind::stress, Role::other, Shown::nowhere},
+      {"localised", "-", "1: damage has gathered in a band of the cell", Kind::number, Role::other, Shown::counted}};
   }
 
   void MovingCells::visit(const std::size_t number, const fem::StateColumn &column)
@@ -205,15 +244,21 @@ namespace coupling
     column(all[0], point.inertia.data());
     column(all[1], point.strain.data());
     column(all[2], point.stress.data());
+    column(all[3], &point.has_localised);
   }
 
   void MovingCells::visit_more(base::StateVisitor &visitor)
   {
+    visitor.scalar("states", states);
+    localised.visit_state(visitor);
     for (Point &point : points)
       {
         visitor.scalar("stored", point.stored);
         if (point.specimen)
-          point.specimen->visit_state(visitor);
+          {
+            point.specimen->visit_state(visitor);
+            point.watch.visit_state(visitor);
+          }
       }
   }
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "coupling/multiscale/dealt_points.h"
+#include "coupling/multiscale/localisations.h"
 #include "coupling/multiscale/prepared_cell.h"
+#include "dem/loading/localisation_watch.h"
 #include "dem/specimen/specimen.h"
 #include "fem/points/gathered_points.h"
 
@@ -18,23 +20,25 @@ namespace coupling
     std::vector<dem::Packing>
                             packings; ///< at least one, periodic; points take them in turn, by their number in the mesh
     dem::LinkMaterials      materials;
-    dem::SpecimenParameters specimen; ///< density, damping, interaction ratio; rotations
+    dem::SpecimenParameters specimen; ///< density, damping, interaction ratio; rotations, dimension, thickness
     std::int64_t    steps = 0; ///< of the particles in one of the solid; 0: as many as their stable step asks for
     base::Stiffness stiffness =
-      base::Stiffness::Zero();             ///< of the cells before anything has happened, for the solid's step [Pa]
-    MPI_Comm communicator = MPI_COMM_SELF; ///< of ranks that all hold the same structure, and share its cells
+      base::Stiffness::Zero();                ///< of the cells before anything has happened, for the solid's step [Pa]
+    bool     stops_localised = true;          ///< the run ends where a cell localises
+    MPI_Comm communicator    = MPI_COMM_SELF; ///< of ranks that all hold the same structure, and share its cells
   };
 
   /**
    * Integration points whose cells move with the solid, step by step (doc/theory/multiscale.md, 6): each is a specimen of particles in a
    * periodic cell, which is led from deformation to deformation evenly while the solid makes a step. Explicit motion only: a cell cannot be
    * asked twice. The stress is that of the link forces; what the motion of the particles about the cell's would add is told apart.
+   * One that localises is told by where its links lose their strength: there is no tangent to ask.
    * Cells are spread over threads and ranks as those of CellPoints.
    */
   class MovingCells : public fem::GatheredPoints
   {
   public:
-    /** @throws base::InputError in plane stress, and as dem::Specimen */
+    /** @throws base::InputError for spheres in plane stress, and as dem::Specimen */
     MovingCells(MovingCellsParameters parameters, fem::Plane plane);
     ~MovingCells() override;
 
@@ -56,6 +60,10 @@ namespace coupling
     void commit() override {}
     void set_initial(std::size_t, const fem::InitialPointState &, const fem::ElementExtent &) override;
 
+    std::string                      end_of_validity() const override { return localised.end_of_validity(); }
+    std::vector<std::string>         notes() const override { return localised.notes(); }
+    const std::vector<Localisation> &localisations() const { return localised.all(); }
+
     std::vector<fem::PointQuantity> quantities() const override;
     void                            visit(std::size_t point, const fem::StateColumn &column) override;
     bool                            remembers_more() const override { return true; }
@@ -74,10 +82,15 @@ namespace coupling
       base::Voigt                    inertia = base::Voigt::Zero();
       double                         stored  = 0; ///< elastic and kinetic energy of the particles [J/m^3]
       double                         volume  = 0; ///< at the start [m^3]
+      dem::LocalisationWatch         watch;
+      double                         has_localised = 0;         ///< 1: yes
+      Eigen::Vector3d                normal        = {0, 0, 0}; ///< of the band, in the step in which it did; else 0
       std::string                    failure;
     };
 
+    bool            of_discs() const { return parameters.specimen.physics.dimension == 2; }
     void            lead(Point &point, const base::Voigt &strain) const;
+    void            find_localised();         ///< among answers that all ranks know
     void            read(Point &point) const; ///< stress and energy of what its particles have come to
     void            share_answers();
     static void     visit_answer(Point &point, base::StateVisitor &visitor);
@@ -89,6 +102,8 @@ namespace coupling
     std::vector<Site>     sites;
     bool                  large_strains = false;
     double                length        = 0; ///< of the step under way [s]; 0: none
+    Localisations         localised;
+    std::int64_t          states = 0; ///< that the cells were led to
     std::vector<Point>    points;
   };
 } // namespace coupling

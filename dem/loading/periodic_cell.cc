@@ -10,14 +10,12 @@
 #include <cmath>
 #include <sstream>
 #include <tuple>
-#include <utility>
 
 namespace dem
 {
   namespace
   {
-    constexpr double least_servo_steps = 10;   ///< T in time steps: stress is known one step late
-    constexpr double surely_not_chance = 1e-3; ///< Rayleigh test
+    constexpr double least_servo_steps = 10; ///< T in time steps: stress is known one step late
 
     const char *const component_names[6] = {"11", "22", "33", "23", "31", "12"};
 
@@ -67,9 +65,9 @@ namespace dem
     , parameters(p)
     , stiffness(body.affine_stiffness())
     , servo_constant(std::max(p.servo_time * crossing_time(body, stiffness), least_servo_steps * body.time_step()))
+    , watch(p.localised_above)
   {
     check(p, body.parameters().physics.dimension);
-    lost = lost_strength();
     begin_leg();
   }
 
@@ -170,7 +168,7 @@ namespace dem
     if (finished())
       specimen->set_velocity_gradient(Eigen::Matrix3d::Zero());
     CellSample now = sample();
-    watch(now);
+    watch_for_localisation(now);
     samples.push_back(now);
     return now;
   }
@@ -194,44 +192,12 @@ namespace dem
     return s;
   }
 
-  std::vector<double> CellTest::lost_strength() const
+  void CellTest::watch_for_localisation(CellSample &now)
   {
-    const LinkOutput    links = specimen->links();
-    std::vector<double> sum(specimen->counts().particles, 0.0);
-    for (std::size_t l = 0; l < links.ends.size(); ++l)
-      if (links.kind[l] != LinkOutput::contact)
-        for (const std::size_t end : links.ends[l])
-          sum[end] += 0.5 * links.strength_damage[l];
-    return sum;
-  }
-
-  void CellTest::watch(CellSample &now)
-  {
-    const std::vector<double> before = std::exchange(lost, lost_strength());
-    if (found || samples.empty())
-      return;
-    const auto second_order_work = [&](const CellSample &from) {
-      return (now.stress - from.stress).dot(now.strain - from.strain);
-    };
-    const bool damages = now.dissipated > samples.back().dissipated;
-    if (onset && damages && second_order_work(*onset) > 0)
-      onset.reset(); // the stress has risen past it: a wave, not a peak
-    if (!onset && damages && second_order_work(samples.back()) < 0)
-      {
-        onset         = samples.back();
-        lost_at_onset = before;
-      }
-    if (!onset)
-      return;
-    std::vector<double> since(lost.size());
-    for (std::size_t i = 0; i < lost.size(); ++i)
-      since[i] = std::max(lost[i] - lost_at_onset[i], 0.0); // below 0 by round-off only
-    const Band band = strongest_band(specimen->cell().base, specimen->particles().position, since,
-                                     specimen->parameters().physics.dimension);
-    if (band.concentration > parameters.localised_above && band.by_chance < surely_not_chance)
+    if (const std::optional<Band> band = watch.look(*specimen, {now.strain, now.stress, now.dissipated}))
       {
         now.localised = true;
-        found         = Localisation{*onset, now, band};
+        found         = Localisation{samples[static_cast<std::size_t>(*watch.onset())], now, *band};
       }
   }
 
@@ -289,7 +255,7 @@ namespace dem
     for (int c = 0; c < 6; ++c)
       aim_is_stress[c] = numbers[18 + c] > 0;
 
-    base::Column curve, localised(lost.begin(), lost.end()), at_onset(lost_at_onset.begin(), lost_at_onset.end());
+    base::Column curve;
     for (const CellSample &s : samples)
       put(s, curve);
     visitor.column("cell_test/curve", curve);
@@ -297,26 +263,18 @@ namespace dem
     for (std::size_t i = 0; i < curve.size(); i += numbers_per_sample)
       samples.push_back(sample_from(&curve[i]));
 
-    visitor.column("cell_test/lost_strength", localised);
-    visitor.column("cell_test/lost_strength_at_onset", at_onset);
-    lost.assign(localised.begin(), localised.end());
-    lost_at_onset.assign(at_onset.begin(), at_onset.end());
-
+    watch.visit_state(visitor);
     base::Column events; // onset | detected | band
-    if (onset)
-      put(*onset, events);
     if (found)
       {
+        put(found->onset, events);
         put(found->detected, events);
         put(found->band, events);
       }
     visitor.column("cell_test/localisation", events);
-    onset.reset();
     found.reset();
     if (!events.empty())
-      onset = sample_from(events.data());
-    if (events.size() > numbers_per_sample)
-      found =
-        Localisation{*onset, sample_from(&events[numbers_per_sample]), band_from(&events[2 * numbers_per_sample])};
+      found = Localisation{sample_from(events.data()), sample_from(&events[numbers_per_sample]),
+                           band_from(&events[2 * numbers_per_sample])};
   }
 } // namespace dem

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dem/measures/localisation.h"
+#include "dem/loading/localisation_watch.h"
 #include "dem/specimen/specimen.h"
 
 #include <array>
@@ -89,9 +89,7 @@ namespace dem
     base::Vector6 servo(const base::Vector6 &now, const base::Vector6 &next) const;
     base::Vector6 stress() const;
     CellSample    sample() const;
-    void          watch(CellSample &now);
-    /** Strength that the links of each particle have lost, half of each link's; tells where damage grows. */
-    std::vector<double> lost_strength() const;
+    void          watch_for_localisation(CellSample &now);
 
     Specimen          *specimen;
     CellTestParameters parameters;
@@ -105,8 +103,7 @@ namespace dem
     std::array<bool, 6> aim_is_stress = {};
 
     std::vector<CellSample>     samples;
-    std::vector<double>         lost, lost_at_onset; ///< lost_strength() of the last sample and of the onset
-    std::optional<CellSample>   onset;
+    LocalisationWatch           watch;
     std::optional<Localisation> found;
   };
 } // namespace dem

@@ -1,4 +1,5 @@
 // Cells of discs behind the points of plane models.
+#include "coupling/multiscale/moving_cells.h"
 #include "tests/coupling/multiscale_fixture.h"
 
 #include <catch2/catch.hpp>
@@ -114,4 +115,38 @@ TEST_CASE("cells of discs: they are refused in space, as spheres are in plane st
   p.cells = {prepared()};
   CHECK_THROWS_WITH(coupling::CellPoints(p, fem::Plane::stress),
                     Catch::Contains("cells of spheres are not built for plane stress"));
+}
+
+TEST_CASE(
+  "cells of discs in motion: led slowly they come to the stress of the static solution, in strain and in stress",
+  "[coupling][multiscale]")
+{
+  const base::Voigt strain = in_plane(1e-6, -4e-7, 7e-7), exact = discs()->stiffness() * strain;
+  for (const fem::Plane plane : {fem::Plane::strain, fem::Plane::stress})
+    for (const bool large : {false, true})
+      {
+        coupling::MovingCellsParameters p{{homogenisation_fixture::six_discs()}, concrete(1), {}, 0, {}};
+        p.specimen.physics.dimension = 2;
+        p.specimen.thickness         = 0.01;
+        p.specimen.density           = 2000;
+        p.specimen.damping           = 0.6;
+        p.specimen.interaction_ratio = 1.6;
+        p.stiffness                  = discs()->stiffness();
+        coupling::MovingCells of(p, plane);
+        of.allocate(1);
+        CHECK_THROWS_WITH(of.place(std::vector<fem::GatheredPoints::Site>(1), {false, large}),
+                          Catch::Contains("cells of discs are plane"));
+        of.place(std::vector<fem::GatheredPoints::Site>(1), {true, large});
+        base::Voigt elsewhere = base::Voigt::Zero();
+        elsewhere[2]          = 3e-7; // out of the plane they feel nothing
+        for (int i = 1; i <= 800; ++i)
+          {
+            of.begin_motion(4e-5);
+            of.gather({std::min(1.0, i / 400.0) * strain + elsewhere}, false);
+          }
+        fem::PointAnswer answer;
+        of.evaluate(0, strain + elsewhere, {}, false, answer);
+        CHECK((answer.stress - exact).norm() < 1e-3 * exact.norm());
+        CHECK(answer.stress.segment<3>(2).isZero(0));
+      }
 }

@@ -8,6 +8,7 @@
 
 #include <omp.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace multiscale;
@@ -24,6 +25,25 @@ namespace
     auto of                      = std::make_unique<coupling::MovingCells>(p, fem::Plane::strain);
     of->allocate(n_points);
     of->place(std::vector<fem::GatheredPoints::Site>(n_points), {false, large});
+    return of;
+  }
+
+  /** One larger cell whose links damage. */
+  std::unique_ptr<coupling::MovingCells> brittle(const bool stops)
+  {
+    dem::CpmParameters law = concrete();
+    law.relative_ductility = 10;
+    coupling::MovingCellsParameters p{{homogenisation_fixture::random_spheres(250, 3)}, law, {}, 0, {}};
+    p.specimen.density           = 2000;
+    p.specimen.damping           = 0.3;
+    p.specimen.interaction_ratio = 1.6;
+    p.stops_localised            = stops;
+    p.stiffness                  = prepared()->stiffness();
+    auto of                      = std::make_unique<coupling::MovingCells>(p, fem::Plane::strain);
+    of->allocate(1);
+    fem::GatheredPoints::Site site;
+    site.place = {1, 2, 3};
+    of->place({site}, {});
     return of;
   }
 
@@ -102,10 +122,11 @@ TEST_CASE("moving cells: the same bits for any number of threads, and from a sta
   for (std::size_t i = 0; i < 3; ++i)
     {
       std::vector<double> values;
-      one->visit(i, [&](const fem::PointQuantity &, const double *v) { values.insert(values.end(), v, v + 6); });
-      again->visit(i, [&, next = 0](const fem::PointQuantity &, double *v) mutable {
-        std::copy_n(values.data() + next, 6, v);
-        next += 6;
+      one->visit(
+        i, [&](const fem::PointQuantity &of, const double *v) { values.insert(values.end(), v, v + of.values()); });
+      again->visit(i, [&, next = 0](const fem::PointQuantity &of, double *v) mutable {
+        std::copy_n(values.data() + next, of.values(), v);
+        next += static_cast<int>(of.values());
       });
     }
   for (auto *of : {one.get(), two.get(), again.get()})
@@ -136,4 +157,33 @@ TEST_CASE("moving cells: fewer steps than their particles are stable with are re
   of.place(std::vector<fem::GatheredPoints::Site>(1), {});
   CHECK_NOTHROW(of.begin_motion(1e-6));
   CHECK_THROWS_WITH(of.begin_motion(1), Catch::Contains("Particle steps = 3") && Catch::Contains("Take at least"));
+}
+
+TEST_CASE(
+  "moving cells: one that is pulled apart is named with the normal of its band, and ends the run or not, by choice",
+  "[coupling][multiscale]")
+{
+  for (const bool stops : {true, false})
+    {
+      auto              of     = brittle(stops);
+      const base::Voigt pulled = 3e-3 * base::Voigt::Unit(0), squeezed = -2e-5 * base::Voigt::Unit(0);
+      lead(*of, base::Voigt::Zero(), squeezed, 20); // elastic: there and back
+      lead(*of, squeezed, base::Voigt::Zero(), 20);
+      CHECK(of->localisations().empty());
+      double        stress_then = 0, peak = 0;
+      constexpr int steps = 600;
+      for (int i = 0; i < steps && of->localisations().empty(); ++i)
+        {
+          lead(*of, i / double(steps) * pulled, (i + 1) / double(steps) * pulled, 1);
+          stress_then = stress_at(*of, (i + 1) / double(steps) * pulled)[0];
+          peak        = std::max(peak, stress_then);
+        }
+      REQUIRE(of->localisations().size() == 1);
+      const coupling::Localisation &found = of->localisations().front();
+      CHECK(std::fabs(found.normal[0]) > 0.7); // along the pull; bands fit the cell
+      CHECK(found.place == Eigen::Vector3d(1, 2, 3));
+      CHECK(stress_then < peak);
+      CHECK(of->notes().size() == 1);
+      CHECK(of->end_of_validity().empty() == !stops);
+    }
 }
