@@ -25,12 +25,20 @@ namespace apps
 {
   namespace
   {
-    /** Curve of a beam, and what it has cost. */
+    /** A scene that is varied, and where its load is read. */
+    struct Benched
+    {
+      std::string              scene;
+      std::vector<std::string> overrides;
+      std::string              force; ///< column of series.csv
+    };
+
+    /** Curve of a structure, and what it has cost. */
     struct CellRow
     {
       std::string         study, value;
       double              promoted = 0, points = 0; ///< at the end, of all
-      std::vector<double> abscissa, force;          ///< coordinate of the analysis, reaction [N]
+      std::vector<double> abscissa, force;          ///< part of the way that is done, reaction [N]
       double              cost = 0;                 ///< processor time, packings and set-up left out [s]
     };
 
@@ -40,21 +48,24 @@ namespace apps
       for (std::size_t c = 0; c < columns.size(); ++c)
         if (columns[c].column.name == name)
           return c;
-      throw base::InputError("this bench needs a column " + name +
-                             " of series.csv: a support \"load\" that is led along y, and a group of cells.");
+      throw base::InputError(
+        "this bench needs a column " + name +
+        " of series.csv: a support \"load\" that is led along y (of the plate a boundary \"right\", "
+        "along x), and a group of cells.");
     }
 
-    CellRow follow(const SceneVariant &variant, const MultiscaleBench &bench)
+    CellRow follow(const SceneVariant &variant, const Benched &of)
     {
-      const CheckedScene    checked = variant.of(bench.scene, bench.overrides);
+      const CheckedScene    checked = variant.of(of.scene, of.overrides);
       const ContinuumModel &model   = scene_of_kind<ContinuumScene>(checked, "continuum").parameters();
-      if (model.solid.dimension != 2 || !model.is_static())
-        refuse_scene(checked, "Model: must be plane and static.");
-      const auto               solid    = make_solid<2>(model);
-      const auto               analysis = make_static_analysis<2>(*solid, model);
+      if (model.solid.dimension != 2)
+        refuse_scene(checked, "Model: must be plane.");
+      const auto solid = make_solid<2>(model);
+      const auto analysis =
+        model.is_static() ? make_static_analysis<2>(*solid, model) : make_explicit_analysis<2>(*solid, model);
       const ContinuumGauges<2> gauges(*solid, model);
-      const std::size_t load = column_named(gauges, "reaction_load_y"), took = column_named(gauges, "points_promoted");
-      CellRow           row{variant.study, variant.value, 0, 0, {}, {}, 0};
+      const std::size_t        load = column_named(gauges, of.force);
+      CellRow                  row{variant.study, variant.value, 0, 0, {}, {}, 0};
       row.points =
         static_cast<double>(solid->mesh().triangulation->n_global_active_cells() * solid->quadrature().size());
       const double start = processor_seconds();
@@ -62,12 +73,13 @@ namespace apps
         {
           while (!analysis->finished() && solid->end_of_validity().empty())
             {
-              analysis->advance();
+              while (!analysis->advance())
+                continue;
               ContinuumEnergy energy = analysis->energy();
               const auto      values = gauges.read(analysis->state(), energy);
-              row.abscissa.push_back(analysis->coordinate());
+              row.abscissa.push_back(analysis->coordinate() / analysis->end());
               row.force.push_back(std::fabs(values[load]));
-              row.promoted = values[took];
+              row.promoted = model.is_static() ? values[column_named(gauges, "points_promoted")] : row.points;
             }
         }
       catch (const fem::NoEquilibrium &end)
@@ -100,15 +112,20 @@ namespace apps
       return worst;
     }
 
-    std::vector<SceneVariant> cell_variants(const bool quick)
+    /** Cells where they are needed against cells everywhere; the first is the reference. */
+    std::vector<SceneVariant> promotions()
+    {
+      const std::string cells = "Materials/solid/cells/";
+      return {
+        {"cells everywhere", "all solved for", {cells + "From the start=true", cells + "Elastic by solving=true"}},
+        {"cells everywhere", "elastic known", {cells + "From the start=true"}},
+        {"promotion", "0.9", {}}};
+    }
+
+    std::vector<SceneVariant> cell_variants()
     {
       const std::string         cells = "Materials/solid/cells/";
-      std::vector<SceneVariant> all   = {
-          {"cells everywhere", "all solved for", {cells + "From the start=true", cells + "Elastic by solving=true"}},
-          {"cells everywhere", "elastic known", {cells + "From the start=true"}},
-          {"promotion", "0.9", {}}};
-      if (quick)
-        return {all[1], all[2]};
+      std::vector<SceneVariant> all   = promotions();
       all.push_back({"promotion", "0.5", {cells + "Promotion=0.5"}});
       all.push_back({"promotion", "1", {cells + "Promotion=1"}});
       all.push_back({"tolerance", "1e-6", {cells + "Tolerance=1e-6"}});
@@ -120,6 +137,54 @@ namespace apps
            {cells + "Specimen/Generator/Cell particles=" + std::to_string(n),
             cells + fmt::format("Specimen/Generator/Particle radius={:.6g}", 0.0012 * std::cbrt(64.0 / n))}});
       return all;
+    }
+
+    /** The beam, led so far. */
+    Benched beam(const MultiscaleBench &bench, std::vector<std::string> how)
+    {
+      how.insert(how.end(), bench.overrides.begin(), bench.overrides.end());
+      return {bench.scene, how, "reaction_load_y"};
+    }
+
+    Benched beam_before_peak(const MultiscaleBench &bench) { return beam(bench, {"Control/End=1.6e-5"}); }
+
+    Benched beam_past_peak(const MultiscaleBench &bench)
+    {
+      return beam(bench, {"Materials/solid/cells/Material/CPM/Relative ductility=50", "Control/First step=1e-6",
+                          "Control/Largest step=1e-6", "Control/End=8.2e-5"});
+    }
+
+    /** A small plate, pulled in equilibrium, and in motion within so many milliseconds. */
+    Benched small_plate(const std::string &scene)
+    {
+      const std::string mesh = "Mesh/Plate with hole/";
+      return {scene,
+              {mesh + "Radial divisions=4", mesh + "Angular divisions=4",
+               "Materials/solid/cells/Specimen/Generator/Cell particles=32",
+               "Materials/solid/cells/When localised=go on"},
+              "reaction_right_x"};
+    }
+
+    SceneVariant pulled_in_motion(const double milliseconds, const double density)
+    {
+      const std::string cells = "Materials/solid/cells/";
+      return {"in motion",
+              fmt::format("{:g} ms with particles of {:g} kg/m^3", milliseconds, density),
+              {"Model/Analysis=explicit", "Materials/solid/Density=2400", cells + "Answer=motion",
+               cells + fmt::format("Particle density={:g}", density), "Motion/Damping=1e4",
+               fmt::format("Motion/End time={:g}", 1e-3 * milliseconds), "Output/Samples=200",
+               fmt::format("Boundary conditions/right/Displacement x=2e-5*t/{:g}", 1e-3 * milliseconds)}};
+    }
+
+    std::vector<SceneVariant> led_variants(const bool quick)
+    {
+      std::vector<SceneVariant> all = {
+        {"in equilibrium", "40 steps", {}},
+        {"in equilibrium", "10 steps", {"Control/First step=0.2", "Control/Largest step=0.2"}}};
+      for (const double milliseconds : {0.25, 0.5, 1.0, 2.0})
+        all.push_back(pulled_in_motion(milliseconds, 3800));
+      all.push_back(pulled_in_motion(1, 16 * 3800)); // fewer steps of heavier particles
+      return quick ? std::vector<SceneVariant>{all[1], all[2], all[4]} : all;
     }
 
     /** What cells alone cost. */
@@ -275,38 +340,46 @@ namespace apps
       return md + "\n";
     }
 
-    /** @param cells tables of cells alone */
-    void write(const BenchResults &results, const std::string &cells, const std::vector<CellRow> &rows)
+    std::string table_of(const std::vector<CellRow> &rows)
     {
-      std::string csv = "study,value,promoted,points,peak [N],error_of_curve [-],cost [s]\n";
-      std::string md  = cells;
-      md += "| Study | | Promoted | of | Peak [N] | Error of the curve | Cost [s] | Cheaper "
-            "|\n|---|---|---|---|---|---|---|---|\n";
+      std::string md = "| Study | | Promoted | of | Peak [N] | Error of the curve | Cost [s] | Cheaper "
+                       "|\n|---|---|---|---|---|---|---|---|\n";
       for (const CellRow &r : rows)
+        md += fmt::format("| {} | {} | {:.0f} | {:.0f} | {:.2f} | {:.3f} % | {:.1f} | {:.1f} |\n", r.study, r.value,
+                          r.promoted, r.points, *std::max_element(r.force.begin(), r.force.end()),
+                          100 * error_of(r, rows.front()), r.cost, rows.front().cost / r.cost);
+      return md + "\n";
+    }
+
+    /** @param tables of what stands before these rows */
+    void write(const BenchResults &results, const std::string &tables, const std::vector<std::vector<CellRow>> &studies)
+    {
+      std::string csv = "study,value,promoted,points,peak [N],error_of_curve [-],cost [s]\n", md = tables;
+      for (const std::vector<CellRow> &rows : studies)
         {
-          const double peak = *std::max_element(r.force.begin(), r.force.end()), error = error_of(r, rows.front());
-          csv += fmt::format("{},{},{},{},{},{},{}\n", r.study, r.value, r.promoted, r.points, peak, error, r.cost);
-          md += fmt::format("| {} | {} | {:.0f} | {:.0f} | {:.2f} | {:.3f} % | {:.1f} | {:.1f} |\n", r.study, r.value,
-                            r.promoted, r.points, peak, 100 * error, r.cost, rows.front().cost / r.cost);
+          for (const CellRow &r : rows)
+            csv += fmt::format("{},{},{},{},{},{},{}\n", r.study, r.value, r.promoted, r.points,
+                               *std::max_element(r.force.begin(), r.force.end()), error_of(r, rows.front()), r.cost);
+          md += table_of(rows);
         }
       results.write(csv, md);
     }
 
-    postprocess::PlotPanel cost_panel(const std::vector<CellRow> &rows)
+    postprocess::PlotPanel cost_panel(const std::vector<CellRow> &rows, const std::string &title)
     {
       std::vector<CostPoint> points;
       for (const CellRow &row : rows)
         points.push_back({row.study, row.cost, std::max(1e-12, error_of(row, rows.front()))});
-      return error_over_cost("curve against that of cells everywhere", "Cost over theirs", points);
+      return error_over_cost(title, "Cost over theirs", points);
     }
   } // namespace
 
   int run_multiscale_bench(const MultiscaleBench &bench)
   {
     start_mpi();
-    const BenchResults    results(bench.folder, "multiscale");
-    std::vector<AloneRow> cells;
-    std::vector<CellRow>  rows;
+    const BenchResults                results(bench.folder, "multiscale");
+    std::vector<AloneRow>             cells;
+    std::vector<std::vector<CellRow>> studies;
     for (const std::size_t particles :
          bench.quick ? std::vector<std::size_t>{64} : std::vector<std::size_t>{64, 250, 1000})
       {
@@ -319,17 +392,26 @@ namespace apps
     fmt::print("{}", table_of(moving));
     std::fflush(stdout);
     omp_set_num_threads(bench.threads);
-    for (const SceneVariant &variant : cell_variants(bench.quick))
-      {
-        rows.push_back(follow(variant, bench));
-        write(results, tables, rows);
-        const CellRow &row = rows.back();
-        fmt::print(
-          "{:<17} {:<15} {:.0f} of {:.0f} promoted, error of the curve {:.3f} %, {:.1f} s ({:.1f} times cheaper)\n",
-          row.study, row.value, row.promoted, row.points, 100 * error_of(row, rows.front()), row.cost,
-          rows.front().cost / row.cost);
-        std::fflush(stdout);
-      }
-    return results.finish(rows.size() > 1 ? std::vector{cost_panel(rows)} : std::vector<postprocess::PlotPanel>{});
+    const auto study = [&](const std::vector<SceneVariant> &variants, const Benched &of) {
+      studies.emplace_back();
+      for (const SceneVariant &variant : variants)
+        {
+          std::vector<CellRow> &rows = studies.back();
+          rows.push_back(follow(variant, of));
+          write(results, tables, studies);
+          const CellRow &row = rows.back();
+          fmt::print(
+            "{:<17} {:<15} {:.0f} of {:.0f} promoted, error of the curve {:.3f} %, {:.1f} s ({:.1f} times cheaper)\n",
+            row.study, row.value, row.promoted, row.points, 100 * error_of(row, rows.front()), row.cost,
+            rows.front().cost / row.cost);
+          std::fflush(stdout);
+        }
+    };
+    study(promotions(), beam_before_peak(bench));
+    if (!bench.quick)
+      study(cell_variants(), beam_past_peak(bench));
+    study(led_variants(bench.quick), small_plate(bench.plate));
+    return results.finish({cost_panel(studies.end()[-2], "curve against that of cells everywhere"),
+                           cost_panel(studies.back(), "cells in motion against cells in equilibrium")});
   }
 } // namespace apps

@@ -299,3 +299,31 @@ TEST_CASE("bench surface refuses a scene without known answers", "[apps][S14]")
   CHECK_THAT(outcome.err, Contains("References: this bench needs Peak force and Contact time"));
   CHECK_FALSE(std::filesystem::exists(folder / "bench"));
 }
+
+TEST_CASE(
+  "bench multiscale: cells where needed are cheaper than everywhere, in motion as accurate as they are led slowly",
+  "[apps][cells][slow]")
+{
+  const ScratchFolder folder;
+  const std::string   scenes  = places::sources() + "/apps/scenes/";
+  const Outcome       outcome = run(folder.path(), {"bench", "multiscale", scenes + "cells_in_beam.prm", "--plate",
+                                                    scenes + "cells_at_hole.prm", "--quick", "-o", "bench"});
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  std::istringstream                         csv(content_of(folder / "bench/multiscale.csv"));
+  std::string                                line;
+  std::map<std::string, std::vector<double>> errors;
+  std::getline(csv, line);
+  while (std::getline(csv, line))
+    {
+      const std::vector<std::string> fields = apps::comma_separated(line);
+      REQUIRE(fields.size() == 7);
+      errors[fields[0]].push_back(apps::number_in(fields[5]).value());
+    }
+  REQUIRE(errors["promotion"].size() == 1);
+  CHECK(errors["promotion"][0] < 1e-6);
+  REQUIRE(errors["in motion"].size() == 2);
+  CHECK(errors["in motion"][1] < errors["in motion"][0]); // led slower
+  CHECK(errors["in motion"][1] < 0.05);
+  CHECK(std::filesystem::file_size(folder / "bench/multiscale.png") > 0);
+}

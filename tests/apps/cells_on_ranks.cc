@@ -75,6 +75,27 @@ TEST_CASE("Cells that damage give a structure the same bits on any number of ran
   same_on_ranks(folder, plate("0.2"));
 }
 
+TEST_CASE("More ranks than cells give the same bits, and are told what one is", "[apps][cells][slow]")
+{
+  if (places::mpirun().empty())
+    return;
+  const ScratchFolder folder;
+  const std::string   changes =
+    run_of("cells_at_hole.prm",
+           {"Mesh/Source=box", "Mesh/Box/Size=0.1, 0.1, 0", "Mesh/Box/Divisions x=1", "Mesh/Box/Divisions y=1",
+            "Materials/solid/cells/Specimen/Generator/Cell particles=32", "Materials/solid/cells/When localised=go on",
+            "Control/First step=0.5", "Control/Largest step=0.5", "Control/End=4"})
+      .substr(4); // without the command: four points of one element
+  REQUIRE(shell(folder, program_on(0, 1) + " run" + changes + " -o one") == 0);
+  REQUIRE(shell(folder, program_on(5, 1) + " run" + changes + " -o five") == 0);
+  CHECK(content_of(folder / "five/series.csv") == content_of(folder / "one/series.csv"));
+  CHECK_THAT(content_of(folder / "one/series.csv"), Catch::Contains("points_promoted"));
+  // They try states until one of their clocks says that it is enough.
+  CHECK(shell(folder, program_on(3, 1) + " check" + changes + " -s Control/End=400 -s Control/Largest\\ step=0.01") ==
+        0);
+  CHECK_THAT(content_of(folder / "said"), Catch::Contains("duration"));
+}
+
 TEST_CASE("Cells in motion give a structure the same bits on any number of ranks and threads", "[apps][cells][slow]")
 {
   if (places::mpirun().empty())

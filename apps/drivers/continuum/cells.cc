@@ -21,6 +21,10 @@ namespace apps
            "unbalanced force over link forces of a cell, both as root of the sum of squares", 1e-13, 1e-2, false);
     number("Growth step", growth_step, "-",
            "largest growth of any link's damaging strain in one part of a step, over itself", 1e-4, 10, false);
+    number("Contact reach", contact_reach, "-",
+           "particles that no link joins touch once they meet: those whose surfaces are nearer than this part of the "
+           "sum of their radii are watched; none where the interaction ratio goes further",
+           0, 1, false);
   }
 
   void CellsConstants::declare(Section &block)
@@ -29,7 +33,7 @@ namespace apps
     const auto  at_rest   = [this] { return !moves; };
     const char *when      = "Answer = motion";
     const char *otherwise = "Answer = equilibrium";
-    for (const char *number : {"Promotion", "Tolerance", "Growth step"})
+    for (const char *number : {"Promotion", "Tolerance", "Growth step", "Contact reach"})
       block.find_entry(number)->only_if(at_rest, otherwise);
     block.choice("Answer", moves, {{"equilibrium", false}, {"motion", true}}, Need::optional)
       .means(
@@ -63,10 +67,11 @@ namespace apps
                {"refuse", coupling::Localised::refuse},
                {"go on", coupling::Localised::go_on}},
               Need::optional)
-      .means("What becomes of a cell whose tangent has lost ellipticity. stop: the run ends with that state; crack "
+      .means("What becomes of a cell whose tangent has lost ellipticity; in motion, one whose damage has gathered in a "
+             "band since its stress began to fall. stop: the run ends with that state; crack "
              "band: it goes on as a layer of its element, the rest of which unloads; refuse: the solver looks for "
-             "another state with shorter steps; go on: what follows hangs on the size of the elements")
-      .only_if(at_rest, otherwise);
+             "another state with shorter steps; go on: what follows hangs on the size of the elements. In motion stop "
+             "or go on");
     block.flag("Rotations", rotations).means("Particles spin; off: they only translate");
     SpecimenSection::Use use;
     use.inertia = use.box = false;
@@ -93,8 +98,9 @@ namespace apps
   {
     source.validate(block, dimension);
     material.validate(block, dimension);
-    if (dimension == 2 && moves)
-      block.refuse("Particles", "discs are not built for Answer = motion. Take spheres, or Answer = equilibrium.");
+    if (moves && (localised == coupling::Localised::crack_band || localised == coupling::Localised::refuse))
+      block.refuse("When localised", "a cell in motion has no tangent, and cannot be asked twice. Take stop or go on, "
+                                     "or Answer = equilibrium.");
     if (packings > 1 && source.source == SpecimenSection::Source::file)
       block.refuse("Packings", "a file has one packing. Leave it at 1, or generate them.");
   }
@@ -106,6 +112,7 @@ namespace apps
     p.links.thickness         = source.thickness;
     p.links.rotations         = rotations;
     p.links.interaction_ratio = source.interaction_ratio;
+    p.links.contact_reach     = moves ? 0 : contact_reach;
     p.promotion               = promotion;
     p.from_start              = from_start;
     p.only_solved             = only_solved;
@@ -133,7 +140,10 @@ namespace apps
     coupling::MovingCellsParameters p{packed, material.materials(), {}, steps, {}};
     p.stiffness                  = coupling::CellPoints(still, plane).elastic_stiffness();
     p.communicator               = MPI_COMM_WORLD;
+    p.stops_localised            = localised == coupling::Localised::stop;
     p.specimen.physics.rotations = rotations;
+    p.specimen.physics.dimension = dimension;
+    p.specimen.thickness         = source.thickness;
     p.specimen.density           = density;
     p.specimen.damping           = damping;
     p.specimen.interaction_ratio = source.interaction_ratio;
@@ -155,9 +165,11 @@ namespace apps
   {
     const coupling::PreparedCell &cell = *prepared().front();
     const base::Stiffness        &D    = cell.stiffness();
-    return fmt::format("{} of {} particles and {} links, stiffness D11 {:.4g}, D22 {:.4g}, D33 {:.4g} Pa, {}",
+    const std::string             waiting =
+      cell.waiting_contacts() > 0 ? fmt::format(" ({} more where they may touch)", cell.waiting_contacts()) : "";
+    return fmt::format("{} of {} particles and {} links{}, stiffness D11 {:.4g}, D22 {:.4g}, D33 {:.4g} Pa, {}",
                        packings == 1 ? "cells" : fmt::format("cells in {} packings", packings), cell.particles(),
-                       cell.links(), D(0, 0), D(1, 1), D(2, 2),
+                       cell.links(), waiting, D(0, 0), D(1, 1), D(2, 2),
                        moves      ? "in motion" :
                        from_start ? "promoted from the start" :
                                     fmt::format("promoted at {:g}", promotion));

@@ -52,7 +52,7 @@ namespace apps
     int                 dimension = 3;
     bool                rotations = true, from_start = false, only_solved = false;
     std::int64_t        packings  = 1;
-    double              promotion = 0.9, tolerance = 1e-9, growth_step = 0.5;
+    double              promotion = 0.9, tolerance = 1e-9, growth_step = 0.5, contact_reach = 0.1;
     coupling::Localised localised = coupling::Localised::stop;
 
     mutable std::vector<std::shared_ptr<const coupling::PreparedCell>>

@@ -105,7 +105,8 @@ namespace apps
     const Stopwatch spent;
     try
       {
-        while (!finished() && found.states < states && (found.states < 2 || spent.seconds() < enough))
+        // Ranks go on together or not at all, whatever their clocks say.
+        while (!finished() && found.states < states && (found.states < 2 || !on_any_rank(spent.seconds() >= enough)))
           {
             in_words_of_a_run([this] {
               while (!analysis->advance())
