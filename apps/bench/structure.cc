@@ -44,8 +44,7 @@ namespace apps
       const StructureModel       &model   = scene_of_kind<StructureScene>(checked, "structure").parameters();
       std::optional<dem::Packing> cell;
       const dem::Packing          packing = model.packing(&cell);
-      Structure                   structure(model, packing,
-                                            medium_of(cell, model.source, model.material, model.dimension, model.rotations));
+      Structure                   structure(model, packing, model.media(cell));
       const std::size_t load = column_of(structure, "reaction_load_z"), opening = column_of(structure, "opening");
       const double      start = processor_seconds();
       BeamRow           row{variant.study, variant.value};

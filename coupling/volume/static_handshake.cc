@@ -36,15 +36,18 @@ namespace coupling
     std::vector<std::vector<Entry>> entries;
     for (const VolumeCouplingParameters &h : handshakes)
       {
-        in_overlap.push_back(overlapping_particles(loaded.network.centre, h, [this](const Vector3d &place) {
-          return solid.point_search().find(point_in<dim>(place)).has_value();
-        }));
+        in_overlap.push_back(overlapping_particles(loaded.network.centre, h,
+                                                   [this](const Vector3d &place) { return lies_in_solid(place); }));
         for (const std::size_t i : in_overlap.back())
           if (!loaded.carried[i].isZero(0))
             throw base::InputError(
               "coupling " + h.name + ": particle " + std::to_string(i + 1) +
               " lies in the overlap, and a support leads it. Lead particles of the region, or the solid.");
-        entries.push_back(enter(in_overlap.back()));
+        std::vector<Vector3d> places;
+        for (const std::size_t i : in_overlap.back())
+          places.push_back(loaded.network.centre[i]);
+        entries.push_back(enter(places));
+        enter_bond_ends(h, in_overlap.back());
         share(h, in_overlap.back());
       }
     find_shared_links();
@@ -68,13 +71,18 @@ namespace coupling
   }
 
   template <int dim>
-  std::vector<typename StaticHandshake<dim>::Entry>
-  StaticHandshake<dim>::enter(const std::vector<std::size_t> &particles)
+  bool StaticHandshake<dim>::lies_in_solid(const Vector3d &place) const
+  {
+    return solid.point_search().find(point_in<dim>(place)).has_value();
+  }
+
+  template <int dim>
+  std::vector<typename StaticHandshake<dim>::Entry> StaticHandshake<dim>::enter(const std::vector<Vector3d> &places)
   {
     std::vector<Entry> entries;
-    for (std::size_t row = 0; row < particles.size(); ++row)
+    for (std::size_t row = 0; row < places.size(); ++row)
       {
-        const auto at = solid.point_search().find(point_in<dim>(loaded.network.centre[particles[row]]));
+        const auto at = solid.point_search().find(point_in<dim>(places[row]));
         for (std::size_t k = 0; k < at->nodes.size(); ++k)
           {
             Vector3d gradient = Vector3d::Zero();
@@ -84,6 +92,28 @@ namespace coupling
           }
       }
     return entries;
+  }
+
+  template <int dim>
+  void StaticHandshake<dim>::enter_bond_ends(const VolumeCouplingParameters &handshake,
+                                             const std::vector<std::size_t> &particles)
+  {
+    if (handshake.method != VolumeMethod::slaved)
+      return;
+    std::vector<Vector3d> places;
+    for (const BondEnd &end : bond_ends(loaded.network, particles, handshake.overlap,
+                                        [this](const Vector3d &place) { return lies_in_solid(place); }))
+      {
+        ends.push_back(end);
+        places.push_back(end.from);
+        places.push_back(end.to);
+      }
+    const std::size_t before = 2 * ends.size() - places.size();
+    for (Entry entry : enter(places))
+      {
+        entry.row += before;
+        at_ends.push_back(entry);
+      }
   }
 
   template <int dim>
@@ -153,6 +183,7 @@ namespace coupling
       }
     seen.stiffness.resize(all, all);
     seen.stiffness.setFromTriplets(entries.begin(), entries.end());
+    seen.stiffness -= stiffness_of(ends, at_ends, joints.size(), [](const Entry &e) { return e.joint; });
     seen.of_load  = body->of_factor();
     seen.own_work = body->own_load_work();
     loaded.body   = std::move(seen);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "coupling/volume/bond_ends.h"
 #include "coupling/volume/parameters.h"
 #include "dem/statics/loaded_network.h"
 #include "fem/solvers/condensed_solid.h"
@@ -51,10 +52,13 @@ namespace coupling
     };
 
     std::size_t        joint_of(const std::array<Dof, dim> &displacements);
-    std::vector<Entry> enter(const std::vector<std::size_t> &particles);
+    std::vector<Entry> enter(const std::vector<Eigen::Vector3d> &places);
+    bool               lies_in_solid(const Eigen::Vector3d &place) const;
     void               share(const VolumeCouplingParameters &handshake, const std::vector<std::size_t> &particles);
     void               find_shared_links();
-    void               add_body();
+    /** What bonds to slaves bear in elements, whose nodes are joints then. */
+    void enter_bond_ends(const VolumeCouplingParameters &handshake, const std::vector<std::size_t> &particles);
+    void add_body();
     /** Particles move and turn as the solid does where they are. */
     std::vector<dem::Tie> slaved(const std::vector<std::size_t> &particles, const std::vector<Entry> &entries) const;
     /** Displacements are the same in the mean around each node, or at each particle. */
@@ -68,6 +72,8 @@ namespace coupling
     std::vector<std::array<Dof, dim>>       joints;
     std::vector<std::vector<std::size_t>>   in_overlap;
     std::vector<std::vector<std::size_t>>   shared;
+    std::vector<BondEnd>                    ends;    ///< of all overlaps
+    std::vector<Entry>                      at_ends; ///< rows as stiffness_of() has them
     std::optional<fem::CondensedSolid<dim>> body;
   };
 } // namespace coupling

@@ -1,6 +1,7 @@
 #include "coupling/volume/volume_coupling.h"
 
 #include "base/errors.h"
+#include "coupling/volume/bond_ends.h"
 #include "coupling/volume/bond_shares.h"
 #include "coupling/volume/overlapping_particles.h"
 #include "dem/model/particles.h"
@@ -133,22 +134,45 @@ namespace coupling
   template <int dim>
   void VolumeCoupling<dim>::leave()
   {
-    const std::vector<BondShare> made = bond_shares(bonded_particles(specimen), own.overlap);
-    specimen.leave(watched, own.method == VolumeMethod::legacy);
     if (own.method == VolumeMethod::legacy)
-      return;
-    // Mass goes with the bonds: what they join to free particles is no part of the solid.
-    const std::vector<BondShare> kept = bond_shares(bonded_particles(specimen), own.overlap);
+      return specimen.leave(watched, true);
+    const std::vector<double> beside = find_bond_ends();
+    specimen.leave(watched, false);
     for (const Entry &e : at_particles)
-      {
-        const std::size_t particle = watched[e.row], carrier = node_map.nodes()[e.node];
-        if (kept[particle].number == 0)
-          continue;
-        const double riding =
-          e.weight * whole_mass[static_cast<Index>(e.row)] * kept[particle].number / made[particle].whole;
-        for (const auto dof : participant.displacements(carrier))
+      if (const double riding = e.weight * whole_mass[static_cast<Index>(e.row)] * beside[e.row]; riding > 0)
+        for (const auto dof : participant.displacements(node_map.nodes()[e.node]))
           motion.add_mass(dof, riding);
+  }
+
+  template <int dim>
+  std::vector<double> VolumeCoupling<dim>::find_bond_ends()
+  {
+    const dem::ElasticNetwork  network = specimen.network();
+    const std::vector<BondEnd> ends =
+      bond_ends(network, watched, own.overlap, [this](const Vector3d &place) { return lies_in_solid(place); });
+    for (const BondEnd &end : ends)
+      {
+        node_map.enter(end.from);
+        node_map.enter(end.to);
       }
+    const std::vector<Entry> at_ends = node_map.take();
+    of_bond_ends = stiffness_of(ends, at_ends, node_map.nodes().size(), [](const Entry &e) { return e.node; });
+
+    // Mass goes with the bonds, half of each to its slave: beyond what lies in elements, which have it already.
+    const std::vector<BondShare> made = bond_shares(bonded_particles(specimen), own.overlap);
+    std::vector<double>          halves(network.particles(), 0);
+    std::vector<bool>            led(network.particles(), false);
+    for (const std::size_t i : watched)
+      led[i] = true;
+    for (const dem::ElasticLink &link : network.links)
+      if (led[link.first] != led[link.second])
+        halves[static_cast<std::size_t>(led[link.first] ? link.first : link.second)] += 1;
+    for (const BondEnd &end : ends)
+      halves[end.slave] -= 2 * end.part;
+    std::vector<double> beside;
+    for (const std::size_t i : watched)
+      beside.push_back(halves[i] > 0 ? halves[i] / made[i].whole : 0.0);
+    return beside;
   }
 
   template <int dim>
@@ -206,12 +230,14 @@ namespace coupling
   {
     window = length;
     motion.predict(window, predicted);
-    from             = of_nodes(motion.velocity());
-    to               = of_nodes(predicted);
-    velocity         = from;
-    path             = CarrierRows::Zero(from.rows(), 3);
+    from     = of_nodes(motion.velocity());
+    to       = of_nodes(predicted);
+    velocity = from;
+    path     = CarrierRows::Zero(from.rows(), 3);
+    if (of_bond_ends.nonZeros() > 0)
+      displaced = of_nodes(motion.displacement());
     gone             = 0;
-    impulse_together = impulse_absorber = CarrierRows::Zero(from.rows(), 3);
+    impulse_together = impulse_absorber = impulse_twice = CarrierRows::Zero(from.rows(), 3);
   }
 
   template <int dim>
@@ -311,6 +337,14 @@ namespace coupling
         const Vector3d force(pull), couple(pull + 3);
         impulse.row(static_cast<Index>(e.node)) += kick * (e.weight * force + 0.5 * couple.cross(e.gradient));
       }
+    if (of_bond_ends.nonZeros() > 0)
+      {
+        const CarrierRows now             = displaced + path;
+        CarrierRows       again           = CarrierRows::Zero(now.rows(), 3);
+        again.reshaped<Eigen::RowMajor>() = kick * (of_bond_ends * now.reshaped<Eigen::RowMajor>());
+        impulse += again;
+        impulse_twice += again;
+      }
     impulse_together += impulse;
     velocity += inverse_node_mass.cwiseProduct(impulse);
     for (std::size_t k = 0; k < overlapping; ++k)
@@ -349,6 +383,7 @@ namespace coupling
       velocity = to + inverse_node_mass.cwiseProduct(impulse_together + impulse_absorber);
     const CarrierRows mean = 0.5 * (from + velocity);
     exchanged.work_on_solid += impulse_together.cwiseProduct(mean).sum();
+    exchanged.twice += impulse_twice.cwiseProduct(mean).sum();
     exchanged.absorbed -= impulse_absorber.cwiseProduct(mean).sum();
     const CarrierRows impulse = impulse_together + impulse_absorber;
     for (std::size_t k = 0; k < nodes.size(); ++k)
@@ -411,6 +446,7 @@ namespace coupling
     visitor.scalar(name + "work_on_particles", exchanged.work_on_particles);
     visitor.scalar(name + "work_on_solid", exchanged.work_on_solid);
     visitor.scalar(name + "absorbed", exchanged.absorbed);
+    visitor.scalar(name + "twice", exchanged.twice);
     visitor.scalar(name + "waited", waited);
     visitor.scalar(name + "steps_waited", steps_waited);
   }

@@ -22,9 +22,10 @@ namespace coupling
                     turn_to_solid = Eigen::Vector3d::Zero(); ///< angular momentum about the origin, undeformed [N m s]
     double work_on_particles = 0, work_on_solid = 0;         ///< of what keeps them together [J]
     double absorbed = 0;                                     ///< by the absorber, from both [J]
+    double twice    = 0; ///< stored in bonds of slaves and in elements as well, where both are: it is there once [J]
 
     /** Made by the transfer itself, zero but for rounding (lumped and sub-cycled: lost) [J]. */
-    double made() const { return work_on_particles + work_on_solid; }
+    double made() const { return work_on_particles + work_on_solid - twice; }
   };
 
   /**
@@ -86,7 +87,9 @@ namespace coupling
     void find_particles();
     void share();
     void leave();
-    void weigh_nodes();
+    /** What bonds to slaves bear in elements, as long as they have these bonds. @return mass that slaves have beside elements, over their whole one */
+    std::vector<double> find_bond_ends();
+    void                weigh_nodes();
     /** Multipliers for so many steps of the particles in one of the solid. */
     void tie(double steps);
     void make_absorber();
@@ -107,13 +110,15 @@ namespace coupling
     CarrierRows absorb(const CorrectedRows &before, CorrectedRows &now, const CarrierRows &nodes_before, double time);
     void        absorb_spins(dem::StepCorrection &correction, std::size_t first, double time);
 
-    dem::Specimen               &specimen;
-    const fem::Solid<dim>       &solid;
-    fem::ExplicitSolver<dim>    &motion;
-    SolidParticipant<dim>       &participant;
-    VolumeCouplingParameters     own;
-    NodeMap<dim>                 node_map;
-    std::vector<Entry>           at_particles; ///< weights at the particles of the overlap
+    dem::Specimen            &specimen;
+    const fem::Solid<dim>    &solid;
+    fem::ExplicitSolver<dim> &motion;
+    SolidParticipant<dim>    &participant;
+    VolumeCouplingParameters  own;
+    NodeMap<dim>              node_map;
+    std::vector<Entry>        at_particles; ///< weights at the particles of the overlap
+    Eigen::SparseMatrix<double>
+      of_bond_ends; ///< stiffness that bonds of slaves have in elements, three motions of each node [N/m]
     std::vector<std::size_t>     watched;
     std::vector<Eigen::Vector3d> places; ///< of the watched, undeformed [m]
     std::size_t                  overlapping = 0;
@@ -135,8 +140,10 @@ namespace coupling
     fem::Vector   predicted;          ///< velocities at its end, if nothing of here pushed [m/s]
     CarrierRows   from, to, velocity; ///< of the nodes: at its start, as predicted for its end, now [m/s]
     CarrierRows   path;               ///< of the nodes in it so far [m]
+    CarrierRows   displaced;          ///< of slaves' nodes at its start [m]
     double        gone = 0;           ///< of it so far [s]
     CarrierRows   impulse_together, impulse_absorber; ///< on the nodes in it [N s]
+    CarrierRows   impulse_twice; ///< of the first that part which takes off what bonds bear in elements
     VolumeBalance exchanged;
     std::size_t   shared_bonds = 0;
 

@@ -367,4 +367,9 @@ namespace dem
       refuse("the static solver knows no clumps. Let the weight settle in motion.");
     return self->find_equilibrium();
   }
+
+  ElasticNetwork Specimen::network() const
+  {
+    return network_of(self->particles, self->bonds, *self->bond_law, self->parameters.physics);
+  }
 } // namespace dem

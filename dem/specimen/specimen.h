@@ -23,6 +23,7 @@
 
 namespace dem
 {
+  struct ElasticNetwork;
   struct ForceServo;
   struct Surface;
   struct SurfaceParameters;
@@ -332,6 +333,7 @@ namespace dem
     double          external_work() const;              ///< likewise: of grips, walls and pushes since the start [J]
     ParticleState   particle(std::size_t number) const; ///< by packing number
     double          stiffness_around(std::size_t particle) const; ///< of its links and contacts, as (5.1) has it [N/m]
+    ElasticNetwork  network() const; ///< the bonds as they lie now, undamaged; particles by packing number
     Eigen::Vector3d displacement(std::size_t particle) const; ///< of a particle, by packing number, since the start [m]
     /** Of links, contacts and surfaces on a group, from all that is not of it, at t_n [N]. @param group packing numbers, ascending */
     Eigen::Vector3d force_on(const std::vector<std::size_t> &group) const;

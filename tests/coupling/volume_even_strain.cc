@@ -166,5 +166,7 @@ TEMPLATE_TEST_CASE_SIG("volume coupling: particles and nodes that strain evenly 
         CHECK(error > 1e-3);
       else
         CHECK(error <= 1e-10);
+      if (method.method == VolumeMethod::slaved) // off the faces too, what bonds bear in elements is taken off these
+        CHECK(distance_from<dim>(method, gradient<dim>(), shared) <= 1e-10);
     }
 }

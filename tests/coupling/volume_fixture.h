@@ -141,11 +141,13 @@ namespace volume
       return 1e-3 * v;
     }
 
+    /** What both sides count is there once. */
     double energy() const
     {
       const auto of_particles = coupling::ParticleParticipant(const_cast<dem::Specimen &>(particles)).energy();
       const auto of_solid     = participant->energy();
-      return of_particles.kinetic + of_particles.internal + of_solid.kinetic + of_solid.internal;
+      return of_particles.kinetic + of_particles.internal + of_solid.kinetic + of_solid.internal -
+             coupled->balance().twice;
     }
 
     Vector3d momentum() const

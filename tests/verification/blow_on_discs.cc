@@ -17,7 +17,7 @@ namespace blow_on_discs
     constexpr double pi        = 3.14159265358979323846;
     constexpr double thickness = 0.01, density = 2000, modulus = 785.4e6, shear_ratio = 0.25, limit_strain = 3e-3,
                      damping = 0.1, friction_angle = 0.05; // mean of both materials
-    constexpr double impactor_mass = 1.75412, impactor_inertia = 4.1377e-3, impactor_speed = 50;
+    constexpr double impactor_mass = 1.75412, impactor_inertia = 4.1377e-3;
 
     /** What moves: a disc, or the impactor as a whole. */
     struct Body
@@ -125,7 +125,7 @@ namespace blow_on_discs
       impactor.place    = moment / area;
       impactor.mass     = impactor_mass;
       impactor.inertia  = impactor_inertia;
-      impactor.velocity = {0, -impactor_speed};
+      impactor.velocity = {0, -blow.speed};
       for (const Given &disc : parts)
         scene.discs.push_back({scene.bodies.size(), disc.place - impactor.place, disc.radius});
       scene.bodies.push_back(impactor);
@@ -137,11 +137,13 @@ namespace blow_on_discs
     {
       for (const auto &[first, second] : watched)
         {
+          const double apart = (scene.place(scene.discs[second]) - scene.place(scene.discs[first])).norm();
+          if (apart >= scene.discs[first].radius + scene.discs[second].radius)
+            continue;
           const bool linked =
             std::any_of(scene.links.begin(), scene.links.end(),
                         [f = first, s = second](const Link &link) { return link.first == f && link.second == s; });
-          const double apart = (scene.place(scene.discs[second]) - scene.place(scene.discs[first])).norm();
-          if (!linked && apart < scene.discs[first].radius + scene.discs[second].radius)
+          if (!linked)
             scene.links.push_back({first, second, apart, false});
         }
     }

@@ -17,6 +17,7 @@ namespace blow_on_discs
     std::string beam, impactor; ///< files of x, y, z, radius; discs of the impactor are one rigid body
     double      until;          ///< [s]
     double      step;           ///< [s]
+    double      speed = 50;     ///< of the impactor [m/s]
   };
 
   /**

@@ -166,19 +166,33 @@ namespace row_and_elements
       return from < 1 ? 2.0 / 3 - from * from + 0.5 * from * from * from : from < 2 ? std::pow(2 - from, 3) / 6 : 0.0;
     }
 
-    /** (Gv)_i = sum_g B_gi v_g, v_g = sum_i B_gi v_i / sum_i B_gi: whole masses, which are all 1. */
-    MatrixXd average(const VectorXd &places, const double spacing)
+    /** Of cubic splines (columns) at places, knots from one on that lies at or before the first place less two spacings. */
+    MatrixXd splines(const VectorXd &places, const double spacing, const double first)
     {
-      const double first = spacing * (std::floor(places[0] / spacing) - 2);
-      const auto   knots = static_cast<Index>((places[places.size() - 1] - first) / spacing) + 4;
-      MatrixXd     spline(places.size(), knots);
+      const auto knots = static_cast<Index>((places[places.size() - 1] - first) / spacing) + 4;
+      MatrixXd   spline(places.size(), knots);
       for (Index i = 0; i < places.size(); ++i)
         for (Index g = 0; g < knots; ++g)
           spline(i, g) = cubic_spline((places[i] - first) / spacing - static_cast<double>(g));
-      VectorXd sums = spline.colwise().sum().transpose();
+      return spline;
+    }
+
+    /** (Gv)_i = sum_g B_gi v_g, v_g = sum_i B_gi v_i / sum_i B_gi: whole masses, which are all 1. */
+    MatrixXd average(const VectorXd &places, const double spacing)
+    {
+      const MatrixXd spline = splines(places, spacing, spacing * (std::floor(places[0] / spacing) - 2));
+      VectorXd       sums   = spline.colwise().sum().transpose();
       for (double &sum : sums)
         sum = sum > 0 ? 1 / sum : 0.0;
       return spline * sums.asDiagonal() * spline.transpose();
+    }
+
+    /** The fit least in energy, B (B^T M B)^-1 B^T M. Which way its grid lies is a choice: a knot a particle before the first. */
+    MatrixXd projection(const VectorXd &places, const VectorXd &mass, const double spacing)
+    {
+      const MatrixXd spline = splines(places, spacing, places[0] - 1 - 2 * spacing),
+                     scaled = spline.transpose() * mass.asDiagonal();
+      return spline * MatrixXd(scaled * spline).completeOrthogonalDecomposition().solve(scaled);
     }
 
     /** Normal distributions of the given width around each particle, over the particles that there are. */
@@ -204,17 +218,31 @@ namespace row_and_elements
       return MatrixXd::Identity(tied, tied) - row.step * rate.asDiagonal() * (MatrixXd::Identity(tied, tied) - fit);
     }
 
+    /** G of the absorber among some particles. */
+    MatrixXd smoothed(const Absorber &own, const VectorXd &places, const VectorXd &mass)
+    {
+      switch (own.smooth)
+        {
+        case Smooth::normal:
+          return gaussian_average(places, own.spacing);
+        case Smooth::projection:
+          return projection(places, mass, own.spacing);
+        default:
+          return average(places, own.spacing);
+        }
+    }
+
     /** What velocities of the last particles become in a step: exp(-m^-1 F^T C m F step), by modes. */
     MatrixXd damped(const Row &row, const Line &particles)
     {
-      constexpr Index beyond = 120; // reach of the averages
+      constexpr Index reach  = 120; // of averages; a fit is to the layer alone
       const Absorber &own    = row.absorber;
       const double    width  = row.overlap * row.element;
+      const Index     beyond = own.smooth == Smooth::projection ? 1 : reach;
       const auto      n      = std::min(particles.place.size(), static_cast<Index>(own.layer + width) + beyond);
       const VectorXd  places = particles.place.tail(n), root = particles.mass.tail(n).cwiseSqrt();
-      const MatrixXd  rest = MatrixXd::Identity(n, n) -
-                            (own.gaussian ? gaussian_average(places, own.spacing) : average(places, own.spacing));
-      MatrixXd fine = MatrixXd::Identity(n, n);
+      const MatrixXd  rest = MatrixXd::Identity(n, n) - smoothed(own, places, particles.mass.tail(n));
+      MatrixXd        fine = MatrixXd::Identity(n, n);
       for (int p = 0; p < own.sharpness; ++p)
         fine = (rest * fine).eval();
       const VectorXd along = ((places.array() + own.layer) / (own.layer + width)).max(0).min(1);

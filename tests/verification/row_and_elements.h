@@ -9,16 +9,24 @@ namespace row_and_elements
     lumped
   };
 
-  /** What damps waves that are too short for the elements: m dv/dt = -F^T C m F v, F = (1 - G)^p, G an average over neighbours. */
+  /** What an absorber takes for carried by the elements. */
+  enum class Smooth
+  {
+    grid,      ///< an average over a grid of cubic splines
+    normal,    ///< an average by the distance of particles, exp(-d^2 / 2 w^2) with w the spacing
+    projection ///< the fit by cubic splines to the particles of the layer, least in energy; no average: it mirrors waves of twice its spacing
+  };
+
+  /** What damps waves that are too short for the elements: m dv/dt = -F^T C m F v, F = (1 - G)^p, G as Smooth says. */
   struct Absorber
   {
     int    sharpness = 3;  ///< p; 0: there is none
-    double spacing   = 7;  ///< of the grid of splines; with `gaussian` w of exp(-d^2 / 2 w^2)
+    double spacing   = 7;  ///< of the grid of splines
     double layer     = 32; ///< before the overlap, through which the rate grows as a square
     double rate      = 1;
     /** Mass of the last particle; 0: by its bonds. Averages end with it. */
     double last_mass = 0;
-    bool   gaussian  = false; ///< averages by the distance of particles instead of over a grid
+    Smooth smooth    = Smooth::grid;
   };
 
   /** A packet of waves in a row of particles that shares `overlap` elements with a row of linear elements; spacing, mass and stiffness 1. */

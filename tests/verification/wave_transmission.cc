@@ -338,7 +338,30 @@ TEST_CASE("wave transmission: averages by a normal distribution give the table o
             0.005, [](const double wavelength) {
               Row row{Ties::coarse, wavelength};
               row.step     = 0.8;
-              row.absorber = {3, 0.75 * row.element, 32, 1, 1e-3, true};
+              row.absorber = {3, 0.75 * row.element, 32, 1, 1e-3, Smooth::normal};
+              return row;
+            });
+}
+
+TEST_CASE("wave transmission: a fit by splines to the particles of the layer gives the table of what reflects",
+          "[verification][volume][slow]")
+{
+  using namespace row_and_elements;
+  check_row({{8, 0, 0},
+             {12, 0, 0},
+             {16, 0, 0},
+             {20, 0.003, 0},
+             {24, 0.049, 0.013},
+             {28, 0.161, 0.226},
+             {32, 0.096, 0.546},
+             {40, 0.003, 0.890},
+             {48, 0, 0.980},
+             {64, 0, 1},
+             {96, 0, 1}},
+            0.01, [](const double wavelength) {
+              Row row{Ties::coarse, wavelength};
+              row.step     = 0.8;
+              row.absorber = {1, 16, 64, 0.3, 1e-3, Smooth::projection};
               return row;
             });
 }

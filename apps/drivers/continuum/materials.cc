@@ -81,7 +81,9 @@ namespace apps
           declare_stiffness_file(entries, block);
         if (kind->takes_stiffness() && holds_particles)
           entries.flag("Homogenised", block.homogenised)
-            .means("Stiffness and density are those of the particles inside the solid, found from their periodic cell");
+            .means("Stiffness and density are those of the particles inside the solid, found from their periodic cell; "
+                   "where "
+                   "there are Regions, of that in which the elements lie");
         const std::size_t first = entries.entries().size();
         block.constants->visit(ConstantEntries{entries});
         if (auto *cells = dynamic_cast<CellsConstants *>(block.constants.get()))

@@ -50,9 +50,9 @@ namespace apps
     class Body : public CoupledBody
     {
     public:
-      Body(const CoupledModel &what, const dem::Packing &packing, const std::optional<ParticleMedium> &known)
+      Body(const CoupledModel &what, const dem::Packing &packing, const ParticleMedia &known)
         : model(what)
-        , medium(known)
+        , media(known)
         , material_names(packing.material_names)
         , body(what.particles, packing)
         , solid(make_solid<dim>(what.continuum, taken_by(what.handshakes)))
@@ -128,7 +128,7 @@ namespace apps
         for (const HandshakeSection &handshake : model.handshakes.handshakes)
           {
             add(column_name(handshake.name) + "_damaged", "");
-            for (const char *term : {"_work", "_made", "_absorbed"})
+            for (const char *term : {"_work", "_made", "_absorbed", "_twice"})
               add(column_name(handshake.name) + term, "J");
           }
         for (const char *quantity : {"momentum", "angular_momentum"})
@@ -199,7 +199,7 @@ namespace apps
           {
             const coupling::VolumeBalance &balance = handshake->balance();
             add(std::initializer_list<double>{static_cast<double>(handshake->damaged_bonds()), balance.work_on_solid,
-                                              balance.made(), balance.absorbed});
+                                              balance.made(), balance.absorbed, balance.twice});
             made += balance.made(); // what was absorbed is known, and no defect
           }
         const auto [linear, angular] = momentum();
@@ -248,16 +248,19 @@ namespace apps
 
       std::string text_of_mismatch() const override
       {
-        if (!medium)
+        if (media.empty())
           return "";
         Mismatch worst;
         for (const auto &group : model.continuum.materials.groups)
           {
+            const ParticleMedium *medium = media.of(group->group);
+            if (!medium)
+              continue;
             const auto     number = solid->mesh().materials.at(group->group);
-            const Mismatch found =
-              reflected_by_mismatch(*medium, solid->material(number).elastic_stiffness(), motion->density(number));
-            worst.compression = std::max(worst.compression, found.compression);
-            worst.shear       = std::max(worst.shear, found.shear);
+            const Mismatch found  = reflected_by_mismatch(*medium, solid->material(number).elastic_stiffness(),
+                                                          motion->density(number), model.continuum.solid);
+            worst.compression     = std::max(worst.compression, found.compression);
+            worst.shear           = std::max(worst.shear, found.shear);
           }
         return fmt::format("impedances reflect {:.2g} of the energy of waves of compression, {:.2g} of shear",
                            worst.compression, worst.shear);
@@ -266,7 +269,7 @@ namespace apps
       std::string text_of_handshakes() const override
       {
         std::string text;
-        if (medium)
+        if (!media.empty())
           text += fmt::format("  medium       {}\n", text_of_mismatch());
         auto handshake = model.handshakes.handshakes.begin();
         for (const auto &volume : both.volumes())
@@ -474,7 +477,7 @@ namespace apps
       }
 
       const CoupledModel                       &model;
-      std::optional<ParticleMedium>             medium; ///< of the particles
+      ParticleMedia                             media; ///< of the particles
       std::vector<std::string>                  material_names;
       ParticlesBody                             body;
       std::unique_ptr<fem::Solid<dim>>          solid;
@@ -490,11 +493,11 @@ namespace apps
   } // namespace
 
   std::unique_ptr<CoupledBody>
-  make_coupled_body(const CoupledModel &model, const dem::Packing &packing, const std::optional<ParticleMedium> &medium)
+  make_coupled_body(const CoupledModel &model, const dem::Packing &packing, const ParticleMedia &media)
   {
-    give_medium(model.continuum.materials, medium);
+    give_media(model.continuum.materials, media);
     if (model.dimension() == 2)
-      return std::make_unique<Body<2>>(model, packing, medium);
-    return std::make_unique<Body<3>>(model, packing, medium);
+      return std::make_unique<Body<2>>(model, packing, media);
+    return std::make_unique<Body<3>>(model, packing, media);
   }
 } // namespace apps

@@ -78,10 +78,9 @@ namespace apps
   };
 
   /**
-   * @param packing as CoupledModel::packing() makes it; both outlive the body. @param medium of its particles, where it is known
+   * @param packing as CoupledModel::packing() makes it; both outlive the body. @param media of its particles, where they are known
    * @throws base::InputError
    */
-  std::unique_ptr<CoupledBody> make_coupled_body(const CoupledModel                  &model,
-                                                 const dem::Packing                  &packing,
-                                                 const std::optional<ParticleMedium> &medium = std::nullopt);
+  std::unique_ptr<CoupledBody>
+  make_coupled_body(const CoupledModel &model, const dem::Packing &packing, const ParticleMedia &media = {});
 } // namespace apps

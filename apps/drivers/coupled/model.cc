@@ -55,11 +55,12 @@ namespace apps
     return particles.packing([this](const Eigen::Vector3d &place) { return handshakes.may_hold(place); }, cell);
   }
 
-  std::optional<ParticleMedium> CoupledModel::medium(const std::optional<dem::Packing> &cell) const
+  ParticleMedia CoupledModel::media(const std::optional<dem::Packing> &cell) const
   {
     if (handshakes.empty())
-      return std::nullopt;
-    return medium_of(cell, particles.source, particles.material, dimension(), particles.physics.rotations);
+      return {};
+    return media_of({cell, particles.source, particles.material, dimension(), particles.physics.rotations}, continuum,
+                    handshakes);
   }
 
   namespace

@@ -36,8 +36,8 @@ namespace apps
 
     /** Of the specimen what lies where particles are to be, where a scene says so; and all others. @param cell as specimen_particles() has it @throws as ParticlesModel::packing() */
     dem::Packing packing(std::optional<dem::Packing> *cell = nullptr) const;
-    /** Of the particles, where the solid shares a place with them and it is known. @param cell as packing() gives it */
-    std::optional<ParticleMedium> medium(const std::optional<dem::Packing> &cell) const;
+    /** Of the particles, where the solid shares a place with them and they are known. @param cell as packing() gives it */
+    ParticleMedia media(const std::optional<dem::Packing> &cell) const;
 
     int dimension() const { return particles.physics.dimension; }
   };

@@ -8,83 +8,241 @@
 #include "dem/model/particles.h"
 #include "postprocess/summary.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <set>
+#include <vector>
 
 namespace apps
 {
-  std::optional<ParticleMedium> medium_of(const std::optional<dem::Packing> &cell,
-                                          const SpecimenSection             &specimen,
-                                          const MaterialSection             &material,
-                                          const int                          dimension,
-                                          const bool                         rotations)
+  using Eigen::Vector3d;
+
+  namespace
   {
-    // Regions are places in the scene, which the cell of a packing is not part of.
-    if (!cell || !material.regions.empty() || dimension != 3)
-      return std::nullopt;
-    dem::Packing numbered = *cell;
-    material.number(numbered, dimension, origin_of(specimen));
-    dem::NetworkParameters links;
-    links.rotations                     = rotations;
-    links.interaction_ratio             = specimen.interaction_ratio;
-    const dem::LinkMaterials    known   = material.materials();
-    const dem::ElasticNetwork   network = dem::make_network(numbered, links, known);
-    const dem::RelaxedStiffness found   = dem::relaxed_stiffness(network);
-    if (!found.solver.converged || found.resisted < dem::strains_of(dimension))
-      return std::nullopt;
-    const dem::ParticleShape  shape{dimension, specimen.density, 0};
-    const std::vector<double> densities = known.densities(specimen.density);
-    ParticleMedium            medium;
-    medium.stiffness = 0.5 * (found.stiffness + found.stiffness.transpose());
-    for (std::size_t i = 0; i < numbered.size(); ++i)
-      {
-        const std::size_t of = numbered.material.empty() ? 0 : static_cast<std::size_t>(numbered.material[i]);
-        medium.density += densities.at(of) * shape.volume(numbered.radius[i]) / network.volume;
-      }
-    return medium;
+    constexpr const char *no_region = "";
+
+    /** The cell, its particles of one material; of `no_region`: as the packing numbers them. */
+    dem::Packing numbered(const MediumSource &source, const std::string &material)
+    {
+      MaterialSection everywhere = source.material;
+      everywhere.regions.clear(); // places in the scene, which the cell of a packing is not part of
+      dem::Packing cell = *source.cell;
+      if (material != no_region)
+        cell.material.clear();
+      everywhere.number(cell, source.dimension, origin_of(source.specimen));
+      if (material == no_region)
+        return cell;
+      const std::vector<std::string> known = everywhere.names();
+      const auto number = static_cast<std::int32_t>(std::find(known.begin(), known.end(), material) - known.begin());
+      cell.material.assign(cell.size(), number);
+      return cell;
+    }
+
+    /** An element of the plane asks for nothing out of it, and a matrix must be positive. */
+    void fill_out_of_plane(base::Stiffness &stiffness)
+    {
+      const double largest = stiffness.maxCoeff();
+      for (const int c : {2, 3, 4})
+        {
+          stiffness.row(c).setZero();
+          stiffness.col(c).setZero();
+          stiffness(c, c) = largest;
+        }
+    }
+
+    std::optional<ParticleMedium> medium_of(const MediumSource &source, const std::string &material)
+    {
+      const dem::Packing     cell = numbered(source, material);
+      dem::NetworkParameters links;
+      links.dimension                     = source.dimension;
+      links.rotations                     = source.rotations;
+      links.interaction_ratio             = source.specimen.interaction_ratio;
+      links.thickness                     = source.specimen.thickness;
+      const dem::LinkMaterials    known   = source.material.materials();
+      const dem::ElasticNetwork   network = dem::make_network(cell, links, known);
+      const dem::RelaxedStiffness found   = dem::relaxed_stiffness(network);
+      if (!found.solver.converged || found.resisted < dem::strains_of(source.dimension))
+        return std::nullopt;
+      const dem::ParticleShape  shape{source.dimension, source.specimen.density, source.specimen.thickness};
+      const std::vector<double> densities = known.densities(source.specimen.density);
+      ParticleMedium            medium;
+      medium.stiffness = 0.5 * (found.stiffness + found.stiffness.transpose());
+      if (source.dimension == 2)
+        fill_out_of_plane(medium.stiffness);
+      for (std::size_t i = 0; i < cell.size(); ++i)
+        {
+          const std::size_t of = cell.material.empty() ? 0 : static_cast<std::size_t>(cell.material[i]);
+          medium.density += densities.at(of) * shape.volume(cell.radius[i]) / network.volume;
+        }
+      return medium;
+    }
+
+    /** What the middles of a group's elements are of, by the regions; those in the particles' own region go. */
+    template <int dim>
+    std::map<std::string, std::set<std::string>>
+    materials_by_group(const MediumSource &source, const ContinuumModel &continuum, const HandshakesSection &handshakes)
+    {
+      const fem::Mesh<dim>                              mesh = make_mesh<dim>(continuum.mesh);
+      std::map<dealii::types::material_id, std::string> named;
+      std::map<std::string, std::set<std::string>>      found;
+      for (const auto &[name, number] : mesh.materials)
+        named[number] = name;
+      for (const auto &element : mesh.triangulation->active_cell_iterators())
+        {
+          const auto     middle = element->center();
+          const Vector3d place(middle[0], middle[1], dim == 3 ? middle[dim - 1] : 0.0);
+          if (handshakes.is_taken(place))
+            continue;
+          std::string material = no_region;
+          for (const MaterialRegion &region : source.material.regions)
+            if (region.region.holds(place, dim))
+              material = region.material; // later ones win
+          found[named.at(element->material_id())].insert(material);
+        }
+      return found;
+    }
+
+    nlohmann::json described(const ParticleMedium &medium)
+    {
+      return {{"relaxed", {{"stiffness", json_of(medium.stiffness)}}}, {"density", medium.density}};
+    }
+
+    /** Of the plane what acts in it, the rest zero; under plane stress, what is left when nothing presses on it from outside. */
+    base::Stiffness acting(const base::Stiffness &stiffness, const SolidSection &model)
+    {
+      if (model.dimension == 3)
+        return stiffness;
+      base::Stiffness D = stiffness;
+      if (model.plane_stress)
+        D -= stiffness.col(2) * stiffness.row(2) / stiffness(2, 2);
+      for (const int c : {2, 3, 4})
+        {
+          D.row(c).setZero();
+          D.col(c).setZero();
+        }
+      return D;
+    }
+  } // namespace
+
+  const ParticleMedium *ParticleMedia::of(const std::string &group) const
+  {
+    const auto found = of_group.find(group);
+    return found == of_group.end() ? nullptr : &found->second;
   }
 
-  void give_medium(const MaterialsSection &materials, const std::optional<ParticleMedium> &medium)
+  std::vector<std::string> ParticleMedia::several_in(const std::string &group) const
+  {
+    const auto found = mixed.find(group);
+    return found == mixed.end() ? std::vector<std::string>() : found->second;
+  }
+
+  ParticleMedia
+  media_of(const MediumSource &source, const ContinuumModel &continuum, const HandshakesSection &handshakes)
+  {
+    ParticleMedia media;
+    if (!source.cell)
+      return media;
+    std::map<std::string, std::set<std::string>> of_groups;
+    for (const auto &group : continuum.materials.groups)
+      of_groups[group->group] = {no_region};
+    if (!source.material.regions.empty())
+      for (const auto &[group, materials] : source.dimension == 2 ?
+                                              materials_by_group<2>(source, continuum, handshakes) :
+                                              materials_by_group<3>(source, continuum, handshakes))
+        of_groups[group] = materials;
+    std::map<std::string, std::optional<ParticleMedium>> known;
+    for (const auto &[group, materials] : of_groups)
+      {
+        if (materials.size() != 1)
+          {
+            media.set_several(group, {materials.begin(), materials.end()});
+            continue;
+          }
+        const std::string &material = *materials.begin();
+        if (known.count(material) == 0)
+          known[material] = medium_of(source, material);
+        if (known[material])
+          media.set(group, *known[material]);
+      }
+    return media;
+  }
+
+  void give_media(const MaterialsSection &materials, const ParticleMedia &media)
   {
     for (const auto &group : materials.groups)
       {
         if (!group->is_homogenised())
           continue;
-        if (!medium)
-          throw base::InputError(
-            group->place.text() + ": Materials/" + group->group +
-            ": Homogenised wants spheres of one material from a packing that is periodic and resists every strain. "
-            "Give the constants, or a Stiffness file of breccia homogenise.");
-        group->become(medium->stiffness, medium->density);
+        const std::string where = group->place.text() + ": Materials/" + group->group + ": ";
+        if (const ParticleMedium *medium = media.of(group->group))
+          {
+            group->become(medium->stiffness, medium->density);
+            continue;
+          }
+        std::vector<std::string> several = media.several_in(group->group);
+        if (several.empty())
+          throw base::InputError(where + "Homogenised wants particles of a packing that is periodic and resists every "
+                                         "strain. Give the constants, or a Stiffness file of breccia homogenise.");
+        std::replace(several.begin(), several.end(), std::string(no_region), std::string("none"));
+        throw base::InputError(
+          fmt::format("{}Homogenised: by Regions its elements are of several materials of the particles "
+                      "({}). Give the elements of each a group of their own.",
+                      where, fmt::join(several, ", ")));
       }
   }
 
-  void ParticleMedium::write(const std::filesystem::path &file) const
+  void ParticleMedia::write(const std::filesystem::path &file) const
   {
-    postprocess::write_json(file, {{"relaxed", {{"stiffness", json_of(stiffness)}}}, {"density", density}});
+    const ParticleMedium &first = of_group.begin()->second;
+    const bool            same  = std::all_of(of_group.begin(), of_group.end(), [&](const auto &of) {
+      return of.second.stiffness == first.stiffness && of.second.density == first.density;
+    });
+    if (same)
+      return postprocess::write_json(file, described(first));
+    nlohmann::json each;
+    for (const auto &[group, medium] : of_group)
+      each["groups"][group] = described(medium);
+    postprocess::write_json(file, each);
   }
 
-  std::optional<ParticleMedium> ParticleMedium::kept_in(const std::filesystem::path &folder)
+  ParticleMedia ParticleMedia::kept_in(const std::filesystem::path &folder, const ContinuumModel &continuum)
   {
+    ParticleMedia               media;
     const std::filesystem::path file = folder / file_name;
     if (!std::filesystem::exists(file))
-      return std::nullopt;
+      return media;
     std::ifstream        stream(file);
-    const nlohmann::json json    = nlohmann::json::parse(stream, nullptr, false);
-    const auto           density = json.find("density");
-    if (!json.is_object() || density == json.end() || !density->is_number())
-      throw base::InputError(file.string() + ": cannot be read. Begin the run anew.");
-    return ParticleMedium{stiffness_in(file, "relaxed"), density->get<double>()};
+    const nlohmann::json json = nlohmann::json::parse(stream, nullptr, false);
+    for (const auto &group : continuum.materials.groups)
+      {
+        const bool           each = json.is_object() && json.contains("groups");
+        const std::string    path = each ? "groups/" + group->group + "/" : "";
+        const nlohmann::json of   = each ? json["groups"].value(group->group, nlohmann::json::object()) : json;
+        if (each && of.empty())
+          continue; // it is given by its constants, and stands for nothing that was found
+        if (!of.is_object() || !of.contains("density") || !of["density"].is_number())
+          throw base::InputError(file.string() + ": cannot be read. Begin the run anew.");
+        media.set(group->group, {stiffness_in(file, path + "relaxed"), of["density"].get<double>()});
+      }
+    return media;
   }
 
-  Mismatch reflected_by_mismatch(const ParticleMedium &medium, const base::Stiffness &solid, const double density)
+  Mismatch reflected_by_mismatch(const ParticleMedium  &medium,
+                                 const base::Stiffness &solid,
+                                 const double           density,
+                                 const SolidSection    &model)
   {
-    const double heavier  = density > 0 ? density / medium.density : 1.0;
-    const auto   reflects = [&](const int entry) {
-      const double ratio = std::sqrt(solid(entry, entry) * heavier / medium.stiffness(entry, entry));
+    const base::Stiffness of_solid = acting(solid, model), of_particles = acting(medium.stiffness, model);
+    const double          heavier  = density > 0 ? density / medium.density : 1.0;
+    const auto            reflects = [&](const int entry) {
+      if (!(of_particles(entry, entry) > 0))
+        return 0.0; // out of the plane
+      const double ratio = std::sqrt(of_solid(entry, entry) * heavier / of_particles(entry, entry));
       return std::pow((ratio - 1) / (ratio + 1), 2);
     };
     Mismatch worst;
@@ -94,5 +252,11 @@ namespace apps
         worst.shear       = std::max(worst.shear, reflects(3 + c));
       }
     return worst;
+  }
+
+  double difference_of_stiffness(const ParticleMedium &medium, const base::Stiffness &solid, const SolidSection &model)
+  {
+    const base::Stiffness of_particles = acting(medium.stiffness, model);
+    return (acting(solid, model) - of_particles).norm() / of_particles.norm();
   }
 } // namespace apps

@@ -30,7 +30,7 @@ namespace apps
   void CoupledRun::make_body()
   {
     const Progress progress("links");
-    body      = make_coupled_body(model, packing, medium);
+    body      = make_coupled_body(model, packing, media);
     materials = MaterialCounts(packing.material_names, body->particles().specimen());
   }
 
@@ -38,7 +38,7 @@ namespace apps
   {
     std::optional<dem::Packing> cell;
     packing = model.packing(&cell);
-    medium  = model.medium(cell);
+    media   = model.media(cell);
     make_body();
     const Progress progress("initial state");
     start = body->start();
@@ -56,8 +56,8 @@ namespace apps
   void CoupledRun::begin(const std::filesystem::path &folder, const Record &record)
   {
     keep_packing(packing, folder);
-    if (medium)
-      medium->write(folder / ParticleMedium::file_name);
+    if (!media.empty())
+      media.write(folder / ParticleMedia::file_name);
     open(folder);
     snapshot();
     record({{}, body->row(), {}});
@@ -67,7 +67,7 @@ namespace apps
   void CoupledRun::reopen(const std::filesystem::path &folder)
   {
     packing = kept_packing(folder);
-    medium  = ParticleMedium::kept_in(folder);
+    media   = ParticleMedia::kept_in(folder, model.continuum);
     make_body();
     open(folder);
   }

@@ -50,7 +50,7 @@ namespace apps
     RunRequest                                request;
     const CoupledModel                       &model;
     dem::Packing                              packing;
-    std::optional<ParticleMedium>             medium; ///< that the particles are to the solid, where it is known
+    ParticleMedia                             media; ///< that the particles are to the solid, where they are known
     std::unique_ptr<CoupledBody>              body;
     MaterialCounts                            materials; ///< before anything moves
     StaticStart                               start;

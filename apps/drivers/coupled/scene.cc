@@ -64,7 +64,7 @@ namespace apps
     const Stopwatch             set_up;
     std::optional<dem::Packing> cell;
     const dem::Packing          packing = model.packing(&cell);
-    const auto         body  = make_coupled_body(model, packing, model.medium(cell)); // refuses what a run would refuse
+    const auto         body  = make_coupled_body(model, packing, model.media(cell)); // refuses what a run would refuse
     const StaticStart  start = body->start();
     const double       set_up_seconds = set_up.seconds();
     const auto        &specimen       = body->particles().specimen();

@@ -129,6 +129,13 @@ namespace apps
     return kept;
   }
 
+  ParticleMedia StructureModel::media(const std::optional<dem::Packing> &cell) const
+  {
+    if (!has_solid())
+      return {};
+    return media_of({cell, source, material, dimension, rotations}, continuum, handshakes);
+  }
+
   ParticleGroups StructureModel::groups_in(const dem::Packing &packing) const
   {
     ParticleGroups found;

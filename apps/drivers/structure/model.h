@@ -2,6 +2,7 @@
 
 #include "apps/drivers/continuum/model.h"
 #include "apps/drivers/coupled/handshakes.h"
+#include "apps/drivers/coupled/particle_medium.h"
 #include "apps/drivers/structure/gauges.h"
 #include "apps/drivers/structure/supports.h"
 #include "apps/scene/material_section.h"
@@ -59,7 +60,9 @@ namespace apps
 
     bool has_solid() const { return !handshakes.empty(); }
     /** Of the specimen what is in no void and, beside a solid, in a region or its overlap. @param cell as specimen_particles() has it @throws as make_packing() */
-    dem::Packing   packing(std::optional<dem::Packing> *cell = nullptr) const;
+    dem::Packing packing(std::optional<dem::Packing> *cell = nullptr) const;
+    /** Of the particles, where there is a solid and they are known. @param cell as packing() gives it */
+    ParticleMedia  media(const std::optional<dem::Packing> &cell) const;
     ParticleGroups groups_in(const dem::Packing &packing) const;
     /** The particles alone, held and led. @throws base::InputError */
     dem::LoadedNetwork particles(const dem::Packing &packing, const ParticleGroups &groups) const;

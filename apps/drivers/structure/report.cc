@@ -73,9 +73,8 @@ namespace apps
     summary["energy"]      = energy();
     summary["cost"]        = cost();
     structure.material_counts().put_into(summary);
-    if (medium && structure.surrounding())
-      summary["medium"] = {
-        {"difference_of_stiffness", quantity(structure.surrounding()->difference_from(*medium), "-")}};
+    if (!media.empty() && structure.surrounding())
+      summary["medium"] = {{"difference_of_stiffness", quantity(structure.surrounding()->difference_from(media), "-")}};
     auto handshake = model.handshakes.handshakes.begin();
     for (const auto &[all, damaged] : structure.shared_bonds())
       summary["handshakes"][(handshake++)->name] = {{"bonds", all}, {"damaged", damaged}};
@@ -105,9 +104,9 @@ namespace apps
       }
     const dem::Crack crack = dem::measure_crack(structure.particle_output(), structure.link_output(), model.shape());
     text += fmt::format("crack        {} of {} links cracked, {:.4g} m^2\n", crack.cracked, crack.links, crack.area);
-    if (medium && structure.surrounding())
+    if (!media.empty() && structure.surrounding())
       text += fmt::format("medium       stiffness of the solid differs by {:.2g} from that of the particles\n",
-                          structure.surrounding()->difference_from(*medium));
+                          structure.surrounding()->difference_from(media));
     auto handshake = model.handshakes.handshakes.begin();
     for (const auto &[all, damaged] : structure.shared_bonds())
       text +=

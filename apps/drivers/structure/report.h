@@ -14,12 +14,12 @@ namespace apps
   /** What a complete run of kind "structure" tells: for programs, for the eye, for the terminal. */
   struct StructureReport
   {
-    const RunRequest                    &request;
-    const StructureModel                &model;
-    const Structure                     &structure;
-    const std::optional<ParticleMedium> &medium; ///< of the particles, where it is known
-    postprocess::CsvTable                series; ///< complete
-    double                               wall_seconds;
+    const RunRequest     &request;
+    const StructureModel &model;
+    const Structure      &structure;
+    const ParticleMedia  &media;  ///< of the particles, where they are known
+    postprocess::CsvTable series; ///< complete
+    double                wall_seconds;
 
     /** summary.json and curve.png. @throws postprocess::OutputError. */
     void        write(const std::filesystem::path &folder) const;

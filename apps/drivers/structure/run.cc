@@ -29,15 +29,14 @@ namespace apps
   void StructureRun::make_structure()
   {
     const Progress progress("links and solid");
-    structure = std::make_unique<Structure>(model, packing, medium);
+    structure = std::make_unique<Structure>(model, packing, media);
   }
 
   void StructureRun::prepare()
   {
     std::optional<dem::Packing> cell;
     packing = model.packing(&cell);
-    if (model.has_solid())
-      medium = medium_of(cell, model.source, model.material, model.dimension, model.rotations);
+    media   = model.media(cell);
     make_structure();
   }
 
@@ -55,8 +54,8 @@ namespace apps
   void StructureRun::begin(const std::filesystem::path &folder, const Record &)
   {
     keep_packing(packing, folder);
-    if (medium)
-      medium->write(folder / ParticleMedium::file_name);
+    if (!media.empty())
+      media.write(folder / ParticleMedia::file_name);
     open(folder);
     snapshot();
   }
@@ -64,7 +63,7 @@ namespace apps
   void StructureRun::reopen(const std::filesystem::path &folder)
   {
     packing = kept_packing(folder);
-    medium  = ParticleMedium::kept_in(folder);
+    media   = ParticleMedia::kept_in(folder, model.continuum);
     make_structure();
     open(folder);
   }
@@ -160,7 +159,7 @@ namespace apps
       snapshot();
     warn_of_missing("crack.png", draw_crack(folder / "crack.png"));
     const StructureReport report{
-      request,     model, *structure, medium, postprocess::read_csv_table(folder / "series.csv", true, {"control"}),
+      request,     model, *structure, media, postprocess::read_csv_table(folder / "series.csv", true, {"control"}),
       wall_seconds};
     report.write(folder);
     return report.text();

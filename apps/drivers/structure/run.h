@@ -50,7 +50,7 @@ namespace apps
     RunRequest                                request;
     const StructureModel                     &model;
     dem::Packing                              packing;
-    std::optional<ParticleMedium>             medium; ///< that the particles are to the solid, where it is known
+    ParticleMedia                             media; ///< that the particles are to the solid, where they are known
     std::unique_ptr<Structure>                structure;
     std::filesystem::path                     location;
     std::optional<postprocess::PvdCollection> particles, links, solids;

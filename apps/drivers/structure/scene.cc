@@ -12,15 +12,12 @@ namespace apps
   std::string StructureScene::forecast() const
   {
     start_mpi();
-    const Stopwatch                     watch;
-    std::optional<dem::Packing>         cell;
-    const dem::Packing                  packing = model.packing(&cell);
-    const std::optional<ParticleMedium> medium =
-      model.has_solid() ? medium_of(cell, model.source, model.material, model.dimension, model.rotations) :
-                          std::nullopt;
-    const Structure structure(model, packing, medium); // refuses what a run would refuse
-    const double    set_up = watch.seconds();
-    std::string     text;
+    const Stopwatch             watch;
+    std::optional<dem::Packing> cell;
+    const dem::Packing          packing = model.packing(&cell);
+    const Structure             structure(model, packing, model.media(cell)); // refuses what a run would refuse
+    const double                set_up = watch.seconds();
+    std::string                 text;
     text += fmt::format("  particles    {}\n  links        {}\n", structure.network().network.particles(),
                         structure.network().network.links.size());
     text += structure.material_counts().text();

@@ -20,6 +20,7 @@ namespace apps
     public:
       SurroundingSolid(const StructureModel &model, dem::LoadedNetwork particles)
         : solid(made(model))
+        , plane_model(model.continuum.solid)
         , both(std::move(particles), *solid, parameters(model))
         , gauges(*solid, model.continuum)
       {
@@ -48,12 +49,13 @@ namespace apps
       std::size_t unknowns() const override { return solid->dofs().n_dofs(); }
       std::size_t joints() const override { return static_cast<std::size_t>(both.network().body->joints()); }
 
-      double difference_from(const ParticleMedium &medium) const override
+      double difference_from(const ParticleMedia &media) const override
       {
         double largest = 0;
         for (const auto &[name, number] : solid->mesh().materials)
-          largest = std::max(largest, (solid->material(number).elastic_stiffness() - medium.stiffness).norm() /
-                                        medium.stiffness.norm());
+          if (const ParticleMedium *medium = media.of(name))
+            largest = std::max(
+              largest, difference_of_stiffness(*medium, solid->material(number).elastic_stiffness(), plane_model));
         return largest;
       }
 
@@ -136,6 +138,7 @@ namespace apps
       }
 
       std::unique_ptr<fem::Solid<dim>> solid;
+      SolidSection                     plane_model;
       coupling::StaticHandshake<dim>   both;
       ContinuumGauges<dim>             gauges;
       std::vector<std::size_t>         told; ///< of its columns

@@ -31,8 +31,8 @@ namespace apps
     virtual std::size_t                           unknowns() const     = 0;
     virtual std::size_t                           joints() const       = 0;
 
-    /** Largest difference of a material's stiffness from that of the particles, over its norm. */
-    virtual double difference_from(const ParticleMedium &medium) const = 0;
+    /** Largest difference of a material's stiffness from that of the particles in its place, over its norm. */
+    virtual double difference_from(const ParticleMedia &media) const = 0;
 
     /** @param number of the snapshot. @return name of its file in the folder. @throws postprocess::OutputError */
     virtual std::string write(const std::filesystem::path &folder,

@@ -9,13 +9,11 @@
 
 namespace apps
 {
-  Structure::Structure(const StructureModel                &what,
-                       const dem::Packing                  &packing,
-                       const std::optional<ParticleMedium> &medium)
+  Structure::Structure(const StructureModel &what, const dem::Packing &packing, const ParticleMedia &media)
     : model(what)
     , groups(what.groups_in(packing))
     , radius(packing.radius)
-    , solid(make_solid(packing, medium))
+    , solid(make_solid(packing, media))
     , alone(solid ? std::nullopt : std::optional(what.particles(packing, groups)))
     , materials(materials_in(network().network, packing.material_names))
     , path(network(), what.material.materials(), what.path.parameters())
@@ -23,12 +21,11 @@ namespace apps
     curve();
   }
 
-  std::unique_ptr<StructureSolid> Structure::make_solid(const dem::Packing                  &packing,
-                                                        const std::optional<ParticleMedium> &medium) const
+  std::unique_ptr<StructureSolid> Structure::make_solid(const dem::Packing &packing, const ParticleMedia &media) const
   {
     if (!model.has_solid())
       return nullptr;
-    give_medium(model.continuum.materials, medium);
+    give_media(model.continuum.materials, media);
     return surround(model, model.particles(packing, groups));
   }
 

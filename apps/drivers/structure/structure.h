@@ -18,8 +18,8 @@ namespace apps
   class Structure
   {
   public:
-    /** @param medium of the particles, where it is known. The model must outlive it. @throws base::InputError */
-    Structure(const StructureModel &model, const dem::Packing &packing, const std::optional<ParticleMedium> &medium);
+    /** @param media of the particles, where they are known. The model must outlive it. @throws base::InputError */
+    Structure(const StructureModel &model, const dem::Packing &packing, const ParticleMedia &media);
     Structure(const Structure &)            = delete;
     Structure &operator=(const Structure &) = delete;
 
@@ -49,8 +49,7 @@ namespace apps
 
   private:
     std::vector<double>             reactions() const;
-    std::unique_ptr<StructureSolid> make_solid(const dem::Packing                  &packing,
-                                               const std::optional<ParticleMedium> &medium) const;
+    std::unique_ptr<StructureSolid> make_solid(const dem::Packing &packing, const ParticleMedia &media) const;
 
     const StructureModel             &model;
     ParticleGroups                    groups;

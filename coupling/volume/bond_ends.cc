@@ -1,0 +1,55 @@
+#include "coupling/volume/bond_ends.h"
+
+#include <utility>
+
+namespace coupling
+{
+  using Eigen::Vector3d;
+
+  namespace
+  {
+    /** Between a place where something is not so and one where it is, the first that is found where it is. */
+    template <typename IsSo>
+    Vector3d first_place(Vector3d outside, Vector3d inside, const IsSo &is_so)
+    {
+      constexpr int halvings = 50; // down to rounding
+      for (int n = 0; n < halvings; ++n)
+        {
+          const Vector3d middle              = 0.5 * (outside + inside);
+          (is_so(middle) ? inside : outside) = middle;
+        }
+      return inside;
+    }
+  } // namespace
+
+  std::vector<BondEnd> bond_ends(const dem::ElasticNetwork                   &network,
+                                 const std::vector<std::size_t>              &slaves,
+                                 const Overlap                               &overlap,
+                                 const std::function<bool(const Vector3d &)> &in_elements)
+  {
+    constexpr double  rounding = 1e-9;
+    std::vector<bool> led(network.particles(), false);
+    for (const std::size_t i : slaves)
+      led[i] = true;
+    std::vector<BondEnd> ends;
+    for (const dem::ElasticLink &link : network.links)
+      {
+        if (led[link.first] == led[link.second])
+          continue;
+        const auto [free, slave] =
+          led[link.first] ? std::pair{link.second, link.first} : std::pair{link.first, link.second};
+        // A search takes what is outside by rounding for inside, distances do not; but not each of these regions ends with elements.
+        const Vector3d &outside = network.centre[free], &inside = network.centre[slave];
+        Vector3d        from =
+          first_place(outside, inside, [&](const Vector3d &place) { return overlap.distance(place) >= 0; });
+        if (!in_elements(from))
+          from = first_place(from, inside, in_elements);
+        const double part = (inside - from).norm() / (inside - outside).norm();
+        if (part > rounding) // a slave on the face of an element has none
+          ends.push_back({from, inside, static_cast<std::size_t>(slave), part,
+                          slave == link.first ? link.arm_first : link.arm_second, link.stiffness / part,
+                          link.turning / part});
+      }
+    return ends;
+  }
+} // namespace coupling
