@@ -421,7 +421,7 @@ TEST_CASE("a jacket of facets holds its pressure around a cylinder, which is as 
           "[dem][laboratory][slow]")
 {
   const double       pressure = 2e6;
-  const dem::Packing packing  = cylinder_of_spheres(8 * R, 22 * R);
+  const dem::Packing packing  = cylinder_of_spheres(9 * R, 28 * R);
   dem::LabParameters asked    = in_a_jacket(pressure);
   double             E[2] = {0, 0}, nu[2] = {0, 0};
   for (const bool membrane : {false, true})
