@@ -91,8 +91,8 @@ TEST_CASE("More ranks than cells give the same bits, and are told what one is", 
   CHECK(content_of(folder / "five/series.csv") == content_of(folder / "one/series.csv"));
   CHECK_THAT(content_of(folder / "one/series.csv"), Catch::Contains("points_promoted"));
   // They try states until one of their clocks says that it is enough.
-  CHECK(shell(folder, program_on(3, 1) + " check" + changes + " -s Control/End=400 -s Control/Largest\\ step=0.01") ==
-        0);
+  CHECK(shell(folder, program_on(3, 1) + " check" + changes +
+                        " -s Control/End=4 -s 'Control/First step=0.001' -s 'Control/Largest step=0.001'") == 0);
   CHECK_THAT(content_of(folder / "said"), Catch::Contains("duration"));
 }
 

@@ -193,8 +193,7 @@ TEST_CASE("waiting contacts: a squeezed cell is as stiff as a specimen in motion
   CHECK(apart / touching < 0.9);
 }
 
-TEST_CASE("waiting contacts: the tangent is the derivative also where particles come to touch in the step, and the "
-          "account closes",
+TEST_CASE("waiting contacts: the tangent is the derivative where particles come to touch, and the account closes",
           "[dem][statics]")
 {
   dem::ParallelBondParameters bonds;

@@ -320,6 +320,22 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("wave transmission: averages that end with the particles give the figures of elements of four spacings, too",
+          "[verification][volume][slow]")
+{
+  using namespace row_and_elements;
+  const auto figures = [](const int sharpness) {
+    return [sharpness](const double wavelength) {
+      Row row{Ties::coarse, wavelength, 4};
+      row.step     = 0.8;
+      row.absorber = {sharpness, 3.5, 16, 2, 1e-3};
+      return row;
+    };
+  };
+  check_row({{12, 0.033, 0}, {16, 0, 0.908}, {20, 0, 1}}, 0.01, figures(3));
+  check_row({{20, 0, 0.899}, {24, 0, 0.976}, {32, 0, 0.998}}, 0.01, figures(2));
+}
+
 TEST_CASE("wave transmission: averages by a normal distribution give the table of such an absorber",
           "[verification][volume][slow]")
 {
@@ -424,6 +440,7 @@ TEST_CASE("wave transmission: the table of a hexagonal plane, waves of compressi
                {24, 0, 0.955},
                {32, 0, 0.994}},
               0.01, wave("absorber p=2", false));
+  check_table({{8, 1, 0}, {12, 0.788, 0.217}, {16, 0, 1}, {24, 0, 1}}, 0.01, wave("coarse", false));
   check_table({{8, 0.004, 0}, {12, 0.002, 0.037}, {16, 0.001, 0.709}, {24, 0, 0.988}}, 0.01,
               [](const double wavelength) {
                 apps::WaveCase one          = strip("absorber", wavelength, true);
