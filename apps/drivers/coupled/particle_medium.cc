@@ -188,7 +188,7 @@ namespace apps
         if (several.empty())
           throw base::InputError(where + "Homogenised wants particles of a packing that is periodic and resists every "
                                          "strain. Give the constants, or a Stiffness file of breccia homogenise.");
-        std::replace(several.begin(), several.end(), std::string(no_region), std::string("none"));
+        std::replace(several.begin(), several.end(), std::string(no_region), std::string("that of no region"));
         throw base::InputError(
           fmt::format("{}Homogenised: by Regions its elements are of several materials of the particles "
                       "({}). Give the elements of each a group of their own.",
