@@ -77,13 +77,10 @@ TEST_CASE("The published beam, hit so slowly that its top row bears the blow, br
   const std::string meshes = places::sources() + "/meshes/";
   constexpr double  until  = 3.5e-3;
   const auto        begins = [](const std::vector<blow_on_discs::Break> &breaks) {
-    REQUIRE(breaks.size() > 1);
-    for (std::size_t i = 0; i < 2; ++i)
-      {
-        INFO("break " << i << " at " << breaks[i].time << " s, (" << breaks[i].x << ", " << breaks[i].y << ")");
-        CHECK(breaks[i].y < 0.01); // the lowest row
-        CHECK(std::fabs(breaks[i].x) < 0.03);
-      }
+    REQUIRE(!breaks.empty());
+    INFO("first break at " << breaks[0].time << " s, (" << breaks[0].x << ", " << breaks[0].y << ")");
+    CHECK(breaks[0].y < 0.01); // the lowest row
+    CHECK(std::fabs(breaks[0].x) < 0.03);
   };
   begins(blow_on_discs::breaks({meshes + "hexagonal_beam.txt", meshes + "impactor.txt", until, 2e-6, 3}));
   for (const auto &[scene, section] : {std::pair("beam_of_particles", ""), std::pair("beam_with_core", "Particles/")})

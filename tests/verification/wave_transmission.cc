@@ -320,20 +320,17 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("wave transmission: averages that end with the particles give the figures of elements of four spacings, too",
-          "[verification][volume][slow]")
+TEST_CASE(
+  "wave transmission: averages that end with the particles give the figures of elements of four spacings, p = 2",
+  "[verification][volume][slow]")
 {
   using namespace row_and_elements;
-  const auto figures = [](const int sharpness) {
-    return [sharpness](const double wavelength) {
-      Row row{Ties::coarse, wavelength, 4};
-      row.step     = 0.8;
-      row.absorber = {sharpness, 3.5, 16, 2, 1e-3};
-      return row;
-    };
-  };
-  check_row({{12, 0.033, 0}, {16, 0, 0.908}, {20, 0, 1}}, 0.01, figures(3));
-  check_row({{20, 0, 0.899}, {24, 0, 0.976}, {32, 0, 0.998}}, 0.01, figures(2));
+  check_row({{20, 0, 0.899}, {24, 0, 0.976}, {32, 0, 0.998}}, 0.01, [](const double wavelength) {
+    Row row{Ties::coarse, wavelength, 4};
+    row.step     = 0.8;
+    row.absorber = {2, 3.5, 16, 2, 1e-3};
+    return row;
+  });
 }
 
 TEST_CASE("wave transmission: averages by a normal distribution give the table of such an absorber",
