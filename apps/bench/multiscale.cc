@@ -185,7 +185,7 @@ namespace apps
         {"in equilibrium", "40 steps", {}},
         {"in equilibrium", "10 steps", {"Control/First step=0.2", "Control/Largest step=0.2"}}};
       if (quick)
-        return {all[1], pulled_in_motion(0.05, 3800), pulled_in_motion(0.2, 3800)};
+        return {all[1], pulled_in_motion(0.1, 3800), pulled_in_motion(0.5, 3800)};
       for (const double milliseconds : {0.25, 0.5, 1.0, 2.0})
         all.push_back(pulled_in_motion(milliseconds, 3800));
       all.push_back(pulled_in_motion(1, 16 * 3800)); // fewer steps of heavier particles
