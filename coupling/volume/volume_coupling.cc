@@ -331,12 +331,18 @@ namespace coupling
   {
     const double kick    = correction.half_before + correction.half_after;
     CarrierRows  impulse = CarrierRows::Zero(velocity.rows(), 3);
+    // Most slaves lie deeper in the elements than bonds to free particles reach, and nothing pulls at them.
+    std::vector<const double *> pulls(overlapping, nullptr);
+    for (std::size_t k = 0; k < overlapping; ++k)
+      if (const double *pull = correction.force(first + k);
+          std::any_of(pull, pull + axes, [](const double f) { return f != 0; }))
+        pulls[k] = pull;
     for (const Entry &e : at_particles)
-      {
-        const double  *pull = correction.force(first + e.row);
-        const Vector3d force(pull), couple(pull + 3);
-        impulse.row(static_cast<Index>(e.node)) += kick * (e.weight * force + 0.5 * couple.cross(e.gradient));
-      }
+      if (const double *pull = pulls[e.row])
+        {
+          const Vector3d force(pull), couple(pull + 3);
+          impulse.row(static_cast<Index>(e.node)) += kick * (e.weight * force + 0.5 * couple.cross(e.gradient));
+        }
     if (of_bond_ends.nonZeros() > 0)
       {
         const CarrierRows now             = displaced + path;
@@ -360,16 +366,16 @@ namespace coupling
       return Vector3d(&column[axes * (first + k) + part]);
     };
     for (std::size_t k = 0; k < overlapping; ++k)
-      for (const std::size_t part : {std::size_t(0), std::size_t(3)})
-        exchanged.work_on_particles -= Vector3d(correction.force(first + k) + part)
-                                         .dot(correction.half_before * rate_of(correction.before, k, part) +
-                                              correction.half_after * rate_of(correction.velocity, k, part));
-    for (std::size_t k = 0; k < overlapping; ++k)
       {
-        const double  *pull  = correction.force(first + k);
-        const Vector3d given = -kick * Vector3d(pull);
+        if (!pulls[k])
+          continue;
+        const Vector3d force(pulls[k]), couple(pulls[k] + 3), given = -kick * force;
+        for (const std::size_t part : {std::size_t(0), std::size_t(3)})
+          exchanged.work_on_particles -= Vector3d(pulls[k] + part)
+                                           .dot(correction.half_before * rate_of(correction.before, k, part) +
+                                                correction.half_after * rate_of(correction.velocity, k, part));
         exchanged.to_particles += given;
-        exchanged.turn_to_particles += places[k].cross(given) - kick * Vector3d(pull + 3);
+        exchanged.turn_to_particles += places[k].cross(given) - kick * couple;
       }
   }
 

@@ -70,6 +70,20 @@ TEST_CASE("A beam with a core of particles takes a blow as one all of particles 
   CHECK(core.column("impactor_velocity").back() == Approx(all.column("impactor_velocity").back()).epsilon(0.02));
 }
 
+TEST_CASE("Slaved particles need an overlap no wider than bonds reach, however large the elements",
+          "[apps][coupled][volume]")
+{
+  const ScratchFolder folder;
+  const Results       found =
+    results_of(folder, shipped("beam_with_core.prm"),
+               {"Handshakes/core/Overlap=0.0136", "Particles/Materials/concrete/CPM/Limit elastic strain=1",
+                "Time/Damping=0", "Time/End time=4e-4"}); // half an element is 20 mm
+  const double energy = found.series.column("energy_particles_initial").back();
+  CHECK(std::fabs(found.series.column("energy_residual").back()) < 0.01 * energy);
+  CHECK(std::fabs(found.series.column("core_made").back()) < 1e-9 * energy);
+  CHECK(found.series.column("core_work").back() > 0); // what goes on into the elements
+}
+
 TEST_CASE("What cannot shake hands is refused by name", "[apps][coupled][volume][slow]")
 {
   const ScratchFolder folder;

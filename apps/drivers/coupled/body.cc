@@ -393,21 +393,29 @@ namespace apps
 
       void add(const HandshakeSection &handshake)
       {
-        // Of the elements whose centre lies in the overlap or within.
+        // Of the elements whose centre lies in the overlap or within; where it is narrower than they are, of those that reach into it.
         double                  volume = 0, fastest = 0;
-        std::size_t             count   = 0;
-        const coupling::Overlap overlap = handshake.overlap();
+        std::size_t             count    = 0;
+        const coupling::Overlap overlap  = handshake.overlap();
+        const auto              in_space = [](const dealii::Point<dim> &place) {
+          return Vector3d(place[0], place[1], dim == 3 ? place[dim - 1] : 0.0);
+        };
+        const auto enter = [&](const auto &cell) {
+          volume += cell->measure();
+          ++count;
+          const auto &d = solid->material(cell->material_id()).elastic_stiffness();
+          fastest       = std::max(fastest, std::sqrt(d.template topLeftCorner<3, 3>().diagonal().maxCoeff() /
+                                                      motion->density(cell->material_id())));
+        };
         for (const auto &cell : solid->mesh().triangulation->active_cell_iterators())
-          {
-            const auto centre = cell->center();
-            if (!(overlap.distance({centre[0], centre[1], dim == 3 ? centre[dim - 1] : 0.0}) <= overlap.width))
-              continue;
-            volume += cell->measure();
-            ++count;
-            const auto &d = solid->material(cell->material_id()).elastic_stiffness();
-            fastest       = std::max(fastest, std::sqrt(d.template topLeftCorner<3, 3>().diagonal().maxCoeff() /
-                                                        motion->density(cell->material_id())));
-          }
+          if (overlap.distance(in_space(cell->center())) <= overlap.width)
+            enter(cell);
+        const bool narrow = count == 0;
+        for (const auto &cell : solid->mesh().triangulation->active_cell_iterators())
+          if (const auto corners = cell->vertex_indices();
+              narrow && std::any_of(corners.begin(), corners.end(),
+                                    [&](const unsigned int v) { return overlap.contains(in_space(cell->vertex(v))); }))
+            enter(cell);
         if (count == 0)
           throw base::InputError("Handshakes/" + handshake.name +
                                  ": no element of the solid lies in the overlap. Widen it, or look where the mesh is.");
