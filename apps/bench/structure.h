@@ -9,8 +9,9 @@ namespace apps
   /** What `breccia bench structure` is asked. */
   struct StructureBench
   {
-    std::string              whole, scene; ///< all of particles; with a core of them
-    std::vector<std::string> overrides;    ///< of both scenes
+    std::string whole = "apps/scenes/bending_of_particles.prm",
+                scene = "apps/scenes/bending_with_core.prm"; ///< all of particles; with a core of them
+    std::vector<std::string> overrides;                      ///< of both scenes
     std::filesystem::path    folder;
     bool                     quick = false; ///< one method only
   };

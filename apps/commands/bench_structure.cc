@@ -13,8 +13,6 @@ namespace apps
       int threads = 1;
     };
     const auto options = std::make_shared<Options>();
-    options->whole     = "apps/scenes/bending_of_particles.prm";
-    options->scene     = "apps/scenes/bending_with_core.prm";
     options->folder    = "output/bench_structure";
     CLI::App &command  = *bench.add_subcommand(
        "structure", "A notched beam with a core of particles against one all of particles: peak load and cost");

@@ -1,6 +1,8 @@
+#include "apps/bench/structure.h"
 #include "apps/bench/volume.h"
 #include "apps/commands/command.h"
 #include "apps/commands/scene_options.h"
+#include "apps/process/exit_status.h"
 
 #include <memory>
 
@@ -10,7 +12,8 @@ namespace apps
   {
     struct Options : VolumeBench
     {
-      int threads = 1;
+      int  threads = 1;
+      bool beam    = false;
     };
     const auto options = std::make_shared<Options>();
     options->scene     = "apps/scenes/wave_transmission.prm";
@@ -22,11 +25,19 @@ namespace apps
     add_overrides(command, options->overrides, "Set an entry of the scene; repeatable");
     add_threads(command, options->threads);
     add_bench_folder(command, options->folder);
-    command.add_flag("--quick", options->quick, "Two wavelengths only");
+    command.add_flag("--quick", options->quick, "Two wavelengths only, and one method of the beam");
+    command.add_flag("--beam", options->beam,
+                     "Then bench structure into the same folder: error over cost of the notched beam with a core");
     command.callback([options, &chosen] {
       chosen = [options] {
         use_threads(options->threads);
-        return run_volume_bench(*options);
+        const int waves = run_volume_bench(*options);
+        if (waves != exit_success || !options->beam)
+          return waves;
+        StructureBench beam; // its own scenes: entries that were set are of the waves
+        beam.folder = options->folder;
+        beam.quick  = options->quick;
+        return run_structure_bench(beam);
       };
     });
   }

@@ -70,6 +70,16 @@ TEST_CASE("A beam with a core of particles takes a blow as one all of particles 
   CHECK(core.column("impactor_velocity").back() == Approx(all.column("impactor_velocity").back()).epsilon(0.02));
 }
 
+TEST_CASE("bench volume goes on with the notched beam where it is asked to", "[apps][volume]")
+{
+  const ScratchFolder folder; // where there are none
+  const Outcome done = run(folder.path(), {"bench", "volume", shipped("wave_transmission.prm"), "--quick", "--beam",
+                                           "-o", "bench", "-s", "Waves/Wavelengths=0.16"});
+  CHECK(done.status == 2);
+  CHECK_THAT(done.err, Contains("bending_of_particles.prm"));
+  CHECK(std::filesystem::exists(folder / "bench/volume.csv"));
+}
+
 TEST_CASE("Slaved particles need an overlap no wider than bonds reach, however large the elements",
           "[apps][coupled][volume]")
 {
