@@ -1,7 +1,9 @@
 #include "apps/bench/confined.h"
 
-#include "apps/bench/mortar_crush.h"
+#include "apps/bench/laboratory_run.h"
+#include "apps/bench/line_fit.h"
 #include "apps/bench/results.h"
+#include "apps/bench/scene_variant.h"
 #include "apps/drivers/particles/body.h"
 #include "apps/drivers/particles/scene.h"
 #include "apps/process/stopwatch.h"
@@ -27,37 +29,26 @@ namespace apps
       postprocess::StressStrainCurve curve;
     };
 
-    /** sigma_1 = q + k p by least squares. */
+    /** sigma_1 = q + k p; NaN from fewer than two strengths. */
     struct MohrCoulomb
     {
-      double uniaxial = unknown_figure, slope = unknown_figure; ///< q [Pa], k
+      FittedLine line = {unknown_figure, unknown_figure};
 
       explicit MohrCoulomb(const std::vector<ConfinedRow> &rows)
       {
-        std::vector<const ConfinedRow *> known;
+        std::vector<double> pressure, strength;
         for (const ConfinedRow &row : rows)
           if (!std::isnan(row.axial_strength))
-            known.push_back(&row);
-        if (known.size() < 2)
-          return;
-        const auto n  = static_cast<double>(known.size());
-        double     mx = 0, my = 0, xx = 0, xy = 0;
-        for (const ConfinedRow *row : known)
-          {
-            mx += row->pressure / n;
-            my += row->axial_strength / n;
-          }
-        for (const ConfinedRow *row : known)
-          {
-            xx += (row->pressure - mx) * (row->pressure - mx);
-            xy += (row->pressure - mx) * (row->axial_strength - my);
-          }
-        slope    = xy / xx;
-        uniaxial = my - slope * mx;
+            {
+              pressure.push_back(row.pressure);
+              strength.push_back(row.axial_strength);
+            }
+        if (pressure.size() > 1)
+          line = line_through(pressure, strength);
       }
-      double angle() const { return std::asin((slope - 1) / (slope + 1)) * 180 / M_PI; } ///< [degrees]
-      double cohesion() const { return uniaxial / (2 * std::sqrt(slope)); }              ///< [Pa]
-      double at(const double pressure) const { return uniaxial + slope * pressure; }
+      bool   is_known() const { return !std::isnan(line.slope); }
+      double angle() const { return std::asin((line.slope - 1) / (line.slope + 1)) * 180 / M_PI; } ///< [degrees]
+      double cohesion() const { return line.intercept / (2 * std::sqrt(line.slope)); }             ///< [Pa]
     };
 
     std::string pressure_entry(const double pressure)
@@ -67,7 +58,6 @@ namespace apps
 
     ConfinedRow test_at(const ConfinedBench &bench, const double pressure)
     {
-      const auto            value_of = [](const dem::Finding &f) { return f.found ? f.value : unknown_figure; };
       const CheckedScene    checked = SceneVariant{"", "", {pressure_entry(pressure)}}.of(bench.scene, bench.overrides);
       const ParticlesModel &model   = scene_of_kind<ParticlesScene>(checked, "particles").parameters();
       if (!model.laboratory.confined())
@@ -77,12 +67,8 @@ namespace apps
       ParticlesBody      body(model, packing);
       body.start();
       ConfinedRow row;
-      row.pressure = pressure;
-      while (!body.test_is_over() && body.specimen().time() < model.end_time)
-        {
-          body.advance(1000);
-          row.balance = std::max(row.balance, body.specimen().energy().balance_error());
-        }
+      row.pressure                 = pressure;
+      row.balance                  = run_test(body, model.end_time).balance;
       row.cost                     = processor_seconds() - start;
       const dem::TestFigures found = body.test()->figures();
       row.axial_strength           = value_of(found.strength) + pressure;
@@ -117,12 +103,12 @@ namespace apps
                             in_table(r.modulus, 1e9, "{:.3f}"), in_table(r.poisson, 1, "{:.3f}"), r.in_tension,
                             r.in_shear, r.worst_pressure, r.balance, r.cost);
         }
-      const MohrCoulomb line(rows);
-      if (!std::isnan(line.slope))
+      const MohrCoulomb law(rows);
+      if (law.is_known())
         md +=
           fmt::format("\nMohr and Coulomb: {:.2f} MPa + {:.3f} p, angle of friction {:.1f} degrees, cohesion {:.2f} "
                       "MPa.\n",
-                      1e-6 * line.uniaxial, line.slope, line.angle(), 1e-6 * line.cohesion());
+                      1e-6 * law.line.intercept, law.line.slope, law.angle(), 1e-6 * law.cohesion());
       results.write(csv, md);
     }
 
@@ -141,15 +127,15 @@ namespace apps
           found.y.push_back(1e-6 * row.axial_strength);
         }
       panel.series.push_back(found);
-      const MohrCoulomb line(rows);
-      if (std::isnan(line.slope))
+      const MohrCoulomb law(rows);
+      if (!law.is_known())
         return panel;
       fitted.style = postprocess::PlotSeries::Style::line;
-      fitted.name  = fmt::format("{:.1f} degrees, cohesion {:.1f} MPa", line.angle(), 1e-6 * line.cohesion());
+      fitted.name  = fmt::format("{:.1f} degrees, cohesion {:.1f} MPa", law.angle(), 1e-6 * law.cohesion());
       for (const double pressure : {0.0, rows.back().pressure})
         {
           fitted.x.push_back(1e-6 * pressure);
-          fitted.y.push_back(1e-6 * line.at(pressure));
+          fitted.y.push_back(1e-6 * law.line.at(pressure));
         }
       panel.series.push_back(fitted);
       return panel;

@@ -1,5 +1,6 @@
 #include "apps/bench/mortar.h"
 
+#include "apps/bench/laboratory_run.h"
 #include "apps/bench/mortar_constants.h"
 #include "apps/bench/mortar_crush.h"
 #include "apps/bench/results.h"

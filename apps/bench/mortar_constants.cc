@@ -1,5 +1,7 @@
 #include "apps/bench/mortar_constants.h"
 
+#include "apps/bench/laboratory_run.h"
+#include "apps/bench/line_fit.h"
 #include "apps/bench/mortar_crush.h"
 #include "apps/bench/results.h"
 #include "apps/process/stopwatch.h"
@@ -106,18 +108,12 @@ namespace apps
       /** n of value ~ factor^n, by least squares of the logarithms; NaN where a value is not known. */
       double exponent(const std::vector<double> &values) const
       {
-        double mx = 0, my = 0, xy = 0, xx = 0;
-        for (std::size_t k = 0; k < factor.size(); ++k)
-          {
-            mx += std::log(factor[k]) / static_cast<double>(factor.size());
-            my += std::log(values[k]) / static_cast<double>(factor.size());
-          }
-        for (std::size_t k = 0; k < factor.size(); ++k)
-          {
-            xy += (std::log(factor[k]) - mx) * (std::log(values[k]) - my);
-            xx += (std::log(factor[k]) - mx) * (std::log(factor[k]) - mx);
-          }
-        return xy / xx;
+        const auto logarithms = [](std::vector<double> of) {
+          for (double &value : of)
+            value = std::log(value);
+          return of;
+        };
+        return line_through(logarithms(factor), logarithms(values)).slope;
       }
 
       static bool is_as(const std::optional<int> &published, const double exponent)

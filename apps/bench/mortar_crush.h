@@ -4,7 +4,6 @@
 #include "apps/drivers/particles/model.h"
 
 #include <cstddef>
-#include <limits>
 #include <string>
 
 namespace apps
@@ -19,13 +18,6 @@ namespace apps
     double      balance   = 0;             ///< of energies
     double      growth = 0, cost = 0;      ///< processor time of genesis and of the test [s]
   };
-
-  constexpr double unknown_figure = std::numeric_limits<double>::quiet_NaN();
-
-  /** For a table, in a unit; "-" where it is not known. @param digits format of the value, e.g. "{:.3f}" */
-  std::string in_table(double value, double unit, const char *digits);
-  /** Empty where it is not known. */
-  std::string in_csv(double value);
 
   /** The scene of such a bench: kind particles, with genesis and uniaxial compression. @throws base::InputError for another one */
   const ParticlesModel &mortar_in(const CheckedScene &checked);

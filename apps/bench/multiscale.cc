@@ -350,7 +350,7 @@ namespace apps
       std::string md = "| Study | | Promoted | of | Peak [N] | Error of the curve | Cost [s] | Cheaper "
                        "|\n|---|---|---|---|---|---|---|---|\n";
       for (const CellRow &r : rows)
-        md += fmt::format("| {} | {} | {:.0f} | {:.0f} | {:.2f} | {:.3f} % | {:.1f} | {:.1f} |\n", r.study, r.value,
+        md += fmt::format("| {} | {} | {:.0f} | {:.0f} | {:.2f} | {:.3f} % | {:.1f} | {:.2g} |\n", r.study, r.value,
                           r.promoted, r.points, *std::max_element(r.force.begin(), r.force.end()),
                           100 * error_of(r, rows.front()), r.cost, rows.front().cost / r.cost);
       return md + "\n";

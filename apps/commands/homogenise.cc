@@ -6,7 +6,6 @@
 #include "apps/process/interrupt.h"
 #include "apps/process/version.h"
 #include "apps/results/result_folder.h"
-#include "apps/scene/law_block.h"
 #include "apps/scene/material_section.h"
 #include "apps/scene/overrides.h"
 #include "apps/scene/parameter_file.h"
@@ -46,19 +45,6 @@ namespace apps
                                        number_in(found->second).value_or(dem::CompactionParameters().friction);
     }
 
-    /** Links of one law, its constants from the command line. */
-    dem::LinkMaterials materials_of_law(const std::string &name, const std::vector<std::string> &constants)
-    {
-      const dem::LinkLawKind &law = link_law_named(name);
-      const auto              own = law.constants();
-      Section                 block;
-      LawBlock                entries(block);
-      own->visit(entries);
-      assign(block, read_overrides(constants), "command line");
-      own->check();
-      return law.materials({{"", own.get(), 0}});
-    }
-
     /** Materials as a scene has them, in the packing's numbers; whatever else the scene says is left aside. */
     dem::LinkMaterials materials_of_scene(const std::string              &scene,
                                           const std::vector<std::string> &changes,
@@ -92,7 +78,10 @@ namespace apps
       if (!options.constants.empty() && moduli)
         throw base::InputError("command line: -s changes constants of --law, or entries of --materials.");
       if (!options.law.empty())
-        options.question.materials = materials_of_law(options.law, options.constants);
+        {
+          const dem::LinkLawKind &law = link_law_named(options.law);
+          options.question.materials  = law.materials({{"", constants_of(law, options.constants).get(), 0}});
+        }
       if (!options.materials.empty())
         options.question.materials = materials_of_scene(options.materials, options.constants, packing, links.dimension);
     }

@@ -4,10 +4,7 @@
 #include "apps/drivers/paths/link_motion.h"
 #include "apps/drivers/paths/link_path.h"
 #include "apps/process/exit_status.h"
-#include "apps/scene/law_block.h"
 #include "apps/scene/nearest_name.h"
-#include "apps/scene/overrides.h"
-#include "apps/scene/reader.h"
 #include "apps/scene/same_name.h"
 #include "postprocess/atomic_file.h"
 #include "postprocess/csv_table.h"
@@ -122,17 +119,12 @@ namespace apps
 
     int link_test(const LinkTestOptions &options)
     {
-      const dem::LinkLawKind     &law   = link_law_named(options.law);
-      const postprocess::CsvTable table = read_path_table(options.path);
-      Section                     block;
-      LawBlock                    entries(block);
-      const auto                  constants = law.constants();
-      constants->visit(entries);
-      assign(block, read_overrides(options.constants), "command line");
-      constants->check();
-      const LinkHistory answer = is_of_strains(table) ?
-                                   drive(law, *constants, strains_of(table)) :
-                                   drive(law, *constants, options.pair, motions_of(table, options.pair));
+      const dem::LinkLawKind     &law       = link_law_named(options.law);
+      const postprocess::CsvTable table     = read_path_table(options.path);
+      const auto                  constants = constants_of(law, options.constants);
+      const LinkHistory           answer    = is_of_strains(table) ?
+                                                drive(law, *constants, strains_of(table)) :
+                                                drive(law, *constants, options.pair, motions_of(table, options.pair));
       postprocess::write_text(options.output, answer.as_csv());
       return exit_success;
     }

@@ -91,11 +91,13 @@ namespace dem
       return particles;
     }
 
-    /** Bounding box of the particles (or their cell) over their own volume: how much space, voids included, stands for one volume of particle. */
     /** As much as rounding of places strains a bond, a few digits more; see EnergyAccount::rounding. */
     constexpr double strain_of_rounding = 1e-11;
 
-    /** Of the particles that have links: what flies beside the specimen is no part of it. */
+    /**
+     * Bounding box of the particles (or their cell) over their own volume: how much space, voids included, stands for one volume of
+     * particle. Of those that have links: what flies beside the specimen is no part of it.
+     */
     double volume_per_solid(const Particles &p, const ParticleShape &shape)
     {
       std::vector<Eigen::Vector3d> centre;

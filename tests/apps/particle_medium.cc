@@ -21,8 +21,27 @@ namespace
 {
   std::string shipped(const char *name) { return places::sources() + "/apps/scenes/" + name; }
 
+  std::string cpm(const std::string &modulus)
+  {
+    return R"(
+    set Law = CPM
+    subsection CPM
+      set Normal modulus       = )" +
+           modulus + R"(
+      set Shear ratio          = 0.2
+      set Limit elastic strain = 1
+      set Relative ductility   = 30
+      set Cohesion             = 3e6
+      set Friction coefficient = 0.8
+    end
+  end
+)";
+  }
+
   /** A bar of two materials, one half of its elements in a group of its own, particles in the middle. */
-  const char *bar_of_two = R"(
+  std::string bar_of_two()
+  {
+    return R"(
 set Kind = structure
 subsection Specimen
   set Source            = generator
@@ -34,29 +53,8 @@ subsection Specimen
   end
 end
 subsection Materials
-  subsection strong
-    set Law = CPM
-    subsection CPM
-      set Normal modulus       = 24e9
-      set Shear ratio          = 0.2
-      set Limit elastic strain = 1
-      set Relative ductility   = 30
-      set Cohesion             = 3e6
-      set Friction coefficient = 0.8
-    end
-  end
-  subsection weak
-    set Law = CPM
-    subsection CPM
-      set Normal modulus       = 8e9
-      set Shear ratio          = 0.2
-      set Limit elastic strain = 1
-      set Relative ductility   = 30
-      set Cohesion             = 3e6
-      set Friction coefficient = 0.8
-    end
-  end
-end
+  subsection strong)" +
+           cpm("24e9") + "  subsection weak" + cpm("8e9") + R"(end
 subsection Regions
   subsection right half
     set Material = weak
@@ -127,6 +125,7 @@ subsection Path
   set Step = 1e-6
 end
 )";
+  }
 } // namespace
 
 TEST_CASE("A hexagonal plane is the medium that the published example says, and reflects what it says",
@@ -160,7 +159,7 @@ TEST_CASE("Elements in a region of another material of the particles are as stif
           "[apps][structure][volume]")
 {
   const ScratchFolder folder;
-  folder.file("bar.prm", bar_of_two);
+  folder.file("bar.prm", bar_of_two());
   apps::start_mpi();
   const apps::CheckedScene    read  = apps::read_scene((folder / "bar.prm").string(), {});
   const apps::StructureModel &model = dynamic_cast<const apps::StructureScene &>(*read.scene).parameters();
