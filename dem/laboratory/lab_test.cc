@@ -238,8 +238,10 @@ namespace dem
         peak           = load();
         strain_at_peak = last.strain;
       }
-    // Without a break a bonded specimen swings, or turns until both sides bear it.
-    const bool   believed = bonded ? specimen->logged_breaks() > 0 : last.strain > strain_past_peak * strain_at_peak;
+    // Without a break a bonded specimen swings, or turns until both sides bear it; a confined one swings about its pressure.
+    const bool   swings   = is(Test::confined) && peak < near_enough * what.pressure;
+    const bool   falls    = bonded ? breaks() > breaks_before : last.strain > strain_past_peak * strain_at_peak;
+    const bool   believed = falls && !swings;
     const double part     = peak > 0 ? load() / peak : 1;
     low_steps             = believed && part < what.stop_fraction ? low_steps + 1 : 0;
     fallen_steps          = believed && part < std::max(fallen_part, what.stop_fraction) ? fallen_steps + 1 : 0;
@@ -296,6 +298,8 @@ namespace dem
   {
     now         = stage;
     stage_steps = 0;
+    if (stage == Stage::loading)
+      breaks_before = breaks();
   }
 
   void LabTest::begin_loading()
@@ -344,6 +348,7 @@ namespace dem
     now = static_cast<Stage>(stage);
     for (const auto &[name, value] :
          std::initializer_list<std::pair<const char *, std::int64_t *>>{{"stage_steps", &stage_steps},
+                                                                        {"breaks_before", &breaks_before},
                                                                         {"low_steps", &low_steps},
                                                                         {"fallen_steps", &fallen_steps},
                                                                         {"unconfined", &unconfined},

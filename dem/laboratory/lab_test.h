@@ -100,14 +100,15 @@ namespace dem
     bool is(const LabParameters::Test test) const { return what.test == test; }
     void choose_measures(const ParticleOutput &particles, const BodyExtent &body);
     /** Speed of the step to come: that asked for, growing from zero [m/s]. */
-    double ramped(double speed) const;
-    double strain_now() const;      ///< by the platens, where they are now [-]
-    double pressure_now() const;    ///< that is asked for [Pa]
-    double confinement_now() const; ///< as it is measured, mean of all sides [Pa]
-    bool   sides_near_pressure() const;
-    double load() const { return last.stress - (is(LabParameters::Test::confined) ? what.pressure : 0.0); }
-    double gauge_strain() const;
-    double lateral_strain() const;
+    double       ramped(double speed) const;
+    double       strain_now() const;      ///< by the platens, where they are now [-]
+    double       pressure_now() const;    ///< that is asked for [Pa]
+    double       confinement_now() const; ///< as it is measured, mean of all sides [Pa]
+    bool         sides_near_pressure() const;
+    std::int64_t breaks() const { return static_cast<std::int64_t>(specimen->logged_breaks()); } ///< so far
+    double       load() const { return last.stress - (is(LabParameters::Test::confined) ? what.pressure : 0.0); }
+    double       gauge_strain() const;
+    double       lateral_strain() const;
     /** Of what only rows hold. */
     void read_rest();
     void follow_load();
@@ -140,8 +141,9 @@ namespace dem
     double       next_strain = 0; ///< of the forces that the next step finds
     double       seated      = 0;
     double       peak = 0, strain_at_peak = 0;
-    std::int64_t low_steps    = 0,
-                 fallen_steps = 0; ///< since the stress has been below the stop fraction, and as low as after a peak
+    std::int64_t breaks_before = 0; ///< the loading
+    std::int64_t low_steps     = 0,
+                 fallen_steps  = 0; ///< since the stress has been below the stop fraction, and as low as after a peak
     LabReading   last;
     TestRecord   rows;
     double       gauge_zero = 0, lateral_zero = 0; ///< strains of the gauges where the loading began
