@@ -1,5 +1,7 @@
 #include "apps/scene/physics_section.h"
 
+#include "dem/contacts/deepest_overlap.h"
+
 namespace apps
 {
   void declare_physics(Section &root, dem::Physics &physics)
@@ -14,5 +16,9 @@ namespace apps
       .means("Shear stress is limited by cohesion and friction; off: shear stays elastic");
     section.flag("Contacts", physics.contacts)
       .means("Particles that meet after their link is gone, or that never had one, touch with friction");
+    physics.largest_overlap = dem::DeepestOverlap::doubtful;
+    section.number("Largest overlap", physics.largest_overlap, "-", Range::between(0.01, 1), Need::optional)
+      .means("Of particles that touch without a bond, over the smaller radius: a run in motion whose particles are "
+             "pressed further into each other ends and names them. Laws of contact hold for small overlaps");
   }
 } // namespace apps

@@ -12,6 +12,8 @@ namespace dem
     bool contacts  = true; ///< particles that meet after their link is gone (or never had one) touch
     bool periodic =
       false; ///< the packing's periodic cell repeats and can be deformed; off: the packing is a body of its own
+    double largest_overlap =
+      1; ///< in motion, of particles that touch without a bond, over the smaller radius: past it the run ends; (0, 1]
   };
 
   /** In what the particles of a specimen may differ. */

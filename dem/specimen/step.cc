@@ -288,18 +288,23 @@ namespace dem
     const double largest = largest_displacement();
     refuse_too_fast(largest, 0);
     path_unlooked += largest;
-    if (path_unlooked < 0.2 * smallest_radius) // two of them come 0.4 radii nearer meanwhile
+    const double limit = std::min(parameters.physics.largest_overlap, DeepestOverlap::gone_through);
+    if (path_unlooked < limit / 5 * smallest_radius) // two of them come two fifths of the limit nearer meanwhile
       return;
     path_unlooked                = 0;
     const DeepestOverlap overlap = deepest();
     deepest_seen                 = std::max(deepest_seen, overlap.depth);
-    if (overlap.depth < DeepestOverlap::gone_through)
+    if (overlap.depth < limit)
       return;
     std::ostringstream message;
     message << "step " << step_count << ", time " << time << " s: particles " << particles.number[overlap.first] + 1
             << " and " << particles.number[overlap.second] + 1 << " are pressed into each other by " << overlap.depth
-            << " radii of the smaller one and would pass through: their contact is too soft for what it has to stop. "
-               "Make it stiffer or what meets slower.";
+            << " radii of the smaller one";
+    if (overlap.depth < DeepestOverlap::gone_through)
+      message << ", above Physics/Largest overlap = " << limit;
+    else
+      message << " and would pass through";
+    message << ": their contact is too soft for what it has to stop. Make it stiffer or what meets slower.";
     throw base::NumericalError(message.str());
   }
 

@@ -19,12 +19,16 @@ namespace
   using Words = std::vector<std::string>;
 
   /** What a link of mortar answers. @param more options and constants, the latter as "Key=value" */
-  postprocess::CsvTable mortar(const std::string &law, const std::string &path, const Words &more = {})
+  postprocess::CsvTable mortar(const std::string &law,
+                               const std::string &path,
+                               const Words       &more     = {},
+                               const std::string &radius_1 = "1e-3",
+                               const std::string &radius_2 = "1e-3")
   {
     const ScratchFolder folder;
     folder.file("path.csv", path);
-    Words words     = {"link-test", "--law",      law,    "--path",     "path.csv", "-o",
-                       "out.csv",   "--radius-1", "1e-3", "--radius-2", "1e-3"};
+    Words words     = {"link-test", "--law",      law,      "--path",     "path.csv", "-o",
+                       "out.csv",   "--radius-1", radius_1, "--radius-2", radius_2};
     Words constants = {"Effective modulus=10.38e9", "Stiffness ratio=2.5", "Friction coefficient=0.21"};
     if (law != "linear")
       constants.insert(constants.end(), {"Tensile strength=0.29e6", "Cohesion=1.98e6"});
@@ -183,6 +187,50 @@ TEST_CASE("link-test breaks parallel bonds under an eccentric pull that is held 
                             "Tensile strength=10e6", "-s", "Cohesion=1e9"});
       CHECK(outcome.status != 0);
       CHECK_THAT(outcome.err, Contains("row 4"));
+    }
+}
+
+TEST_CASE("link-test answers the same when the particles change places or the path is turned about the link (T12)",
+          "[apps][laws]")
+{
+  const auto same = [](const postprocess::CsvTable &one, const postprocess::CsvTable &other, const Words &columns) {
+    for (const std::string &name : columns)
+      for (std::size_t row = 0; row < one.rows(); ++row)
+        {
+          INFO(name << ", row " << row);
+          const double size = largest(one.column(name));
+          CHECK(std::abs(one.column(name)[row] - other.column(name)[row]) <= 1e-12 * size);
+        }
+  };
+  // Pulled, sheared and bent until it breaks, whole or in parts; pressed together and slid then.
+  const std::string path = "normal_displacement,shear_displacement_1,bending_1\n"
+                           "2e-8,1e-8,2e-5\n3e-8,5e-8,8e-5\n3e-8,1e-7,2e-4\n-4e-8,2e-7,2e-4\n-4e-8,-5e-7,0\n";
+  const std::string sheared =
+                      "normal_displacement,shear_displacement_1\n2e-8,1e-8\n3e-8,5e-7\n-4e-8,1e-6\n-4e-8,2e-6\n",
+                    turned = "normal_displacement,shear_displacement_2\n2e-8,1e-8\n3e-8,5e-7\n-4e-8,1e-6\n-4e-8,2e-6\n";
+  for (const std::string law : {"contact-bond", "parallel-bond", "flat-joint"})
+    {
+      INFO(law);
+      const bool  bends = law != "contact-bond";
+      const auto &led   = bends ? path : sheared;
+      Words       told  = {"normal_force", "shear_force_1", "broken"};
+      if (bends)
+        told.emplace_back("bending_moment_1");
+      const auto one = mortar(law, led, plane, "1e-3", "1.7e-3");
+      CHECK(largest(one.column("broken")) > 0);
+      same(one, mortar(law, led, plane, "1.7e-3", "1e-3"), told);
+
+      auto       in_space = mortar(law, sheared);
+      const auto other    = mortar(law, turned);
+      CHECK(largest(in_space.column("broken")) > 0);
+      CHECK(largest(in_space.column("shear_force_1")) > 0);
+      same(in_space, other, {"normal_force", "broken"});
+      for (std::string &name : in_space.names)
+        if (name == "shear_force_1")
+          name = "shear_force_2";
+        else if (name == "shear_force_2")
+          name = "shear_force_1";
+      same(in_space, other, {"shear_force_2"});
     }
 }
 

@@ -119,13 +119,22 @@ TEST_CASE("Balls too soft for their speed do not pass through each other unseen"
   CHECK_THAT(at_once.err, Contains("more than its radius"));
 }
 
-TEST_CASE("A run whose balls were pressed deep into each other says so", "[apps][particles]")
+TEST_CASE("A run whose balls are pressed deep into each other ends with both named, or says so where that is allowed",
+          "[apps][particles]")
 {
   const ScratchFolder folder;
   folder.file("x.prm", collision);
   CHECK(results_of(folder, "x.prm").summary["warnings"].empty());
   // Pressed in by v sqrt(m / 2 k) = 0.46 of the radius.
-  const Results deep = results_of(folder, "x.prm", {"Initial velocity/first/Velocity x=25", "Time/End time=0.001"});
+  std::vector<std::string> fast = {"Initial velocity/first/Velocity x=25", "Time/End time=0.001"};
+  const ScratchFolder      refused;
+  refused.file("x.prm", collision);
+  const Outcome ended = outcome_of(refused, "run", "x.prm", fast);
+  CHECK(ended.status == 1);
+  CHECK_THAT(ended.err, Contains("particles 1 and 2 are pressed into each other by 0.3") &&
+                          Contains("above Physics/Largest overlap = 0.3"));
+  fast.emplace_back("Physics/Largest overlap=0.5");
+  const Results deep = results_of(folder, "x.prm", fast);
   REQUIRE(deep.summary["warnings"].size() == 1);
   const auto said = deep.summary["warnings"][0].get<std::string>();
   CHECK_THAT(said, Contains("pressed into each other by up to 0.4"));
