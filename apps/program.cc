@@ -7,6 +7,7 @@
 #include "apps/process/version.h"
 #include "apps/scene/nearest_name.h"
 #include "base/errors.h"
+#include "dem/core/floating_point_traps.h"
 #include "dem/packing/compaction.h"
 #include "postprocess/errors.h"
 
@@ -14,6 +15,7 @@
 #include <CLI/Formatter.hpp>
 #include <fmt/format.h>
 
+#include <csignal>
 #include <system_error>
 
 namespace apps
@@ -92,6 +94,9 @@ namespace apps
 
   int run_program(const int argc, char *argv[])
   {
+    std::signal(SIGXFSZ, SIG_IGN); // a file size limit then shows as a write error, which is reported like a full disk
+    std::signal(SIGPIPE, SIG_IGN); // and so does a reader that went away
+    dem::enable_floating_point_traps();
     CLI::App program("Breccia: discrete and finite elements for concrete, mortar and rock", "breccia");
     program.set_version_flag("--version", "breccia " + version());
     program.require_subcommand(1);

@@ -34,9 +34,10 @@ set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
 find_program(BRECCIA_CCACHE ccache)
 if(BRECCIA_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  # What ccache must be allowed before it stores a compilation that reads a precompiled header.
+  # What ccache must be allowed before it stores a compilation that reads a precompiled header; and build folders side by side share
+  # what they compile alike.
   set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env CCACHE_SLOPPINESS=pch_defines,time_macros
-      "${BRECCIA_CCACHE}")
+      "CCACHE_BASEDIR=${CMAKE_SOURCE_DIR}" CCACHE_NOHASHDIR=1 "${BRECCIA_CCACHE}")
 endif()
 find_program(BRECCIA_MOLD mold)
 if(BRECCIA_MOLD)

@@ -43,12 +43,12 @@ namespace
     return std::find(test.lcaseTags.begin(), test.lcaseTags.end(), tag) != test.lcaseTags.end();
   }
 
-  // Fast tests come first, side by side on one thread each; a slow one may use two processors. Threads that wait sleep: a test of
-  // several threads on a busy machine would otherwise spend its time in barriers.
-  const char *properties(const bool slow)
+  // Fast tests come first. All run side by side on one thread each, which wastes less than several threads in a test; what is of
+  // several threads asks for them, and threads that wait sleep: it would otherwise spend its time in barriers. Ranks do not sleep.
+  std::string properties(const Catch::TestCase &test)
   {
-    return slow ? "LABELS slow COST 1 PROCESSORS 2 ENVIRONMENT \"OMP_NUM_THREADS=2;OMP_WAIT_POLICY=passive\"" :
-                  "LABELS fast COST 100 PROCESSORS 1 ENVIRONMENT \"OMP_NUM_THREADS=1;OMP_WAIT_POLICY=passive\"";
+    return std::string(has_tag(test, "slow") ? "LABELS slow COST 1" : "LABELS fast COST 100") + " PROCESSORS " +
+           (has_tag(test, "mpi") ? "2" : "1") + " ENVIRONMENT \"OMP_NUM_THREADS=1;OMP_WAIT_POLICY=passive\"";
   }
 
   int write_ctest(const std::string &executable, const std::string &file, const std::string &prefix)
@@ -69,7 +69,7 @@ namespace
           }
         const std::string name = quoted(prefix + ": " + test.name);
         out << "add_test(" << name << ' ' << quoted(executable) << " -w NoTests " << quoted(pattern) << ")\n"
-            << "set_tests_properties(" << name << " PROPERTIES " << properties(has_tag(test, "slow")) << ")\n";
+            << "set_tests_properties(" << name << " PROPERTIES " << properties(test) << ")\n";
       }
     out.close();
     return out ? 0 : 1;

@@ -67,7 +67,8 @@ namespace
   }
 } // namespace
 
-TEST_CASE("Cells that damage give a structure the same bits on any number of ranks and threads", "[apps][cells][slow]")
+TEST_CASE("Cells that damage give a structure the same bits on any number of ranks and threads",
+          "[apps][mpi][cells][slow]")
 {
   if (places::mpirun().empty())
     return;
@@ -75,7 +76,7 @@ TEST_CASE("Cells that damage give a structure the same bits on any number of ran
   same_on_ranks(folder, plate("0.2"));
 }
 
-TEST_CASE("More ranks than cells give the same bits, and are told what one is", "[apps][cells][slow]")
+TEST_CASE("More ranks than cells give the same bits, and are told what one is", "[apps][mpi][cells][slow]")
 {
   if (places::mpirun().empty())
     return;
@@ -96,7 +97,8 @@ TEST_CASE("More ranks than cells give the same bits, and are told what one is", 
   CHECK_THAT(content_of(folder / "said"), Catch::Contains("duration"));
 }
 
-TEST_CASE("Cells in motion give a structure the same bits on any number of ranks and threads", "[apps][cells][slow]")
+TEST_CASE("Cells in motion give a structure the same bits on any number of ranks and threads",
+          "[apps][mpi][cells][slow]")
 {
   if (places::mpirun().empty())
     return;
@@ -106,7 +108,7 @@ TEST_CASE("Cells in motion give a structure the same bits on any number of ranks
 
 TEST_CASE(
   "A scene with cells that is interrupted goes on to the same bits, on one rank and on two, and on no other number",
-  "[apps][cells][slow][S13]")
+  "[apps][mpi][cells][slow][S13]")
 {
   const ScratchFolder folder;
   const std::string   words = plate("0.02");

@@ -40,7 +40,7 @@ namespace
   }
 } // namespace
 
-TEST_CASE("Two ranks under mpirun give the displacement of one, and PVTU files", "[apps]")
+TEST_CASE("Two ranks under mpirun give the displacement of one, and PVTU files", "[apps][mpi]")
 {
   if (mpirun.empty())
     return;
@@ -61,7 +61,7 @@ TEST_CASE("Two ranks under mpirun give the displacement of one, and PVTU files",
                       [](const auto &) { return true; }) == 6);
 }
 
-TEST_CASE("Two ranks follow a softening beam past its peak as one does", "[apps][slow]")
+TEST_CASE("Two ranks follow a softening beam past its peak as one does", "[apps][mpi][slow]")
 {
   if (mpirun.empty())
     return;
@@ -85,7 +85,7 @@ TEST_CASE("Two ranks follow a softening beam past its peak as one does", "[apps]
     }
 }
 
-TEST_CASE("A run on two ranks that is interrupted past the peak goes on to the same bits", "[apps][slow][S13]")
+TEST_CASE("A run on two ranks that is interrupted past the peak goes on to the same bits", "[apps][mpi][slow][S13]")
 {
   if (mpirun.empty())
     return;
@@ -108,7 +108,7 @@ TEST_CASE("A run on two ranks that is interrupted past the peak goes on to the s
   CHECK(listing_of(folder / "results/solid") == listing_of(folder / "whole/solid"));
 }
 
-TEST_CASE("A scene of particles under mpirun is refused in one message", "[apps][S14]")
+TEST_CASE("A scene of particles under mpirun is refused in one message", "[apps][mpi][S14]")
 {
   if (mpirun.empty())
     return;
@@ -124,7 +124,7 @@ TEST_CASE("A scene of particles under mpirun is refused in one message", "[apps]
   CHECK(said.find(refusal, place + 1) == std::string::npos);
 }
 
-TEST_CASE("Interrupted under mpirun, a run says how to go on under mpirun, and does", "[apps][slow]")
+TEST_CASE("Interrupted under mpirun, a run says how to go on under mpirun, and does", "[apps][mpi][slow]")
 {
   if (mpirun.empty())
     return;

@@ -19,8 +19,16 @@ namespace apps_tests
   class Program
   {
   public:
+    enum class Start
+    {
+      anew,  ///< from its file
+      copied ///< a copy of this process, which has its libraries loaded, does what main does
+    };
     /** Start it. @param largest_file bytes beyond which writing fails, as on a full disk; 0: no limit */
-    Program(const std::filesystem::path &folder, const std::vector<std::string> &arguments, long largest_file = 0);
+    Program(const std::filesystem::path    &folder,
+            const std::vector<std::string> &arguments,
+            long                            largest_file = 0,
+            Start                           start        = Start::anew);
     ~Program(); ///< kills it if it still runs
     Program(const Program &)            = delete;
     Program &operator=(const Program &) = delete;
@@ -37,6 +45,6 @@ namespace apps_tests
     int                   status = 0;
   };
 
-  /** Start it and wait for its end. */
+  /** Start it, as a copy where that makes no difference, and wait for its end. */
   Outcome run(const std::filesystem::path &folder, const std::vector<std::string> &arguments, long largest_file = 0);
 } // namespace apps_tests

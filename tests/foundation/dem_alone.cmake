@@ -11,7 +11,7 @@ set(hidden deal.II VTK HDF5 MPI CLI11 nlohmann_json fmt)
 list(TRANSFORM hidden REPLACE "(.+)" "-DCMAKE_DISABLE_FIND_PACKAGE_\\1=ON")
 execute_process(COMMAND "${CMAKE_COMMAND}" -S "${SOURCE}" -B "${SCRATCH}" -G Ninja -D BRECCIA_ROOMS=dem ${OPTIONS} ${hidden}
                 COMMAND_ERROR_IS_FATAL ANY)
-execute_process(COMMAND "${CMAKE_COMMAND}" --build "${SCRATCH}" --parallel 2 COMMAND_ERROR_IS_FATAL ANY)
-execute_process(COMMAND "${CTEST}" --test-dir "${SCRATCH}" --output-on-failure --parallel 2
+execute_process(COMMAND "${CMAKE_COMMAND}" --build "${SCRATCH}" --parallel 1 COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND "${CTEST}" --test-dir "${SCRATCH}" --output-on-failure --parallel 1
                         --label-regex "^fast$" --exclude-regex "^foundation: " --no-tests=error
                 COMMAND_ERROR_IS_FATAL ANY)
