@@ -21,7 +21,8 @@ namespace
   /** A window of mortar of two sizes, bonded by flat joints and left alone for some steps. */
   const std::string mortar = R"(set Kind = particles
 subsection Physics
-  set Dimension = 2
+  set Dimension       = 2
+  set Largest overlap = 1
 end
 subsection Specimen
   set Source           = genesis

@@ -105,16 +105,17 @@ namespace
 
   /** Around the region, its surface moved evenly with the load factor. */
   template <int dim>
-  std::unique_ptr<fem::Solid<dim>> surrounding(const base::Stiffness &D, const bool shares)
+  std::unique_ptr<fem::Solid<dim>>
+  surrounding(const base::Stiffness &D, const bool shares, const double element = 2 * spacing)
   {
-    const fem::BuildMesh<dim> build = [](dealii::Triangulation<dim> &mesh) {
+    const fem::BuildMesh<dim> build = [element](dealii::Triangulation<dim> &mesh) {
       dealii::Triangulation<dim> full;
       dealii::Point<dim>         corner;
       for (int c = 0; c < dim; ++c)
         corner[c] = outside<dim>;
       dealii::GridGenerator::subdivided_hyper_rectangle(
-        full, std::vector<unsigned int>(dim, static_cast<unsigned int>(std::lround(outside<dim> / spacing))), -corner,
-        corner);
+        full, std::vector<unsigned int>(dim, static_cast<unsigned int>(std::lround(2 * outside<dim> / element))),
+        -corner, corner);
       std::set<typename dealii::Triangulation<dim>::active_cell_iterator> inner;
       for (const auto &cell : full.active_cell_iterators())
         {
@@ -233,6 +234,48 @@ TEMPLATE_TEST_CASE_SIG("static handshake: even strain gets into a random packing
         if (name != "legacy")
           CHECK(std::fabs(even.value()) <= 0.03); // what an irregular packing may be off by
       }
+}
+
+namespace
+{
+  /** Of the elements alone, against motions of the nodes near particles that nothing prescribes. */
+  Eigen::MatrixXd stiffness_of_elements(const dem::LoadedNetwork &loaded)
+  {
+    std::vector<Eigen::Index> free;
+    for (std::size_t joint = loaded.network.particles(); joint < loaded.held.size(); ++joint)
+      for (int c = 0; c < 3; ++c)
+        if ((loaded.held[joint] >> c & 1u) == 0)
+          free.push_back(static_cast<Eigen::Index>(3 * (joint - loaded.network.particles())) + c);
+    return Eigen::MatrixXd(loaded.body->stiffness)(free, free);
+  }
+} // namespace
+
+TEMPLATE_TEST_CASE_SIG(
+  "static handshake: what is taken off elements leaves them stiff, should every bond at them break",
+  "[coupling][volume][statics]",
+  ((int dim), dim),
+  2,
+  3)
+{
+  const dem::LinkMaterials material = dem::elastic_links(modulus, 0.3);
+  const dem::Packing       cell     = random_cell::make<dim>(spacing);
+  const base::Stiffness    D        = random_cell::stiffness<dim>(cell, material, spacing);
+  const dem::Packing       part     = block<dim>(cell, region<dim> + overlap_width);
+  for (const double element : dim == 2 ? std::vector{2 * spacing, 4 * spacing / 3} : std::vector{2 * spacing})
+    {
+      const auto                         solid = surrounding<dim>(D, false, element);
+      coupling::VolumeCouplingParameters handshake;
+      handshake.method  = VolumeMethod::slaved;
+      handshake.name    = "core";
+      handshake.overlap = overlap<dim>();
+      const coupling::StaticHandshake<dim> both(network<dim>(part, material), *solid, {handshake});
+      const Eigen::MatrixXd                K = stiffness_of_elements(both.network());
+      const Eigen::VectorXd                found =
+        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(K, Eigen::EigenvaluesOnly).eigenvalues();
+      UNSCOPED_INFO("elements of " << element / spacing << " spacings: " << K.rows() << " motions, softest "
+                                   << found.minCoeff() / found.maxCoeff() << " of the stiffest");
+      CHECK(found.minCoeff() > 0);
+    }
 }
 
 namespace
