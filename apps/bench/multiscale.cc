@@ -54,14 +54,20 @@ namespace apps
         "along x), and a group of cells.");
     }
 
+    const ContinuumModel &plane_model(const CheckedScene &checked)
+    {
+      const ContinuumModel &model = scene_of_kind<ContinuumScene>(checked, "continuum").parameters();
+      if (model.solid.dimension != 2)
+        refuse_scene(checked, "Model: must be plane.");
+      return model;
+    }
+
     CellRow follow(const SceneVariant &variant, const Benched &of)
     {
       const CheckedScene    checked = variant.of(of.scene, of.overrides);
-      const ContinuumModel &model   = scene_of_kind<ContinuumScene>(checked, "continuum").parameters();
-      if (model.solid.dimension != 2)
-        refuse_scene(checked, "Model: must be plane.");
-      const auto solid = make_solid<2>(model);
-      const auto analysis =
+      const ContinuumModel &model   = plane_model(checked);
+      const auto            solid   = make_solid<2>(model);
+      const auto            analysis =
         model.is_static() ? make_static_analysis<2>(*solid, model) : make_explicit_analysis<2>(*solid, model);
       const ContinuumGauges<2> gauges(*solid, model);
       const std::size_t        load = column_named(gauges, of.force);
@@ -382,6 +388,8 @@ namespace apps
   int run_multiscale_bench(const MultiscaleBench &bench)
   {
     start_mpi();
+    for (const Benched &of : {beam_before_peak(bench), small_plate(bench.plate)}) // before anything that takes long
+      plane_model(SceneVariant().of(of.scene, of.overrides));
     const BenchResults                results(bench.folder, "multiscale");
     std::vector<AloneRow>             cells;
     std::vector<std::vector<CellRow>> studies;
