@@ -44,6 +44,7 @@ namespace apps_tests
       std::filesystem::remove(file);
       return content;
     }
+
     /** What a program takes over from who starts it, once, when its libraries are loaded. */
     struct Surroundings
     {
