@@ -187,7 +187,7 @@ TEST_CASE("bench quasi-static takes its material from the scene, and refuses a s
   CHECK_FALSE(std::filesystem::exists(folder / "bench"));
 }
 
-TEST_CASE("bench mortar crushes a grown specimen faster and slower, and has its modulus in equilibrium", "[apps]")
+TEST_CASE("bench mortar crushes a grown specimen faster and slower, and has its modulus in equilibrium", "[apps][slow]")
 {
   const ScratchFolder folder;
   const std::string   scenes = places::sources() + "/apps/scenes/";

@@ -208,7 +208,7 @@ TEST_CASE("A rigid body rests between a deformable one, particles and walls like
   CHECK_THAT(stiff.err, Contains("the mesh has no material steel"));
 }
 
-TEST_CASE("A run with contact is the same to the last bit with any number of threads", "[apps][contact]")
+TEST_CASE("A run with contact is the same to the last bit with any number of threads", "[apps][contact][slow]")
 {
   const ScratchFolder folder;
   for (const std::string &scene : {bodies, with_particles()})

@@ -313,7 +313,7 @@ TEST_CASE("describe shows sections whose names are the scene's choice by a place
   CHECK_THAT(run(folder.path(), {"describe", "Control"}).out, Contains("set Follow = time"));
 }
 
-TEST_CASE("A static run that finds no equilibrium ends with status 1 and keeps what it found", "[apps]")
+TEST_CASE("A static run that finds no equilibrium ends with status 1 and keeps what it found", "[apps][slow]")
 {
   const ScratchFolder folder;
   folder.file("x.prm", concrete_beam_scene());

@@ -208,7 +208,7 @@ TEST_CASE("Poured gravel that has come to rest weighs on slab and bin what it we
   CHECK(found.summary["energy"]["balance_error"].get<double>() < 2e-3);
 }
 
-TEST_CASE("Couplings act between named boundaries and named groups, each with its own contact", "[apps][coupled]")
+TEST_CASE("Couplings act between named boundaries and named groups, each with its own contact", "[apps][coupled][slow]")
 {
   // Two balls that glide over the same face: one over a smooth coupling, one over a rough one that makes it roll.
   const ScratchFolder folder;

@@ -64,7 +64,7 @@ TEST_CASE("check counts what a run writes: a million snapshots take longer than 
 }
 
 TEST_CASE("check says the longest duration of a run that a stop condition may end, and the shortest where it waits",
-          "[apps]")
+          "[apps][slow]")
 {
   for (const std::string &said : forecasts_of(
          {"notched_beam.prm"}, {"-s", "Control/Stop fraction=0.2", "-s", "Mesh/Notched beam/Fine size=0.002"}))

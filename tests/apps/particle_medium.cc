@@ -156,7 +156,7 @@ TEST_CASE("A hexagonal plane is the medium that the published example says, and 
 }
 
 TEST_CASE("Elements in a region of another material of the particles are as stiff as its particles are",
-          "[apps][structure][volume]")
+          "[apps][structure][volume][slow]")
 {
   const ScratchFolder folder;
   folder.file("bar.prm", bar_of_two());

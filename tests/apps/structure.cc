@@ -38,7 +38,7 @@ namespace
 } // namespace
 
 TEST_CASE("A beam with a core of particles is in equilibrium at every point of its path, with its energies in balance",
-          "[apps][structure][volume]")
+          "[apps][structure][volume][slow]")
 {
   const Results found = bent("bending_with_core.prm", {"Path/End=2e-5"});
   const auto   &load = found.series.column("reaction_load_z"), &left = found.series.column("reaction_left_support_z"),
@@ -85,7 +85,7 @@ TEST_CASE("A beam with a core of particles bears what one all of particles bears
   CHECK(peak_load(core) == Approx(peak_load(all)).epsilon(0.02));
 }
 
-TEST_CASE("A structure that cannot be led is refused by name", "[apps][structure][volume]")
+TEST_CASE("A structure that cannot be led is refused by name", "[apps][structure][volume][slow]")
 {
   // Particles and stiffness of a run that went well, so that they are not made anew for every mistake.
   const ScratchFolder made, folder;

@@ -295,7 +295,7 @@ TEST_CASE("An interrupted sequential run leaves its states and goes on to the sa
 }
 
 TEST_CASE("Mesh, length, area and columns that do not belong to the particles are refused before anything runs",
-          "[apps][S14]")
+          "[apps][S14][slow]")
 {
   const ScratchFolder folder;
   const auto          refusal = [&](const char *command, const Arguments &overrides) {
@@ -454,7 +454,7 @@ TEST_CASE("bench sequential tells error and cost of every kernel and mesh", "[ap
   CHECK_THAT(content_of(folder / "bench/sequential.md"), Contains("| kernel | moving least squares 3 r |"));
 }
 
-TEST_CASE("check of an impact counts the striker, and every link of the beam", "[apps]")
+TEST_CASE("check of an impact counts the striker, and every link of the beam", "[apps][slow]")
 {
   const ScratchFolder folder;
   std::string         packing = "x y z radius\n"; // simple cubic, 2.02 mm apart: 20 x 4 x 4

@@ -63,7 +63,7 @@ namespace
 } // namespace
 
 TEST_CASE("Threads that wait for each other spin a microsecond and sleep then, unless the user says otherwise",
-          "[apps]")
+          "[apps][slow]")
 {
   const ScratchFolder folder;
   const auto          threads = [&](const std::string &number) {

@@ -199,7 +199,7 @@ namespace
   }
 } // namespace
 
-TEST_CASE("spreading: however a layer lies on the faces, it loads them evenly", "[coupling]")
+TEST_CASE("spreading: however a layer lies on the faces, it loads them evenly", "[coupling][slow]")
 {
   for (const Pattern pattern : {Pattern::square, Pattern::hexagonal})
     for (const double angle : {0.0, M_PI / 12, M_PI / 6})
@@ -211,7 +211,7 @@ TEST_CASE("spreading: however a layer lies on the faces, it loads them evenly", 
 }
 
 TEST_CASE("spreading: a collision over an edge keeps momenta and power, sub-cycled or not, and energy to a thousandth",
-          "[coupling]")
+          "[coupling][slow]")
 {
   for (const int ratio : {1, 4})
     {

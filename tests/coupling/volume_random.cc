@@ -186,7 +186,7 @@ namespace
 } // namespace
 
 TEMPLATE_TEST_CASE_SIG("static handshake: even strain gets into a random packing as into the packing alone",
-                       "[coupling][volume][statics]",
+                       "[coupling][volume][statics][slow]",
                        ((int dim), dim),
                        2,
                        3)
@@ -252,7 +252,7 @@ namespace
 
 TEMPLATE_TEST_CASE_SIG(
   "static handshake: what is taken off elements leaves them stiff, should every bond at them break",
-  "[coupling][volume][statics]",
+  "[coupling][volume][statics][slow]",
   ((int dim), dim),
   2,
   3)

@@ -115,7 +115,7 @@ namespace
 // decides is how many neighbours the compaction leaves within 1.05 diameters. Spheres that are merely brought to 62.5 % from a looser
 // state, without ever being pressed together, have too few: their link density is 1.19 for 100 spheres where the published moduli
 // tell of 1.31, and their modulus is 10 % low.
-TEST_CASE("random packings: moduli of every row of the published table", "[dem][homogenisation]")
+TEST_CASE("random packings: moduli of every row of the published table", "[dem][homogenisation][slow]")
 {
   const State state = GENERATE(State::let_go, State::touching);
   CAPTURE(state == State::let_go);
@@ -141,7 +141,7 @@ TEST_CASE("random packings: link density and relaxed over affine modulus as publ
     }
 }
 
-TEST_CASE("random packings: anisotropy falls as the root of the number of spheres", "[dem][homogenisation]")
+TEST_CASE("random packings: anisotropy falls as the root of the number of spheres", "[dem][homogenisation][slow]")
 {
   const Means few = means(five(100, State::let_go), 1.5, 0.1), many = means(five(900, State::let_go), 1.5, 0.1);
   // A third for nine times as many; means of five maxima scatter by about a third.

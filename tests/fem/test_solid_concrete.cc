@@ -191,7 +191,7 @@ TEST_CASE("concrete bar: the work of separation does not depend on the mesh", "[
 }
 
 TEST_CASE("concrete bar: the weakest element opens alone, also where an iteration finds another equilibrium first",
-          "[fem]")
+          "[fem][slow]")
 {
   // Steps that grow in the elastic part leap over the peak: all elements soften on the way, and Newton ends at a state in which two
   // stronger ones, beside the weak one, have opened. Nothing in it but its stability tells it from the right one.

@@ -47,7 +47,7 @@ namespace
   }
 } // namespace
 
-TEST_CASE("The cantilever under its own weight sags as Timoshenko's beam", "[verification]")
+TEST_CASE("The cantilever under its own weight sags as Timoshenko's beam", "[verification][slow]")
 {
   const SceneResults quadratic = results_of("cantilever");
   // Timoshenko: -1.4818e-3 m; the clamp of a solid differs from a beam's by a few 1e-4 of that.
