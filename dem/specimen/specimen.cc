@@ -36,6 +36,8 @@ namespace dem
         refuse("Installation gap", p.installation_gap, "must not be negative.");
       if (!(p.step_factor > 0 && p.step_factor < 1.5))
         refuse("Step factor", p.step_factor, "must be above 0, and below 1 for a stable run.");
+      if (const double most = p.physics.largest_overlap; !(most > 0 && most <= DeepestOverlap::gone_through))
+        refuse("Largest overlap", most, "must be above 0, and at most 1.");
       if (!(p.damping >= 0 && p.damping < 1))
         refuse("Damping", p.damping, "must be in [0, 1).");
       if (!p.gravity.allFinite())

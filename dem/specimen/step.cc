@@ -288,7 +288,7 @@ namespace dem
     const double largest = largest_displacement();
     refuse_too_fast(largest, 0);
     path_unlooked += largest;
-    const double limit = std::min(parameters.physics.largest_overlap, DeepestOverlap::gone_through);
+    const double limit = parameters.physics.largest_overlap;
     if (path_unlooked < limit / 5 * smallest_radius) // two of them come two fifths of the limit nearer meanwhile
       return;
     path_unlooked                = 0;

@@ -84,7 +84,7 @@ namespace
 TEST_CASE("concrete is as strong as published, and in that order, for weak and strong bonds in tension and in shear",
           "[apps][laboratory][slow]")
 {
-  // Cube points of the central composite design. Were moments to count for less than in full, the second would be stronger than the third.
+  // Cube points of the central composite design. Were moments to count for 0.3 only, the second would be stronger than the third.
   agree({{of_strengths(10, 10), 22.41},
          {of_strengths(10, 30), 27.85},
          {of_strengths(30, 10), 30.24},
