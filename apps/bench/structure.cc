@@ -2,8 +2,8 @@
 
 #include "apps/bench/results.h"
 #include "apps/bench/scene_variant.h"
+#include "apps/drivers/structure/promotion.h"
 #include "apps/drivers/structure/scene.h"
-#include "apps/drivers/structure/structure.h"
 #include "apps/process/mpi_session.h"
 #include "apps/process/stopwatch.h"
 
@@ -44,24 +44,31 @@ namespace apps
       const StructureModel       &model   = scene_of_kind<StructureScene>(checked, "structure").parameters();
       std::optional<dem::Packing> cell;
       const dem::Packing          packing = model.packing(&cell);
-      Structure                   structure(model, packing, model.media(cell));
-      const std::size_t load = column_of(structure, "reaction_load_z"), opening = column_of(structure, "opening");
-      const double      start = processor_seconds();
-      BeamRow           row{variant.study, variant.value};
-      while (!structure.way().finished())
+      const ParticleMedia         media   = model.media(cell);
+      Promotion                   promotion(model, packing, media);
+      const std::size_t           load = column_of(promotion.structure(), "reaction_load_z"),
+                        opening        = column_of(promotion.structure(), "opening");
+      const double start               = processor_seconds();
+      BeamRow      row{variant.study, variant.value};
+      while (!promotion.structure().way().finished())
         {
-          structure.way().advance();
-          const std::vector<double> values = structure.row().values;
-          if (std::fabs(values[load]) > row.peak)
+          promotion.structure().way().advance();
+          do
             {
-              row.peak    = std::fabs(values[load]);
-              row.opening = values[opening];
+              const std::vector<double> values = promotion.structure().row().values;
+              if (std::fabs(values[load]) > row.peak)
+                {
+                  row.peak    = std::fabs(values[load]);
+                  row.opening = values[opening];
+                }
             }
+          while (promotion.promote());
         }
-      row.cost      = processor_seconds() - start;
-      row.particles = packing.size();
-      row.points    = structure.way().points().size() - 1;
-      row.balance   = structure.last().balance_error();
+      const Structure &structure = promotion.structure();
+      row.cost                   = processor_seconds() - start;
+      row.particles              = structure.network().network.particles();
+      row.points                 = structure.way().points().size() - 1;
+      row.balance                = structure.last().balance_error();
       for (const auto &[all, damaged] : structure.shared_bonds())
         row.damaged = static_cast<double>(damaged) / static_cast<double>(all);
       return row;

@@ -5,6 +5,8 @@
 #include "coupling/volume/overlapping_particles.h"
 #include "fem/solid/point_search.h"
 
+#include <deal.II/dofs/dof_tools.h>
+
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -203,6 +205,21 @@ namespace coupling
     const auto            n         = static_cast<Index>(joints.size());
     const Eigen::MatrixXd of_joints = dem::joints_of(loaded, motion).reshaped(3, n).topRows(dim);
     return body->displacement(of_joints.reshaped(), motion.loads[loaded.led]);
+  }
+
+  template <int dim>
+  std::vector<Vector3d> StaticHandshake<dim>::joint_places() const
+  {
+    std::vector<dealii::Point<dim>> place(solid.dofs().n_dofs());
+    dealii::DoFTools::map_dofs_to_support_points(solid.mapping(), solid.dofs(), place);
+    std::vector<Vector3d> places;
+    for (const auto &joint : joints)
+      {
+        Vector3d &at = places.emplace_back(Vector3d::Zero());
+        for (int c = 0; c < dim; ++c)
+          at[c] = place[joint[0]][c];
+      }
+    return places;
   }
 
   template <int dim>

@@ -37,6 +37,9 @@ namespace coupling
     /** Of the whole solid [m]. */
     fem::Vector displacement(const dem::LoadedMotion &motion) const;
 
+    /** Where the joints are [m]. */
+    std::vector<Eigen::Vector3d> joint_places() const;
+
     /** Links with an end in an overlap, by handshake. */
     const std::vector<std::vector<std::size_t>> &shared_links() const { return shared; }
 

@@ -93,6 +93,13 @@ namespace dem
     return std::isinf(before) ? 0.0 : (law->damaging_strain(pair_of(i), row(trial, i)) - before) / before;
   }
 
+  double DamagingLinks::exertion(const std::size_t i) const
+  {
+    const LinkExertion near = law->exertion(pair_of(i), geometry(i, trial_strain[i]),
+                                            loaded->network.links[i].direction, force[i], row(trial, i));
+    return std::max(near.damage, near.sliding);
+  }
+
   std::vector<base::Matrix6> DamagingLinks::stiffness(const LinkStiffness kind) const
   {
     // In equilibrium a damaging link stands exactly on its envelope, a sliding one at its strength; rounding must not guess which
@@ -220,6 +227,22 @@ namespace dem
           return false;
       }
     return true;
+  }
+
+  void DamagingLinks::take_over(const DamagingLinks &earlier, const std::vector<std::optional<std::size_t>> &before)
+  {
+    for (std::size_t i = 0; i < size(); ++i)
+      if (before[i])
+        {
+          std::copy_n(earlier.row(earlier.state, *before[i]), columns, &state[columns * i]);
+          shear[i]  = earlier.shear[*before[i]];
+          turn[i]   = earlier.turn[*before[i]];
+          strain[i] = earlier.strain[*before[i]];
+          grown[i]  = earlier.grown[*before[i]];
+          slid[i]   = earlier.slid[*before[i]];
+        }
+    lost_by_damage  = earlier.lost_by_damage;
+    lost_by_sliding = earlier.lost_by_sliding;
   }
 
   void DamagingLinks::visit_state(base::StateVisitor &visitor)

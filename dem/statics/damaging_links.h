@@ -4,6 +4,7 @@
 #include "dem/model/materials.h"
 #include "dem/statics/loaded_network.h"
 
+#include <optional>
 #include <vector>
 
 namespace dem
@@ -52,6 +53,8 @@ namespace dem
     /** How much that strain has grown in the trial, over itself [-]. */
     double growth(std::size_t link) const;
     double largest_growth() const;
+    /** How near a link is to damage or to sliding in the trial: 1 where either begins (LinkExertion). */
+    double exertion(std::size_t link) const;
     /** Whether it damaged in the last committed step (or in those since forget_growth()). */
     bool grew(const std::size_t link) const { return grown[link] != 0; }
     void forget_growth();
@@ -69,6 +72,12 @@ namespace dem
     LinkLosses lost_with_trial() const;
     /** Whether in the trial every link answers to a further step with the stiffness that it was made with. */
     bool is_undamaged() const;
+
+    /**
+     * The committed state of links of another network, where they are the same; the others stay as they were made.
+     * @param before the number there of each link
+     */
+    void take_over(const DamagingLinks &earlier, const std::vector<std::optional<std::size_t>> &before);
 
     /** Committed state; call evaluate() after reading. */
     void visit_state(base::StateVisitor &visitor);

@@ -51,6 +51,8 @@ namespace dem
         return "opening";
       case StepControl::relaxed:
         return "relaxed";
+      case StepControl::changed:
+        return "changed";
       }
     throw std::logic_error("name_of: no such control");
   }
@@ -101,9 +103,41 @@ namespace dem
             part = std::min(1.0, 2 * part);
           return path.back();
         }
-    part = 0.25;
-    relax();
+    constexpr double onward = 0.02; // of a strain step: enough to leave a point of no equilibrium behind
+    part                    = 0.25;
+    relax(onward);
     return path.back();
+  }
+
+  const QuasiStaticPoint &QuasiStaticPath::go_on_from(const QuasiStaticPath                         &earlier,
+                                                      const LoadedMotion                            &start,
+                                                      const std::vector<std::optional<std::size_t>> &before)
+  {
+    bonds.take_over(earlier.bonds, before);
+    path      = earlier.path;
+    part      = earlier.part;
+    solutions = 0;
+    bool done = false;
+    for (const LinkStiffness stiffness : {LinkStiffness::consistent, LinkStiffness::secant})
+      {
+        restore(start);
+        done = done || iterate(stiffness, {StepControl::strain, led(), parameters.growth_step});
+        if (done)
+          break;
+      }
+    if (done)
+      accept(StepControl::changed);
+    else
+      {
+        restore(start);
+        relax(0);
+      }
+    const auto        energy_of = [](const QuasiStaticPoint &p) { return p.stored + p.damage + p.friction + p.damped; };
+    QuasiStaticPoint &point     = path.back();
+    point.control               = StepControl::changed;
+    point.external_work         = earlier.path.back().external_work;
+    point.changed += energy_of(point) - energy_of(earlier.path.back());
+    return point;
   }
 
   void QuasiStaticPath::restore(const LoadedMotion &earlier)
@@ -218,11 +252,11 @@ namespace dem
     return false;
   }
 
-  void QuasiStaticPath::relax()
+  /** @param onward step of the led strain, over the largest one */
+  void QuasiStaticPath::relax(const double onward)
   {
-    constexpr double         onward = 0.02; // of a strain step: enough to leave a point of no equilibrium behind
-    LinkRelaxationParameters p      = parameters.relaxation;
-    p.tolerance                     = parameters.tolerance;
+    LinkRelaxationParameters p = parameters.relaxation;
+    p.tolerance                = parameters.tolerance;
     bonds.forget_growth();
     const LinkRelaxationReport report = relax_links(
       *loaded, bonds, now, parameters.sign * onward * parameters.strain_step * base::Vector6::Unit(loaded->led), p);
@@ -274,6 +308,7 @@ namespace dem
     point.friction    = bonds.sliding_work();
     point.iterations  = solutions;
     point.residual    = unbalanced.residual;
+    point.changed     = path.back().changed;
     dead_load_work    = work_of_dead_loads();
     path.push_back(point);
   }
@@ -290,14 +325,15 @@ namespace dem
 
   void QuasiStaticPath::visit_points(base::StateVisitor &visitor)
   {
-    constexpr std::size_t numbers = 22;
+    constexpr std::size_t numbers = 23;
     base::Column          flat;
     for (const QuasiStaticPoint &p : path)
       {
         flat.insert(flat.end(), p.strain.data(), p.strain.data() + 6);
         flat.insert(flat.end(), p.stress.data(), p.stress.data() + 6);
-        flat.insert(flat.end(), {p.mean_damage, p.external_work, p.stored, p.damage, p.friction, p.damped,
-                                 double(int(p.control)), double(p.iterations), double(p.relaxation_steps), p.residual});
+        flat.insert(flat.end(),
+                    {p.mean_damage, p.external_work, p.stored, p.damage, p.friction, p.damped, double(int(p.control)),
+                     double(p.iterations), double(p.relaxation_steps), p.residual, p.changed});
       }
     visitor.column("points", flat);
     path.resize(flat.size() / numbers);
@@ -313,6 +349,7 @@ namespace dem
         p.iterations       = static_cast<int>(v[19]);
         p.relaxation_steps = static_cast<std::int64_t>(v[20]);
         p.residual         = v[21];
+        p.changed          = v[22];
       }
   }
 } // namespace dem

@@ -4,6 +4,7 @@
 #include "dem/statics/link_relaxation.h"
 #include "dem/statics/tangent_system.h"
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,7 +31,8 @@ namespace dem
   {
     strain,  ///< the led strain was prescribed
     opening, ///< the largest growth of a crack opening was: it cannot but grow, though stress and strain may fall
-    relaxed  ///< no equilibrium near by was found; the led strain was held and dynamics found the next one (a cascade)
+    relaxed, ///< no equilibrium near by was found; the led strain was held and dynamics found the next one (a cascade)
+    changed  ///< the led strain was held while another network took the place of the one before
   };
 
   std::string name_of(StepControl control);
@@ -46,14 +48,15 @@ namespace dem
       0;               ///< trapezoidal over the points: where damage jumps it errs in proportion to the steps [J]
     double stored = 0; ///< in links, and in the body around them [J]
     double damage = 0, friction = 0; ///< dissipated by damage and by sliding [J]
-    double damped = 0; ///< dissipated by the damping of relaxations: kinetic energy that cascades set free [J]
+    double damped  = 0; ///< dissipated by the damping of relaxations: kinetic energy that cascades set free [J]
+    double changed = 0; ///< brought in where another network took the place of the one before [J]
 
     StepControl  control          = StepControl::strain;
     int          iterations       = 0; ///< linear solutions, those of attempts that failed too
     std::int64_t relaxation_steps = 0;
     double       residual         = 0; ///< see Unbalanced::residual
 
-    double energy_residual() const { return external_work - stored - damage - friction - damped; }
+    double energy_residual() const { return external_work + changed - stored - damage - friction - damped; }
     /** Over the work (or what was dissipated, if that is more); 0 at the start. */
     double balance_error() const;
   };
@@ -81,6 +84,17 @@ namespace dem
     const QuasiStaticPoint &advance();
     bool                    finished() const;
 
+    /**
+     * Goes on from where the path of another network has come to: its points, the history of the links that both have, and then one point
+     * more, the equilibrium of this network under the same led strain.
+     * @param start motion to find it from, which obeys this network's ties
+     * @param before the number there of each link of this network; none: it is new, and undamaged
+     * @throws base::NumericalError as advance()
+     */
+    const QuasiStaticPoint &go_on_from(const QuasiStaticPath                         &earlier,
+                                       const LoadedMotion                            &start,
+                                       const std::vector<std::optional<std::size_t>> &before);
+
     const std::vector<QuasiStaticPoint> &points() const { return path; } ///< from the start, all zero
     const DamagingLinks                 &links() const { return bonds; }
     const LoadedMotion                  &motion() const { return now; }
@@ -103,7 +117,7 @@ namespace dem
     bool                      attempt(LinkStiffness stiffness, double part);
     bool                      iterate(LinkStiffness stiffness, const Target &target);
     double                    correction(const Target &target, const TangentSystem::Answer &answer) const;
-    void                      relax();
+    void                      relax(double onward);
     void                      accept(StepControl control);
     void                      complete(QuasiStaticPoint &point);
     void                      restore(const LoadedMotion &earlier);

@@ -5,6 +5,7 @@
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseQR>
 
+#include <algorithm>
 #include <cmath>
 
 namespace dem
@@ -39,28 +40,6 @@ namespace dem
       return rows;
     }
 
-    /** As many rows as are independent of each other. */
-    Sparse independent(const Sparse &rows)
-    {
-      if (rows.rows() == 0)
-        return rows;
-      constexpr double rounding = 1e-8;
-      Sparse           columns  = rows.transpose();
-      columns.makeCompressed();
-      Eigen::SparseQR<Sparse, Eigen::COLAMDOrdering<int>> qr;
-      qr.setPivotThreshold(rounding);
-      qr.compute(columns);
-      if (qr.info() != Eigen::Success)
-        throw base::NumericalError("ties: the conditions cannot be told apart.");
-      std::vector<Eigen::Triplet<double>> kept;
-      for (Eigen::Index k = 0; k < qr.rank(); ++k)
-        for (Sparse::InnerIterator entry(columns, qr.colsPermutation().indices()[k]); entry; ++entry)
-          kept.emplace_back(static_cast<int>(k), static_cast<int>(entry.row()), entry.value());
-      Sparse result(qr.rank(), rows.cols());
-      result.setFromTriplets(kept.begin(), kept.end());
-      return result;
-    }
-
     /** Of each row the motion that no other has; empty where one has none that weighs enough. */
     std::vector<Eigen::Index> motions_of_their_own(const Sparse &rows)
     {
@@ -84,9 +63,30 @@ namespace dem
       return own;
     }
 
-    Sparse leading(const Sparse &rows)
+    /** As many rows as are independent of each other. */
+    Sparse independent(const Sparse &rows)
     {
-      const std::vector<Eigen::Index> own = motions_of_their_own(rows);
+      if (rows.rows() == 0 || !motions_of_their_own(rows).empty())
+        return rows;
+      constexpr double rounding = 1e-8;
+      Sparse           columns  = rows.transpose();
+      columns.makeCompressed();
+      Eigen::SparseQR<Sparse, Eigen::COLAMDOrdering<int>> qr;
+      qr.setPivotThreshold(rounding);
+      qr.compute(columns);
+      if (qr.info() != Eigen::Success)
+        throw base::NumericalError("ties: the conditions cannot be told apart.");
+      std::vector<Eigen::Triplet<double>> kept;
+      for (Eigen::Index k = 0; k < qr.rank(); ++k)
+        for (Sparse::InnerIterator entry(columns, qr.colsPermutation().indices()[k]); entry; ++entry)
+          kept.emplace_back(static_cast<int>(k), static_cast<int>(entry.row()), entry.value());
+      Sparse result(qr.rank(), rows.cols());
+      result.setFromTriplets(kept.begin(), kept.end());
+      return result;
+    }
+
+    Sparse leading(const Sparse &rows, const std::vector<Eigen::Index> &own)
+    {
       if (own.empty())
         return Sparse(rows.cols(), 0);
       std::vector<Eigen::Index> led_by(static_cast<std::size_t>(rows.cols()), -1); // the row
@@ -110,11 +110,59 @@ namespace dem
     }
   } // namespace
 
+  TieFactor::TieFactor(const Sparse &rows, const Eigen::VectorXd &weights, const std::vector<Eigen::Index> &own)
+  {
+    if (std::any_of(own.begin(), own.end(), [&](const Eigen::Index motion) { return weights[motion] == 0; }) ||
+        own.empty())
+      {
+        factor.compute(Sparse(rows * weights.asDiagonal() * rows.transpose()));
+        return;
+      }
+    inverse_own.resize(rows.rows());
+    std::vector<bool> is_own(static_cast<std::size_t>(rows.cols()), false);
+    for (Eigen::Index row = 0; row < rows.rows(); ++row)
+      {
+        const Eigen::Index motion                = own[static_cast<std::size_t>(row)];
+        const double       d                     = rows.coeff(row, motion);
+        inverse_own[row]                         = 1 / (d * weights[motion] * d);
+        is_own[static_cast<std::size_t>(motion)] = true;
+      }
+    std::vector<Eigen::Triplet<double>> entries;
+    std::vector<double>                 inverse_weights;
+    for (Eigen::Index column = 0; column < rows.cols(); ++column)
+      if (!is_own[static_cast<std::size_t>(column)] && weights[column] != 0 && rows.col(column).nonZeros() > 0)
+        {
+          for (Sparse::InnerIterator entry(rows, column); entry; ++entry)
+            entries.emplace_back(static_cast<int>(entry.row()), static_cast<int>(inverse_weights.size()),
+                                 entry.value());
+          inverse_weights.push_back(1 / weights[column]);
+        }
+    const auto n = static_cast<Eigen::Index>(inverse_weights.size());
+    others.resize(rows.rows(), n);
+    others.setFromTriplets(entries.begin(), entries.end());
+    Sparse inner = others.transpose() * inverse_own.asDiagonal() * others;
+    for (Eigen::Index column = 0; column < n; ++column)
+      inner.coeffRef(column, column) += inverse_weights[static_cast<std::size_t>(column)];
+    if (n > 0)
+      factor.compute(inner);
+  }
+
+  Eigen::VectorXd TieFactor::solve(const Eigen::VectorXd &b) const
+  {
+    if (inverse_own.size() == 0)
+      return factor.solve(b);
+    const Eigen::VectorXd first = inverse_own.cwiseProduct(b);
+    if (others.cols() == 0)
+      return first;
+    return first - inverse_own.cwiseProduct(others * factor.solve(others.transpose() * first));
+  }
+
   Ties::Ties(const std::vector<Tie> &ties, const std::vector<HeldMotions> &held, const double length)
     : scale(length)
     , conditions(independent(rows_of(ties, held, length)))
-    , leaders(leading(conditions))
-    , factor(Sparse(conditions * conditions.transpose()))
+    , own(motions_of_their_own(conditions))
+    , leaders(leading(conditions, own))
+    , factor(conditions, Eigen::VectorXd::Ones(conditions.cols()), own)
   {
   }
 
@@ -136,7 +184,7 @@ namespace dem
   Ties::Keeper::Keeper(const Ties &kept, const CarrierMotions &inverse)
     : ties(&kept)
     , inverse_mass(kept.lengths_of(inverse, kept.scale * kept.scale))
-    , factor(Sparse(kept.conditions * inverse_mass.asDiagonal() * kept.conditions.transpose()))
+    , factor(kept.conditions, inverse_mass, kept.own)
   {
   }
 

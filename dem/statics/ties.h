@@ -26,6 +26,27 @@ namespace dem
   using Tie = std::vector<TieTerm>;
 
   /**
+   * Solves (T W T^T) x = b for the rows T of conditions and weights W of motions. Where each condition has a motion of its own, T = [D C]
+   * with a diagonal D, and by the formula of Woodbury (1950) only W^-1 + C^T (D W D)^-1 C is factored, which is as large as there are
+   * others: the few joints that many slaves follow.
+   */
+  class TieFactor
+  {
+  public:
+    /** @param own of each row the motion that no other row has; empty: not every row has one */
+    TieFactor(const Eigen::SparseMatrix<double> &rows,
+              const Eigen::VectorXd             &weights,
+              const std::vector<Eigen::Index>   &own);
+
+    Eigen::VectorXd solve(const Eigen::VectorXd &b) const;
+
+  private:
+    Eigen::VectorXd                                    inverse_own; ///< of D W D; empty: the whole is factored
+    Eigen::SparseMatrix<double>                        others;      ///< C, its columns that weigh anything
+    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor;
+  };
+
+  /**
    * Linear conditions between small motions, which hold exactly. What tied motions cannot feel is no force: in equilibrium that which
    * is unbalanced is borne by the ties.
    */
@@ -61,16 +82,18 @@ namespace dem
       void correct(CarrierMotions &velocity) const;
 
     private:
-      const Ties                                        *ties;
-      Eigen::VectorXd                                    inverse_mass; ///< every motion a length [1/kg]
-      Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor;
+      const Ties     *ties;
+      Eigen::VectorXd inverse_mass; ///< every motion a length [1/kg]
+      TieFactor       factor;
     };
 
   private:
     Eigen::VectorXd lengths_of(const CarrierMotions &motion, double factor_of_rotations) const;
 
-    double                                             scale;
-    Eigen::SparseMatrix<double>                        conditions, leaders;
-    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor; ///< of the conditions times their transpose
+    double                      scale;
+    Eigen::SparseMatrix<double> conditions;
+    std::vector<Eigen::Index>   own; ///< of each condition the motion that no other knows; empty: not each has one
+    Eigen::SparseMatrix<double> leaders;
+    TieFactor                   factor; ///< of the conditions times their transpose
   };
 } // namespace dem

@@ -3,6 +3,7 @@
 #include "apps/drivers/coupled/element_region.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace apps
@@ -39,6 +40,19 @@ namespace apps
         .only_if([this] { return method == VolumeMethod::multipliers; }, "Method = multipliers");
     s.number("Damage limit", damage_limit, "-", Range::between(0, 1), Need::optional)
       .means("The run stops where more than this part of the overlap's bonds is damaged: the region is too small");
+    if (!moves)
+      declare_promotion(s);
+  }
+
+  void HandshakeSection::declare_promotion(Section &s)
+  {
+    s.number("Promote at", promote_at, "-", Range::from_up_to(0, 1), Need::optional)
+      .means(
+        "Elements become particles where a bond inside them comes to this part of what damages it or lets it slide; 0: "
+        "none do");
+    s.number("Promotion reach", reach, "m", Range::positive(), Need::required)
+      .means("Those that lie within this of the region may; none whose overlap would come to a support or a load")
+      .only_if([this] { return promotes(); }, "Promote at is above 0");
   }
 
   void HandshakeSection::declare_ties_in_motion(Section &s)
@@ -103,12 +117,23 @@ namespace apps
   {
     coupling::Overlap made;
     if (region == Region::elements && !from_elements)
-      from_elements = distance_from_elements(solid->mesh, solid->solid.dimension, elements);
+      {
+        const auto mesh = elements_of(solid->mesh, solid->solid.dimension);
+        from_elements   = mesh->distance_from(mesh->filled(mesh->of_group(elements)), elements);
+      }
     made.distance = region == Region::box  ? coupling::distance_from_box(Vector3d(low.data()), Vector3d(high.data())) :
                     region == Region::ball ? coupling::distance_from_ball(Vector3d(centre.data()), radius) :
                                              from_elements;
     made.width    = width;
     return made;
+  }
+
+  HandshakeSection HandshakeSection::around(std::function<double(const Vector3d &)> distance) const
+  {
+    HandshakeSection other = *this;
+    other.region           = Region::elements;
+    other.from_elements    = std::move(distance);
+    return other;
   }
 
   coupling::VolumeCouplingParameters HandshakeSection::parameters(const double element_size,
@@ -182,5 +207,19 @@ namespace apps
     return std::any_of(handshakes.begin(), handshakes.end(), [&](const HandshakeSection &h) {
       return h.overlap().contains(place) || h.overlap().distance(place) <= 0;
     });
+  }
+
+  bool HandshakesSection::may_come_to_hold(const Vector3d &place) const
+  {
+    return std::any_of(handshakes.begin(), handshakes.end(), [&](const HandshakeSection &h) {
+      coupling::Overlap at_its_widest = h.overlap();
+      at_its_widest.width += h.promotes() ? h.reach : 0;
+      return at_its_widest.contains(place) || at_its_widest.distance(place) <= 0;
+    });
+  }
+
+  bool HandshakesSection::promote() const
+  {
+    return std::any_of(handshakes.begin(), handshakes.end(), [](const HandshakeSection &h) { return h.promotes(); });
   }
 } // namespace apps

@@ -40,6 +40,8 @@ namespace apps
     std::int64_t                  sharpness = 3;
     coupling::AbsorberProportions proportions;
     double                        energy_limit = 0.01, damage_limit = 0.01;
+    double promote_at = 0; ///< exertion of a bond in elements at which they become particles; 0: none do
+    double reach      = 0; ///< how far from the region they may [m]
 
     /**
      * @param around the particles, outlives this @param moves whether both sides are in motion, or led along equilibria, where particles are
@@ -48,6 +50,9 @@ namespace apps
     void declare(Section &section, const ContinuumModel &around, bool moves);
     /** @throws base::InputError for elements that there are not */
     coupling::Overlap overlap() const;
+    /** The same around another region. @param distance from it, negative inside [m] */
+    HandshakeSection around(std::function<double(const Eigen::Vector3d &)> distance) const;
+    bool             promotes() const { return promote_at > 0; }
     /** @param element_size of the solid in the overlap [m] @param wave_speed of compression there [m/s] */
     coupling::VolumeCouplingParameters parameters(double element_size, double wave_speed) const;
 
@@ -56,6 +61,7 @@ namespace apps
     mutable std::function<double(const Eigen::Vector3d &)> from_elements; ///< found when first asked for
 
     void declare_ties_in_motion(Section &section);
+    void declare_promotion(Section &section);
     void declare_region(Section &section);
     void declare_absorber(Section &section);
   };
@@ -77,5 +83,8 @@ namespace apps
     bool is_taken(const Eigen::Vector3d &place) const;
     /** Whether particles of the specimen may be there: in a region or its overlap. */
     bool may_hold(const Eigen::Vector3d &place) const;
+    /** The same once elements have become particles as far as they may. */
+    bool may_come_to_hold(const Eigen::Vector3d &place) const;
+    bool promote() const; ///< whether elements may become particles at all
   };
 } // namespace apps

@@ -110,6 +110,8 @@ namespace apps
     if (continuum.solid.dimension != dimension)
       solid.find_section("Model")->refuse("Dimension", "must be that of the particles (Physics/Dimension).");
     handshakes.validate(root, dimension);
+    if (handshakes.promote() && any_given(continuum.loads.body_force))
+      solid.refuse("Body force", "elements that become particles would lose it: leave out Promote at, or the force.");
   }
 
   dem::Packing StructureModel::packing(std::optional<dem::Packing> *const cell) const
@@ -117,7 +119,7 @@ namespace apps
     const dem::Packing whole = specimen_particles(source, dimension, cell);
     dem::Packing       kept  = particles_where(whole, [&](const std::size_t i) {
       const Eigen::Vector3d &place = whole.centre[i];
-      return (!has_solid() || handshakes.may_hold(place)) &&
+      return (!has_solid() || handshakes.may_come_to_hold(place)) &&
              std::none_of(voids.begin(), voids.end(),
                                  [&](const VoidSection &empty) { return empty.region.holds(place, dimension); });
     });
@@ -151,14 +153,19 @@ namespace apps
     return modelled;
   }
 
-  dem::LoadedNetwork StructureModel::particles(const dem::Packing &packing, const ParticleGroups &members) const
+  dem::ElasticNetwork StructureModel::network(const dem::Packing &packing) const
   {
     dem::NetworkParameters links;
-    links.dimension           = dimension;
-    links.rotations           = rotations;
-    links.interaction_ratio   = source.interaction_ratio;
-    links.thickness           = source.thickness;
-    dem::LoadedNetwork loaded = dem::unloaded(dem::make_network(packing, links, material.materials()));
+    links.dimension         = dimension;
+    links.rotations         = rotations;
+    links.interaction_ratio = source.interaction_ratio;
+    links.thickness         = source.thickness;
+    return dem::make_network(packing, links, material.materials());
+  }
+
+  dem::LoadedNetwork StructureModel::particles(const dem::Packing &packing, const ParticleGroups &members) const
+  {
+    dem::LoadedNetwork loaded = dem::unloaded(network(packing));
     supports.lead(loaded, members);
     return loaded;
   }

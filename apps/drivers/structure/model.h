@@ -59,11 +59,12 @@ namespace apps
     void validate(const Section &root) const;
 
     bool has_solid() const { return !handshakes.empty(); }
-    /** Of the specimen what is in no void and, beside a solid, in a region or its overlap. @param cell as specimen_particles() has it @throws as make_packing() */
+    /** Of the specimen what is in no void and, beside a solid, may come to be in a region or its overlap. @param cell as specimen_particles() has it @throws as make_packing() */
     dem::Packing packing(std::optional<dem::Packing> *cell = nullptr) const;
     /** Of the particles, where there is a solid and they are known. @param cell as packing() gives it */
-    ParticleMedia  media(const std::optional<dem::Packing> &cell) const;
-    ParticleGroups groups_in(const dem::Packing &packing) const;
+    ParticleMedia       media(const std::optional<dem::Packing> &cell) const;
+    ParticleGroups      groups_in(const dem::Packing &packing) const;
+    dem::ElasticNetwork network(const dem::Packing &packing) const;
     /** The particles alone, held and led. @throws base::InputError */
     dem::LoadedNetwork particles(const dem::Packing &packing, const ParticleGroups &groups) const;
     dem::ParticleShape shape() const { return {dimension, 0, source.thickness}; }

@@ -68,7 +68,8 @@ namespace apps
     summary["figures"]     = figures();
     summary["points"]      = {{"strain", points_by(dem::StepControl::strain)},
                               {"opening", points_by(dem::StepControl::opening)},
-                              {"relaxed", points_by(dem::StepControl::relaxed)}};
+                              {"relaxed", points_by(dem::StepControl::relaxed)},
+                              {"promotion", points_by(dem::StepControl::changed)}};
     summary["warnings"]    = nlohmann::json::array();
     summary["energy"]      = energy();
     summary["cost"]        = cost();
@@ -78,6 +79,9 @@ namespace apps
     auto handshake = model.handshakes.handshakes.begin();
     for (const auto &[all, damaged] : structure.shared_bonds())
       summary["handshakes"][(handshake++)->name] = {{"bonds", all}, {"damaged", damaged}};
+    handshake = model.handshakes.handshakes.begin();
+    for (const std::size_t elements : structure.promoted())
+      summary["handshakes"][(handshake++)->name]["promoted"] = elements;
     return summary;
   }
 
@@ -111,6 +115,9 @@ namespace apps
     for (const auto &[all, damaged] : structure.shared_bonds())
       text +=
         fmt::format("handshake    {}: {} of {} bonds in the overlap damaged\n", (handshake++)->name, damaged, all);
+    handshake = model.handshakes.handshakes.begin();
+    for (const std::size_t elements : structure.promoted())
+      text += fmt::format("promotion    {}: {} elements have become particles\n", (handshake++)->name, elements);
     text += fmt::format("path         {} points led by the load factor, {} by opening, {} relaxed (cascades)\n",
                         points_by(dem::StepControl::strain), points_by(dem::StepControl::opening),
                         points_by(dem::StepControl::relaxed));

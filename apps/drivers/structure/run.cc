@@ -29,7 +29,7 @@ namespace apps
   void StructureRun::make_structure()
   {
     const Progress progress("links and solid");
-    structure = std::make_unique<Structure>(model, packing, media);
+    promotion.emplace(model, packing, media);
   }
 
   void StructureRun::prepare()
@@ -70,34 +70,42 @@ namespace apps
 
   void StructureRun::visit_state(RunState &state)
   {
+    promotion->visit_state(state);
     state.group("path");
-    structure->way().visit_state(state);
+    structure().way().visit_state(state);
     visit_snapshots(state, "particle_snapshots", particles);
     visit_snapshots(state, "link_snapshots", links);
     visit_snapshots(state, "solid_snapshots", solids);
   }
 
-  double StructureRun::done() const { return std::min(1.0, structure->load_factor() / model.path.end); }
+  double StructureRun::done() const { return std::min(1.0, structure().load_factor() / model.path.end); }
 
   std::string StructureRun::details() const
   {
-    const dem::QuasiStaticPoint &p = structure->last();
-    return fmt::format("point {}, load factor {:.3e}, mean damage {:.3g}, {}", structure->way().points().size() - 1,
-                       structure->load_factor(), p.mean_damage, dem::name_of(p.control));
+    const dem::QuasiStaticPoint &p = structure().last();
+    return fmt::format("point {}, load factor {:.3e}, mean damage {:.3g}, {}", structure().way().points().size() - 1,
+                       structure().load_factor(), p.mean_damage, dem::name_of(p.control));
   }
 
   bool StructureRun::snapshot_due() const
   {
-    return particles && static_cast<std::int64_t>(structure->way().points().size() - 1) % model.snapshot_interval == 0;
+    return particles && static_cast<std::int64_t>(structure().way().points().size() - 1) % model.snapshot_interval == 0;
   }
 
   void StructureRun::advance(const Record &record)
   {
-    structure->way().advance();
-    record(structure->row());
+    structure().way().advance();
+    note(record);
+    while (promotion->promote())
+      note(record);
+    structure().watch();
+  }
+
+  void StructureRun::note(const Record &record)
+  {
+    record(structure().row());
     if (snapshot_due())
       snapshot();
-    structure->watch();
   }
 
   void StructureRun::snapshot()
@@ -105,14 +113,14 @@ namespace apps
     if (!particles)
       return;
     // ParaView's time is the number of the point: the load factor may fall.
-    const auto                at    = static_cast<double>(structure->way().points().size() - 1);
-    const dem::ParticleOutput state = structure->particle_output();
-    const dem::LinkOutput     bonds = structure->link_output();
+    const auto                at    = static_cast<double>(structure().way().points().size() - 1);
+    const dem::ParticleOutput state = structure().particle_output();
+    const dem::LinkOutput     bonds = structure().link_output();
     postprocess::write_vtk_particles(particles->next(), state, at);
     postprocess::write_vtk_links(links->next(), bonds, state, at);
     if (solids)
       {
-        structure->surrounding()->write(location, solids->size(), at, structure->way().motion());
+        structure().surrounding()->write(location, solids->size(), at, structure().way().motion());
         solids->add(at);
       }
     particles->add(at);
@@ -139,17 +147,17 @@ namespace apps
 
   std::string StructureRun::draw_crack(const std::filesystem::path &file) const
   {
-    const dem::ParticleOutput state = structure->particle_output();
+    const dem::ParticleOutput state = structure().particle_output();
     postprocess::PictureSlab  slab;
     slab.magnify   = magnification(state);
     slab.materials = packing.material_names;
     slab.axis      = model.dimension == 2 ? 2 : 1;
-    if (const StructureSolid *solid = structure->surrounding())
-      slab.bodies = solid->outlines(structure->way().motion(), slab.magnify, slab.axis);
-    return postprocess::picture_of_specimen(file, state, structure->link_output(),
+    if (const StructureSolid *solid = structure().surrounding())
+      slab.bodies = solid->outlines(structure().way().motion(), slab.magnify, slab.axis);
+    return postprocess::picture_of_specimen(file, state, structure().link_output(),
                                             fmt::format("{} at point {}, displacements x {}",
                                                         std::filesystem::path(request.scene_file).stem().string(),
-                                                        structure->way().points().size() - 1, slab.magnify),
+                                                        structure().way().points().size() - 1, slab.magnify),
                                             slab);
   }
 
@@ -159,7 +167,7 @@ namespace apps
       snapshot();
     warn_of_missing("crack.png", draw_crack(folder / "crack.png"));
     const StructureReport report{
-      request,     model, *structure, media, postprocess::read_csv_table(folder / "series.csv", true, {"control"}),
+      request,     model, structure(), media, postprocess::read_csv_table(folder / "series.csv", true, {"control"}),
       wall_seconds};
     report.write(folder);
     return report.text();

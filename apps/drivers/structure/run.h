@@ -1,11 +1,10 @@
 #pragma once
 
-#include "apps/drivers/structure/structure.h"
+#include "apps/drivers/structure/promotion.h"
 #include "apps/scene/scene.h"
 #include "postprocess/pvd.h"
 
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 
@@ -30,17 +29,21 @@ namespace apps
     void                                   begin(const std::filesystem::path &folder, const Record &record) override;
     void                                   reopen(const std::filesystem::path &folder) override;
     void                                   visit_state(RunState &state) override;
-    std::vector<postprocess::SeriesColumn> series_columns() const override { return structure->columns(); }
-    std::string                            size() const override { return structure->size(); }
+    std::vector<postprocess::SeriesColumn> series_columns() const override { return structure().columns(); }
+    std::string                            size() const override { return structure().size(); }
     std::string                            stage() const override { return "equilibrium"; }
     double                                 done() const override;
     std::string                            details() const override;
-    bool                                   finished() const override { return structure->way().finished(); }
+    bool                                   finished() const override { return structure().way().finished(); }
     void                                   advance(const Record &record) override;
     void                                   leave_last_state() override { snapshot(); }
     std::string                            finish(const std::filesystem::path &folder, double wall_seconds) override;
 
+    Structure       &structure() { return promotion->structure(); }
+    const Structure &structure() const { return promotion->structure(); }
+
     void        make_structure();
+    void        note(const Record &record);
     void        open(const std::filesystem::path &folder);
     bool        snapshot_due() const;
     void        snapshot();
@@ -51,7 +54,7 @@ namespace apps
     const StructureModel                     &model;
     dem::Packing                              packing;
     ParticleMedia                             media; ///< that the particles are to the solid, where they are known
-    std::unique_ptr<Structure>                structure;
+    std::optional<Promotion>                  promotion;
     std::filesystem::path                     location;
     std::optional<postprocess::PvdCollection> particles, links, solids;
   };

@@ -2,6 +2,7 @@
 
 #include "apps/drivers/parts/duration.h"
 #include "apps/drivers/parts/path_forecast.h"
+#include "apps/drivers/structure/promotion.h"
 #include "apps/drivers/structure/run.h"
 #include "apps/process/mpi_session.h"
 
@@ -15,13 +16,15 @@ namespace apps
     const Stopwatch             watch;
     std::optional<dem::Packing> cell;
     const dem::Packing          packing = model.packing(&cell);
-    const Structure             structure(model, packing, model.media(cell)); // refuses what a run would refuse
-    const double                set_up = watch.seconds();
+    const ParticleMedia         media   = model.media(cell);
+    const Promotion             promotion(model, packing, media); // refuses what a run would refuse
+    const Structure            &structure = promotion.structure();
+    const double                set_up    = watch.seconds();
     std::string                 text;
     text += fmt::format("  particles    {}\n  links        {}\n", structure.network().network.particles(),
                         structure.network().network.links.size());
     text += structure.material_counts().text();
-    text += fmt::format("  groups       {}\n", text_of(model.groups_in(packing)));
+    text += fmt::format("  groups       {}\n", text_of(structure.members()));
     if (const StructureSolid *solid = structure.surrounding())
       {
         text += fmt::format("  elements     {}\n  unknowns     {}, of which particles see {} nodes\n",
@@ -29,6 +32,10 @@ namespace apps
         auto handshake = model.handshakes.handshakes.begin();
         for (const auto &[all, damaged] : structure.shared_bonds())
           text += fmt::format("  handshake    {}: {} bonds in the overlap\n", (handshake++)->name, all);
+        handshake = model.handshakes.handshakes.begin();
+        for (const std::size_t elements : promotion.promotable())
+          text += fmt::format("  promotion    {}: up to {} elements may become particles, {} with them\n",
+                              (handshake++)->name, elements, packing.size());
       }
     const dem::QuasiStaticParameters path = model.path.parameters();
     text += fmt::format("  path         at least {:.0f} points to its end\n", path.end_strain / path.strain_step);

@@ -6,6 +6,10 @@
 #include "apps/drivers/coupled/taken_places.h"
 #include "coupling/volume/static_handshake.h"
 #include "fem/mesh/extent.h"
+#include "fem/solid/point_search.h"
+
+#include <Eigen/Geometry>
+#include <deal.II/dofs/dof_tools.h>
 
 #include <algorithm>
 #include <utility>
@@ -18,10 +22,10 @@ namespace apps
     class SurroundingSolid : public StructureSolid
     {
     public:
-      SurroundingSolid(const StructureModel &model, dem::LoadedNetwork particles)
-        : solid(made(model))
+      SurroundingSolid(const StructureModel &model, const HandshakesSection &handshakes, dem::LoadedNetwork particles)
+        : solid(made(model, handshakes))
         , plane_model(model.continuum.solid)
-        , both(std::move(particles), *solid, parameters(model))
+        , both(std::move(particles), *solid, parameters(handshakes))
         , gauges(*solid, model.continuum)
       {
         // What is linear neither loses energy nor is damaged.
@@ -42,6 +46,34 @@ namespace apps
         ContinuumEnergy energy;
         energy.internal = 0.5 * (now.displacement * now.internal);
         return told_of(gauges.read({&now.displacement, &now.internal, &now.external}, energy));
+      }
+
+      std::vector<std::optional<PlaceMotion>> motions_at(const std::vector<Eigen::Vector3d> &places,
+                                                         const dem::LoadedMotion            &motion) const override
+      {
+        find(places);
+        fem::Vector displacement = both.displacement(motion);
+        displacement.update_ghost_values();
+        std::vector<std::optional<PlaceMotion>> motions(places.size());
+        for (std::size_t i = 0; i < places.size(); ++i)
+          if (found[i])
+            motions[i] = motion_of(*found[i], displacement);
+        return motions;
+      }
+
+      std::vector<Eigen::Vector3d> joint_places() const override { return both.joint_places(); }
+
+      std::vector<Eigen::Vector3d> burdened_nodes() const override
+      {
+        fem::Vector force = solid->make_vector();
+        solid->external_force(1, force);
+        std::vector<dealii::Point<dim>> place(solid->dofs().n_dofs());
+        dealii::DoFTools::map_dofs_to_support_points(solid->mapping(), solid->dofs(), place);
+        std::vector<Eigen::Vector3d> places;
+        for (dealii::types::global_dof_index i = 0; i < place.size(); ++i)
+          if (solid->constraints().is_constrained(i) || force[i] != 0)
+            places.push_back(in_space(place[i]));
+        return places;
       }
 
       std::vector<std::vector<std::size_t>> shared_links() const override { return both.shared_links(); }
@@ -94,6 +126,40 @@ namespace apps
         fem::Vector displacement, internal, external;
       };
 
+      static Eigen::Vector3d in_space(const dealii::Point<dim> &place)
+      {
+        return {place[0], place[1], dim == 3 ? place[dim - 1] : 0.0};
+      }
+
+      /** Elements around places, which are the same ones every time. */
+      void find(const std::vector<Eigen::Vector3d> &places) const
+      {
+        if (looked_for == places)
+          return;
+        looked_for = places;
+        found.clear();
+        for (const Eigen::Vector3d &place : places)
+          found.push_back(solid->point_search().find(point_of<dim>({place.x(), place.y(), place.z()})));
+      }
+
+      static PlaceMotion motion_of(const fem::PlaceInElement<dim> &at, const fem::Vector &displacement)
+      {
+        PlaceMotion motion;
+        motion.element = in_space(at.cell->center());
+        for (std::size_t k = 0; k < at.nodes.size(); ++k)
+          {
+            Eigen::Vector3d u = Eigen::Vector3d::Zero(), gradient = u;
+            for (int c = 0; c < dim; ++c)
+              {
+                u[c]        = displacement[at.nodes[k][static_cast<std::size_t>(c)]];
+                gradient[c] = at.gradients[k][c];
+              }
+            motion.displacement += at.weights[k] * u;
+            motion.rotation += 0.5 * gradient.cross(u);
+          }
+        return motion;
+      }
+
       template <typename Value>
       std::vector<Value> told_of(const std::vector<Value> &all) const
       {
@@ -103,17 +169,17 @@ namespace apps
         return some;
       }
 
-      static std::unique_ptr<fem::Solid<dim>> made(const StructureModel &model)
+      static std::unique_ptr<fem::Solid<dim>> made(const StructureModel &model, const HandshakesSection &handshakes)
       {
-        TakenPlaces taken = taken_by(model.handshakes);
+        TakenPlaces taken = taken_by(handshakes);
         taken.holds       = true;
         return make_solid<dim>(model.continuum, taken);
       }
 
-      static std::vector<coupling::VolumeCouplingParameters> parameters(const StructureModel &model)
+      static std::vector<coupling::VolumeCouplingParameters> parameters(const HandshakesSection &handshakes)
       {
         std::vector<coupling::VolumeCouplingParameters> all;
-        for (const HandshakeSection &handshake : model.handshakes.handshakes)
+        for (const HandshakeSection &handshake : handshakes.handshakes)
           all.push_back(handshake.parameters(0, 0)); // nothing is absorbed
         return all;
       }
@@ -142,13 +208,17 @@ namespace apps
       coupling::StaticHandshake<dim>   both;
       ContinuumGauges<dim>             gauges;
       std::vector<std::size_t>         told; ///< of its columns
+
+      mutable std::vector<Eigen::Vector3d>                         looked_for;
+      mutable std::vector<std::optional<fem::PlaceInElement<dim>>> found; ///< of each of these
     };
   } // namespace
 
-  std::unique_ptr<StructureSolid> surround(const StructureModel &model, dem::LoadedNetwork particles)
+  std::unique_ptr<StructureSolid>
+  surround(const StructureModel &model, const HandshakesSection &handshakes, dem::LoadedNetwork particles)
   {
     if (model.dimension == 2)
-      return std::make_unique<SurroundingSolid<2>>(model, std::move(particles));
-    return std::make_unique<SurroundingSolid<3>>(model, std::move(particles));
+      return std::make_unique<SurroundingSolid<2>>(model, handshakes, std::move(particles));
+    return std::make_unique<SurroundingSolid<3>>(model, handshakes, std::move(particles));
   }
 } // namespace apps

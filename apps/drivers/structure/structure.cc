@@ -9,13 +9,15 @@
 
 namespace apps
 {
-  Structure::Structure(const StructureModel &what, const dem::Packing &packing, const ParticleMedia &media)
+  Structure::Structure(const StructureModel &what, const StructureParts &parts, const ParticleMedia &media)
     : model(what)
-    , groups(what.groups_in(packing))
-    , radius(packing.radius)
-    , solid(make_solid(packing, media))
-    , alone(solid ? std::nullopt : std::optional(what.particles(packing, groups)))
-    , materials(materials_in(network().network, packing.material_names))
+    , handshakes(parts.handshakes)
+    , groups(parts.groups)
+    , promoted_elements(parts.promoted)
+    , radius(parts.packing.radius)
+    , solid(make_solid(parts.packing, media))
+    , alone(solid ? std::nullopt : std::optional(what.particles(parts.packing, groups)))
+    , materials(materials_in(network().network, parts.packing.material_names))
     , path(network(), what.material.materials(), what.path.parameters())
   {
     curve();
@@ -26,7 +28,7 @@ namespace apps
     if (!model.has_solid())
       return nullptr;
     give_media(model.continuum.materials, media);
-    return surround(model, model.particles(packing, groups));
+    return surround(model, handshakes, model.particles(packing, groups));
   }
 
   std::string Structure::size() const
@@ -67,10 +69,15 @@ namespace apps
     for (const postprocess::SeriesColumn &told_one : told())
       all.push_back(told_one);
     all.push_back({"mean_damage", "-"});
-    for (const HandshakeSection &handshake : model.handshakes.handshakes)
+    for (const HandshakeSection &handshake : handshakes.handshakes)
       all.push_back({column_name(handshake.name) + "_damaged", ""});
+    if (handshakes.promote())
+      for (const HandshakeSection &handshake : handshakes.handshakes)
+        all.push_back({column_name(handshake.name) + "_promoted", ""});
     for (const char *term : {"work", "stored", "damage", "friction", "damped", "residual"})
       all.push_back({std::string("energy_") + term, "J"});
+    if (handshakes.promote())
+      all.push_back({"energy_promoted", "J"});
     for (const auto &end :
          {postprocess::SeriesColumn{"unbalanced", "-"}, {"solutions", ""}, {"relaxation_steps", ""}, {"control", ""}})
       all.push_back(end);
@@ -144,22 +151,27 @@ namespace apps
     add({p.mean_damage});
     for (const auto &[all, damaged] : shared_bonds())
       add({static_cast<double>(damaged)});
-    add({p.external_work, p.stored, p.damage, p.friction, p.damped, p.energy_residual(), p.residual,
-         static_cast<double>(p.iterations), static_cast<double>(p.relaxation_steps)});
+    if (handshakes.promote())
+      add({promoted_elements.begin(), promoted_elements.end()});
+    add({p.external_work, p.stored, p.damage, p.friction, p.damped, p.energy_residual()});
+    if (handshakes.promote())
+      add({p.changed});
+    add({p.residual, static_cast<double>(p.iterations), static_cast<double>(p.relaxation_steps)});
     return {{}, values, {dem::name_of(p.control)}};
   }
 
   void Structure::watch() const
   {
     const auto counted   = shared_bonds();
-    auto       handshake = model.handshakes.handshakes.begin();
+    auto       handshake = handshakes.handshakes.begin();
     for (const auto &[all, damaged] : counted)
       {
         if (static_cast<double>(damaged) > handshake->damage_limit * static_cast<double>(all))
           throw StoppedShort(
             fmt::format("Handshakes/{}: at the load factor {:.6g} {} of the {} bonds in the overlap are damaged, more "
-                        "than Damage limit = {}: there the solid cannot follow. Give the particles a larger region.",
-                        handshake->name, load_factor(), damaged, all, handshake->damage_limit));
+                        "than Damage limit = {}: there the solid cannot follow. Give the particles a larger {}.",
+                        handshake->name, load_factor(), damaged, all, handshake->damage_limit,
+                        handshake->promotes() ? "Promotion reach" : "region"));
         ++handshake;
       }
   }
