@@ -85,6 +85,11 @@ namespace apps
       all.push_back({"method", "legacy", {"Handshakes/core/Method=legacy"}});
       all.push_back({"core", "30 mm", {"Handshakes/core/Low=0.045, -1, -1", "Handshakes/core/High=0.075, 1, 1"}});
       all.push_back({"core", "40 mm", {"Handshakes/core/Low=0.04, -1, -1", "Handshakes/core/High=0.08, 1, 1"}});
+      for (const char *exertion : {"0.5", "0.9"})
+        all.push_back({"10 mm, promoted at",
+                       exertion,
+                       {"Handshakes/core/Low=0.055, -1, -1", "Handshakes/core/High=0.065, 1, 1",
+                        "Handshakes/core/Promotion reach=0.015", std::string("Handshakes/core/Promote at=") + exertion}});
       const std::string box = "Continuum/Mesh/Boxes/beam/Divisions ";
       all.push_back({"elements", "2.5 mm", {box + "x=48", box + "y=3", box + "z=8"}});
       return all;
