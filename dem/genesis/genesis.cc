@@ -2,6 +2,7 @@
 
 #include "base/errors.h"
 #include "base/number_text.h"
+#include "dem/genesis/cages.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,14 +18,11 @@ namespace dem
     constexpr std::int64_t calming       = 100; ///< steps between two stops while overlaps are large
     constexpr double       large_overlap = 0.1;
     /** While fewer contacts than particles push nothing can be jammed: an increment is over when they have moved apart. */
-    constexpr double       loose_overlap         = 0.01;
-    constexpr double       longest_stress_change = 0.01; ///< of radii in one round
-    constexpr double       relief                = 0.25; ///< of the stress that a round from far above leaves
-    constexpr double       far_above             = 10;   ///< the stress that is asked for: rounds need not end at rest
-    constexpr double       enlargement           = 1.3;  ///< of floaters in one round
-    constexpr std::int64_t enlargement_steps     = 200;
-    constexpr double       fitting_overlap       = 3;  ///< of floaters, over that of the others: they fit
-    constexpr std::int64_t most_fits             = 10; ///< in one round
+    constexpr double loose_overlap         = 0.01;
+    constexpr double longest_stress_change = 0.01; ///< of radii in one round
+    constexpr double relief                = 0.25; ///< of the stress that a round from far above leaves
+    constexpr double far_above             = 10;   ///< the stress that is asked for: rounds need not end at rest
+    constexpr double enlargement           = 1.3;  ///< of floaters in one round
 
     void require(const bool fulfilled, const char *what, const double value, const char *rule)
     {
@@ -71,8 +69,6 @@ namespace dem
         return "stress";
       case GenesisStage::floaters:
         return "floaters";
-      case GenesisStage::stress_again:
-        return "stress again";
       default:
         return "done";
       }
@@ -115,8 +111,6 @@ namespace dem
         return grow_on(last);
       case GenesisStage::settling:
         return settle(last);
-      case GenesisStage::floaters:
-        return fit_floaters(last);
       default:
         return approach_stress(last);
       }
@@ -154,11 +148,6 @@ namespace dem
   }
 
   bool Genesis::at_rest(const GrowthMeasures &m) const { return m.touching == 0 || m.ratio <= parameters.ratio; }
-
-  bool Genesis::nearly_at_rest(const GrowthMeasures &m) const
-  {
-    return m.touching == 0 || m.ratio <= std::sqrt(parameters.ratio * parameters.increment_ratio);
-  }
 
   void Genesis::settle(const GrowthMeasures &m)
   {
@@ -213,8 +202,27 @@ namespace dem
       at_rest(m) && std::abs(parameters.stress + m.stress) <= parameters.stress_tolerance * parameters.stress;
     if (!there && round < parameters.stress_rounds)
       return change_stress(m);
-    const bool again = stage == GenesisStage::stress && parameters.fit_floaters;
-    enter(again ? GenesisStage::floaters : GenesisStage::done, m, there);
+    if (stage == GenesisStage::stress)
+      {
+        enter(parameters.fit_floaters ? GenesisStage::floaters : GenesisStage::done, m, there);
+        if (stage == GenesisStage::floaters)
+          fit_floaters();
+        return;
+      }
+    const bool few = floaters_of(assembly->contact_numbers()) <= parameters.floaters_allowed;
+    if (few || fits >= parameters.floater_rounds)
+      return enter(GenesisStage::done, m, there && few);
+    begin_rounds();
+    fit_floaters();
+  }
+
+  void Genesis::begin_rounds()
+  {
+    longest_change = longest_stress_change;
+    last_missing   = 0;
+    last_change    = 0;
+    round          = 0;
+    steps_in_round = 0;
   }
 
   void Genesis::enter(const GenesisStage next, const GrowthMeasures &m, const bool reached)
@@ -224,7 +232,7 @@ namespace dem
     report.stage           = stage;
     report.reached         = reached;
     report.steps           = assembly->steps() - steps_before_stage;
-    report.rounds          = round;
+    report.rounds          = stage == GenesisStage::floaters ? fits : round;
     report.ratio           = m.ratio;
     report.porosity        = porosity();
     report.stress          = m.stress;
@@ -242,12 +250,8 @@ namespace dem
     report.diameter_change = radii / wanted - 1;
     finished_stages.push_back(report);
     stage              = next;
-    longest_change     = longest_stress_change;
-    last_missing       = 0;
-    last_change        = 0;
-    round              = 0;
-    steps_in_round     = 0;
     steps_before_stage = assembly->steps();
+    begin_rounds();
   }
 
   double Genesis::porosity() const
@@ -262,73 +266,24 @@ namespace dem
     return static_cast<double>(floaters) / static_cast<double>(contacts.size());
   }
 
-  void Genesis::fit_floaters(const GrowthMeasures &m)
+  void Genesis::fit_floaters()
   {
-    if (enlarged)
-      {
-        if (nearly_at_rest(m) || steps_in_round >= enlargement_steps)
-          shrink_floaters();
-        return;
-      }
-    if (!nearly_at_rest(m) && steps_in_round < parameters.solve_steps)
-      return;
-    const bool few  = floaters_of(assembly->contact_numbers()) <= parameters.floaters_allowed;
-    const bool lost = -m.stress < 0.5 * parameters.stress; // what has come loose has floaters only
-    if (few || lost || round >= parameters.floater_rounds)
-      return enter(GenesisStage::stress_again, m, few);
-    ++round;
-    enlarge_floaters();
-  }
-
-  void Genesis::enlarge_floaters()
-  {
+    ++fits;
     const std::vector<int>    contacts = assembly->contact_numbers();
     const std::vector<double> overlaps = assembly->overlap_sums();
-    std::vector<double>       radii(asked.size());
-    std::vector<bool>         others(asked.size());
-    before_floaters.resize(asked.size());
-    double overlap = 0, ends = 0;
-    for (std::size_t i = 0; i < radii.size(); ++i)
-      {
-        before_floaters[i] = assembly->radius(i);
-        others[i]          = contacts[i] >= parameters.floater_contacts;
-        radii[i]           = (others[i] ? 1 : enlargement) * assembly->radius(i);
-        if (others[i])
-          {
-            overlap += overlaps[i];
-            ends += contacts[i];
-          }
-      }
-    common_overlap = ends > 0 ? overlap / ends : 0.0;
-    assembly->set_radii(radii);
-    assembly->hold(others);
-    enlarged       = true;
-    fits           = 0;
-    steps_in_round = 0;
-  }
-
-  void Genesis::shrink_floaters()
-  {
-    const std::vector<int>    contacts = assembly->contact_numbers();
-    const std::vector<double> overlaps = assembly->overlap_sums();
-    std::vector<double>       radii(asked.size());
-    double                    deepest = 0;
-    for (std::size_t i = 0; i < radii.size(); ++i)
-      {
-        radii[i] = assembly->radius(i);
-        if (assembly->is_held(i) || contacts[i] == 0)
-          continue;
-        const double mean = overlaps[i] / contacts[i];
-        deepest           = std::max(deepest, mean);
-        // Not below what it was: one that is squeezed among others is no reason to make it smaller.
-        radii[i] = std::max(radii[i] - mean + common_overlap, before_floaters[i]);
-      }
-    assembly->set_radii(radii);
-    steps_in_round = 0;
-    if (deepest > fitting_overlap * common_overlap && ++fits < most_fits)
-      return;
-    assembly->hold({});
-    enlarged = false;
+    const auto is_floater              = [&](const std::size_t i) { return contacts[i] < parameters.floater_contacts; };
+    double     overlap = 0, ends = 0;
+    for (std::size_t i = 0; i < contacts.size(); ++i)
+      if (!is_floater(i))
+        {
+          overlap += overlaps[i];
+          ends += contacts[i];
+        }
+    const double common = ends > 0 ? overlap / ends : 0.0;
+    Packing      now    = assembly->packing();
+    // Each time less deep: later ones need no force any more, only to touch, and what stress they bring takes others their contacts.
+    fit_into_cages(now, parameters.vessel, is_floater, enlargement, common / static_cast<double>(fits));
+    assembly->set_radii(now.radius, now.centre);
   }
 
   double Genesis::done() const
@@ -345,9 +300,8 @@ namespace dem
       case GenesisStage::stress:
         return 0.55 + 0.2 * part(parameters.stress_rounds);
       case GenesisStage::floaters:
-        return 0.75 + 0.15 * part(parameters.floater_rounds);
-      case GenesisStage::stress_again:
-        return 0.9 + 0.1 * part(parameters.stress_rounds);
+        return 0.75 +
+               0.25 * std::min(1.0, static_cast<double>(fits) / static_cast<double>(parameters.floater_rounds + 1));
       default:
         return 1;
       }
@@ -365,11 +319,9 @@ namespace dem
   void Genesis::visit_state(base::StateVisitor &visitor)
   {
     assembly->visit_state(visitor);
-    auto at = static_cast<std::int64_t>(stage), is_enlarged = static_cast<std::int64_t>(enlarged);
+    auto at = static_cast<std::int64_t>(stage);
     visitor.scalar("genesis/stage", at);
     stage = static_cast<GenesisStage>(at);
-    visitor.scalar("genesis/enlarged", is_enlarged);
-    enlarged = is_enlarged != 0;
     visitor.scalar("genesis/last_change", last_change);
     visitor.scalar("genesis/round", round);
     visitor.scalar("genesis/steps_in_round", steps_in_round);
@@ -377,9 +329,7 @@ namespace dem
     visitor.scalar("genesis/scale", scale);
     visitor.scalar("genesis/longest_change", longest_change);
     visitor.scalar("genesis/last_missing", last_missing);
-    visitor.scalar("genesis/common_overlap", common_overlap);
     visitor.scalar("genesis/fits", fits);
-    visitor.column("genesis/before_floaters", before_floaters);
     constexpr std::size_t numbers = 12;
     base::Column          table;
     for (const GenesisStageReport &r : finished_stages)

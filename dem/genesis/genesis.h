@@ -32,7 +32,7 @@ namespace dem
     bool         fit_floaters     = true;
     int          floater_contacts = 3;    ///< particles with fewer contacts that push are floaters
     double       floaters_allowed = 0.01; ///< of all particles
-    std::int64_t floater_rounds   = 10;   ///< at most
+    std::int64_t floater_rounds   = 10;   ///< of radii for floaters, and then of all for the stress, at most
 
     /** @throws base::InputError naming what is out of range */
     void check() const;
@@ -43,8 +43,7 @@ namespace dem
     growth,
     settling, ///< to rest, with full radii
     stress,
-    floaters,
-    stress_again, ///< what the floaters have changed
+    floaters, ///< radii for them, and for the stress again
     done
   };
 
@@ -93,19 +92,16 @@ namespace dem
     void visit_state(base::StateVisitor &visitor);
 
   private:
-    void take_piece();
-    void grow_on(const GrowthMeasures &m);
-    void settle(const GrowthMeasures &m);
-    bool round_is_over(const GrowthMeasures &m) const;
-    void change_stress(const GrowthMeasures &m);
-    void approach_stress(const GrowthMeasures &m);
-    void fit_floaters(const GrowthMeasures &m);
-    void enlarge_floaters();
-    void shrink_floaters();
-    void enter(GenesisStage next, const GrowthMeasures &m, bool reached);
-    bool at_rest(const GrowthMeasures &m) const;
-    bool
-    nearly_at_rest(const GrowthMeasures &m) const; ///< enough to go on from: between the ratios of growth and of stages
+    void   take_piece();
+    void   grow_on(const GrowthMeasures &m);
+    void   settle(const GrowthMeasures &m);
+    bool   round_is_over(const GrowthMeasures &m) const;
+    void   change_stress(const GrowthMeasures &m);
+    void   approach_stress(const GrowthMeasures &m);
+    void   fit_floaters();
+    void   begin_rounds();
+    void   enter(GenesisStage next, const GrowthMeasures &m, bool reached);
+    bool   at_rest(const GrowthMeasures &m) const;
     void   scale_all(double factor);
     double porosity() const;
     double floaters_of(const std::vector<int> &contacts) const;
@@ -119,11 +115,8 @@ namespace dem
     std::int64_t                    round = 0, steps_in_round = 0, steps_before_stage = 0;
     double                          scale          = 0.5;                ///< of radii that are alike for all
     double                          longest_change = 0, last_change = 0; ///< of radii in a round
-    double                          last_missing   = 0;                  ///< of the stress before that [Pa]
-    bool                            enlarged       = false;              ///< floaters are, and the others are held
-    double                          common_overlap = 0;                  ///< of contacts that do not join floaters [m]
-    std::int64_t                    fits           = 0;                  ///< of floaters' radii in this round
-    base::Column                    before_floaters; ///< radii at its begin, in the order of the packing [m]
+    double                          last_missing = 0;                    ///< of the stress before that [Pa]
+    std::int64_t                    fits         = 0;                    ///< of floaters' radii
     GrowthMeasures                  last;
     std::vector<GenesisStageReport> finished_stages;
   };

@@ -42,7 +42,6 @@ namespace dem
     , search(particles, 0.0, true)
     , slot(particles.count)
     , accounts(particle_blocks(particles.count))
-    , held(particles.count, false)
   {
     for (std::size_t i = 0; i < particles.count; ++i)
       slot[static_cast<std::size_t>(particles.number[i])] = static_cast<std::int32_t>(i);
@@ -90,9 +89,8 @@ namespace dem
         double *inverse      = &particles.inverse_mass[record_size * i];
         for (int c = 0; c < 3; ++c)
           {
-            const bool free = !held[i];
-            inverse[c]      = free && (!planar || c < 2) ? 1 / particles.mass[i] : 0.0;
-            inverse[3 + c]  = free && (!planar || c == 2) ? 1 / particles.inertia[i] : 0.0;
+            inverse[c]     = !planar || c < 2 ? 1 / particles.mass[i] : 0.0;
+            inverse[3 + c] = !planar || c == 2 ? 1 / particles.inertia[i] : 0.0;
           }
       }
   }

@@ -81,14 +81,15 @@ namespace dem
 
     /** Take away all velocities; their energy is entered as stopped. */
     void stop();
-    /** Give particles other radii [m], at rest; what that does to stored energy is entered as growth. @param radius by packing number */
-    void set_radii(const std::vector<double> &radius);
+    /**
+     * Give particles other radii [m], at rest; what that does to stored energy is entered as growth.
+     * @param radius by packing number @param centre likewise, other places [m]; empty: they stay where they are
+     */
+    void set_radii(const std::vector<double> &radius, const std::vector<Eigen::Vector3d> &centre = {});
     /** Multiply all radii by a factor next to 1, in motion; likewise. */
     void scale_radii(double factor);
     /** Another coefficient of friction between particles from now on, >= 0. */
     void set_friction(double coefficient);
-    /** Hold particles where they are. @param held by packing number; empty: none */
-    void hold(const std::vector<bool> &held);
 
     /** Contacts that push, of each particle with others and with walls, by packing number. */
     std::vector<int> contact_numbers();
@@ -96,7 +97,6 @@ namespace dem
     std::vector<double> overlap_sums();
     Packing             packing() const; ///< where particles are now, in the order of the start
     double radius(std::size_t number) const { return particles.radius_of(static_cast<std::size_t>(slot[number])); }
-    bool   is_held(std::size_t number) const { return held[static_cast<std::size_t>(slot[number])]; }
     const Vessel &walls() const { return vessel; }
 
     /** Everything needed to go on to the same bits; a reader must have been made of the same start. */
@@ -132,7 +132,6 @@ namespace dem
     std::vector<std::int32_t>         near_wall; ///< particles that may touch one
     double                            wall_margin = 0, wall_path = 0; ///< [m]; they move on for so far
     std::vector<ParticleBlockAccount> accounts;
-    std::vector<bool>                 held;
     bool                              forces_known = false;     ///< at the present places
     std::int64_t                      step_count = 0, fits = 0; ///< how often radii were set
     double                            growth = 0, damped = 0, stopped = 0;

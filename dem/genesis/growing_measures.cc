@@ -159,12 +159,17 @@ namespace dem
     std::fill(particles.velocity.begin(), particles.velocity.end(), 0.0);
   }
 
-  void GrowingAssembly::set_radii(const std::vector<double> &radius)
+  void GrowingAssembly::set_radii(const std::vector<double> &radius, const std::vector<Eigen::Vector3d> &centre)
   {
     stop();
     const double before = sum_contacts().stored;
     for (std::size_t i = 0; i < particles.count; ++i)
-      particles.pose[record_size * i + 6] = radius.at(static_cast<std::size_t>(particles.number[i]));
+      {
+        const auto number                   = static_cast<std::size_t>(particles.number[i]);
+        particles.pose[record_size * i + 6] = radius.at(number);
+        if (!centre.empty())
+          std::copy_n(centre.at(number).data(), 3, &particles.pose[record_size * i]);
+      }
     std::fill(particles.motion.begin(), particles.motion.end(), 0.0); // forces were found after it
     fit_to_radii();
     growth += sum_contacts().stored - before;
@@ -192,14 +197,6 @@ namespace dem
       look_for_walls();
     growth += sum_contacts().stored - before;
     forces_known = false;
-  }
-
-  void GrowingAssembly::hold(const std::vector<bool> &which)
-  {
-    stop();
-    for (std::size_t i = 0; i < particles.count; ++i)
-      held[i] = !which.empty() && which.at(static_cast<std::size_t>(particles.number[i]));
-    set_masses();
   }
 
   std::vector<int> GrowingAssembly::contact_numbers()
@@ -265,9 +262,6 @@ namespace dem
     visitor.column("growing/inertia", particles.inertia);
     visitor.column("growing/walls", particles.pushed);
     visitor.column("growing/near_wall", near_wall);
-    std::vector<std::int32_t> holds(held.begin(), held.end());
-    visitor.column("growing/held", holds);
-    held.assign(holds.begin(), holds.end());
     contacts.visit_state(visitor, "growing/contacts", particles.count);
     if (fits != before) // a reader: lengths of the search follow from the radii
       search = ContactSearch(particles, 0.0, true);
