@@ -1,8 +1,7 @@
 // Structures of particles and a solid around them in equilibrium, through the program.
 #include "apps/drivers/coupled/element_region.h"
 #include "apps/process/mpi_session.h"
-#include "tests/apps/interrupted_runs.h"
-#include "tests/apps/scene_runs.h"
+#include "tests/apps/structure_runs.h"
 #include "tests/places.h"
 
 #include <catch2/catch.hpp>
@@ -22,18 +21,6 @@ namespace
   {
     const ScratchFolder folder;
     return results_of(folder, shipped_beam(scene), changes, {"control"});
-  }
-
-  double peak_load(const Results &results)
-  {
-    const auto &load = results.series.column("reaction_load_z");
-    return -*std::min_element(load.begin(), load.end());
-  }
-
-  std::string kept_of_structure(const std::filesystem::path &results)
-  {
-    return listing_of(results / "solid") + listing_of(results / "particles") + listing_of(results / "links") +
-           content_of(results / "series.csv") + content_of(results / "structure.pvd");
   }
 } // namespace
 

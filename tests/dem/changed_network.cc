@@ -1,7 +1,6 @@
 // A path that goes on in another network than it began in.
-#include "dem/laws/cpm.h"
-#include "dem/packing/lattice.h"
 #include "dem/statics/quasi_static_path.h"
+#include "clusters.h"
 
 #include <catch2/catch.hpp>
 
@@ -9,21 +8,11 @@
 #include <cmath>
 #include <numeric>
 
+using cluster::concrete;
+
 namespace
 {
   constexpr double spacing = 1e-3;
-
-  dem::CpmParameters concrete()
-  {
-    dem::CpmParameters p;
-    p.normal_modulus       = 25e9;
-    p.shear_ratio          = 0.2;
-    p.limit_elastic_strain = 1e-4;
-    p.relative_ductility   = 30;
-    p.cohesion             = 3e6;
-    p.friction_coefficient = 0.8;
-    return p;
-  }
 
   /** A row of particles, its first held, its last led. */
   dem::LoadedNetwork row(const std::size_t particles)

@@ -259,10 +259,7 @@ namespace apps
     const dem::LoadedMotion  &old     = before.way().motion();
     dem::LoadedMotion         start   = own(network);
     start.loads                       = old.loads;
-    std::vector<Vector3d> places;
-    for (const std::size_t i : awake)
-      places.push_back(packing.centre[i]);
-    const auto still_in_solid = now->surrounding()->motions_at(places, start);
+    const auto still_in_solid         = now->surrounding()->motions_at(packing.centre, start);
     for (std::size_t k = 0; k < awake.size(); ++k)
       {
         // Particles in elements move as these do, so that the ties are obeyed from the start.
@@ -270,7 +267,7 @@ namespace apps
         const auto        was   = std::lower_bound(awake_before.begin(), awake_before.end(), i);
         const bool        known = was != awake_before.end() && *was == i;
         start.particles.col(static_cast<Index>(k)) =
-          still_in_solid[k] ? free_part(motion_of(*in_solid[i]), network.held[k]) :
+          still_in_solid[i] ? free_part(motion_of(*in_solid[i]), network.held[k]) :
           known             ? base::Vector6(old.particles.col(was - awake_before.begin())) :
                               free_part(motion.particles.col(static_cast<Index>(i)), network.held[k]);
       }
