@@ -25,4 +25,13 @@ namespace dem
   private:
     std::mt19937_64 engine;
   };
+
+  /** Bits of a number well mixed (finaliser of splitmix64; Steele, Lea, Flood, OOPSLA 2014). */
+  constexpr std::uint64_t mixed(std::uint64_t z)
+  {
+    z += 0x9e3779b97f4a7c15u;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
+  }
 } // namespace dem

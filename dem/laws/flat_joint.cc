@@ -65,15 +65,6 @@ namespace dem
       require(whole_number(p.seed, 0, 1e15), "Seed", p.seed, "must be a whole number from 0 to 1e15.");
     }
 
-    /** Bits of a number well mixed (finaliser of splitmix64; Steele, Lea, Flood, OOPSLA 2014). */
-    std::uint64_t mixed(std::uint64_t z)
-    {
-      z += 0x9e3779b97f4a7c15u;
-      z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-      z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-      return z ^ (z >> 31);
-    }
-
     /** Random numbers of a pair: by its particles alone, whichever is first. */
     UniformRandom random_of(const std::uint64_t seed, const NewLink &link)
     {

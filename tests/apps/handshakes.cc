@@ -150,6 +150,8 @@ TEST_CASE("A scene of waves writes where their energy goes, and refuses waves th
   is_refused(folder, scene, {"Waves/Wavelengths=0.03"}, "4 to 10000 spacings");
   is_refused(folder, scene, {"Waves/Methods=magic"}, "absorber p=2");
   is_refused(folder, scene, {"Waves/Shear=true"}, "Medium = strip");
+  is_refused(folder, scene, {"Waves/Scatter=1"}, "Scatter");
+  is_refused(folder, scene, {"Waves/Medium=bar", "Waves/Scatter=0.3"}, "Medium = chain, strip or plane");
   const Outcome done = outcome_of(folder, "run", scene, {"Waves/Wavelengths=0.16", "Waves/Methods=absorber"});
   CHECK(done.status == 0);
   CHECK_THAT(done.out, Contains("absorber") && Contains("reflection.csv"));

@@ -178,9 +178,9 @@ namespace row_and_elements
     }
 
     /** (Gv)_i = sum_g B_gi v_g, v_g = sum_i B_gi v_i / sum_i B_gi: whole masses, which are all 1. */
-    MatrixXd average(const VectorXd &places, const double spacing)
+    MatrixXd average(const VectorXd &places, const double spacing, const double offset)
     {
-      const MatrixXd spline = splines(places, spacing, spacing * (std::floor(places[0] / spacing) - 2));
+      const MatrixXd spline = splines(places, spacing, spacing * (std::floor(places[0] / spacing) - 2 - offset));
       VectorXd       sums   = spline.colwise().sum().transpose();
       for (double &sum : sums)
         sum = sum > 0 ? 1 / sum : 0.0;
@@ -228,7 +228,7 @@ namespace row_and_elements
         case Smooth::projection:
           return projection(places, mass, own.spacing);
         default:
-          return average(places, own.spacing);
+          return average(places, own.spacing, own.offset);
         }
     }
 

@@ -27,6 +27,7 @@ namespace row_and_elements
     /** Mass of the last particle; 0: by its bonds. Averages end with it. */
     double last_mass = 0;
     Smooth smooth    = Smooth::grid;
+    double offset    = 0; ///< of the grid, over its spacing
   };
 
   /** A packet of waves in a row of particles that shares `overlap` elements with a row of linear elements; spacing, mass and stiffness 1. */

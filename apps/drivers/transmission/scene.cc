@@ -64,9 +64,11 @@ namespace apps
     s.number("Shear ratio", common.medium.shear_ratio, "-", Range::positive(), Need::optional)
       .means("Of the links of spheres, shear over normal modulus")
       .only_if(of_bar, "Medium = bar");
+    s.number("Scatter", common.medium.scatter, "-", Range::between(0, 0.9), Need::optional)
+      .means("Of the links' stiffness: anywhere between 1 - Scatter and 1 + Scatter of what the normal modulus gives")
+      .only_if([of_bar] { return !of_bar(); }, "Medium = chain, strip or plane");
     s.integer("Seed", common.medium.seed, "-", Range::between(0, 1000000), Need::optional)
-      .means("Of the spheres' packing")
-      .only_if(of_bar, "Medium = bar");
+      .means("Of the spheres' packing, and of what Scatter says");
     s.flag("Shear", common.shear).means("Waves of shear, not of compression; in a strip");
     s.text("Wavelengths", wavelengths, Need::required).means("[m], four spacings at least, separated by commas");
     s.text("Methods", methods, Need::optional).means("Of the coupling, separated by commas: " + method_names());
@@ -143,6 +145,8 @@ namespace apps
       common.medium.lattice == WaveMedium::Lattice::chain || common.medium.lattice == WaveMedium::Lattice::bar;
     if (common.shear && one_way)
       s.refuse("Shear", "particles in a row or bar move along it. Take Medium = strip.");
+    if (common.medium.scatter > 0 && common.medium.lattice == WaveMedium::Lattice::bar)
+      s.refuse("Scatter", "spheres in a bar have no order as it is. Take Medium = chain, strip or plane.");
   }
 
   std::string TransmissionScene::forecast() const

@@ -47,20 +47,29 @@ namespace apps
       return packing;
     }
 
+    /** What of its stiffness a link has that acts at a place. */
+    double stiffness_of_link(const WaveMedium &medium, const Vector3d &place)
+    {
+      return medium.share_across(place.y()) * medium.stiffness_at(place);
+    }
+
+    /** What lies on lines of symmetry counts half; stiffness is scattered. @param stiffest that links have before */
+    void share(const WaveMedium &medium, const dem::Packing &packing, const double stiffest, dem::Specimen &specimen)
+    {
+      std::vector<double> masses;
+      for (const Vector3d &place : packing.centre)
+        masses.push_back(medium.share_across(place.y()));
+      specimen.share([&](const Vector3d &place) { return stiffness_of_link(medium, place) / stiffest; }, masses);
+    }
+
     /** Particles on a line of symmetry move along it, in a shear wave across it; those of a row along it. */
     void guide(const WaveCase &wave, const dem::Packing &packing, dem::Specimen &specimen)
     {
-      const auto          across = [&](const Vector3d &place) { return wave.medium.share_across(place.y()); };
-      std::vector<double> masses;
-      dem::Grip           guided;
+      dem::Grip guided;
       guided.prescribed[wave.shear ? 0 : 1] = true;
       for (std::size_t i = 0; i < packing.size(); ++i)
-        {
-          masses.push_back(across(packing.centre[i]));
-          if (wave.medium.lattice == Lattice::chain || masses.back() < 1)
-            guided.particles.push_back(i);
-        }
-      specimen.share(across, masses);
+        if (wave.medium.lattice == Lattice::chain || wave.medium.share_across(packing.centre[i].y()) < 1)
+          guided.particles.push_back(i);
       specimen.add_grip(guided);
     }
 
@@ -73,11 +82,13 @@ namespace apps
       p.physics.rotations = p.physics.damage = p.physics.friction = p.physics.contacts = false;
       p.thickness                                                                      = 1;
       // A disc stands for its cell of the lattice.
-      const double cell   = medium.lattice == Lattice::chain ? a * medium.height() : a * hexagonal_row_pitch * a;
-      p.density           = medium.density * cell / (0.25 * M_PI * a * a);
-      p.interaction_ratio = 1.1;
-      p.step_factor       = wave.step_factor;
-      dem::Specimen specimen(packing, p, dem::elastic_links(medium.modulus, central));
+      const double cell      = medium.lattice == Lattice::chain ? a * medium.height() : a * hexagonal_row_pitch * a;
+      p.density              = medium.density * cell / (0.25 * M_PI * a * a);
+      p.interaction_ratio    = 1.1;
+      p.step_factor          = wave.step_factor;
+      const double  stiffest = 1 + medium.scatter;
+      dem::Specimen specimen(packing, p, dem::elastic_links(stiffest * medium.modulus, central));
+      share(medium, packing, stiffest, specimen);
       if (medium.lattice != Lattice::plane)
         guide(wave, packing, specimen);
       const double speed = amplitude * medium.wave_speed(wave.shear);
@@ -141,7 +152,7 @@ namespace apps
           const Vector3d along = load.branch.normalized();
           const double   now   = along.dot(apart[second] - apart[first]),
                        before  = now - one.time_step() * along.dot(faster[second] - faster[first]);
-          energy += 0.5 * medium.share_across(load.contact.y()) * stiffness * now * before;
+          energy += 0.5 * stiffness_of_link(medium, load.contact) * stiffness * now * before;
         }
       return energy;
     }
