@@ -135,7 +135,7 @@ namespace apps
         .means("At most, to get there once");
       section.number("Stress", g.stress, "Pa", Range::at_least(0), Need::required)
         .means("Low isotropic pressure that all radii are changed for at last; a hundredth of the strength at most. 0: "
-               "they stay as the porosity has them, floaters too");
+               "they stay as the porosity has them");
       section.number("Stress tolerance", g.stress_tolerance, "-", Range::positive(), Need::optional)
         .means("Of the stress, over it");
       section.integer("Stress rounds", g.stress_rounds, "", Range::between(1, 1e6), Need::optional)

@@ -152,7 +152,14 @@ namespace dem
   void Genesis::settle(const GrowthMeasures &m)
   {
     if (at_rest(m) || steps_in_round >= parameters.solve_steps)
-      enter(parameters.stress > 0 ? GenesisStage::stress : GenesisStage::done, m, at_rest(m));
+      parameters.stress > 0 ? enter(GenesisStage::stress, m, at_rest(m)) : enter_floaters(m, at_rest(m));
+  }
+
+  void Genesis::enter_floaters(const GrowthMeasures &m, const bool reached)
+  {
+    enter(parameters.fit_floaters ? GenesisStage::floaters : GenesisStage::done, m, reached);
+    if (stage == GenesisStage::floaters)
+      fit_floaters();
   }
 
   /**
@@ -162,6 +169,8 @@ namespace dem
    */
   bool Genesis::round_is_over(const GrowthMeasures &m) const
   {
+    if (parameters.stress == 0)
+      return at_rest(m) || steps_in_round >= parameters.solve_steps;
     const double pressure = -m.stress / parameters.stress;
     const double nearly   = std::sqrt(parameters.ratio * parameters.increment_ratio);
     const double enough   = pressure > far_above || pressure < 0.5               ? nearly :
@@ -198,17 +207,13 @@ namespace dem
   {
     if (!round_is_over(m))
       return;
+    const bool free = parameters.stress == 0; // radii have been fitted, and stay as they are
     const bool there =
-      at_rest(m) && std::abs(parameters.stress + m.stress) <= parameters.stress_tolerance * parameters.stress;
-    if (!there && round < parameters.stress_rounds)
+      at_rest(m) && (free || std::abs(parameters.stress + m.stress) <= parameters.stress_tolerance * parameters.stress);
+    if (!there && !free && round < parameters.stress_rounds)
       return change_stress(m);
     if (stage == GenesisStage::stress)
-      {
-        enter(parameters.fit_floaters ? GenesisStage::floaters : GenesisStage::done, m, there);
-        if (stage == GenesisStage::floaters)
-          fit_floaters();
-        return;
-      }
+      return enter_floaters(m, there);
     const bool few = floaters_of(assembly->contact_numbers()) <= parameters.floaters_allowed;
     if (few || fits >= parameters.floater_rounds)
       return enter(GenesisStage::done, m, there && few);

@@ -25,9 +25,9 @@ namespace dem
     double       ratio           = 1e-4;  ///< unbalanced ratio that stages end with, > 0
     std::int64_t solve_steps     = 20000; ///< at most, to get there, > 0
 
-    double stress = 0; ///< low isotropic pressure that radii are set for at last [Pa]; 0: they stay, and floaters too
-    double stress_tolerance    = 0.05; ///< of it, > 0
-    std::int64_t stress_rounds = 50;   ///< changes of all radii at most, for each stage that ends with the stress, > 0
+    double       stress           = 0;    ///< low isotropic pressure that radii are set for at last [Pa]; 0: they stay
+    double       stress_tolerance = 0.05; ///< of it, > 0
+    std::int64_t stress_rounds    = 50; ///< changes of all radii at most, for each stage that ends with the stress, > 0
 
     bool         fit_floaters     = true;
     int          floater_contacts = 3;    ///< particles with fewer contacts that push are floaters
@@ -43,7 +43,7 @@ namespace dem
     growth,
     settling, ///< to rest, with full radii
     stress,
-    floaters, ///< radii for them, and for the stress again
+    floaters, ///< radii for them, and for the stress again if there is one
     done
   };
 
@@ -98,6 +98,7 @@ namespace dem
     bool   round_is_over(const GrowthMeasures &m) const;
     void   change_stress(const GrowthMeasures &m);
     void   approach_stress(const GrowthMeasures &m);
+    void   enter_floaters(const GrowthMeasures &m, bool reached); ///< where they are fitted
     void   fit_floaters();
     void   begin_rounds();
     void   enter(GenesisStage next, const GrowthMeasures &m, bool reached);

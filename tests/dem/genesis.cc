@@ -110,6 +110,31 @@ TEST_CASE("floaters get the radii that make them part of the packing, whose stre
     }
 }
 
+TEST_CASE("without a stress to come to, floaters alone get other radii, and the porosity stays", "[slow]")
+{
+  auto p   = mortar(0.02, 0.04);
+  p.stress = 0;
+  dem::Genesis genesis(p);
+  genesis.advance(std::numeric_limits<std::int64_t>::max() / 2);
+  const dem::GenesisStageReport &before = genesis.reports()[1], &end = genesis.reports().back();
+  REQUIRE(before.stage == dem::GenesisStage::settling);
+  REQUIRE(end.stage == dem::GenesisStage::floaters);
+  CHECK(before.floaters > 0.03);
+  CHECK(end.reached);
+  CHECK(end.floaters <= 0.01);
+  CHECK(end.ratio <= p.ratio);
+  CHECK(end.scale == 1);
+  CHECK(end.diameter_change > 0);
+  CHECK(end.diameter_change < 0.01);
+  CHECK(std::abs(end.porosity - before.porosity) < 0.005);
+  const std::vector<double> radii  = genesis.packing().radius;
+  const auto                stayed = std::count_if(radii.begin(), radii.end(), [&](const double r) {
+    return std::any_of(p.radii.begin(), p.radii.end(),
+                                      [r](const double asked) { return r == Approx(asked).epsilon(1e-9); });
+  });
+  CHECK(static_cast<double>(stayed) > (1 - 1.5 * before.floaters) * static_cast<double>(radii.size()));
+}
+
 TEST_CASE("a packing that presses far too hard comes to its stress from above, without coming loose on the way")
 {
   dem::GenesisParameters p = mortar_of({1e-3, 3.2e-3}, 0.025, 0.05, 1);
@@ -225,8 +250,9 @@ TEST_CASE("bonds over the installation gap leave a packing without force, and it
 
 TEST_CASE("without a stress to come to, particles rest at their full size")
 {
-  auto p   = mortar(0.01, 0.012);
-  p.stress = 0;
+  auto p         = mortar(0.01, 0.012);
+  p.stress       = 0;
+  p.fit_floaters = false;
   dem::Genesis genesis(p);
   genesis.advance(std::numeric_limits<std::int64_t>::max() / 2);
   REQUIRE(genesis.finished());
