@@ -1,6 +1,6 @@
 // The main function of every test executable: Catch2's, and besides
 //
-//   test_ROOM --write-ctest FILE PREFIX     lists the test cases as CTest commands (run by the build)
+//   test_ROOM --write-ctest FILE PREFIX [by-file]     lists the test cases as CTest commands (run by the build)
 #define CATCH_CONFIG_RUNNER
 #include "dem/core/floating_point_traps.h"
 
@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iostream>
+#include <set>
 #include <string>
 
 namespace
@@ -51,10 +52,24 @@ namespace
            (has_tag(test, "mpi") ? "2" : "1") + " ENVIRONMENT \"OMP_NUM_THREADS=1;OMP_WAIT_POLICY=passive\"";
   }
 
-  int write_ctest(const std::string &executable, const std::string &file, const std::string &prefix)
+  /** Without folder and extension, as Catch2 makes tags of files. */
+  std::string file_of(const Catch::TestCase &test)
   {
-    const Catch::Config config;
-    std::ofstream       out(file);
+    const std::string path = test.lineInfo.file;
+    const std::size_t from = path.find_last_of('/') + 1; // 0 where there is none
+    return path.substr(from, path.find_last_of('.') - from);
+  }
+
+  /** @param by_file fast tests of a source run in one process: where it takes longer to start than most tests do */
+  int write_ctest(const std::string &executable, const std::string &file, const std::string &prefix, const bool by_file)
+  {
+    const Catch::Config   config;
+    std::ofstream         out(file);
+    std::set<std::string> files;
+    const auto            add = [&](const std::string &name, const std::string &selected, const Catch::TestCase &like) {
+      out << "add_test(" << name << ' ' << quoted(executable) << " -w NoTests " << selected << ")\n"
+          << "set_tests_properties(" << name << " PROPERTIES " << properties(like) << ")\n";
+    };
     for (const Catch::TestCase &test : Catch::getAllTestCasesSorted(config))
       {
         if (test.isHidden())
@@ -67,9 +82,11 @@ namespace
               << "\" cannot be selected on the command line. Begin it with a letter, without * at either end.\n";
             return 1;
           }
-        const std::string name = quoted(prefix + ": " + test.name);
-        out << "add_test(" << name << ' ' << quoted(executable) << " -w NoTests " << quoted(pattern) << ")\n"
-            << "set_tests_properties(" << name << " PROPERTIES " << properties(test) << ")\n";
+        if (!by_file || has_tag(test, "slow") || has_tag(test, "mpi"))
+          add(quoted(prefix + ": " + test.name), quoted(pattern), test);
+        else if (const std::string source = file_of(test); files.insert(source).second)
+          add(quoted(prefix + ": " + source + ".cc"),
+              "--filenames-as-tags " + quoted("[#" + source + "]~[slow]~[mpi]~[.]"), test);
       }
     out.close();
     return out ? 0 : 1;
@@ -79,8 +96,8 @@ namespace
 int main(int argc, char *argv[])
 {
   Catch::Session session;
-  if (argc == 4 && std::string(argv[1]) == "--write-ctest")
-    return write_ctest(argv[0], argv[2], argv[3]);
+  if (argc >= 4 && std::string(argv[1]) == "--write-ctest")
+    return write_ctest(argv[0], argv[2], argv[3], argc == 5 && std::string(argv[4]) == "by-file");
   dem::enable_floating_point_traps();
   return session.run(argc, argv);
 }

@@ -82,8 +82,7 @@ TEST_CASE("scattered links: a plane of them is as stiff in the mean as links tha
       }
 }
 
-TEST_CASE("scattered links: of a wave that gets to the overlap elements of the effective modulus carry on 95 %, and "
-          "little comes back",
+TEST_CASE("scattered links: elements of the effective modulus carry on 95 % of a wave that gets to them",
           "[verification][volume][slow]")
 {
   for (const double wavelength : {20.0, 24.0})
