@@ -157,8 +157,10 @@ namespace dem
 
   void Genesis::enter_floaters(const GrowthMeasures &m, const bool reached)
   {
-    enter(parameters.fit_floaters ? GenesisStage::floaters : GenesisStage::done, m, reached);
-    if (stage == GenesisStage::floaters)
+    const bool fits_them =
+      parameters.fit_floaters && floaters_of(assembly->contact_numbers()) > parameters.floaters_allowed;
+    enter(fits_them ? GenesisStage::floaters : GenesisStage::done, m, reached);
+    if (fits_them)
       fit_floaters();
   }
 

@@ -98,7 +98,7 @@ namespace dem
     bool   round_is_over(const GrowthMeasures &m) const;
     void   change_stress(const GrowthMeasures &m);
     void   approach_stress(const GrowthMeasures &m);
-    void   enter_floaters(const GrowthMeasures &m, bool reached); ///< where they are fitted
+    void   enter_floaters(const GrowthMeasures &m, bool reached); ///< where there are too many
     void   fit_floaters();
     void   begin_rounds();
     void   enter(GenesisStage next, const GrowthMeasures &m, bool reached);

@@ -135,6 +135,18 @@ TEST_CASE("without a stress to come to, floaters alone get other radii, and the 
   CHECK(static_cast<double>(stayed) > (1 - 1.5 * before.floaters) * static_cast<double>(radii.size()));
 }
 
+TEST_CASE("where hardly a floater is left, none is fitted")
+{
+  auto p             = mortar(0.01, 0.012);
+  p.stress           = 0;
+  p.floaters_allowed = 1;
+  dem::Genesis genesis(p);
+  genesis.advance(std::numeric_limits<std::int64_t>::max() / 2);
+  CHECK(genesis.reports().back().stage == dem::GenesisStage::settling);
+  p.fit_floaters = false;
+  CHECK(same(genesis.packing(), grown(p)));
+}
+
 TEST_CASE("a packing that presses far too hard comes to its stress from above, without coming loose on the way")
 {
   dem::GenesisParameters p = mortar_of({1e-3, 3.2e-3}, 0.025, 0.05, 1);
