@@ -151,8 +151,12 @@ namespace dem
 
   void Genesis::settle(const GrowthMeasures &m)
   {
-    if (at_rest(m) || steps_in_round >= parameters.solve_steps)
-      parameters.stress > 0 ? enter(GenesisStage::stress, m, at_rest(m)) : enter_floaters(m, at_rest(m));
+    if (!at_rest(m) && steps_in_round < parameters.solve_steps)
+      return;
+    if (parameters.stress > 0)
+      enter(GenesisStage::stress, m, at_rest(m));
+    else
+      enter_floaters(m, at_rest(m));
   }
 
   void Genesis::enter_floaters(const GrowthMeasures &m, const bool reached)
@@ -209,10 +213,10 @@ namespace dem
   {
     if (!round_is_over(m))
       return;
-    const bool free = parameters.stress == 0; // radii have been fitted, and stay as they are
-    const bool there =
-      at_rest(m) && (free || std::abs(parameters.stress + m.stress) <= parameters.stress_tolerance * parameters.stress);
-    if (!there && !free && round < parameters.stress_rounds)
+    const bool unstressed = parameters.stress == 0; // radii of floaters have been fitted, and stay as they are
+    const bool there      = at_rest(m) && (unstressed || std::abs(parameters.stress + m.stress) <=
+                                                      parameters.stress_tolerance * parameters.stress);
+    if (!there && !unstressed && round < parameters.stress_rounds)
       return change_stress(m);
     if (stage == GenesisStage::stress)
       return enter_floaters(m, there);

@@ -36,7 +36,7 @@ namespace apps
     while (std::fabs(now - last) > 1e-14)
       {
         last = now;
-        now  = 2 * part * scatter / std::log((around * last + 1 + scatter) / (around * last + 1 - scatter));
+        now  = part * scatter / std::atanh(scatter / (around * last + 1));
       }
     return now * modulus;
   }
