@@ -265,10 +265,7 @@ namespace dem
     return (1 - record[6]) * Vector3d(record + 3) - moment(b);
   }
 
-  Vector3d SurfaceBonds::moment(const std::size_t b) const
-  {
-    return links.has_moment ? Vector3d(&links.moment[half_record_size * b]) : Vector3d::Zero();
-  }
+  Vector3d SurfaceBonds::moment(const std::size_t b) const { return links.moment_of(b); }
 
   void SurfaceBonds::hand_out(base::Column &records, Surface &surface) const
   {

@@ -34,6 +34,17 @@ namespace dem
       store_low_half(rows[j], record + half_record_size * j);
   }
 
+  /** What a record has last, in the place of the rotation about z: lane 5; zero elsewhere. */
+  BRECCIA_KERNEL Pack last_at_rotations(const Pack &record)
+  {
+#ifdef __AVX512F__
+    if constexpr (Pack::size() == 8 && sizeof(Pack) == sizeof(__m512d))
+      return Pack(_mm512_maskz_permutexvar_pd(0x20, _mm512_set1_epi64(7), static_cast<__m512d>(record)));
+#endif
+    const double last = record[7];
+    return Pack([&](auto lane) { return lane == 5 ? last : 0.0; });
+  }
+
   /** A half record at the place of the rotations of a record: lanes 3 to 5; zero elsewhere. */
   BRECCIA_KERNEL Pack at_rotations(const HalfPack &half)
   {

@@ -121,6 +121,7 @@ namespace dem
 
     const char *name() const override { return Law::name; }
     std::size_t pairs() const override { return all.size(); }
+    bool        planar() const override { return dimension != 3; }
     bool        has_moment() const override { return Law::moment && rotations; }
     bool        breaks_in_place() const override { return Law::breaks_in_place; }
     bool        bonds() const override { return Law::bonds; }

@@ -18,7 +18,8 @@ namespace dem::link_update
   }
 
   /**
-   * Force on the first end, half branch x force, eccentricity: what a particle needs of its link, as records.
+   * Force on the first end, half branch x force, eccentricity, and in the plane the moment at the contact point: what a particle needs
+   * of its link, as records.
    * @param streams see put()
    * @return the force, z only in space
    */
@@ -50,6 +51,8 @@ namespace dem::link_update
         out[1] = answer.normal * frame.direction[1] + answer.shear[0] * frame.direction[0];
         if constexpr (P::rotations)
           out[5] = half_length * answer.shear[0];
+        if constexpr (P::moment)
+          out[7] = answer.bending_moment[0];
       }
     if constexpr (!P::equal_radii)
       out[6] = eccentric;
@@ -58,16 +61,13 @@ namespace dem::link_update
     return force;
   }
 
-  /** Moment on the first end at the contact point, as records. */
-  template <typename P, typename Frame>
-  BRECCIA_KERNEL void put_moment(const Frame &frame, const LinkForce<Pack, P::across> &answer, double *record)
+  /** Moment on the first end at the contact point, in space, as half records. */
+  template <typename Frame>
+  BRECCIA_KERNEL void put_moment(const Frame &frame, const LinkForce<Pack, 3> &answer, double *record)
   {
-    Pack out[3] = {Pack(0.0), Pack(0.0), Pack(0.0)};
-    if constexpr (P::dimension == 3)
-      for (int c = 0; c < 3; ++c)
-        out[c] = answer.bending_moment[c] + answer.twisting_moment * frame.direction[c];
-    else
-      out[2] = answer.bending_moment[0];
+    Pack out[3];
+    for (int c = 0; c < 3; ++c)
+      out[c] = answer.bending_moment[c] + answer.twisting_moment * frame.direction[c];
     store_half_records(out, record);
   }
 } // namespace dem::link_update

@@ -97,8 +97,8 @@ namespace dem::link_update
     const auto answer = P::Law::update(law, motion, state, sums.work);
     store_history<P>(history, l, before, state, rests);
     const Vec<Pack, 3> force = put_force<P>(frame, answer, eccentric, &links.force[record_size * l], links.streams);
-    if constexpr (P::moment)
-      put_moment<P>(frame, answer, &links.moment[half_record_size * l]);
+    if constexpr (P::moment && P::dimension == 3)
+      put_moment(frame, answer, &links.moment[half_record_size * l]);
     if constexpr (P::periodic)
       for (int i = 0; i < P::dimension; ++i)
         for (int j = 0; j < P::dimension; ++j)

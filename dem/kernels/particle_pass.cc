@@ -16,18 +16,19 @@ namespace dem
       Pack own_sign, other_sign;  ///< how a link's record counts at its first and at its second end
       Pack own_arm, other_arm;    ///< and how its eccentricity changes that: arms are (1 +- e) L/2
       Pack keep_pose, translates; ///< what of a pose stays, and which lanes are displaced
-      Pack rotates;
+      Pack rotates, all_but_last;
 
       Lanes()
-        : own_sign([](auto i) { return i < 6 ? 1.0 : 0.0; })
-        , other_sign([](auto i) { return i < 3 ? -1.0 :
-                                         i < 6 ? 1.0 :
-                                                 0.0; })
+        : own_sign([](auto i) { return i == 6 ? 0.0 : 1.0; })
+        , other_sign([](auto i) { return i == 6         ? 0.0 :
+                                         i > 2 && i < 6 ? 1.0 :
+                                                          -1.0; })
         , own_arm([](auto i) { return i >= 3 && i < 6 ? 1.0 : 0.0; })
         , other_arm([](auto i) { return i >= 3 && i < 6 ? -1.0 : 0.0; })
         , keep_pose([](auto i) { return i < 3 || i == 6 ? 1.0 : 0.0; })
         , translates([](auto i) { return i < 3 ? 1.0 : 0.0; })
         , rotates([](auto i) { return i >= 3 && i < 6 ? 1.0 : 0.0; })
+        , all_but_last([](auto i) { return i < 7 ? 1.0 : 0.0; })
       {
       }
     };
@@ -89,9 +90,15 @@ namespace dem
     add_set(const LinkSet &links, const std::size_t i, const Lanes &lanes, Pack &sum, HalfPack &moment)
     {
       if constexpr (moments)
-        if (links.has_moment)
+        if (links.moments_apart)
           return add_links_with_moments<equal_radii>(links, i, lanes, sum, moment);
       add_links<equal_radii>(links, i, lanes, sum);
+    }
+
+    /** With the moments at contact points: of links in the plane they stand last in their records, of those in space apart. */
+    BRECCIA_KERNEL Pack with_moments(const Pack &force, const HalfPack &apart, const Lanes &lanes)
+    {
+      return force * lanes.all_but_last + last_at_rotations(force) + at_rotations(apart);
     }
 
     /** tan(t/2)/(t/2) of a rotation vector's squared length; a short series for the angles of a stable step. */
@@ -218,7 +225,7 @@ namespace dem
               if constexpr (with_contacts)
                 add_set<equal_radii, moments>(*contacts, i, lanes, force, moment);
               if constexpr (moments)
-                force += at_rotations(moment);
+                force = with_moments(force, moment, lanes);
               constexpr bool touched = surroundings == Surroundings::touched;
               constexpr bool pushed  = surroundings == Surroundings::pushed || touched;
               if constexpr (surroundings == Surroundings::weight || pushed)

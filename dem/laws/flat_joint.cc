@@ -91,7 +91,7 @@ namespace dem
     constexpr int dimension_of = S::axes > 0 ? 3 : 1;
 
     template <typename S>
-    JointOpening<double> opening_at(const LinkGeometry &link, const S &state)
+    JointOpening<double, dimension_of<S>> opening_at(const LinkGeometry &link, const S &state)
     {
       return opening_of<dimension_of<S>>(state, link.strain, state.number[FlatJoint::radius] / link.reference);
     }
@@ -103,8 +103,10 @@ namespace dem
     }
 
     template <typename S>
-    Vec<double, 2>
-    slip_of_element(const S &state, const int element, const JointOpening<double> &at, const FlatJointLayout &l)
+    Vec<double, 2> slip_of_element(const S                                     &state,
+                                   const int                                    element,
+                                   const JointOpening<double, dimension_of<S>> &at,
+                                   const FlatJointLayout                       &l)
     {
       const int row = row_of<S>(element);
       if (state.rows.get(row) < 0.5)
@@ -113,7 +115,8 @@ namespace dem
     }
 
     /** Lowest gap of its elements' ends over the reference length. */
-    double lowest_gap(const FlatJointLayout &layout, const JointOpening<double> &at)
+    template <int m>
+    double lowest_gap(const FlatJointLayout &layout, const JointOpening<double, m> &at)
     {
       double lowest = std::numeric_limits<double>::infinity();
       for (const auto &e : layout.elements)
@@ -342,7 +345,7 @@ namespace dem
     {
       const FlatJointConstants       &k;
       const FlatJointLayout::Element &e;
-      const JointOpening<double>     &at;
+      const JointOpening<double, 3>  &at;
       LinkTangent                     kind;
 
       Matrix5 bonded() const
@@ -415,8 +418,8 @@ namespace dem
         return all;
       }
     // The gap of this step, also where a linear contact has taken over at its end.
-    JointOpening<double> at = opening_of<3>(after, step.geometry.strain, per);
-    at.gap                  = step.geometry.strain - before.number[installed];
+    JointOpening<double, 3> at = opening_of<3>(after, step.geometry.strain, per);
+    at.gap                     = step.geometry.strain - before.number[installed];
     for (int e = 0; e < k.layout->size(); ++e)
       {
         const auto &element = k.layout->elements[static_cast<std::size_t>(e)];

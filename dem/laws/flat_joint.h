@@ -161,8 +161,9 @@ namespace dem
       const bool breaks = any(after.number[bonded] < before.number[bonded]);
       const bool moves  = any(after.number[installed] > before.number[installed]) ||
                          any(after.number[installed] < before.number[installed]);
-      constexpr unsigned always = 1u << twist | 1u << slip_1 | 1u << turn_2 | 1u << slip_2 | 1u << turn_1;
-      return always | (breaks ? 1u << bonded : 0u) | (moves ? 1u << installed : 0u);
+      constexpr unsigned always   = 1u << slip_1 | 1u << turn_2;
+      constexpr unsigned in_space = 1u << twist | 1u << slip_2 | 1u << turn_1;
+      return always | (S::axes > 0 ? in_space : 0u) | (breaks ? 1u << bonded : 0u) | (moves ? 1u << installed : 0u);
     }
 
     template <typename S>

@@ -40,40 +40,53 @@ namespace dem
       }
   }
 
-  /** Where a joint stands: gap in its middle and turns over the radius, as changes of gap over the reference length. */
-  template <typename T>
+  /**
+   * Where a joint stands: gap in its middle and turns over the radius, as changes of gap over the reference length.
+   * @tparam m see FlatJoint::State; in the plane all that is about axis 1 or along axis 2 is zero, and not looked at
+   */
+  template <typename T, int m>
   struct JointOpening
   {
     T         gap, b1, b2; ///< of the middle; per radius along axis 2 and against axis 1
     Vec<T, 2> slip;        ///< of the middle
     T         twist;       ///< per radius
 
-    BRECCIA_KERNEL T gap_at(const FlatJointLayout::Element &e) const { return gap + T(e.x2) * b1 - T(e.x1) * b2; }
+    BRECCIA_KERNEL T gap_at(const FlatJointLayout::Element &e) const
+    {
+      if constexpr (m == 1)
+        return gap - T(e.x1) * b2;
+      else
+        return gap + T(e.x2) * b1 - T(e.x1) * b2;
+    }
     BRECCIA_KERNEL Vec<T, 2> slip_at(const FlatJointLayout::Element &e) const
     {
-      return {{slip[0] - T(e.x2) * twist, slip[1] + T(e.x1) * twist}};
+      if constexpr (m == 1)
+        return slip;
+      else
+        return {{slip[0] - T(e.x2) * twist, slip[1] + T(e.x1) * twist}};
     }
   };
 
   /** @param per_radian radius of the joint over the reference length */
   template <int m, typename S, typename T>
-  BRECCIA_KERNEL JointOpening<T> opening_of(const S &state, const T &strain, const T &per_radian)
+  BRECCIA_KERNEL JointOpening<T, m> opening_of(const S &state, const T &strain, const T &per_radian)
   {
-    const Vec<T, 2> turn = joint_turn<m>(state);
+    const Vec<T, 2> turn  = joint_turn<m>(state);
+    const T         twist = m == 3 ? per_radian * state.number[FlatJoint::twist] : T(0.0);
     return {strain - state.number[FlatJoint::installed], per_radian * turn[0], per_radian * turn[1],
-            joint_slip<m>(state), per_radian * state.number[FlatJoint::twist]};
+            joint_slip<m>(state), twist};
   }
 
   /** What an element that is not bonded answers along the link. */
-  template <typename T>
+  template <typename T, int m>
   BRECCIA_KERNEL ElementPush<T>
-                 free_push(const FlatJointLayout &layout, const FlatJointLayout::Element &e, const JointOpening<T> &at)
+  free_push(const FlatJointLayout &layout, const FlatJointLayout::Element &e, const JointOpening<T, m> &at)
   {
     return layout.half_width > 0 ? free_segment_element(at.gap_at(e), at.b2, T(layout.half_width)) :
                                    free_element(at.gap_at(e));
   }
-  template <typename T>
-  BRECCIA_KERNEL ElementPush<T> bonded_push(const FlatJointLayout::Element &e, const JointOpening<T> &at)
+  template <typename T, int m>
+  BRECCIA_KERNEL ElementPush<T> bonded_push(const FlatJointLayout::Element &e, const JointOpening<T, m> &at)
   {
     return bonded_element(at.gap_at(e), at.b1, at.b2, T(e.own));
   }

@@ -43,6 +43,16 @@ namespace dem
     BRECCIA_KERNEL Vec<T, 1> of_turn(const Vec<T, 2> &v) const { return {{v[1]}}; }
   };
 
+  /** Of vectors along the axes; in the plane they have the first component only. */
+  template <int m, typename T>
+  BRECCIA_KERNEL T scalar(const Vec<T, 2> &a, const Vec<T, 2> &b)
+  {
+    if constexpr (m == 1)
+      return a[0] * b[0];
+    else
+      return dot(a, b);
+  }
+
   /** Sums over the elements: forces over modulus or stress, moments over R, and what the specimen asks for. */
   template <typename T>
   struct JointSums
@@ -50,8 +60,8 @@ namespace dem
     T             push{0.0}, moment_1{0.0}, moment_2{0.0}; ///< along the link, stresses
     Vec<T, 2>     shear{{T(0.0), T(0.0)}};
     T             twisting{0.0};
-    T             energy{0.0}, released{0.0}, friction{0.0}; ///< per volume A L0
-    T             bonded{0.0}, broken{0.0}, lowest{1e300};   ///< lowest: gap of all elements' ends
+    T             released{0.0}, friction{0.0};            ///< per volume A L0
+    T             bonded{0.0}, broken{0.0}, lowest{1e300}; ///< lowest: gap of all elements' ends
     Comparison<T> slides{false}, breaks{false};
   };
 
@@ -72,37 +82,38 @@ namespace dem
         bend = square_root(dot(bent, bent));
         slip = square_root(dot(slid, slid));
       }
-    const T rim     = T(k.layout->reach) * per_radian;
-    const T most    = T(k.joint_normal) * (opened + rim * bend);
-    const T sliding = T(k.joint_shear) * (slip + rim * magnitude(state.number[FlatJoint::twist]));
+    const T rim  = T(k.layout->reach) * per_radian;
+    const T most = T(k.joint_normal) * (opened + rim * bend);
+    if constexpr (m == 3)
+      slip = slip + rim * magnitude(state.number[FlatJoint::twist]);
+    const T sliding = T(k.joint_shear) * slip;
     return most < T(k.tensile_strength) && sliding < T(k.cohesion) - most * T(k.tan_angle);
   }
 
   /** One element: breaks or holds, pushes and slides; its state and slip are stored where it is not bonded. */
-  template <typename K, typename T, typename S>
-  BRECCIA_KERNEL void advance_element(const K               &k,
-                                      const int              number,
-                                      const int              width,
-                                      const JointOpening<T> &now,
-                                      const JointOpening<T> &change,
-                                      const Comparison<T>   &active,
-                                      const S               &state,
-                                      JointSums<T>          &sums)
+  template <typename K, typename T, int m, typename S>
+  BRECCIA_KERNEL void advance_element(const K                  &k,
+                                      const int                 number,
+                                      const JointOpening<T, m> &now,
+                                      const JointOpening<T, m> &change,
+                                      const Comparison<T>      &active,
+                                      const S                  &state,
+                                      JointSums<T>             &sums)
   {
     const FlatJointLayout          &layout = *k.layout;
     const FlatJointLayout::Element &e      = layout.elements[static_cast<std::size_t>(number)];
-    const int                       row    = FlatJoint::elements + width * number;
+    const int                       row    = FlatJoint::elements + FlatJoint::row_width(m) * number;
     const T                         was    = state.rows.get(row);
     const auto                      bonded = active && was < T(0.5);
     const Vec<T, 2>                 moved = now.slip_at(e), added = change.slip_at(e);
 
     Vec<T, 2> trial, kept;
     kept[0]  = state.rows.get(row + 1);
-    kept[1]  = width == 3 ? state.rows.get(row + 2) : T(0.0);
+    kept[1]  = m == 3 ? state.rows.get(row + 2) : T(0.0);
     trial[0] = select(bonded, moved[0], kept[0] + added[0]);
-    trial[1] = select(bonded, moved[1], kept[1] + added[1]);
+    trial[1] = m == 3 ? select(bonded, moved[1], kept[1] + added[1]) : T(0.0);
 
-    const T    stiff = T(k.joint_normal), shear2 = T(k.joint_shear * k.joint_shear) * dot(trial, trial);
+    const T    stiff = T(k.joint_normal), shear2 = T(k.joint_shear * k.joint_shear) * scalar<m>(trial, trial);
     const T    stress  = stiff * now.gap_at(e);
     const T    limit   = maximum(T(k.cohesion) - stress * T(k.tan_angle), T(0.0));
     const auto torn    = bonded && stress >= T(k.tensile_strength);
@@ -121,12 +132,14 @@ namespace dem
 
     const T share = select(active, T(e.share), T(0.0));
     sums.push     = sums.push + share * stiff * push;
-    sums.moment_1 = sums.moment_1 + share * stiff * (T(e.x2) * push + of(held.moment_1, pushed.moment_1));
     sums.moment_2 = sums.moment_2 + share * stiff * (of(held.moment_2, pushed.moment_2) - T(e.x1) * push);
-    sums.shear    = sums.shear + (share * T(k.joint_shear)) * slip;
-    sums.twisting = sums.twisting + share * T(k.joint_shear) * (T(e.x1) * slip[1] - T(e.x2) * slip[0]);
-    sums.energy =
-      sums.energy + share * (stiff * of(held.energy, pushed.energy) + T(0.5) * T(k.joint_shear) * dot(slip, slip));
+    sums.shear[0] = sums.shear[0] + (share * T(k.joint_shear)) * slip[0];
+    if constexpr (m == 3)
+      {
+        sums.moment_1 = sums.moment_1 + share * stiff * (T(e.x2) * push + of(held.moment_1, pushed.moment_1));
+        sums.shear[1] = sums.shear[1] + (share * T(k.joint_shear)) * slip[1];
+        sums.twisting = sums.twisting + share * T(k.joint_shear) * (T(e.x1) * slip[1] - T(e.x2) * slip[0]);
+      }
     sums.bonded  = sums.bonded + select(holds, T(1.0), T(0.0));
     sums.slides  = sums.slides || slides;
     const T bend = T(layout.half_width) * maximum(now.b2, T(0.0) - now.b2);
@@ -135,17 +148,17 @@ namespace dem
     if (any(slides || breaks))
       {
         // Mean of the stresses before and after times what slipped; of second order in the step.
-        const T done  = T(0.5 * k.joint_shear) * dot(trial - added + slip, trial - slip);
+        const T done  = T(0.5 * k.joint_shear) * scalar<m>(trial - added + slip, trial - slip);
         sums.friction = sums.friction + share * select(breaks, T(0.0), maximum(done, T(0.0)));
         sums.released = sums.released + select(breaks, share * done, T(0.0));
       }
     if (any(breaks))
       {
         // Forces of before and after have each worked over half the step; the rest of what was stored is set free.
-        const JointOpening<T> before = {now.gap - change.gap, now.b1 - change.b1, now.b2 - change.b2,
-                                        now.slip - change.slip, now.twist - change.twist};
-        const ElementPush<T>  had    = bonded_push(e, before);
-        const T               worked = (had.stress + pushed.stress) * change.gap_at(e) +
+        const JointOpening<T, m> before = {now.gap - change.gap, now.b1 - change.b1, now.b2 - change.b2,
+                                           now.slip - change.slip, now.twist - change.twist};
+        const ElementPush<T>     had    = bonded_push(e, before);
+        const T                  worked = (had.stress + pushed.stress) * change.gap_at(e) +
                          (had.moment_1 + pushed.moment_1) * change.b1 + (had.moment_2 + pushed.moment_2) * change.b2;
         sums.released =
           sums.released + select(breaks, share * stiff * (had.energy - pushed.energy + T(0.5) * worked), T(0.0));
@@ -156,9 +169,25 @@ namespace dem
     if (any(loose))
       {
         state.rows.put(row + 1, select(loose, slip[0], kept[0]));
-        if (width == 3)
+        if constexpr (m == 3)
           state.rows.put(row + 2, select(loose, slip[1], kept[1]));
       }
+  }
+
+  /** What is stored in elements none of which is bonded, over A L0; their slips are those of the state. */
+  template <typename K, typename T, int m, typename S>
+  BRECCIA_KERNEL T stored_in_loose(const K &k, const JointOpening<T, m> &at, const S &state)
+  {
+    T sum(0.0);
+    for (int number = 0; number < k.layout->size(); ++number)
+      {
+        const FlatJointLayout::Element &e    = k.layout->elements[static_cast<std::size_t>(number)];
+        const int                       row  = FlatJoint::elements + FlatJoint::row_width(m) * number;
+        const Vec<T, 2>                 slip = {{state.rows.get(row + 1), m == 3 ? state.rows.get(row + 2) : T(0.0)}};
+        sum = sum + T(e.share) * (T(k.joint_normal) * free_push(*k.layout, e, at).energy +
+                                  T(0.5) * T(k.joint_shear) * scalar<m>(slip, slip));
+      }
+    return sum;
   }
 
   /**
@@ -173,21 +202,20 @@ namespace dem
                                        LinkWork<T>            &work,
                                        LinkForce<T, m>        &answer)
   {
-    using J                       = FlatJoint;
-    const int             width   = J::row_width(m);
-    const T               per     = state.number[J::radius] * motion.inverse_reference;
-    const T               opened  = motion.strain - state.number[J::installed];
-    const auto            exists  = motion.area > T(0.0);
-    const T               linear  = state.rows.get(J::replaced);
-    const auto            contact = exists && linear > T(0.5), active = exists && !contact;
-    const Vec<T, 2>       turning = axes.turn(motion.bending_increment);
-    const JointOpening<T> now     = opening_of<m>(state, motion.strain, per);
-    const JointOpening<T> change  = {motion.strain - motion.strain_before, per * turning[0], per * turning[1],
-                                     axes.slip(motion.shear_increment), per * motion.twist_increment};
+    using J                          = FlatJoint;
+    const T                  per     = state.number[J::radius] * motion.inverse_reference;
+    const T                  opened  = motion.strain - state.number[J::installed];
+    const auto               exists  = motion.area > T(0.0);
+    const T                  linear  = state.rows.get(J::replaced);
+    const auto               contact = exists && linear > T(0.5), active = exists && !contact;
+    const Vec<T, 2>          turning = axes.turn(motion.bending_increment);
+    const JointOpening<T, m> now     = opening_of<m>(state, motion.strain, per);
+    const JointOpening<T, m> change  = {motion.strain - motion.strain_before, per * turning[0], per * turning[1],
+                                        axes.slip(motion.shear_increment), per * motion.twist_increment};
 
     JointSums<T> sums;
     for (int e = 0; e < k.layout->size(); ++e)
-      advance_element(k, e, width, now, change, active, state, sums);
+      advance_element(k, e, now, change, active, state, sums);
 
     const T    section = motion.area * T(k.area_factor), lever = section * state.number[J::radius];
     const T    volume = section * motion.reference;
@@ -219,7 +247,7 @@ namespace dem
     if (any(contact))
       {
         const int       first  = J::elements + 1;
-        Vec<T, 2>       slip   = {{state.rows.get(first), width == 3 ? state.rows.get(first + 1) : T(0.0)}};
+        Vec<T, 2>       slip   = {{state.rows.get(first), m == 3 ? state.rows.get(first + 1) : T(0.0)}};
         const Vec<T, 2> before = slip;
         slip                   = slip + change.slip;
         LinkWork<T> done;
@@ -229,7 +257,7 @@ namespace dem
         answer.slides = answer.slides || (contact && force.slides);
         answer.event  = answer.event || (contact && motion.strain > maximum(state.number[J::installed], T(0.0)));
         state.rows.put(first, select(contact, slip[0], before[0]));
-        if (width == 3)
+        if constexpr (m == 3)
           state.rows.put(first + 1, select(contact, slip[1], before[1]));
       }
 
@@ -242,11 +270,11 @@ namespace dem
         const Vec<T, 2> slip   = (T(k.area_factor) / T(k.shear)) * sums.shear;
         const T         kept =
           T(0.5) * motion.area * motion.reference * (T(k.normal) * normal * normal + T(k.shear) * dot(slip, slip));
-        work.released += select(slid, volume * sums.energy - kept, T(0.0));
+        work.released += select(slid, volume * stored_in_loose(k, now, state) - kept, T(0.0));
         state.number[J::installed] = select(slid, motion.strain - normal, state.number[J::installed]);
         state.rows.put(J::replaced, select(slid, T(1.0), linear));
         state.rows.put(first, select(slid, slip[0], state.rows.get(first)));
-        if (width == 3)
+        if constexpr (m == 3)
           state.rows.put(first + 1, select(slid, slip[1], state.rows.get(first + 1)));
       }
   }
@@ -255,7 +283,8 @@ namespace dem
   BRECCIA_KERNEL LinkForce<T, m>
                  FlatJoint::update(const K &k, const LinkMotion<T, m> &motion, State<T, m> &state, LinkWork<T> &work)
   {
-    state.number[twist] = state.number[twist] + motion.twist_increment;
+    if constexpr (m == 3)
+      state.number[twist] = state.number[twist] + motion.twist_increment;
     const JointAxes<T, m> axes(state, motion.direction);
     add_to_joint<m>(state, axes.slip(motion.shear_increment), axes.turn(motion.bending_increment));
     const T opened     = motion.strain - state.number[installed];
@@ -266,7 +295,7 @@ namespace dem
     answer.normal          = (motion.area * T(k.area_factor)) * (T(k.joint_normal) * opened);
     answer.shear           = (motion.area * T(k.area_factor * k.joint_shear)) * axes.of_slip(joint_slip<m>(state));
     answer.bending_moment  = (section * T(k.bending_modulus)) * axes.of_turn(joint_turn<m>(state));
-    answer.twisting_moment = (section * T(k.twisting_modulus)) * state.number[twist];
+    answer.twisting_moment = m == 3 ? (section * T(k.twisting_modulus)) * state.number[twist] : T(0.0);
     answer.slides = answer.event = Comparison<T>(false);
 
     const auto bonded_throughout = state.number[bonded] > T(k.layout->size() - 0.5);

@@ -35,8 +35,7 @@ namespace dem
     load.branch  = view.length * view.direction;
     load.contact = load.first + arm * view.direction;
     load.force   = view.force;
-    if (links.has_moment)
-      load.couple = Eigen::Vector3d(&links.moment[half_record_size * link]);
+    load.couple  = links.moment_of(link);
     return load;
   }
 
@@ -71,7 +70,7 @@ namespace dem
         0.5 * ((link.length + eccentric) * moved(J, 3) + (link.length - eccentric) * moved(K, 3));
       double work = link.force.dot(opening) - link.direction.cross(link.force).dot(arms);
       if (links.has_moment)
-        work += Eigen::Vector3d(&links.moment[half_record_size * l]).dot(moved(K, 3) - moved(J, 3));
+        work += links.moment_of(l).dot(moved(K, 3) - moved(J, 3));
       return work;
     }
   } // namespace

@@ -27,6 +27,7 @@ namespace dem
     LinkPass    pass(Mixture mixture, bool periodic) const override;
 
     std::vector<LinkQuantity> columns() const override;
+    bool                      planar() const override { return law.front()->planar(); }
     bool                      has_moment() const override;
     bool                      breaks_in_place() const override;
     bool                      bonds() const override;

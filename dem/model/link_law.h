@@ -154,6 +154,7 @@ namespace dem
 
     /** What a link remembers, one entry per column of its history (vectors across the link: one per component). */
     virtual std::vector<LinkQuantity> columns() const         = 0;
+    virtual bool                      planar() const          = 0; ///< of discs
     virtual bool                      has_moment() const      = 0;
     virtual bool                      breaks_in_place() const = 0; ///< a broken bond stays in its place as a contact
     virtual bool                      bonds() const = 0; ///< carries tension; otherwise it lives only in contact

@@ -32,6 +32,7 @@ namespace dem
     periodic      = in_cell;
     several_pairs = several_materials;
     has_moment    = links_law.has_moment();
+    moments_apart = has_moment && !links_law.planar();
     logs_breaks   = links_law.breaks_in_place();
     quantities    = links_law.columns();
     kinds         = links_law.kinds();
@@ -44,11 +45,21 @@ namespace dem
     other.periodic      = periodic;
     other.several_pairs = several_pairs;
     other.has_moment    = has_moment;
+    other.moments_apart = moments_apart;
     other.logs_breaks   = logs_breaks;
     other.quantities    = quantities;
     other.kinds         = kinds;
     other.history.resize(quantities.size());
     return other;
+  }
+
+  Eigen::Vector3d LinkSet::moment_of(const std::size_t link) const
+  {
+    if (!has_moment)
+      return Eigen::Vector3d::Zero();
+    if (moments_apart)
+      return Eigen::Vector3d(&moment[half_record_size * link]);
+    return {0, 0, force[record_size * link + 7]};
   }
 
   std::size_t LinkSet::laws() const
@@ -117,7 +128,7 @@ namespace dem
       column.resize(lines);
     pad(n, particles);
     force.assign(record_size * lines, 0.0);
-    if (has_moment)
+    if (moments_apart)
       moment.assign(half_record_size * lines, 0.0);
     accounts.resize(std::max<std::size_t>(lines / links_per_block, 1));
     streams = sizeof(double) * force.size() > last_level_cache();
@@ -166,7 +177,7 @@ namespace dem
     for (std::size_t c = 0; c < history.size(); ++c)
       history[c][to] = source.history[c][from];
     std::copy_n(&source.force[record_size * from], record_size, &force[record_size * to]);
-    if (has_moment)
+    if (moments_apart)
       std::copy_n(&source.moment[half_record_size * from], half_record_size, &moment[half_record_size * to]);
   }
 
@@ -174,7 +185,7 @@ namespace dem
   {
     area[link] = 0.0;
     std::fill_n(&force[record_size * link], record_size, 0.0);
-    if (has_moment)
+    if (moments_apart)
       std::fill_n(&moment[half_record_size * link], half_record_size, 0.0);
     --alive;
   }
@@ -300,7 +311,7 @@ namespace dem
     for (std::size_t c = 0; c < history.size(); ++c)
       visitor.column(name + "/" + quantities[c].name, history[c]);
     visitor.column(name + "/force", force);
-    if (has_moment)
+    if (moments_apart)
       visitor.column(name + "/moment", moment);
 
     base::Column sums(3 * accounts.size());

@@ -41,8 +41,10 @@ namespace dem
     bool        periodic = false; ///< links reach to images of particles, and their share of stress is summed up
     bool several_pairs = false; ///< particles are of several materials, and each link knows which pair of them it joins
     bool has_moment    = false; ///< they carry moments
-    bool streams       = false; ///< too many for the caches: force records are written past them
-    bool logs_breaks   = false; ///< broken ones may stay: `noted` tells which the crack log has
+    bool moments_apart =
+      false; ///< in records of their own; in the plane a moment is one number, and has room beside the force
+    bool streams     = false; ///< too many for the caches: force records are written past them
+    bool logs_breaks = false; ///< broken ones may stay: `noted` tells which the crack log has
 
     std::vector<LinkQuantity> quantities;  ///< what the columns of the history are, as the law declares them
     std::vector<std::int32_t> kinds;       ///< of each pair of materials the number of its law; empty: there is one
@@ -57,9 +59,10 @@ namespace dem
     base::Column              reference_length; ///< L0 [m]
     base::Column              area;             ///< A [m^2]; 0: deleted
     std::vector<base::Column> history;          ///< what the law remembers, see `quantities`
-    base::Column              force; ///< records: f on the first end (3) [N] | half l x f (3) [N m] | (r_J - r_K)/L | 0
     base::Column
-      moment; ///< half records: moment on the first end at the contact point (3) [N m] | 0; only with moments
+      force; ///< records: f on the first end (3) [N] | half l x f (3) [N m] | (r_J - r_K)/L | m_z in the plane
+    base::Column
+      moment; ///< half records: moment m on the first end at the contact point (3) [N m] | 0; only with moments, in space
     std::vector<LinkBlockAccount> accounts;
     base::Column
       stress_moments; ///< of each block a record of 16: sum l (x) f by rows (9) [N m] | 0 ..; only if periodic
@@ -105,6 +108,8 @@ namespace dem
     std::size_t laws() const;
     /** Living links of each law. */
     std::vector<std::size_t> alive_by_law() const;
+    /** Moment on the first end at the contact point [N m]. */
+    Eigen::Vector3d moment_of(std::size_t link) const;
     /** Number of the law of a link. */
     std::size_t kind_of_line(const std::size_t link) const { return kinds.empty() ? 0 : kind_of(pair[link]); }
     /** History of a link as a row of numbers, in the order of `quantities`. */

@@ -23,6 +23,8 @@ namespace dem
 
     std::int64_t floor_division(const std::int64_t a, const std::int64_t b)
     {
+      if (a >= 0 && a < b) // nearly always: a division takes longer than all else that is done about a row of cells
+        return 0;
       return a >= 0 ? a / b : -((-a + b - 1) / b);
     }
 
@@ -54,8 +56,9 @@ namespace dem
       Eigen::Matrix3d     base   = Eigen::Matrix3d::Identity(); ///< columns: edges [m]
       Eigen::Matrix3d     inverse;
       std::array<bool, 3> repeats = {{false, false, false}};
-      Eigen::Vector3d     height; ///< between opposite faces [m]
-      double              slack;  ///< bounds the rounding of positions brought inside [m]
+      std::array<bool, 3> flat    = {{false, false, false}}; ///< all centres lie at one place along it
+      Eigen::Vector3d     height;                            ///< between opposite faces [m]
+      double              slack;                             ///< bounds the rounding of positions brought inside [m]
 
       /** To be called when the four above are set. */
       void complete(const std::vector<Eigen::Vector3d> &centre)
@@ -82,7 +85,8 @@ namespace dem
                 high = std::max(high, x[d]);
               }
             frame.origin[d]  = low;
-            frame.base(d, d) = high > low ? high - low : 1.0;
+            frame.flat[d]    = !(high > low);
+            frame.base(d, d) = frame.flat[d] ? 1.0 : high - low;
           }
     }
 
@@ -152,7 +156,10 @@ namespace dem
       }
 
     private:
-      /** Cells as wide as the longest pair reach of the class; wider where that would give many more cells than members. */
+      /**
+       * Cells as wide as the longest pair reach of the class; wider where that would give many more cells than members. One where all
+       * lie side by side: discs would otherwise share few wide cells of their plane with many empty layers above it.
+       */
       void choose_cells(const std::size_t members)
       {
         const std::int64_t most  = 64 + 2 * static_cast<std::int64_t>(members);
@@ -160,7 +167,10 @@ namespace dem
         do
           {
             for (int d = 0; d < 3; ++d)
-              count[d] = static_cast<std::int64_t>(std::clamp(frame.height[d] / width, 1.0, static_cast<double>(most)));
+              count[d] =
+                frame.flat[d] ?
+                  1 :
+                  static_cast<std::int64_t>(std::clamp(frame.height[d] / width, 1.0, static_cast<double>(most)));
             width *= 1.25;
           }
         while (static_cast<double>(count[0]) * static_cast<double>(count[1]) * static_cast<double>(count[2]) >
@@ -223,7 +233,9 @@ namespace dem
             std::ptrdiff_t     slot   = start[row + column - offset];
             if (column == from[0])
               slot = std::max(slot, after);
-            const Eigen::Vector3d moved = seeker.position - frame.base * Eigen::Vector3d(image[0], image[1], image[2]);
+            Eigen::Vector3d moved = seeker.position;
+            if (image != Index{{0, 0, 0}})
+              moved -= frame.base * Eigen::Vector3d(image[0], image[1], image[2]);
             for (; slot < start[row + end - offset + 1]; ++slot)
               {
                 const double limit = seeker.reach + entries[slot].reach + frame.slack;

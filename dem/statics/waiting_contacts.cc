@@ -29,6 +29,7 @@ namespace dem
 
       const char *name() const override { return bond->name(); }
       std::size_t pairs() const override { return 2 * bond->pairs(); }
+      bool        planar() const override { return bond->planar(); }
       bool        has_moment() const override { return bond->has_moment() || contact->has_moment(); }
       bool        breaks_in_place() const override { return bond->breaks_in_place(); }
       bool        bonds() const override { return true; }

@@ -163,3 +163,11 @@ TEST_CASE("half records hold the moments of eight links in their order", "[dem]"
         CHECK(placed[c] == (c >= 3 && c < 6 ? half[c - 3] : 0.0));
     }
 }
+
+TEST_CASE("the moment of a link in the plane goes from the end of its record to the rotation about z", "[dem]")
+{
+  const dem::Pack record([](auto lane) { return 10.0 + lane; });
+  const dem::Pack placed = dem::last_at_rotations(record);
+  for (int c = 0; c < dem::record_size; ++c)
+    CHECK(placed[c] == (c == 5 ? 17.0 : 0.0));
+}
