@@ -190,6 +190,113 @@ namespace dem
     return sum;
   }
 
+  /** What the parts of an update of joints that are not whole have in common. */
+  template <typename T, int m>
+  struct JointStep
+  {
+    T                  per;             ///< radius of the joint over the reference length
+    Comparison<T>      contact, active; ///< a linear contact stands in its place; elements answer
+    JointOpening<T, m> now, change;     ///< at the end of the step, and since its start
+
+    template <typename S>
+    BRECCIA_KERNEL JointStep(const LinkMotion<T, m> &motion, const JointAxes<T, m> &axes, const S &state)
+      : per(state.number[FlatJoint::radius] * motion.inverse_reference)
+      , contact(motion.area > T(0.0) && state.rows.get(FlatJoint::replaced) > T(0.5))
+      , active(motion.area > T(0.0) && !contact)
+      , now(opening_of<m>(state, motion.strain, per))
+    {
+      const Vec<T, 2> turning = axes.turn(motion.bending_increment);
+      change                  = {motion.strain - motion.strain_before, per * turning[0], per * turning[1],
+                                 axes.slip(motion.shear_increment), per * motion.twist_increment};
+    }
+  };
+
+  template <typename T, int m>
+  BRECCIA_KERNEL void
+  put_where(const Comparison<T> &where, const T &normal, const Vec<T, m> &shear, LinkForce<T, m> &answer)
+  {
+    answer.normal = select(where, normal, answer.normal);
+    for (int c = 0; c < m; ++c)
+      answer.shear[c] = select(where, shear[c], answer.shear[c]);
+  }
+
+  /** What the elements sum up to, where not all are bonded. */
+  template <typename K, typename T, int m, typename S>
+  BRECCIA_KERNEL void put_sums(const K                &k,
+                               const LinkMotion<T, m> &motion,
+                               const JointAxes<T, m>  &axes,
+                               const JointStep<T, m>  &step,
+                               const JointSums<T>     &sums,
+                               const S                &state,
+                               LinkForce<T, m>        &answer)
+  {
+    using J                 = FlatJoint;
+    const T         section = motion.area * T(k.area_factor), lever = section * state.number[J::radius];
+    const auto      mine    = step.active && !(sums.bonded > T(k.layout->size() - 0.5));
+    const Vec<T, m> bending = axes.of_turn(Vec<T, 2>{{lever * sums.moment_1, lever * sums.moment_2}});
+    put_where(mine, section * sums.push, section * axes.of_slip(sums.shear), answer);
+    for (int c = 0; c < m; ++c)
+      answer.bending_moment[c] = select(step.contact, T(0.0), select(mine, bending[c], answer.bending_moment[c]));
+    answer.twisting_moment = select(step.contact, T(0.0), select(mine, lever * sums.twisting, answer.twisting_moment));
+    answer.slides          = mine && sums.slides;
+
+    const auto parted = step.active && sums.bonded < T(0.5);
+    const T    reach  = maximum(state.number[J::installed] + state.rows.get(J::initial_gap), T(0.0));
+    const auto opens  = parted && sums.lowest >= T(0.0) && motion.strain > reach;
+    answer.event      = (step.active && sums.breaks) || opens;
+  }
+
+  /** The linear contacts that stand in the place of joints: their elastic slip is that of the first element. */
+  template <typename K, typename T, int m, typename S>
+  BRECCIA_KERNEL void advance_contacts(const K                &k,
+                                       const LinkMotion<T, m> &motion,
+                                       const JointAxes<T, m>  &axes,
+                                       const JointStep<T, m>  &step,
+                                       const S                &state,
+                                       LinkWork<T>            &work,
+                                       LinkForce<T, m>        &answer)
+  {
+    const int       first  = FlatJoint::elements + 1;
+    const Vec<T, 2> before = {{state.rows.get(first), m == 3 ? state.rows.get(first + 1) : T(0.0)}};
+    Vec<T, 2>       slip   = before + step.change.slip;
+    LinkWork<T>     done;
+    const auto      force =
+      linear_contact_force(k, step.now.gap, motion.area, motion.reference, step.change.slip, slip, done);
+    put_where(step.contact, force.normal, axes.of_slip(force.shear), answer);
+    work.friction += select(step.contact, done.friction, T(0.0));
+    answer.slides = answer.slides || (step.contact && force.slides);
+    answer.event =
+      answer.event || (step.contact && motion.strain > maximum(state.number[FlatJoint::installed], T(0.0)));
+    state.rows.put(first, select(step.contact, slip[0], before[0]));
+    if constexpr (m == 3)
+      state.rows.put(first + 1, select(step.contact, slip[1], before[1]));
+  }
+
+  /** Slid over their length: linear contacts take over, with the force that they find. */
+  template <typename K, typename T, int m, typename S>
+  BRECCIA_KERNEL void replace_joints(const K                &k,
+                                     const LinkMotion<T, m> &motion,
+                                     const JointStep<T, m>  &step,
+                                     const JointSums<T>     &sums,
+                                     const Comparison<T>    &slid,
+                                     S                      &state,
+                                     LinkWork<T>            &work)
+  {
+    using J                = FlatJoint;
+    const int       first  = J::elements + 1;
+    const T         volume = motion.area * motion.reference;
+    const T         normal = T(k.area_factor) * sums.push / T(k.normal);
+    const Vec<T, 2> slip   = (T(k.area_factor) / T(k.shear)) * sums.shear;
+    const T         kept   = T(0.5) * volume * (T(k.normal) * normal * normal + T(k.shear) * dot(slip, slip));
+    const T         had    = motion.area * T(k.area_factor) * motion.reference * stored_in_loose(k, step.now, state);
+    work.released += select(slid, had - kept, T(0.0));
+    state.number[J::installed] = select(slid, motion.strain - normal, state.number[J::installed]);
+    state.rows.put(J::replaced, select(slid, T(1.0), state.rows.get(J::replaced)));
+    state.rows.put(first, select(slid, slip[0], state.rows.get(first)));
+    if constexpr (m == 3)
+      state.rows.put(first + 1, select(slid, slip[1], state.rows.get(first + 1)));
+  }
+
   /**
    * Joints of which at least one is not bonded throughout, or may break. Those among them that are take the answer of a bonded one: so
    * what a joint answers does not hang on its neighbours in the list.
@@ -202,81 +309,27 @@ namespace dem
                                        LinkWork<T>            &work,
                                        LinkForce<T, m>        &answer)
   {
-    using J                          = FlatJoint;
-    const T                  per     = state.number[J::radius] * motion.inverse_reference;
-    const T                  opened  = motion.strain - state.number[J::installed];
-    const auto               exists  = motion.area > T(0.0);
-    const T                  linear  = state.rows.get(J::replaced);
-    const auto               contact = exists && linear > T(0.5), active = exists && !contact;
-    const Vec<T, 2>          turning = axes.turn(motion.bending_increment);
-    const JointOpening<T, m> now     = opening_of<m>(state, motion.strain, per);
-    const JointOpening<T, m> change  = {motion.strain - motion.strain_before, per * turning[0], per * turning[1],
-                                        axes.slip(motion.shear_increment), per * motion.twist_increment};
-
-    JointSums<T> sums;
+    using J = FlatJoint;
+    const JointStep<T, m> step(motion, axes, state);
+    JointSums<T>          sums;
     for (int e = 0; e < k.layout->size(); ++e)
-      advance_element(k, e, now, change, active, state, sums);
+      advance_element(k, e, step.now, step.change, step.active, state, sums);
 
-    const T    section = motion.area * T(k.area_factor), lever = section * state.number[J::radius];
-    const T    volume = section * motion.reference;
-    const auto whole  = active && sums.bonded > T(k.layout->size() - 0.5);
-    const auto parted = active && sums.bonded < T(0.5);
-    const auto mine   = active && !whole;
-    const T    broken = state.rows.get(J::broken) + sums.broken;
-    work.friction += select(active, volume * sums.friction, T(0.0));
-    work.released += select(active, volume * sums.released, T(0.0));
-    state.number[J::bonded] = select(active, sums.bonded, state.number[J::bonded]);
+    const T volume = motion.area * T(k.area_factor) * motion.reference;
+    work.friction += select(step.active, volume * sums.friction, T(0.0));
+    work.released += select(step.active, volume * sums.released, T(0.0));
+    state.number[J::bonded] = select(step.active, sums.bonded, state.number[J::bonded]);
     if (any(sums.breaks))
-      state.rows.put(J::broken, broken);
+      state.rows.put(J::broken, state.rows.get(J::broken) + sums.broken);
+    put_sums(k, motion, axes, step, sums, state, answer);
+    if (any(step.contact))
+      advance_contacts(k, motion, axes, step, state, work, answer);
 
-    const auto put = [&](const Comparison<T> &where, const T &normal, const Vec<T, m> &shear) {
-      answer.normal = select(where, normal, answer.normal);
-      for (int c = 0; c < m; ++c)
-        answer.shear[c] = select(where, shear[c], answer.shear[c]);
-    };
-    put(mine, section * sums.push, section * axes.of_slip(sums.shear));
-    const Vec<T, m> bending = axes.of_turn(Vec<T, 2>{{lever * sums.moment_1, lever * sums.moment_2}});
-    for (int c = 0; c < m; ++c)
-      answer.bending_moment[c] = select(contact, T(0.0), select(mine, bending[c], answer.bending_moment[c]));
-    answer.twisting_moment = select(contact, T(0.0), select(mine, lever * sums.twisting, answer.twisting_moment));
-    answer.slides          = mine && sums.slides;
-    const T    reach       = maximum(state.number[J::installed] + state.rows.get(J::initial_gap), T(0.0));
-    const auto opens       = parted && sums.lowest >= T(0.0) && motion.strain > reach;
-    answer.event           = (active && sums.breaks) || opens;
-
-    if (any(contact))
-      {
-        const int       first  = J::elements + 1;
-        Vec<T, 2>       slip   = {{state.rows.get(first), m == 3 ? state.rows.get(first + 1) : T(0.0)}};
-        const Vec<T, 2> before = slip;
-        slip                   = slip + change.slip;
-        LinkWork<T> done;
-        const auto  force = linear_contact_force(k, opened, motion.area, motion.reference, change.slip, slip, done);
-        put(contact, force.normal, axes.of_slip(force.shear));
-        work.friction += select(contact, done.friction, T(0.0));
-        answer.slides = answer.slides || (contact && force.slides);
-        answer.event  = answer.event || (contact && motion.strain > maximum(state.number[J::installed], T(0.0)));
-        state.rows.put(first, select(contact, slip[0], before[0]));
-        if constexpr (m == 3)
-          state.rows.put(first + 1, select(contact, slip[1], before[1]));
-      }
-
-    // Slid over its length: a linear contact takes over, with the force that it finds.
-    const auto slid = parted && dot(now.slip, now.slip) > T(4.0) * per * per;
+    const Vec<T, 2> &slip   = step.now.slip;
+    const auto       parted = step.active && sums.bonded < T(0.5);
+    const auto       slid   = parted && dot(slip, slip) > T(4.0) * step.per * step.per;
     if (any(slid))
-      {
-        const int       first  = J::elements + 1;
-        const T         normal = T(k.area_factor) * sums.push / T(k.normal);
-        const Vec<T, 2> slip   = (T(k.area_factor) / T(k.shear)) * sums.shear;
-        const T         kept =
-          T(0.5) * motion.area * motion.reference * (T(k.normal) * normal * normal + T(k.shear) * dot(slip, slip));
-        work.released += select(slid, volume * stored_in_loose(k, now, state) - kept, T(0.0));
-        state.number[J::installed] = select(slid, motion.strain - normal, state.number[J::installed]);
-        state.rows.put(J::replaced, select(slid, T(1.0), linear));
-        state.rows.put(first, select(slid, slip[0], state.rows.get(first)));
-        if constexpr (m == 3)
-          state.rows.put(first + 1, select(slid, slip[1], state.rows.get(first + 1)));
-      }
+      replace_joints(k, motion, step, sums, slid, state, work);
   }
 
   template <typename K, typename T, int m>
