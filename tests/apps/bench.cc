@@ -192,7 +192,8 @@ TEST_CASE("bench mortar crushes a grown specimen faster and slower, and has its 
   const ScratchFolder folder;
   const std::string   scenes = places::sources() + "/apps/scenes/";
   const Outcome outcome = run(folder.path(), {"bench", "mortar", scenes + "mortar_window.prm", "--quick", "-o", "bench",
-                                              "-s", "Specimen/Genesis/Size=0.01, 0.02, 0", "--static-strength"});
+                                              "-s", "Specimen/Genesis/Size=0.01, 0.02, 0", "-s",
+                                              "Specimen/Genesis/Friction coefficient=0.1", "--static-strength"});
   INFO(outcome.err);
   REQUIRE(outcome.status == 0);
   const auto rows   = table(folder / "bench/mortar.csv");
