@@ -23,7 +23,7 @@ namespace dem
 
     std::int64_t floor_division(const std::int64_t a, const std::int64_t b)
     {
-      if (a >= 0 && a < b) // nearly always: a division takes longer than all else that is done about a row of cells
+      if (a >= 0 && a < b) // nearly always: spares the division
         return 0;
       return a >= 0 ? a / b : -((-a + b - 1) / b);
     }

@@ -85,8 +85,7 @@ TEST_CASE("check forecasts without a folder for temporary files", "[apps]")
   const Outcome       outcome = run(folder.path(), {"check", places::sources() + "/apps/scenes/bouncing_sphere.prm"});
   INFO(outcome.err);
   CHECK(outcome.status == 0);
-  // Whether it says "roughly" or "from" and "to" hangs on how evenly the clock ran.
-  CHECK_THAT(outcome.out, Contains("duration     ") && Contains(", on this machine as it is now"));
+  CHECK_THAT(outcome.out, Contains("duration     roughly "));
 }
 
 TEST_CASE("check promises no duration of cells that may break", "[apps]")

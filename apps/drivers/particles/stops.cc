@@ -42,7 +42,8 @@ namespace apps
     double looked_at = end_time;
     for (const StopSection &stop : stops)
       looked_at = std::min(looked_at, stop.from_time);
-    return stoppable_duration_line(set_up + motion, looked_at > 0 ? set_up + motion * looked_at / end_time : 0);
+    const double part = looked_at / end_time; // of one that is looked at to the end exactly 1: then it is no earlier
+    return stoppable_duration_line(set_up + motion, looked_at > 0 ? set_up + motion * part : 0);
   }
 
   std::string StopsSection::fulfilled(const std::vector<std::string> &columns, const std::vector<double> &row) const
