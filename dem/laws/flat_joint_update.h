@@ -220,13 +220,14 @@ namespace dem
       answer.shear[c] = select(where, shear[c], answer.shear[c]);
   }
 
-  /** What the elements sum up to, where not all are bonded. */
+  /** What the elements sum up to, where not all are bonded. @param parted none is */
   template <typename K, typename T, int m, typename S>
   BRECCIA_KERNEL void put_sums(const K                &k,
                                const LinkMotion<T, m> &motion,
                                const JointAxes<T, m>  &axes,
                                const JointStep<T, m>  &step,
                                const JointSums<T>     &sums,
+                               const Comparison<T>    &parted,
                                const S                &state,
                                LinkForce<T, m>        &answer)
   {
@@ -240,10 +241,9 @@ namespace dem
     answer.twisting_moment = select(step.contact, T(0.0), select(mine, lever * sums.twisting, answer.twisting_moment));
     answer.slides          = mine && sums.slides;
 
-    const auto parted = step.active && sums.bonded < T(0.5);
-    const T    reach  = maximum(state.number[J::installed] + state.rows.get(J::initial_gap), T(0.0));
-    const auto opens  = parted && sums.lowest >= T(0.0) && motion.strain > reach;
-    answer.event      = (step.active && sums.breaks) || opens;
+    const T    reach = maximum(state.number[J::installed] + state.rows.get(J::initial_gap), T(0.0));
+    const auto opens = parted && sums.lowest >= T(0.0) && motion.strain > reach;
+    answer.event     = (step.active && sums.breaks) || opens;
   }
 
   /** The linear contacts that stand in the place of joints: their elastic slip is that of the first element. */
@@ -321,13 +321,13 @@ namespace dem
     state.number[J::bonded] = select(step.active, sums.bonded, state.number[J::bonded]);
     if (any(sums.breaks))
       state.rows.put(J::broken, state.rows.get(J::broken) + sums.broken);
-    put_sums(k, motion, axes, step, sums, state, answer);
+    const auto parted = step.active && sums.bonded < T(0.5);
+    put_sums(k, motion, axes, step, sums, parted, state, answer);
     if (any(step.contact))
       advance_contacts(k, motion, axes, step, state, work, answer);
 
-    const Vec<T, 2> &slip   = step.now.slip;
-    const auto       parted = step.active && sums.bonded < T(0.5);
-    const auto       slid   = parted && dot(slip, slip) > T(4.0) * step.per * step.per;
+    const Vec<T, 2> &slip = step.now.slip;
+    const auto       slid = parted && dot(slip, slip) > T(4.0) * step.per * step.per;
     if (any(slid))
       replace_joints(k, motion, step, sums, slid, state, work);
   }
