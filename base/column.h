@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <new>
 #include <vector>
 
@@ -29,16 +30,25 @@ namespace base
 
     static std::size_t alignment(const std::size_t n) { return n * sizeof(T) >= huge_page ? huge_page : cache_line; }
 
+    /**
+     * A part of a larger block, whose place is kept before it. An aligned block of the system would be simpler, but the GNU C library
+     * before 2.38 finds no use for those that were freed, and a run that makes columns anew grows without end.
+     */
     T *allocate(const std::size_t n)
     {
-      void *place = ::operator new(n * sizeof(T), std::align_val_t(alignment(n)));
+      const std::size_t boundary   = alignment(n);
+      void *const block            = ::operator new(n * sizeof(T) + boundary + sizeof(void *));
+      const auto            first  = reinterpret_cast<std::uintptr_t>(block) + sizeof(void *);
+      const auto            place  = (first + boundary - 1) / boundary * boundary;
+      void **const          column = reinterpret_cast<void **>(place);
+      column[-1]                   = block;
 #ifdef MADV_HUGEPAGE
-      if (alignment(n) == huge_page)
-        madvise(place, n * sizeof(T), MADV_HUGEPAGE); // a wish: whether it is granted changes speed only
+      if (boundary == huge_page)
+        madvise(column, n * sizeof(T), MADV_HUGEPAGE); // a wish: whether it is granted changes speed only
 #endif
-      return static_cast<T *>(place);
+      return reinterpret_cast<T *>(column);
     }
-    void deallocate(T *place, const std::size_t n) { ::operator delete(place, std::align_val_t(alignment(n))); }
+    void deallocate(T *place, std::size_t) { ::operator delete(reinterpret_cast<void **>(place)[-1]); }
 
     friend bool operator==(const ColumnAllocator &, const ColumnAllocator &) { return true; }
     friend bool operator!=(const ColumnAllocator &, const ColumnAllocator &) { return false; }

@@ -30,8 +30,8 @@ set(postprocess_rooms base dem fem)
 set(postprocess_libraries deal.II/ mpi.h Eigen/ hdf5 vtk fmt/ nlohmann/)
 set(apps_rooms base dem fem coupling postprocess)
 set(apps_libraries anything)
-# The operating system (POSIX) is under every room.
-set(system_headers fcntl.h signal.h spawn.h stdlib.h sys/ unistd.h)
+# The operating system (POSIX, and what the GNU C library tells of its memory) is under every room.
+set(system_headers fcntl.h malloc.h signal.h spawn.h stdlib.h sys/ unistd.h)
 
 function(starts_with_any result text)
   set(${result} FALSE PARENT_SCOPE)
