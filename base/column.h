@@ -32,7 +32,7 @@ namespace base
 
     /**
      * A part of a larger block, whose place is kept before it. An aligned block of the system would be simpler, but the GNU C library
-     * before 2.38 finds no use for those that were freed, and a run that makes columns anew grows without end.
+     * (2.36) finds hardly a use for those that were freed: a run that makes columns anew would grow and grow.
      */
     T *allocate(const std::size_t n)
     {
