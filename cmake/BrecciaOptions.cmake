@@ -4,6 +4,7 @@ set(BRECCIA_KNOWN_ROOMS base dem fem coupling postprocess apps) # in the order o
 set(BRECCIA_ROOMS "${BRECCIA_KNOWN_ROOMS}" CACHE STRING "Rooms to build; `dem` alone needs only Eigen and OpenMP")
 option(BRECCIA_TESTS "Build the tests (needs Catch2)" ON)
 option(BRECCIA_NATIVE "Compile dem for the processor of this machine (-march=native)" ON)
+set(BRECCIA_VECTOR "" CACHE STRING "Bytes of dem's vectors: 64, 32 or 16, for x86-64-v4, v3 or v2; empty: what the processor has")
 option(BRECCIA_TRAP_FPE "Stop at the first invalid, divide-by-zero or overflow operation" OFF)
 option(BRECCIA_SANITIZE "Address and undefined-behaviour sanitizers" OFF)
 
@@ -22,6 +23,10 @@ foreach(room IN LISTS BRECCIA_KNOWN_ROOMS)
   endif()
 endforeach()
 set(BRECCIA_ROOMS ${ordered_rooms})
+
+if(NOT BRECCIA_VECTOR MATCHES "^(64|32|16)?$")
+  message(FATAL_ERROR "BRECCIA_VECTOR = ${BRECCIA_VECTOR}: 64, 32, 16 or empty.")
+endif()
 
 if(NOT CMAKE_BUILD_TYPE)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Release, Debug or RelWithDebInfo" FORCE)
@@ -45,9 +50,13 @@ if(BRECCIA_MOLD)
 endif()
 
 add_compile_options(-Wall -Wextra -Wpedantic -Wshadow)
+# a * b + c is rounded twice, whatever instructions the processor has: a compiler that contracts it as it likes gives other bits on
+# the next processor, and a packing, in which rounding grows, another specimen.
+add_compile_options(-ffp-contract=off)
 # Eigen aligns its storage to the widest vector of the *translation unit*; dem is compiled for wider
-# vectors than the other rooms. One fixed value for all of them keeps allocation and layout the same everywhere.
-add_compile_definitions(EIGEN_MAX_ALIGN_BYTES=64 EIGEN_MAX_STATIC_ALIGN_BYTES=64)
+# vectors than the other rooms. One fixed value for all of them keeps allocation and layout the same everywhere. Its vectors it may not
+# use: sums would be formed in the order of their width, and products fused where the processor can.
+add_compile_definitions(EIGEN_MAX_ALIGN_BYTES=64 EIGEN_MAX_STATIC_ALIGN_BYTES=64 EIGEN_DONT_VECTORIZE)
 # Threads are ours alone: Eigen's own would split sums by their number. Nobody speaks to MPI by the C++ classes that its header
 # would otherwise bring into every source.
 add_compile_definitions(EIGEN_DONT_PARALLELIZE OMPI_SKIP_MPICXX=1 MPICH_SKIP_MPICXX=1)

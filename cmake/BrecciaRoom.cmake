@@ -65,7 +65,14 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
   # (its bug 105593).
   target_compile_options(breccia_native INTERFACE -Wno-maybe-uninitialized)
 endif()
-if(BRECCIA_NATIVE)
+if(BRECCIA_VECTOR)
+  # Every width on any machine: the instructions that all processors with such vectors have.
+  set(level_of_64 v4)
+  set(level_of_32 v3)
+  set(level_of_16 v2)
+  target_compile_options(breccia_native INTERFACE -march=x86-64-${level_of_${BRECCIA_VECTOR}})
+  target_compile_definitions(breccia_native INTERFACE BRECCIA_VECTOR=${BRECCIA_VECTOR})
+elseif(BRECCIA_NATIVE)
   # The same words mean other instructions on another machine: with the processor's name in the command, neither
   # ninja nor a compiler cache in a shared home folder takes an object file that was made elsewhere.
   set(processor "")

@@ -23,17 +23,16 @@ namespace dem
     return result;
   }
 
-  inline Pack power_of_two(const Pack &k)
+  /**
+   * Nearest integer, halves to even, of a number below 2^51 in magnitude: the sum with 1.5 * 2^52 has no digits behind the point.
+   * No call and no instruction that a processor may lack, and the same for packs and single numbers.
+   */
+  template <typename T>
+  BRECCIA_KERNEL T round_to_integer(const T &a)
   {
-    alignas(64) double lanes[pack_size];
-    store(k, lanes);
-    for (double &lane : lanes) // becomes one add and one shift of the whole pack
-      lane = power_of_two(lane);
-    return load(lanes);
+    constexpr double shift = 0x1.8p52;
+    return (a + T(shift)) - T(shift);
   }
-
-  inline double round_to_integer(const double a) { return std::nearbyint(a); }
-  inline Pack   round_to_integer(const Pack &a) { return stdx::nearbyint(a); }
 
   /**
  * e^x for x <= 0, one number or eight with the same bits, within 2 units in the last place; 0 below -700.
@@ -47,11 +46,11 @@ namespace dem
     constexpr double ln2_high = 0x1.62e42fee00000p-1, ln2_low = 0x1.a39ef35793c76p-33, log2_e = 0x1.71547652b82fep+0;
     const T          bounded = maximum(x, T(-700.0));
     const T          k       = round_to_integer(T(bounded * T(log2_e)));
-    const T          r       = (bounded - k * T(ln2_high)) - k * T(ln2_low);
+    const T          r       = negative_multiply_add(k, T(ln2_low), negative_multiply_add(k, T(ln2_high), bounded));
 
     T series = T(1.0);
     for (int degree = 13; degree >= 1; --degree) // Horner: 1 + r (1 + r/2 (1 + r/3 (...)))
-      series = T(1.0) + series * r * T(1.0 / degree);
+      series = multiply_add(series * r, T(1.0 / degree), T(1.0));
     return select(x < T(-700.0), T(0.0), T(series * power_of_two(k)));
   }
 } // namespace dem

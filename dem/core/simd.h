@@ -1,63 +1,511 @@
 #pragma once
 
 #include "dem/core/inline.h"
+#include "dem/core/multiply_add.h"
 
 #include <cmath>
-#include <experimental/simd>
+#include <cstdint>
+#include <type_traits>
 #include <utility>
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#elif defined(__aarch64__)
+#include <arm_neon.h>
+#endif
+
+/** Bytes of the vectors that packs are made of: 64 (AVX-512), 32 (AVX) or 16 (SSE2, NEON). */
+#ifndef BRECCIA_VECTOR
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+#define BRECCIA_VECTOR 64
+#elif defined(__AVX__)
+#define BRECCIA_VECTOR 32
+#else
+#define BRECCIA_VECTOR 16
+#endif
+#endif
+#if BRECCIA_VECTOR != 64 && BRECCIA_VECTOR != 32 && BRECCIA_VECTOR != 16
+#error "BRECCIA_VECTOR is 64, 32 or 16 bytes"
+#elif BRECCIA_VECTOR == 64 && !(defined(__AVX512F__) && defined(__AVX512DQ__))
+#error "BRECCIA_VECTOR=64 needs AVX-512 F and DQ"
+#elif BRECCIA_VECTOR == 32 && !defined(__AVX__)
+#error "BRECCIA_VECTOR=32 needs AVX"
+#endif
+#define BRECCIA_JOIN_WORDS(a, b) a##b
+#define BRECCIA_JOIN(a, b) BRECCIA_JOIN_WORDS(a, b)
 
 /**
  * Eight doubles at a time, and the few functions that let one source serve a single number and a pack of eight.
  *
  * Kernels and laws are templates over the number type T: `double` in the one-link driver and in set-up code, `Pack` in the
- * explicit kernel. Only correctly rounded operations (+ - * / sqrt) and our own exp() are used, so a link's result does not
- * depend on its place in the pack.
+ * explicit kernel. Only correctly rounded operations (+ - * / sqrt, fused multiply-add) and our own exp() are used, so a link's result depends neither
+ * on its place in the pack nor on the width of the processor's vectors; sums over a pack are formed by halves for the same reason.
+ *
+ * A pack is one native vector where that is wide enough, else two packs of half the size as members: what is small enough lives in
+ * registers, which arrays and loops over sections would not. Everything is inlined always; no call may be left in a kernel.
  */
 namespace dem
 {
-  namespace stdx = std::experimental;
+  constexpr int vector_bytes = BRECCIA_VECTOR;
+  constexpr int pack_size    = 8;
 
-  constexpr int pack_size = 8;
+  // Code of different widths in one program are different functions.
+  inline namespace BRECCIA_JOIN(vectors_of_, BRECCIA_VECTOR)
+  {
+    /** What a comparison of packs gives: all or no bits of each lane. */
+    template <typename Number, int n, bool native = sizeof(Number) * n <= vector_bytes>
+    struct MaskOf
+    {
+      using Half = MaskOf<Number, n / 2>;
+      Half low, high;
 
-  using Pack     = stdx::simd<double, stdx::simd_abi::deduce_t<double, pack_size>>;
-  using PackMask = Pack::mask_type;
+      MaskOf() = default;
+      BRECCIA_KERNEL MaskOf(const Half &first, const Half &second)
+        : low(first)
+        , high(second)
+      {
+      }
+      BRECCIA_KERNEL explicit MaskOf(const bool all)
+        : low(all)
+        , high(all)
+      {
+      }
+      BRECCIA_KERNEL friend MaskOf operator&&(const MaskOf &a, const MaskOf &b)
+      {
+        return {a.low && b.low, a.high && b.high};
+      }
+      BRECCIA_KERNEL friend MaskOf operator||(const MaskOf &a, const MaskOf &b)
+      {
+        return {a.low || b.low, a.high || b.high};
+      }
+      BRECCIA_KERNEL friend MaskOf operator!(const MaskOf &a) { return {!a.low, !a.high}; }
+      BRECCIA_KERNEL friend bool   any(const MaskOf &a) { return any(a.low || a.high); }
+    };
 
-  BRECCIA_KERNEL Pack load(const double *from) { return Pack(from, stdx::vector_aligned); }
-  BRECCIA_KERNEL void store(const Pack &values, double *to) { values.copy_to(to, stdx::vector_aligned); }
+    template <typename Number, int n>
+    struct MaskOf<Number, n, true>
+    {
+      using Integer [[gnu::vector_size(sizeof(Number) * n)]] = std::conditional_t<sizeof(Number) == 8, long long, int>;
+      Integer v;
+
+      MaskOf() = default;
+      BRECCIA_KERNEL MaskOf(const Integer &lanes)
+        : v(lanes)
+      {
+      }
+      BRECCIA_KERNEL explicit MaskOf(const bool all)
+        : v(Integer{} - (all ? 1 : 0))
+      {
+      }
+      BRECCIA_KERNEL friend MaskOf operator&&(const MaskOf &a, const MaskOf &b) { return MaskOf(a.v & b.v); }
+      BRECCIA_KERNEL friend MaskOf operator||(const MaskOf &a, const MaskOf &b) { return MaskOf(a.v | b.v); }
+      BRECCIA_KERNEL friend MaskOf operator!(const MaskOf &a) { return MaskOf(~a.v); }
+      BRECCIA_KERNEL friend bool   any(const MaskOf &a)
+      {
+#if defined(__AVX__)
+        if constexpr (sizeof(Integer) == 32)
+          return _mm256_movemask_pd(reinterpret_cast<__m256d>(a.v)) != 0;
+#endif
+#if defined(__SSE2__)
+        if constexpr (sizeof(Integer) == 16)
+          return _mm_movemask_pd(reinterpret_cast<__m128d>(a.v)) != 0;
+#endif
+        bool found = false;
+        for (int lane = 0; lane < n; ++lane)
+          found = found || a.v[lane] != 0;
+        return found;
+      }
+    };
+
+#if BRECCIA_VECTOR == 64
+    /** AVX-512 has registers of bits for them. */
+    template <>
+    struct MaskOf<double, 8, true>
+    {
+      __mmask8 v;
+
+      MaskOf() = default;
+      BRECCIA_KERNEL MaskOf(const __mmask8 lanes)
+        : v(lanes)
+      {
+      }
+      BRECCIA_KERNEL explicit MaskOf(const bool all)
+        : v(all ? 0xff : 0)
+      {
+      }
+      BRECCIA_KERNEL friend MaskOf operator&&(const MaskOf &a, const MaskOf &b) { return _kand_mask8(a.v, b.v); }
+      BRECCIA_KERNEL friend MaskOf operator||(const MaskOf &a, const MaskOf &b) { return _kor_mask8(a.v, b.v); }
+      BRECCIA_KERNEL friend MaskOf operator!(const MaskOf &a) { return _knot_mask8(a.v); }
+      BRECCIA_KERNEL friend bool   any(const MaskOf &a) { return a.v != 0; }
+    };
+#endif
+
+    /** n numbers, of two halves. */
+    template <typename Number, int n, bool native = sizeof(Number) * n <= vector_bytes>
+    struct PackOf
+    {
+      using Half = PackOf<Number, n / 2>;
+      using Mask = MaskOf<Number, n>;
+      Half low, high;
+
+      PackOf() = default;
+      BRECCIA_KERNEL PackOf(const Half &first, const Half &second)
+        : low(first)
+        , high(second)
+      {
+      }
+      BRECCIA_KERNEL PackOf(const Number all)
+        : low(all)
+        , high(all)
+      {
+      }
+      BRECCIA_KERNEL static PackOf load(const Number *from) { return {Half::load(from), Half::load(from + n / 2)}; }
+      BRECCIA_KERNEL static PackOf load_unaligned(const Number *from)
+      {
+        return {Half::load_unaligned(from), Half::load_unaligned(from + n / 2)};
+      }
+      BRECCIA_KERNEL void store(Number *to) const
+      {
+        low.store(to);
+        high.store(to + n / 2);
+      }
+      BRECCIA_KERNEL void store_unaligned(Number *to) const
+      {
+        low.store_unaligned(to);
+        high.store_unaligned(to + n / 2);
+      }
+      BRECCIA_KERNEL void stream(Number *to) const
+      {
+        low.stream(to);
+        high.stream(to + n / 2);
+      }
+      BRECCIA_KERNEL Number operator[](const int lane) const { return lane < n / 2 ? low[lane] : high[lane - n / 2]; }
+
+      BRECCIA_KERNEL friend PackOf operator+(const PackOf &a, const PackOf &b)
+      {
+        return {a.low + b.low, a.high + b.high};
+      }
+      BRECCIA_KERNEL friend PackOf operator-(const PackOf &a, const PackOf &b)
+      {
+        return {a.low - b.low, a.high - b.high};
+      }
+      BRECCIA_KERNEL friend PackOf operator*(const PackOf &a, const PackOf &b)
+      {
+        return {a.low * b.low, a.high * b.high};
+      }
+      BRECCIA_KERNEL friend PackOf operator/(const PackOf &a, const PackOf &b)
+      {
+        return {a.low / b.low, a.high / b.high};
+      }
+      BRECCIA_KERNEL friend PackOf operator-(const PackOf &a) { return {-a.low, -a.high}; }
+      BRECCIA_KERNEL friend Mask   operator>(const PackOf &a, const PackOf &b)
+      {
+        return {a.low > b.low, a.high > b.high};
+      }
+      BRECCIA_KERNEL friend Mask operator>=(const PackOf &a, const PackOf &b)
+      {
+        return {a.low >= b.low, a.high >= b.high};
+      }
+      BRECCIA_KERNEL friend Mask operator<(const PackOf &a, const PackOf &b) { return b > a; }
+      BRECCIA_KERNEL friend Mask operator<=(const PackOf &a, const PackOf &b) { return b >= a; }
+
+      BRECCIA_KERNEL friend PackOf select(const Mask &mask, const PackOf &yes, const PackOf &no)
+      {
+        return {select(mask.low, yes.low, no.low), select(mask.high, yes.high, no.high)};
+      }
+      BRECCIA_KERNEL friend PackOf maximum(const PackOf &a, const PackOf &b)
+      {
+        return {maximum(a.low, b.low), maximum(a.high, b.high)};
+      }
+      BRECCIA_KERNEL friend PackOf minimum(const PackOf &a, const PackOf &b)
+      {
+        return {minimum(a.low, b.low), minimum(a.high, b.high)};
+      }
+      BRECCIA_KERNEL friend PackOf square_root(const PackOf &a) { return {square_root(a.low), square_root(a.high)}; }
+      BRECCIA_KERNEL friend PackOf multiply_add(const PackOf &a, const PackOf &b, const PackOf &c)
+      {
+        return {multiply_add(a.low, b.low, c.low), multiply_add(a.high, b.high, c.high)};
+      }
+      BRECCIA_KERNEL friend PackOf multiply_subtract(const PackOf &a, const PackOf &b, const PackOf &c)
+      {
+        return {multiply_subtract(a.low, b.low, c.low), multiply_subtract(a.high, b.high, c.high)};
+      }
+      BRECCIA_KERNEL friend PackOf negative_multiply_add(const PackOf &a, const PackOf &b, const PackOf &c)
+      {
+        return {negative_multiply_add(a.low, b.low, c.low), negative_multiply_add(a.high, b.high, c.high)};
+      }
+      BRECCIA_KERNEL friend PackOf power_of_two(const PackOf &k) { return {power_of_two(k.low), power_of_two(k.high)}; }
+    };
+
+    /** n numbers in one vector of the processor; of one number, the end of halving. */
+    template <typename Number, int n>
+    struct PackOf<Number, n, true>
+    {
+      using Vector [[gnu::vector_size(sizeof(Number) * n)]]                                                  = Number;
+      using Unaligned [[gnu::vector_size(sizeof(Number) * n), gnu::aligned(sizeof(Number)), gnu::may_alias]] = Number;
+      using Mask = MaskOf<Number, n>;
+      Vector v;
+
+      PackOf() = default;
+      BRECCIA_KERNEL PackOf(const Vector &lanes)
+        : v(lanes)
+      {
+      }
+      BRECCIA_KERNEL PackOf(const Number all)
+        : v(all - Vector{}) // less zero, not plus: -0 stays what it is
+      {
+      }
+      BRECCIA_KERNEL static PackOf load(const Number *from) { return *reinterpret_cast<const Vector *>(from); }
+      BRECCIA_KERNEL static PackOf load_unaligned(const Number *from)
+      {
+        return Vector(*reinterpret_cast<const Unaligned *>(from));
+      }
+      BRECCIA_KERNEL void store(Number *to) const { *reinterpret_cast<Vector *>(to) = v; }
+      BRECCIA_KERNEL void store_unaligned(Number *to) const { *reinterpret_cast<Unaligned *>(to) = v; }
+      BRECCIA_KERNEL void stream(Number *to) const
+      {
+#if BRECCIA_VECTOR == 64
+        if constexpr (sizeof(Vector) == 64)
+          return _mm512_stream_pd(to, v);
+#endif
+#if defined(__AVX__)
+        if constexpr (sizeof(Vector) == 32)
+          return _mm256_stream_pd(to, v);
+#endif
+#if defined(__SSE2__)
+        if constexpr (sizeof(Vector) == 16)
+          return _mm_stream_pd(to, v);
+#endif
+        store(to);
+      }
+      BRECCIA_KERNEL Number operator[](const int lane) const { return v[lane]; }
+
+      BRECCIA_KERNEL friend PackOf operator+(const PackOf &a, const PackOf &b) { return PackOf(a.v + b.v); }
+      BRECCIA_KERNEL friend PackOf operator-(const PackOf &a, const PackOf &b) { return PackOf(a.v - b.v); }
+      BRECCIA_KERNEL friend PackOf operator*(const PackOf &a, const PackOf &b) { return PackOf(a.v * b.v); }
+      BRECCIA_KERNEL friend PackOf operator/(const PackOf &a, const PackOf &b) { return PackOf(a.v / b.v); }
+      BRECCIA_KERNEL friend PackOf operator-(const PackOf &a) { return PackOf(-a.v); }
+      BRECCIA_KERNEL friend Mask   operator>(const PackOf &a, const PackOf &b)
+      {
+#if BRECCIA_VECTOR == 64
+        if constexpr (sizeof(Vector) == 64)
+          return _mm512_cmp_pd_mask(a.v, b.v, _CMP_GT_OQ);
+        else
+#endif
+          return Mask(a.v > b.v);
+      }
+      BRECCIA_KERNEL friend Mask operator>=(const PackOf &a, const PackOf &b)
+      {
+#if BRECCIA_VECTOR == 64
+        if constexpr (sizeof(Vector) == 64)
+          return _mm512_cmp_pd_mask(a.v, b.v, _CMP_GE_OQ);
+        else
+#endif
+          return Mask(a.v >= b.v);
+      }
+      BRECCIA_KERNEL friend Mask operator<(const PackOf &a, const PackOf &b) { return b > a; }
+      BRECCIA_KERNEL friend Mask operator<=(const PackOf &a, const PackOf &b) { return b >= a; }
+
+      BRECCIA_KERNEL friend PackOf select(const Mask &mask, const PackOf &yes, const PackOf &no)
+      {
+#if BRECCIA_VECTOR == 64
+        if constexpr (sizeof(Vector) == 64)
+          return PackOf(_mm512_mask_blend_pd(mask.v, no.v, yes.v));
+        else
+#endif
+          return PackOf(mask.v ? yes.v : no.v);
+      }
+      /** a > b ? a : b of each lane: the second one where either is not a number, as the scalar function. */
+      BRECCIA_KERNEL friend PackOf maximum(const PackOf &a, const PackOf &b)
+      {
+#if BRECCIA_VECTOR == 64
+        if constexpr (sizeof(Vector) == 64)
+          return PackOf(_mm512_max_pd(a.v, b.v));
+#endif
+#if defined(__AVX__)
+        if constexpr (sizeof(Vector) == 32)
+          return PackOf(_mm256_max_pd(a.v, b.v));
+#endif
+#if defined(__SSE2__)
+        if constexpr (sizeof(Vector) == 16)
+          return PackOf(_mm_max_pd(a.v, b.v));
+#endif
+        return select(a > b, a, b);
+      }
+      BRECCIA_KERNEL friend PackOf minimum(const PackOf &a, const PackOf &b)
+      {
+#if BRECCIA_VECTOR == 64
+        if constexpr (sizeof(Vector) == 64)
+          return PackOf(_mm512_min_pd(a.v, b.v));
+#endif
+#if defined(__AVX__)
+        if constexpr (sizeof(Vector) == 32)
+          return PackOf(_mm256_min_pd(a.v, b.v));
+#endif
+#if defined(__SSE2__)
+        if constexpr (sizeof(Vector) == 16)
+          return PackOf(_mm_min_pd(a.v, b.v));
+#endif
+        return select(a < b, a, b);
+      }
+      BRECCIA_KERNEL friend PackOf square_root(const PackOf &a)
+      {
+#if BRECCIA_VECTOR == 64
+        if constexpr (sizeof(Vector) == 64)
+          return PackOf(_mm512_sqrt_pd(a.v));
+#endif
+#if defined(__AVX__)
+        if constexpr (sizeof(Vector) == 32)
+          return PackOf(_mm256_sqrt_pd(a.v));
+#endif
+#if defined(__SSE2__)
+        if constexpr (sizeof(Vector) == 16)
+          return PackOf(_mm_sqrt_pd(a.v));
+#elif defined(__aarch64__)
+        if constexpr (sizeof(Vector) == 16)
+          return PackOf(reinterpret_cast<Vector>(vsqrtq_f64(reinterpret_cast<float64x2_t>(a.v))));
+#endif
+        Vector roots;
+        for (int lane = 0; lane < n; ++lane)
+          roots[lane] = std::sqrt(a.v[lane]);
+        return PackOf(roots);
+      }
+      BRECCIA_KERNEL friend PackOf multiply_add(const PackOf &a, const PackOf &b, const PackOf &c)
+      {
+#if BRECCIA_VECTOR == 64
+        if constexpr (sizeof(Vector) == 64)
+          return PackOf(_mm512_fmadd_pd(a.v, b.v, c.v));
+#endif
+#if defined(__FMA__)
+        if constexpr (sizeof(Vector) == 32)
+          return PackOf(_mm256_fmadd_pd(a.v, b.v, c.v));
+        if constexpr (sizeof(Vector) == 16)
+          return PackOf(_mm_fmadd_pd(a.v, b.v, c.v));
+#elif defined(__aarch64__)
+        if constexpr (sizeof(Vector) == 16)
+          return PackOf(
+            reinterpret_cast<Vector>(vfmaq_f64(reinterpret_cast<float64x2_t>(c.v), reinterpret_cast<float64x2_t>(a.v),
+                                               reinterpret_cast<float64x2_t>(b.v))));
+#endif
+        return PackOf(multiply_add_in_parts(a.v, b.v, c.v));
+      }
+      BRECCIA_KERNEL friend PackOf multiply_subtract(const PackOf &a, const PackOf &b, const PackOf &c)
+      {
+#if BRECCIA_VECTOR == 64
+        if constexpr (sizeof(Vector) == 64)
+          return PackOf(_mm512_fmsub_pd(a.v, b.v, c.v));
+#endif
+#if defined(__FMA__)
+        if constexpr (sizeof(Vector) == 32)
+          return PackOf(_mm256_fmsub_pd(a.v, b.v, c.v));
+        if constexpr (sizeof(Vector) == 16)
+          return PackOf(_mm_fmsub_pd(a.v, b.v, c.v));
+#endif
+        return multiply_add(a, b, -c);
+      }
+      BRECCIA_KERNEL friend PackOf negative_multiply_add(const PackOf &a, const PackOf &b, const PackOf &c)
+      {
+#if BRECCIA_VECTOR == 64
+        if constexpr (sizeof(Vector) == 64)
+          return PackOf(_mm512_fnmadd_pd(a.v, b.v, c.v));
+#endif
+#if defined(__FMA__)
+        if constexpr (sizeof(Vector) == 32)
+          return PackOf(_mm256_fnmadd_pd(a.v, b.v, c.v));
+        if constexpr (sizeof(Vector) == 16)
+          return PackOf(_mm_fnmadd_pd(a.v, b.v, c.v));
+#endif
+        return multiply_add(-a, b, c);
+      }
+      /** See power_of_two(double) in dem/core/exponential.h. */
+      BRECCIA_KERNEL friend PackOf power_of_two(const PackOf &k)
+      {
+        using Bits [[gnu::vector_size(sizeof(Number) * n)]] = unsigned long long;
+        return PackOf(reinterpret_cast<Vector>(reinterpret_cast<Bits>(k.v + (0x1p52 + 1023.0)) << 52));
+      }
+    };
+
+    template <typename Number, int n>
+    BRECCIA_KERNEL PackOf<Number, n> &operator+=(PackOf<Number, n> &a, const PackOf<Number, n> &b)
+    {
+      return a = a + b;
+    }
+    template <typename Number, int n>
+    BRECCIA_KERNEL PackOf<Number, n> &operator-=(PackOf<Number, n> &a, const PackOf<Number, n> &b)
+    {
+      return a = a - b;
+    }
+    template <typename Number, int n>
+    BRECCIA_KERNEL PackOf<Number, n> &operator*=(PackOf<Number, n> &a, const std::common_type_t<PackOf<Number, n>> &b)
+    {
+      return a = a * b;
+    }
+  } // namespace BRECCIA_JOIN(vectors_of_, BRECCIA_VECTOR)
+
+  using Pack     = PackOf<double, pack_size>;
+  using PackMask = Pack::Mask;
 
   /** Four doubles: a record with room for one vector. */
   constexpr int half_record_size = pack_size / 2;
-  using HalfPack                 = stdx::simd<double, stdx::simd_abi::deduce_t<double, half_record_size>>;
+  using HalfPack                 = PackOf<double, half_record_size>;
 
-  BRECCIA_KERNEL HalfPack load_half(const double *from) { return HalfPack(from, stdx::vector_aligned); }
-  BRECCIA_KERNEL void     store_low_half(const Pack &values, double *to)
+  BRECCIA_KERNEL HalfPack low_half(const Pack &all)
   {
-    stdx::split<HalfPack>(values)[0].copy_to(to, stdx::vector_aligned);
+#if BRECCIA_VECTOR == 64
+    return HalfPack(__builtin_shufflevector(all.v, all.v, 0, 1, 2, 3));
+#else
+    return all.low;
+#endif
+  }
+  BRECCIA_KERNEL HalfPack high_half(const Pack &all)
+  {
+#if BRECCIA_VECTOR == 64
+    return HalfPack(__builtin_shufflevector(all.v, all.v, 4, 5, 6, 7));
+#else
+    return all.high;
+#endif
+  }
+
+  BRECCIA_KERNEL Pack load(const double *from) { return Pack::load(from); }
+  BRECCIA_KERNEL void store(const Pack &values, double *to) { values.store(to); }
+
+  BRECCIA_KERNEL HalfPack load_half(const double *from) { return HalfPack::load(from); }
+
+  /** A pack of what a function says of each lane. */
+  template <typename Function>
+  Pack pack_of(Function &&f)
+  {
+    alignas(64) double lanes[pack_size];
+    for (int lane = 0; lane < pack_size; ++lane)
+      lanes[lane] = f(lane);
+    return load(lanes);
+  }
+
+  /** Sum of all lanes, half added to half. */
+  BRECCIA_KERNEL double sum_of(const Pack &a)
+  {
+    const HalfPack four = low_half(a) + high_half(a);
+    return (four[0] + four[2]) + (four[1] + four[3]);
   }
 
   BRECCIA_KERNEL double select(const bool mask, const double yes, const double no) { return mask ? yes : no; }
-  BRECCIA_KERNEL Pack   select(const PackMask &mask, const Pack &yes, const Pack &no)
-  {
-    Pack result               = no;
-    stdx::where(mask, result) = yes;
-    return result;
-  }
 
   /** What a comparison of two T gives: bool, or one bit per lane. */
   template <typename T>
   using Comparison = decltype(std::declval<T>() > std::declval<T>());
 
-  BRECCIA_KERNEL bool any(const bool mask) { return mask; }
-  BRECCIA_KERNEL bool any(const PackMask &mask) { return stdx::any_of(mask); }
-
+  BRECCIA_KERNEL bool   any(const bool mask) { return mask; }
   BRECCIA_KERNEL double maximum(const double a, const double b) { return a > b ? a : b; }
-  BRECCIA_KERNEL Pack   maximum(const Pack &a, const Pack &b) { return stdx::max(a, b); }
-
   BRECCIA_KERNEL double minimum(const double a, const double b) { return a < b ? a : b; }
-  BRECCIA_KERNEL Pack   minimum(const Pack &a, const Pack &b) { return stdx::min(a, b); }
-
   BRECCIA_KERNEL double square_root(const double a) { return std::sqrt(a); }
-  BRECCIA_KERNEL Pack   square_root(const Pack &a) { return stdx::sqrt(a); }
+
+  /** a b + c, rounded once: the one contraction that there is, for the compiler makes none by itself. Likewise a b - c and c - a b. */
+  BRECCIA_KERNEL double multiply_add(const double a, const double b, const double c) { return std::fma(a, b, c); }
+  BRECCIA_KERNEL double multiply_subtract(const double a, const double b, const double c) { return std::fma(a, b, -c); }
+  BRECCIA_KERNEL double negative_multiply_add(const double a, const double b, const double c)
+  {
+    return std::fma(-a, b, c);
+  }
 
   /** Apply a function of one double to every lane. */
   template <typename Function>
@@ -68,6 +516,6 @@ namespace dem
   template <typename Function>
   Pack each_lane(const Pack &a, Function &&f)
   {
-    return Pack([&](auto lane) { return f(static_cast<double>(a[lane])); });
+    return pack_of([&](const int lane) { return f(a[lane]); });
   }
 } // namespace dem

@@ -4,10 +4,6 @@
 
 #include <cstddef>
 
-#if defined(__AVX512F__) || defined(__AVX__)
-#include <immintrin.h>
-#endif
-
 /**
  * Stores past the caches. A written line is otherwise read from memory first and pushes another one out; where the next reader comes
  * so late that the line would be gone by then, both are lost time. The bits are the same.
@@ -18,22 +14,7 @@ namespace dem
   std::size_t last_level_cache();
 
   /** Store a whole line past the caches. Other threads see it after finish_streaming(). */
-  BRECCIA_KERNEL void stream(const Pack &values, double *to)
-  {
-#ifdef __AVX512F__
-    if constexpr (sizeof(Pack) == sizeof(__m512d))
-      {
-        _mm512_stream_pd(to, static_cast<__m512d>(values));
-        return;
-      }
-#elif defined(__AVX__)
-    const auto halves = stdx::split<HalfPack>(values);
-    for (std::size_t h = 0; h < halves.size(); ++h)
-      _mm256_stream_pd(to + half_record_size * h, static_cast<__m256d>(halves[h]));
-    return;
-#endif
-    store(values, to);
-  }
+  BRECCIA_KERNEL void stream(const Pack &values, double *to) { values.stream(to); }
 
   /** Store a line, past the caches or into them. */
   BRECCIA_KERNEL void put(const Pack &values, double *to, const bool streams)
@@ -47,7 +28,7 @@ namespace dem
   /** Before the lines that a thread has streamed are read by another one. */
   BRECCIA_KERNEL void finish_streaming()
   {
-#ifdef __AVX__
+#ifdef __SSE2__
     _mm_sfence();
 #endif
   }

@@ -27,7 +27,7 @@ namespace dem
                              const bool                     rotations)
     : surface_number(number)
     , law(std::move(law_of_bonds))
-    , pass(law->pass(law->several() ? Mixture::materials : Mixture::radii, false))
+    , pass(law->pass(law->several() ? Mixture::materials : Mixture::radii))
   {
     find_anchors(surfaces, particles, within);
     make_bodies(particles);

@@ -387,7 +387,7 @@ namespace dem
           shear = (1 / grown) * shear;
         lost = was - spring * dot(shear, shear);
       }
-    shear = carried(n0, n1, shear, added);
+    shear = carried(n0, n1, 1 / (1 + dot(n0, n1)), shear, added);
 
     // The overlap that presses as much at a point.
     const double     strain = -now.pressing / (area * surface.contact.normal);

@@ -38,7 +38,7 @@ namespace dem
     , particles(make_particles(start, shape, true))
     , constants(of.contact)
     , law(law_of(walls, of))
-    , pass(law->pass(Mixture::radii, false))
+    , pass(law->pass(Mixture::radii))
     , search(particles, 0.0, true)
     , slot(particles.count)
     , accounts(particle_blocks(particles.count))

@@ -1,4 +1,6 @@
 #include "dem/integrators/stable_step.h"
+
+#include "dem/core/symmetric_modes.h"
 #include "dem/measures/link_measures.h"
 
 #include <Eigen/Geometry>
@@ -96,19 +98,44 @@ namespace dem
       Eigen::VectorXd     root_inverse_mass;
       std::vector<Spring> springs;
     };
+
+    /** Of few particles: their Krylov spaces end early, and what Lanczos goes on with there may be no eigenvalue at all. */
+    constexpr Eigen::Index most_dense_rows = 240;
+
+    double largest_of_dense(const ScaledStiffness &operation)
+    {
+      Eigen::MatrixXd       matrix(operation.rows(), operation.rows());
+      const Eigen::MatrixXd units = Eigen::MatrixXd::Identity(operation.rows(), operation.rows());
+      for (Eigen::Index c = 0; c < operation.rows(); ++c)
+        operation.perform_op(units.col(c).data(), matrix.col(c).data());
+      return symmetric_modes(matrix).values.maxCoeff();
+    }
+
+    double largest_by_lanczos(ScaledStiffness &operation)
+    {
+      // The spectrum of a random packing is dense at its upper end; 40 vectors between restarts converge in a few hundred products.
+      constexpr int                           vectors   = 40;
+      constexpr double                        tolerance = 1e-10;
+      Spectra::SymEigsSolver<ScaledStiffness> solver(operation, 1, vectors);
+      solver.init();
+      solver.compute(Spectra::SortRule::LargestAlge, 10000, tolerance);
+      if (solver.info() != Spectra::CompInfo::Successful)
+        throw std::runtime_error(
+          "critical step: the Lanczos iteration for the largest eigenvalue did not converge in 10000 restarts.");
+      const double          largest = solver.eigenvalues()[0];
+      const Eigen::VectorXd mode    = solver.eigenvectors(1);
+      Eigen::VectorXd       image(mode.size());
+      operation.perform_op(mode.data(), image.data());
+      if (!((image - largest * mode).norm() <= std::sqrt(tolerance) * largest))
+        throw std::runtime_error("critical step: the Lanczos iteration ended with a value that is no eigenvalue.");
+      return largest;
+    }
   } // namespace
 
   double critical_step(const Particles &particles, const std::vector<LawfulLinks> &links, const bool rotations)
   {
     ScaledStiffness operation(particles, links, rotations);
-    // The spectrum of a random packing is dense at its upper end; 40 vectors between restarts converge in a few hundred products.
-    const Eigen::Index                      vectors = std::min<Eigen::Index>(40, operation.rows());
-    Spectra::SymEigsSolver<ScaledStiffness> solver(operation, 1, vectors);
-    solver.init();
-    solver.compute(Spectra::SortRule::LargestAlge, 10000, 1e-10);
-    if (solver.info() != Spectra::CompInfo::Successful)
-      throw std::runtime_error(
-        "critical step: the Lanczos iteration for the largest eigenvalue did not converge in 10000 restarts.");
-    return 2.0 / std::sqrt(solver.eigenvalues()[0]);
+    const bool      few = operation.rows() <= most_dense_rows;
+    return 2.0 / std::sqrt(few ? largest_of_dense(operation) : largest_by_lanczos(operation));
   }
 } // namespace dem

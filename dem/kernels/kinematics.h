@@ -38,9 +38,13 @@ namespace dem
   template <typename T>
   BRECCIA_KERNEL RotationCoefficients<T> rotation_coefficients(const T &angle_squared)
   {
-    const T                &s = angle_squared;
-    RotationCoefficients<T> c{T(1.0) - s * (T(1.0 / 6) - s * (T(1.0 / 120) - s * T(1.0 / 5040))),
-                              T(0.5) - s * (T(1.0 / 24) - s * (T(1.0 / 720) - s * T(1.0 / 40320)))};
+    const T   &s      = angle_squared;
+    const auto series = [&](const double c0, const double c1, const double c2, const double c3) {
+      const T inner = negative_multiply_add(s, T(c3), T(c2));
+      return negative_multiply_add(s, negative_multiply_add(s, inner, T(c1)), T(c0));
+    };
+    RotationCoefficients<T> c{series(1.0, 1.0 / 6, 1.0 / 120, 1.0 / 5040),
+                              series(0.5, 1.0 / 24, 1.0 / 720, 1.0 / 40320)};
     if (any(s > T(series_angle_squared)))
       replace_large_rotations(s, c);
     return c;
@@ -61,34 +65,54 @@ namespace dem
   BRECCIA_KERNEL Vec<T, 3> rotate(const RotationCoefficients<T> &c, const Vec<T, 3> &t, const Vec<T, 3> &v)
   {
     const Vec<T, 3> once = cross(t, v);
-    return v + c.sine * once + c.versine * cross(t, once);
+    return multiply_add(c.versine, cross(t, once), multiply_add(c.sine, once, v));
   }
+
+  /** Inverses of two numbers by one division, which takes a processor as long as many products. */
+  template <typename T>
+  struct Inverses
+  {
+    T first, second;
+
+    BRECCIA_KERNEL Inverses(const T &a, const T &b)
+    {
+      const T both = T(1.0) / (a * b);
+      first        = both * b;
+      second       = both * a;
+    }
+  };
 
   /**
  * Carry v, perpendicular to the unit vector a, by the smallest rotation that takes a to the unit vector b.
  *
  * For v.a = 0 the minimal rotation Q(a -> b) v = v - (a + b) (b.v)/(1 + a.b). @pre a != -b
+ * @param inverse 1/(1 + a.b)
  */
+  template <typename T>
+  BRECCIA_KERNEL Vec<T, 3> transport(const Vec<T, 3> &a, const Vec<T, 3> &b, const T &inverse, const Vec<T, 3> &v)
+  {
+    return negative_multiply_add(dot(b, v) * inverse, a + b, v);
+  }
+
   template <typename T>
   BRECCIA_KERNEL Vec<T, 3> transport(const Vec<T, 3> &a, const Vec<T, 3> &b, const Vec<T, 3> &v)
   {
-    const T factor = dot(b, v) / (T(1.0) + dot(a, b));
-    return v - factor * (a + b);
+    return transport(a, b, T(1.0) / (T(1.0) + dot(a, b)), v);
   }
 
   /** What rounding leaves of a vector along a unit direction is taken out. */
   template <typename T>
   BRECCIA_KERNEL Vec<T, 3> across(const Vec<T, 3> &direction, const Vec<T, 3> &v)
   {
-    return v - dot(direction, v) * direction;
+    return negative_multiply_add(dot(direction, v), direction, v);
   }
 
-  /** A tangential vector at n0, carried to n1, and what the step adds to it there. */
+  /** A tangential vector at n0, carried to n1, and what the step adds to it there. @param inverse 1/(1 + n0.n1) */
   template <typename T>
   BRECCIA_KERNEL Vec<T, 3>
-                 carried(const Vec<T, 3> &n0, const Vec<T, 3> &n1, const Vec<T, 3> &vector, const Vec<T, 3> &added)
+  carried(const Vec<T, 3> &n0, const Vec<T, 3> &n1, const T &inverse, const Vec<T, 3> &vector, const Vec<T, 3> &added)
   {
-    return across(n1, transport(n0, n1, vector) + added);
+    return across(n1, transport(n0, n1, inverse, vector) + added);
   }
 
   /** Motion of a pair of particles over one step, what the shear update needs. */
@@ -126,17 +150,15 @@ namespace dem
                  advance_shear(const PairMotion<T> &m, const T &inverse_reference, Vec<T, 3> (&shear)[stored])
   {
     const Vec<T, 3> l0 = m.branch - m.increment;
-    const Vec<T, 3> lm = m.branch - T(0.5) * m.increment;
-    const T         L1 = square_root(dot(m.branch, m.branch));
-    const Vec<T, 3> n1 = (T(1.0) / L1) * m.branch;
-    const Vec<T, 3> nm = (T(1.0) / square_root(dot(lm, lm))) * lm;
-    const T         L0 = square_root(dot(l0, l0));
-    Vec<T, 3>       n0 = (T(1.0) / L0) * l0;
-    Vec<T, 3>       du = m.increment;
+    const Vec<T, 3> lm = negative_multiply_add(T(0.5), m.increment, m.branch);
+    const T L0 = square_root(dot(l0, l0)), Lm = square_root(dot(lm, lm)), L1 = square_root(dot(m.branch, m.branch));
+    const Inverses<T> inverse(L0 * L1, Lm);
+    const Vec<T, 3>   n1 = (inverse.first * L0) * m.branch, nm = inverse.second * lm;
+    Vec<T, 3>         n0 = (inverse.first * L1) * l0;
+    Vec<T, 3>         du = m.increment;
     if constexpr (rotations)
       du = du - cross(m.arm_rotation, lm);
-    du               = du - dot(nm, du) * nm;
-    const auto added = inverse_reference * transport(nm, n1, du);
+    du = across(nm, du);
     if constexpr (rotations)
       {
         const auto c = rotation_coefficients(dot(m.mean_rotation, m.mean_rotation));
@@ -144,8 +166,10 @@ namespace dem
         for (auto &vector : shear)
           vector = rotate(c, m.mean_rotation, vector);
       }
+    const Inverses<T> along(T(1.0) + dot(n0, n1), T(1.0) + dot(nm, n1));
+    const auto        added = inverse_reference * transport(nm, n1, along.second, du);
     for (auto &vector : shear)
-      vector = carried(n0, n1, vector, added);
+      vector = carried(n0, n1, along.first, vector, added);
     return {n1, L1, added, L0};
   }
 
@@ -196,15 +220,16 @@ namespace dem
   BRECCIA_KERNEL PlaneLinkFrame<T>
                  advance_shear(const PlanePairMotion<T> &m, const T &inverse_reference, Vec<T, 1> (&shear)[stored])
   {
-    const Vec<T, 2> lm = m.branch - T(0.5) * m.increment;
-    const T         L1 = square_root(dot(m.branch, m.branch)), Lm = square_root(dot(lm, lm));
-    T               slip = (lm.c[0] * m.increment.c[1] - lm.c[1] * m.increment.c[0]) / Lm;
+    const Vec<T, 2>   lm = negative_multiply_add(T(0.5), m.increment, m.branch);
+    const T           L1 = square_root(dot(m.branch, m.branch)), Lm = square_root(dot(lm, lm));
+    const Inverses<T> inverse(L1, Lm);
+    T                 slip = multiply_subtract(lm.c[0], m.increment.c[1], lm.c[1] * m.increment.c[0]) * inverse.second;
     if constexpr (rotations)
-      slip = slip - m.arm_rotation * Lm;
+      slip = negative_multiply_add(m.arm_rotation, Lm, slip);
     const Vec<T, 1> added{{inverse_reference * slip}};
     for (auto &value : shear)
       value = value + added;
     const Vec<T, 2> l0 = m.branch - m.increment;
-    return {(T(1.0) / L1) * m.branch, L1, added, square_root(dot(l0, l0))};
+    return {inverse.first * m.branch, L1, added, square_root(dot(l0, l0))};
   }
 } // namespace dem

@@ -16,7 +16,18 @@ namespace dem::link_update
     Pack half_twist[8]; ///< - - - | difference (first - second) of tau theta (3) | - -; unequal radii only
   };
 
-  inline const Pack difference_and_sum([](auto lane) { return lane < 3 || lane > 5 ? -1.0 : 1.0; });
+  inline const Pack difference_and_sum = pack_of([](const int lane) { return lane < 3 || lane > 5 ? -1.0 : 1.0; });
+
+  /** Second ends are images of particles. */
+  BRECCIA_KERNEL void reach_to_images(const Particles &particles, const LinkSet &links, const std::size_t l, Ends &ends)
+  {
+    for (int lane = 0; lane < pack_size; ++lane)
+      {
+        const std::size_t image = record_size * static_cast<std::size_t>(links.image[l + lane]);
+        ends.pose[lane] += load(&particles.cell.offset[image]);
+        ends.motion[lane] += load(&particles.cell.motion[image]);
+      }
+  }
 
   template <typename P>
   BRECCIA_KERNEL void
@@ -29,20 +40,16 @@ namespace dem::link_update
         const std::size_t J = record_size * static_cast<std::size_t>(first[lane]),
                           K = record_size * static_cast<std::size_t>(second[lane]);
         const Pack pose_J = load(pose + J), pose_K = load(pose + K);
-        ends.pose[lane] = pose_K + signs * pose_J;
+        ends.pose[lane] = multiply_add(signs, pose_J, pose_K);
         if constexpr (P::moment)
           ends.motion[lane] = load(motion + K) - load(motion + J);
         else
-          ends.motion[lane] = load(motion + K) + signs * load(motion + J);
-        if constexpr (P::periodic)
-          {
-            const std::size_t image = record_size * static_cast<std::size_t>(links.image[l + lane]);
-            ends.pose[lane] += load(&particles.cell.offset[image]);
-            ends.motion[lane] += load(&particles.cell.motion[image]);
-          }
+          ends.motion[lane] = multiply_add(signs, load(motion + J), load(motion + K));
         if constexpr (P::rotations && !P::equal_radii)
           ends.half_twist[lane] = pose_J - pose_K;
       }
+    if (links.periodic)
+      reach_to_images(particles, links, l, ends);
     transpose(ends.pose);
     transpose(ends.motion);
     if constexpr (P::rotations && !P::equal_radii)
@@ -65,7 +72,7 @@ namespace dem::link_update
     if constexpr (P::equal_radii)
       return Pack(0.5) * ends.pose[3 + c];
     else
-      return Pack(0.5) * (ends.pose[3 + c] + eccentric * ends.half_twist[3 + c]);
+      return Pack(0.5) * multiply_add(eccentric, ends.half_twist[3 + c], ends.pose[3 + c]);
   }
 
   template <typename P>
@@ -110,9 +117,9 @@ namespace dem::link_update
   template <typename P>
   BRECCIA_KERNEL Pack branch_length(const Ends &ends)
   {
-    Pack squared = ends.pose[0] * ends.pose[0] + ends.pose[1] * ends.pose[1];
-    if constexpr (P::dimension == 3)
-      squared = squared + ends.pose[2] * ends.pose[2];
-    return square_root(squared);
+    Vec<Pack, P::dimension> branch;
+    for (int c = 0; c < P::dimension; ++c)
+      branch[c] = ends.pose[c];
+    return square_root(dot(branch, branch));
   }
 } // namespace dem::link_update

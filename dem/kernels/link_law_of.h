@@ -18,9 +18,9 @@ namespace dem
 {
   /** The passes of a law, compiled where dem/kernels/link_update.h is included. */
   template <typename Law>
-  LinkPass link_pass_in_plane(bool rotations, Mixture mixture, bool periodic);
+  LinkPass link_pass_in_plane(bool rotations, Mixture mixture);
   template <typename Law>
-  LinkPass link_pass_in_space(bool rotations, Mixture mixture, bool periodic);
+  LinkPass link_pass_in_space(bool rotations, Mixture mixture);
 
   /** Law::waits, false for a law that does not speak of it. */
   template <typename Law>
@@ -127,9 +127,9 @@ namespace dem
     bool        bonds() const override { return Law::bonds; }
     bool        waits() const override { return law_waits<Law>(0); }
 
-    LinkPass pass(const Mixture mixture, const bool periodic) const override
+    LinkPass pass(const Mixture mixture) const override
     {
-      return (dimension == 3 ? link_pass_in_space<Law> : link_pass_in_plane<Law>)(rotations, mixture, periodic);
+      return (dimension == 3 ? link_pass_in_space<Law> : link_pass_in_plane<Law>)(rotations, mixture);
     }
 
     std::vector<LinkQuantity> columns() const override

@@ -7,10 +7,10 @@
 namespace dem::link_update
 {
   /**
-   * What the pass is compiled for, besides the law. `periodic`: second ends are images.
+   * What the pass is compiled for, besides the law; what would not show in its time is looked at as it runs.
    * @tparam Law_ see dem/kernels/link_law_of.h
    */
-  template <typename Law_, int dimension_, bool rotations_, Mixture mixture_, bool periodic_>
+  template <typename Law_, int dimension_, bool rotations_, Mixture mixture_>
   struct Policy
   {
     using Law                           = Law_;
@@ -18,7 +18,6 @@ namespace dem::link_update
     static constexpr bool rotations     = rotations_;
     static constexpr bool equal_radii   = mixture_ == Mixture::equal;
     static constexpr bool several_pairs = mixture_ == Mixture::materials;
-    static constexpr bool periodic      = periodic_;
     static constexpr int  across        = dimension == 3 ? 3 : 1; ///< components of a vector across the link
     static constexpr bool moment        = Law::moment && rotations;
     static constexpr bool first_order   = is_first_order_shear<Law>;

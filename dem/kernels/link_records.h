@@ -36,7 +36,7 @@ namespace dem::link_update
     const Pack half_length = Pack(0.5) * frame.length;
     if constexpr (P::dimension == 3)
       {
-        const Vec<Pack, 3> force  = answer.normal * frame.direction + answer.shear;
+        const Vec<Pack, 3> force  = multiply_add(answer.normal, frame.direction, answer.shear);
         const Vec<Pack, 3> couple = half_length * cross(frame.direction, answer.shear);
         for (int c = 0; c < 3; ++c)
           {
@@ -47,8 +47,8 @@ namespace dem::link_update
       }
     else
       {
-        out[0] = answer.normal * frame.direction[0] - answer.shear[0] * frame.direction[1];
-        out[1] = answer.normal * frame.direction[1] + answer.shear[0] * frame.direction[0];
+        out[0] = multiply_subtract(answer.normal, frame.direction[0], answer.shear[0] * frame.direction[1]);
+        out[1] = multiply_add(answer.normal, frame.direction[1], answer.shear[0] * frame.direction[0]);
         if constexpr (P::rotations)
           out[5] = half_length * answer.shear[0];
         if constexpr (P::moment)
@@ -67,7 +67,7 @@ namespace dem::link_update
   {
     Pack out[3];
     for (int c = 0; c < 3; ++c)
-      out[c] = answer.bending_moment[c] + answer.twisting_moment * frame.direction[c];
+      out[c] = multiply_add(answer.twisting_moment, frame.direction[c], answer.bending_moment[c]);
     store_half_records(out, record);
   }
 } // namespace dem::link_update

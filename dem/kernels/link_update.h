@@ -19,16 +19,8 @@ namespace dem::link_update
   {
     LinkWork<Pack> work;
     PackMask       event{false};
+    Pack stress_moment[9] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}; ///< sum l (x) f by rows; only if periodic
   };
-
-  struct PeriodicBlockSums : BlockSums
-  {
-    Pack stress_moment[9] = {Pack(0.0), Pack(0.0), Pack(0.0), Pack(0.0), Pack(0.0),
-                             Pack(0.0), Pack(0.0), Pack(0.0), Pack(0.0)}; ///< sum l (x) f, by rows
-  };
-
-  template <typename P>
-  using Sums = std::conditional_t<P::periodic, PeriodicBlockSums, BlockSums>;
 
   /** Constants of eight links that may join other materials each. */
   template <typename Law>
@@ -92,17 +84,17 @@ namespace dem::link_update
                                   const typename P::template State<Pack> &before,
                                   const bool                              rests,
                                   typename P::template State<Pack>       &state,
-                                  Sums<P>                                &sums)
+                                  BlockSums                              &sums)
   {
     const auto answer = P::Law::update(law, motion, state, sums.work);
     store_history<P>(history, l, before, state, rests);
     const Vec<Pack, 3> force = put_force<P>(frame, answer, eccentric, &links.force[record_size * l], links.streams);
     if constexpr (P::moment && P::dimension == 3)
       put_moment(frame, answer, &links.moment[half_record_size * l]);
-    if constexpr (P::periodic)
+    if (links.periodic)
       for (int i = 0; i < P::dimension; ++i)
         for (int j = 0; j < P::dimension; ++j)
-          sums.stress_moment[3 * i + j] += ends.pose[i] * force[j];
+          sums.stress_moment[3 * i + j] = multiply_add(ends.pose[i], force[j], sums.stress_moment[3 * i + j]);
     sums.event = sums.event || (answer.event && motion.area > Pack(0.0));
   }
 
@@ -114,7 +106,7 @@ namespace dem::link_update
                                   const Constants         &law,
                                   const Pack              &signs,
                                   const std::size_t        l,
-                                  Sums<P>                 &sums)
+                                  BlockSums               &sums)
   {
     using State = typename P::template State<Pack>;
     Ends ends;
@@ -200,7 +192,7 @@ namespace dem::link_update
                     const std::size_t                 block,
                     const std::size_t                 first_column)
   {
-    Sums<P>                 sums;
+    BlockSums               sums;
     const HistoryColumns<P> history(links, first_column);
     const Pack              signs = difference_and_sum;
     const auto             &only  = laws.constants(0);
@@ -217,13 +209,13 @@ namespace dem::link_update
     if (links.streams)
       finish_streaming();
     LinkBlockAccount &account = links.accounts[block];
-    account.friction += stdx::reduce(sums.work.friction);
-    account.damage += stdx::reduce(sums.work.damage);
-    account.released += stdx::reduce(sums.work.released);
+    account.friction += sum_of(sums.work.friction);
+    account.damage += sum_of(sums.work.damage);
+    account.released += sum_of(sums.work.released);
     account.event = any(sums.event);
-    if constexpr (P::periodic)
+    if (links.periodic)
       for (int c = 0; c < 9; ++c)
-        links.stress_moments[stress_record * block + c] = stdx::reduce(sums.stress_moment[c]);
+        links.stress_moments[stress_record * block + c] = sum_of(sums.stress_moment[c]);
   }
 
   template <typename P>
@@ -237,14 +229,7 @@ namespace dem::link_update
       update_block<P>(links, particles, laws, static_cast<std::size_t>(b), lines.first_column);
   }
 
-  /** Turn a run-time choice into a compile-time one: continue with std::true_type or std::false_type. */
-  template <typename Continue>
-  auto choose(const bool choice, Continue &&next)
-  {
-    return choice ? next(std::true_type{}) : next(std::false_type{});
-  }
-
-  /** The same of a mixture. */
+  /** A mixture as a constant of the loop. */
   template <typename Continue>
   auto choose(const Mixture mixture, Continue &&next)
   {
@@ -254,30 +239,29 @@ namespace dem::link_update
                                        next(std::integral_constant<Mixture, Mixture::materials>{});
   }
 
+  /** Without rotations equal radii would save one division of a link: they take the pass of any radii, with the same bits. */
   template <typename Law, int dimension>
-  LinkPass select(const bool rotates, const Mixture mixture, const bool periodic)
+  LinkPass select(const bool rotates, const Mixture mixture)
   {
-    return choose(rotates, [&](auto rotations) {
-      return choose(mixture, [&](auto particles) {
-        return choose(periodic, [&](auto repeats) -> LinkPass {
-          return link_pass<Policy<Law, dimension, rotations, particles, repeats>>;
-        });
-      });
-    });
+    if (rotates)
+      return choose(mixture,
+                    [](auto particles) -> LinkPass { return link_pass<Policy<Law, dimension, true, particles>>; });
+    return mixture == Mixture::materials ? link_pass<Policy<Law, dimension, false, Mixture::materials>> :
+                                           link_pass<Policy<Law, dimension, false, Mixture::radii>>;
   }
 } // namespace dem::link_update
 
 namespace dem
 {
   template <typename Law>
-  LinkPass link_pass_in_plane(const bool rotations, const Mixture mixture, const bool periodic)
+  LinkPass link_pass_in_plane(const bool rotations, const Mixture mixture)
   {
-    return link_update::select<Law, 2>(rotations, mixture, periodic);
+    return link_update::select<Law, 2>(rotations, mixture);
   }
 
   template <typename Law>
-  LinkPass link_pass_in_space(const bool rotations, const Mixture mixture, const bool periodic)
+  LinkPass link_pass_in_space(const bool rotations, const Mixture mixture)
   {
-    return link_update::select<Law, 3>(rotations, mixture, periodic);
+    return link_update::select<Law, 3>(rotations, mixture);
   }
 } // namespace dem

@@ -36,7 +36,7 @@ namespace dem
     /** @param inverse_reference 1/L0 [1/m] */
     BRECCIA_KERNEL TurningLink(const MomentPairMotion<T> &m, const T &inverse_reference)
     {
-      const Vec<T, 3> before = m.branch - m.increment, middle = m.branch - T(0.5) * m.increment;
+      const Vec<T, 3> before = m.branch - m.increment, middle = negative_multiply_add(T(0.5), m.increment, m.branch);
       length                  = square_root(dot(m.branch, m.branch));
       length_before           = square_root(dot(before, before));
       const T         lengths = T(1.0) / (length * length_before);
@@ -45,11 +45,11 @@ namespace dem
       sum                     = n0 + direction;
       const T along           = T(1.0) + dot(n0, direction);
       const T half_tangent    = T(0.25) * dot(m.spin, sum);
-      const T squares         = T(1.0) + half_tangent * half_tangent;
+      const T squares         = multiply_add(half_tangent, half_tangent, T(1.0));
       const T both            = T(1.0) / (along * squares);
       inverse_along           = both * squares;
       const T sine            = T(2.0) * half_tangent * (both * along);
-      cosine                  = T(1.0) - half_tangent * sine;
+      cosine                  = negative_multiply_add(half_tangent, sine, T(1.0));
       axis                    = sine * n0;
       slip                    = inverse_reference * (m.increment - cross(m.arm_rotation, middle));
     }
@@ -57,17 +57,20 @@ namespace dem
     /** A vector across the link, turned with the pair, and what the step adds to it (any direction). */
     BRECCIA_KERNEL Vec<T, 3> carried(const Vec<T, 3> &vector, const Vec<T, 3> &added) const
     {
-      return across(cosine * vector + cross(axis, vector) + added);
+      return across(multiply_add(cosine, vector, cross(axis, vector)) + added);
     }
 
     /** A vector across the link, turned with the pair. */
     BRECCIA_KERNEL Vec<T, 3> turned(const Vec<T, 3> &vector) const
     {
-      return across(cosine * vector + cross(axis, vector));
+      return across(multiply_add(cosine, vector, cross(axis, vector)));
     }
 
     /** What of a displacement or rotation at the middle of the step lies across the link, carried to the end. */
-    BRECCIA_KERNEL Vec<T, 3> across(const Vec<T, 3> &v) const { return v - (inverse_along * dot(direction, v)) * sum; }
+    BRECCIA_KERNEL Vec<T, 3> across(const Vec<T, 3> &v) const
+    {
+      return negative_multiply_add(inverse_along * dot(direction, v), sum, v);
+    }
     /** And along it. */
     BRECCIA_KERNEL T along(const Vec<T, 3> &v) const { return inverse_along * dot(sum, v); }
 

@@ -19,27 +19,26 @@ namespace dem
       Pack rotates, all_but_last;
 
       Lanes()
-        : own_sign([](auto i) { return i == 6 ? 0.0 : 1.0; })
-        , other_sign([](auto i) { return i == 6         ? 0.0 :
-                                         i > 2 && i < 6 ? 1.0 :
-                                                          -1.0; })
-        , own_arm([](auto i) { return i >= 3 && i < 6 ? 1.0 : 0.0; })
-        , other_arm([](auto i) { return i >= 3 && i < 6 ? -1.0 : 0.0; })
-        , keep_pose([](auto i) { return i < 3 || i == 6 ? 1.0 : 0.0; })
-        , translates([](auto i) { return i < 3 ? 1.0 : 0.0; })
-        , rotates([](auto i) { return i >= 3 && i < 6 ? 1.0 : 0.0; })
-        , all_but_last([](auto i) { return i < 7 ? 1.0 : 0.0; })
+        : own_sign(pack_of([](const int i) { return i == 6 ? 0.0 : 1.0; }))
+        , other_sign(pack_of([](const int i) { return i == 6         ? 0.0 :
+                                                      i > 2 && i < 6 ? 1.0 :
+                                                                       -1.0; }))
+        , own_arm(pack_of([](const int i) { return i >= 3 && i < 6 ? 1.0 : 0.0; }))
+        , other_arm(pack_of([](const int i) { return i >= 3 && i < 6 ? -1.0 : 0.0; }))
+        , keep_pose(pack_of([](const int i) { return i < 3 || i == 6 ? 1.0 : 0.0; }))
+        , translates(pack_of([](const int i) { return i < 3 ? 1.0 : 0.0; }))
+        , rotates(pack_of([](const int i) { return i >= 3 && i < 6 ? 1.0 : 0.0; }))
+        , all_but_last(pack_of([](const int i) { return i < 7 ? 1.0 : 0.0; }))
       {
       }
     };
 
+    /** Add a link's record to a sum, as it counts at one of its ends. */
     template <bool equal_radii>
-    BRECCIA_KERNEL Pack weighted(const double *record, const Pack &sign, const Pack &arm)
+    BRECCIA_KERNEL void add(const double *record, const Pack &sign, const Pack &arm, Pack &sum)
     {
-      if constexpr (equal_radii)
-        return sign * load(record);
-      else
-        return (sign + Pack(record[6]) * arm) * load(record);
+      const Pack weight = equal_radii ? sign : multiply_add(Pack(record[6]), arm, sign);
+      sum               = multiply_add(weight, load(record), sum);
     }
 
     /** Go through the links whose first end is a particle: line after line where all links obey one law. */
@@ -59,11 +58,11 @@ namespace dem
     {
       const double *force = links.force.data();
       each_own_link(links, i, [&](const std::size_t link) {
-        sum += weighted<equal_radii>(force + record_size * link, lanes.own_sign, lanes.own_arm);
+        add<equal_radii>(force + record_size * link, lanes.own_sign, lanes.own_arm, sum);
       });
       for (std::int32_t o = links.other_begin[i]; o < links.other_begin[i + 1]; ++o)
-        sum += weighted<equal_radii>(force + record_size * static_cast<std::size_t>(links.others[o]), lanes.other_sign,
-                                     lanes.other_arm);
+        add<equal_radii>(force + record_size * static_cast<std::size_t>(links.others[o]), lanes.other_sign,
+                         lanes.other_arm, sum);
     }
 
     /** The same with moments at contact points: what a link does to its first end, it does to its second the other way round. */
@@ -73,13 +72,13 @@ namespace dem
     {
       const double *force = links.force.data(), *moment = links.moment.data();
       each_own_link(links, i, [&](const std::size_t link) {
-        sum += weighted<equal_radii>(force + record_size * link, lanes.own_sign, lanes.own_arm);
+        add<equal_radii>(force + record_size * link, lanes.own_sign, lanes.own_arm, sum);
         moments += load_half(moment + half_record_size * link);
       });
       for (std::int32_t o = links.other_begin[i]; o < links.other_begin[i + 1]; ++o)
         {
           const auto link = static_cast<std::size_t>(links.others[o]);
-          sum += weighted<equal_radii>(force + record_size * link, lanes.other_sign, lanes.other_arm);
+          add<equal_radii>(force + record_size * link, lanes.other_sign, lanes.other_arm, sum);
           moments -= load_half(moment + half_record_size * link);
         }
     }
@@ -98,14 +97,17 @@ namespace dem
     /** With the moments at contact points: of links in the plane they stand last in their records, of those in space apart. */
     BRECCIA_KERNEL Pack with_moments(const Pack &force, const HalfPack &apart, const Lanes &lanes)
     {
-      return force * lanes.all_but_last + last_at_rotations(force) + at_rotations(apart);
+      return multiply_add(force, lanes.all_but_last, last_at_rotations(force)) + at_rotations(apart);
     }
 
     /** tan(t/2)/(t/2) of a rotation vector's squared length; a short series for the angles of a stable step. */
     BRECCIA_KERNEL double arm_stretch(const double angle_squared)
     {
       if (angle_squared <= series_angle_squared) // remainder below 1e-16
-        return 1.0 + angle_squared * (1.0 / 12 + angle_squared * (1.0 / 120 + angle_squared * (17.0 / 20160)));
+        {
+          const double inner = multiply_add(angle_squared, 17.0 / 20160, 1.0 / 120);
+          return multiply_add(angle_squared, multiply_add(angle_squared, inner, 1.0 / 12), 1.0);
+        }
       return half_tangent_factor(exact_rotation_coefficients(angle_squared), angle_squared);
     }
 
@@ -120,7 +122,7 @@ namespace dem
     {
       if constexpr (!damped)
         return acceleration;
-      const Pack ahead = acceleration * (velocity + half_step * acceleration);
+      const Pack ahead = acceleration * multiply_add(half_step, acceleration, velocity);
       return acceleration * (Pack(1.0) - select(ahead > Pack(0.0), damping,
                                                 select(ahead < Pack(0.0), Pack(0.0) - damping, Pack(0.0))));
     }
@@ -129,8 +131,8 @@ namespace dem
     BRECCIA_KERNEL Pack cell_velocity(const Particles &p, const std::size_t at)
     {
       const double *rate = p.cell.rate.data(), *x = &p.pose[at];
-      return Pack(x[0]) * load(rate) + Pack(x[1]) * load(rate + record_size) +
-             Pack(x[2]) * load(rate + 2 * record_size);
+      const Pack    in_plane = multiply_add(Pack(x[1]), load(rate + record_size), Pack(x[0]) * load(rate));
+      return multiply_add(Pack(x[2]), load(rate + 2 * record_size), in_plane);
     }
 
     /** Constant packs of a step's length: half of the one before t_n, half of the one after, their sum, and the drift. */
@@ -161,38 +163,37 @@ namespace dem
       const std::size_t at           = record_size * i;
       const Pack        velocity     = load(&p.velocity[at]);
       const Pack        inverse_mass = load(&p.inverse_mass[at]);
-      const Pack        mass         = Pack(p.mass[i]) * lanes.translates + Pack(p.inertia[i]) * lanes.rotates;
-      const Pack        free         = force * inverse_mass;
+      const Pack        mass = multiply_add(Pack(p.mass[i]), lanes.translates, Pack(p.inertia[i]) * lanes.rotates);
+      const Pack        free = force * inverse_mass;
       const Pack        acceleration = damp<damped>(free, velocity, step.half_before, damping);
-      const Pack        next         = velocity + step.kick * acceleration;
+      const Pack        next         = multiply_add(step.kick, acceleration, velocity);
       const Pack        displacement = step.drift * next;
 
-      const double rotation[3] = {displacement[3], displacement[4], displacement[5]};
-      const double stretch =
-        arm_stretch(rotation[0] * rotation[0] + rotation[1] * rotation[1] + rotation[2] * rotation[2]);
-      Pack moved = displacement;
+      const Vec<double, 3> rotation{{displacement[3], displacement[4], displacement[5]}};
+      const double         stretch = arm_stretch(dot(rotation, rotation));
+      Pack                 moved   = displacement;
       if constexpr (periodic)
-        moved += step.drift * cell_velocity(p, at);
-      const Pack pose =
-        load(&p.pose[at]) * lanes.keep_pose + moved * (lanes.translates + Pack(stretch) * lanes.rotates);
+        moved = multiply_add(step.drift, cell_velocity(p, at), moved);
+      const Pack pose = multiply_add(moved, multiply_add(Pack(stretch), lanes.rotates, lanes.translates),
+                                     load(&p.pose[at]) * lanes.keep_pose);
       store(pose, &p.pose[at]);
       store(next, &p.velocity[at]);
       put(moved, &p.motion[at], streams);
       put(force, &p.force[at], streams);
 
-      sums.fastest = stdx::max(sums.fastest, displacement * displacement * lanes.translates);
-      sums.kinetic = sums.kinetic + Pack(0.5) * mass * velocity * next;
+      sums.fastest = maximum(sums.fastest, displacement * displacement * lanes.translates);
+      sums.kinetic = multiply_add(Pack(0.5) * mass * velocity, next, sums.kinetic);
       if constexpr (damped)
         {
           const Pack slowed   = acceleration - free; // zero where motion is prescribed
-          sums.damping_before = sums.damping_before + step.half_before * mass * slowed * velocity;
-          sums.damping_after  = sums.damping_after + step.half_after * mass * slowed * next;
+          sums.damping_before = multiply_add(step.half_before * mass * slowed, velocity, sums.damping_before);
+          sums.damping_after  = multiply_add(step.half_after * mass * slowed, next, sums.damping_after);
         }
       if constexpr (pushed)
         {
           const Pack push     = load(&p.pushed[at]);
-          sums.pushing_before = sums.pushing_before + step.half_before * push * velocity;
-          sums.pushing_after  = sums.pushing_after + step.half_after * push * next;
+          sums.pushing_before = multiply_add(step.half_before * push, velocity, sums.pushing_before);
+          sums.pushing_after  = multiply_add(step.half_after * push, next, sums.pushing_after);
         }
     }
 
@@ -213,7 +214,7 @@ namespace dem
           const Lanes       lanes;
           const Lengths     lengths(step);
           const Pack        coefficient(damping);
-          const Pack        fall([&](auto lane) { return lane < 3 ? gravity[lane < 3 ? int(lane) : 0] : 0.0; });
+          const Pack        fall = pack_of([&](const int lane) { return lane < 3 ? gravity[lane] : 0.0; });
           Sums              sums;
           const std::size_t begin = static_cast<std::size_t>(b) * particles_per_block,
                             end   = std::min(begin + particles_per_block, particles.count);
@@ -229,7 +230,7 @@ namespace dem
               constexpr bool touched = surroundings == Surroundings::touched;
               constexpr bool pushed  = surroundings == Surroundings::pushed || touched;
               if constexpr (surroundings == Surroundings::weight || pushed)
-                force += Pack(particles.mass[i]) * fall;
+                force = multiply_add(Pack(particles.mass[i]), fall, force);
               if constexpr (touched)
                 force += load(&surfaces[record_size * i]);
               if constexpr (pushed)
@@ -239,9 +240,8 @@ namespace dem
             }
           if (bonds.streams)
             finish_streaming();
-          accounts[b] = {stdx::reduce(sums.damping_before), stdx::reduce(sums.damping_after),
-                         stdx::reduce(sums.kinetic),        stdx::reduce(sums.pushing_before),
-                         stdx::reduce(sums.pushing_after),  stdx::reduce(sums.fastest)};
+          accounts[b] = {sum_of(sums.damping_before), sum_of(sums.damping_after), sum_of(sums.kinetic),
+                         sum_of(sums.pushing_before), sum_of(sums.pushing_after), sum_of(sums.fastest)};
         }
     }
 

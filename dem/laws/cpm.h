@@ -127,7 +127,7 @@ namespace dem
       const T opening       = maximum(normal_strain, T(0.0));
       if constexpr (damage)
         grow_damage(k, opening, total_shear_squared, state);
-      response.normal_stress = k.E * (normal_strain - state.damage * opening);
+      response.normal_stress = k.E * negative_multiply_add(state.damage, opening, normal_strain);
       response.shear_stress  = T(k.G) * state.elastic_shear;
       if constexpr (sliding)
         slide(k, state, response);
@@ -154,7 +154,8 @@ namespace dem
       T          equivalent    = opening;
       const auto shear_damages = k.shear_weight > 0.0; // of each link
       if (any(shear_damages))
-        equivalent = square_root(opening * opening + T(k.shear_weight * k.shear_weight) * total_shear_squared);
+        equivalent =
+          square_root(multiply_add(T(k.shear_weight * k.shear_weight), total_shear_squared, opening * opening));
       const auto grows = equivalent > maximum(state.kappa, T(k.onset));
       state.kappa      = maximum(state.kappa, equivalent);
       if (any(grows))
@@ -167,7 +168,8 @@ namespace dem
     template <typename Constants, typename T, int m>
     BRECCIA_KERNEL static void slide(const Constants &k, CpmState<T, m> &state, CpmResponse<T, m> &response)
     {
-      const T    limit  = maximum(k.cohesion * (T(1.0) - state.damage) - k.friction * response.normal_stress, T(0.0));
+      const T    whole  = k.cohesion * (T(1.0) - state.damage);
+      const T    limit  = maximum(negative_multiply_add(T(k.friction), response.normal_stress, whole), T(0.0));
       const T    trial2 = dot(response.shear_stress, response.shear_stress);
       const auto slides = trial2 > limit * limit;
       if (!any(slides))

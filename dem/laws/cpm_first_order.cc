@@ -9,12 +9,12 @@ namespace dem
   namespace
   {
     template <typename Law>
-    LinkPass first_order_pass(const bool rotations, const Mixture mixture, const bool periodic)
+    LinkPass first_order_pass(const bool rotations, const Mixture mixture)
     {
-      if (!rotations || periodic)
-        throw std::logic_error("first-order shear without rotations, or in a periodic cell");
+      if (!rotations)
+        throw std::logic_error("first-order shear without rotations");
       return link_update::choose(mixture, [](auto particles) -> LinkPass {
-        return link_update::link_pass<link_update::Policy<Law, 3, true, particles, false>>;
+        return link_update::link_pass<link_update::Policy<Law, 3, true, particles>>;
       });
     }
 
@@ -25,22 +25,22 @@ namespace dem
   } // namespace
 
   template <>
-  LinkPass link_pass_in_space<Bond>(const bool rotations, const Mixture mixture, const bool periodic)
+  LinkPass link_pass_in_space<Bond>(const bool rotations, const Mixture mixture)
   {
-    return first_order_pass<Bond>(rotations, mixture, periodic);
+    return first_order_pass<Bond>(rotations, mixture);
   }
   template <>
-  LinkPass link_pass_in_space<Contact>(const bool rotations, const Mixture mixture, const bool periodic)
+  LinkPass link_pass_in_space<Contact>(const bool rotations, const Mixture mixture)
   {
-    return first_order_pass<Contact>(rotations, mixture, periodic);
+    return first_order_pass<Contact>(rotations, mixture);
   }
   template <>
-  LinkPass link_pass_in_plane<Bond>(bool, Mixture, bool)
+  LinkPass link_pass_in_plane<Bond>(bool, Mixture)
   {
     return none_in_plane();
   }
   template <>
-  LinkPass link_pass_in_plane<Contact>(bool, Mixture, bool)
+  LinkPass link_pass_in_plane<Contact>(bool, Mixture)
   {
     return none_in_plane();
   }

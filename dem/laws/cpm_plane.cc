@@ -4,12 +4,12 @@
 
 namespace dem
 {
-  template LinkPass link_pass_in_plane<CpmBond<DamageDriver::none, false>>(bool, Mixture, bool);
-  template LinkPass link_pass_in_plane<CpmBond<DamageDriver::none, true>>(bool, Mixture, bool);
-  template LinkPass link_pass_in_plane<CpmBond<DamageDriver::normal, false>>(bool, Mixture, bool);
-  template LinkPass link_pass_in_plane<CpmBond<DamageDriver::normal, true>>(bool, Mixture, bool);
-  template LinkPass link_pass_in_plane<CpmBond<DamageDriver::normal_and_shear, false>>(bool, Mixture, bool);
-  template LinkPass link_pass_in_plane<CpmBond<DamageDriver::normal_and_shear, true>>(bool, Mixture, bool);
-  template LinkPass link_pass_in_plane<CpmContact<false>>(bool, Mixture, bool);
-  template LinkPass link_pass_in_plane<CpmContact<true>>(bool, Mixture, bool);
+  template LinkPass link_pass_in_plane<CpmBond<DamageDriver::none, false>>(bool, Mixture);
+  template LinkPass link_pass_in_plane<CpmBond<DamageDriver::none, true>>(bool, Mixture);
+  template LinkPass link_pass_in_plane<CpmBond<DamageDriver::normal, false>>(bool, Mixture);
+  template LinkPass link_pass_in_plane<CpmBond<DamageDriver::normal, true>>(bool, Mixture);
+  template LinkPass link_pass_in_plane<CpmBond<DamageDriver::normal_and_shear, false>>(bool, Mixture);
+  template LinkPass link_pass_in_plane<CpmBond<DamageDriver::normal_and_shear, true>>(bool, Mixture);
+  template LinkPass link_pass_in_plane<CpmContact<false>>(bool, Mixture);
+  template LinkPass link_pass_in_plane<CpmContact<true>>(bool, Mixture);
 } // namespace dem

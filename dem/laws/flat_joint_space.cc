@@ -4,5 +4,5 @@
 
 namespace dem
 {
-  template LinkPass link_pass_in_space<FlatJoint>(bool, Mixture, bool);
+  template LinkPass link_pass_in_space<FlatJoint>(bool, Mixture);
 } // namespace dem

@@ -166,10 +166,10 @@ namespace dem
       if (any(breaks))
         work.released += select(breaks, energy_at_break(k, motion, per_radian, state), T(0.0));
 
-      const T area           = select(holds, motion.area, T(0.0));
-      const T section        = area * (state.number[radius] * per_radian);
-      answer.normal          = answer.normal + (area * T(k.area_factor)) * normal;
-      answer.shear           = answer.shear + (area * T(k.area_factor * k.bond_shear)) * state.shear[bond_shear];
+      const T area    = select(holds, motion.area, T(0.0));
+      const T section = area * (state.number[radius] * per_radian);
+      answer.normal   = multiply_add(area * T(k.area_factor), normal, answer.normal);
+      answer.shear    = multiply_add(area * T(k.area_factor * k.bond_shear), state.shear[bond_shear], answer.shear);
       answer.bending_moment  = (section * T(k.bending_modulus)) * state.bending[0];
       answer.twisting_moment = (section * T(k.twisting_modulus)) * state.number[twist];
       answer.event           = breaks || (!holds && motion.strain > T(0.0));
@@ -290,8 +290,8 @@ namespace dem
       const T left        = T(k.tensile_strength) - normal; // for bending
       const T slip2       = T(k.bond_shear * k.bond_shear) * dot(state.shear[bond_shear], state.shear[bond_shear]);
       const T turned      = maximum(state.number[twist], T(0.0) - state.number[twist]);
-      const T shear_limit = maximum(T(k.cohesion) - normal * T(k.tan_angle), T(0.0));
-      const T left_slip   = shear_limit - T(k.rim_shear) * per_radian * turned;
+      const T shear_limit = maximum(negative_multiply_add(normal, T(k.tan_angle), T(k.cohesion)), T(0.0));
+      const T left_slip   = negative_multiply_add(T(k.rim_shear) * per_radian, turned, shear_limit);
       return left <= T(0.0) || bending2 >= left * left || left_slip <= T(0.0) || slip2 >= left_slip * left_slip;
     }
 

@@ -122,17 +122,17 @@ namespace dem
         Block block{};
         for (next = k; next < end && first[next] == first[k]; ++next)
           {
-            const Place &place = places[next];
-            const Pack   low_rows(&place.across[0], stdx::element_aligned),
-              high_rows(&place.across[8], stdx::element_aligned);
+            const Place &place    = places[next];
+            const Pack   low_rows = Pack::load_unaligned(&place.across[0]),
+                       high_rows  = Pack::load_unaligned(&place.across[8]);
             for (std::size_t c = 0; c < components; ++c)
               {
                 const double value = factors[next] * values[record * next + c];
                 for (std::size_t z = 0; z < Layers; ++z)
                   {
                     const Pack share(Layers == 1 ? value : value * place.along[z]);
-                    block.packs[c][2 * z] += share * low_rows;
-                    block.packs[c][2 * z + 1] += share * high_rows;
+                    block.packs[c][2 * z]     = multiply_add(share, low_rows, block.packs[c][2 * z]);
+                    block.packs[c][2 * z + 1] = multiply_add(share, high_rows, block.packs[c][2 * z + 1]);
                   }
               }
           }
@@ -140,7 +140,7 @@ namespace dem
           {
             double sums[16 * Layers];
             for (std::size_t b = 0; b < 2 * Layers; ++b)
-              block.packs[c][b].copy_to(&sums[pack_size * b], stdx::element_aligned);
+              block.packs[c][b].store_unaligned(&sums[pack_size * b]);
             double *column = grid + c * knot_count;
             Block::each_row(first[k], size, [&](const std::size_t from, const std::size_t to) {
               for (std::size_t x = 0; x < Block::rows; ++x)
@@ -170,13 +170,13 @@ namespace dem
               std::copy_n(column + from, Block::rows, &around[to]);
             });
             for (std::size_t b = 0; b < 2 * Layers; ++b)
-              block.packs[c][b].copy_from(&around[pack_size * b], stdx::element_aligned);
+              block.packs[c][b] = Pack::load_unaligned(&around[pack_size * b]);
           }
         for (next = k; next < end && first[next] == first[k]; ++next)
           {
-            const Place &place = places[next];
-            const Pack   low_rows(&place.across[0], stdx::element_aligned),
-              high_rows(&place.across[8], stdx::element_aligned);
+            const Place &place    = places[next];
+            const Pack   low_rows = Pack::load_unaligned(&place.across[0]),
+                       high_rows  = Pack::load_unaligned(&place.across[8]);
             for (std::size_t c = 0; c < components; ++c)
               {
                 Pack low_sum = block.packs[c][0], high_sum = block.packs[c][1];
@@ -186,12 +186,12 @@ namespace dem
                     high_sum *= place.along[0];
                     for (std::size_t z = 1; z < Layers; ++z)
                       {
-                        low_sum += place.along[z] * block.packs[c][2 * z];
-                        high_sum += place.along[z] * block.packs[c][2 * z + 1];
+                        low_sum  = multiply_add(Pack(place.along[z]), block.packs[c][2 * z], low_sum);
+                        high_sum = multiply_add(Pack(place.along[z]), block.packs[c][2 * z + 1], high_sum);
                       }
                   }
                 const std::size_t at = record * next + c;
-                left[at] = factors[next] * (values[at] - stdx::reduce(low_sum * low_rows + high_sum * high_rows));
+                left[at] = factors[next] * (values[at] - sum_of(multiply_add(low_sum, low_rows, high_sum * high_rows)));
               }
           }
       }

@@ -34,10 +34,10 @@ namespace dem
       if (const LinkLines lines = {static_cast<std::size_t>(links.first_block[k]),
                                    static_cast<std::size_t>(links.first_block[k + 1]), of.first_column[k]};
           lines.first_block < lines.end_block)
-        of.law[k]->pass(Mixture::materials, links.periodic)(links, particles, *of.law[k], lines);
+        of.law[k]->pass(Mixture::materials)(links, particles, *of.law[k], lines);
   }
 
-  LinkPass LawsByPair::pass(Mixture, bool) const { return run_all; }
+  LinkPass LawsByPair::pass(Mixture) const { return run_all; }
 
   std::vector<LinkQuantity> LawsByPair::columns() const
   {

@@ -24,7 +24,7 @@ namespace dem
 
     const char *name() const override { return names.c_str(); } ///< of all, each once: "parallel-bond,contact-bond"
     std::size_t pairs() const override { return kind.size(); }
-    LinkPass    pass(Mixture mixture, bool periodic) const override;
+    LinkPass    pass(Mixture mixture) const override;
 
     std::vector<LinkQuantity> columns() const override;
     bool                      planar() const override { return law.front()->planar(); }

@@ -150,7 +150,7 @@ namespace dem
     bool                several() const { return pairs() > 1; }
 
     /** The pass for what the specimen is. @param mixture of its particles */
-    virtual LinkPass pass(Mixture mixture, bool periodic) const = 0;
+    virtual LinkPass pass(Mixture mixture) const = 0;
 
     /** What a link remembers, one entry per column of its history (vectors across the link: one per component). */
     virtual std::vector<LinkQuantity> columns() const         = 0;

@@ -135,8 +135,8 @@ namespace dem
     , start_margin(2.0 * smallest_radius * std::max((1 - tie) * p.interaction_ratio - 1.0, 0.0) +
                    (1 - tie) * p.installation_gap)
     , search(particles, start_margin, contact_law->waits())
-    , bond_pass(bond_law->pass(mixture(), p.physics.periodic))
-    , contact_pass(contact_law->pass(mixture(), p.physics.periodic))
+    , bond_pass(bond_law->pass(mixture()))
+    , contact_pass(contact_law->pass(mixture()))
     , accounts(particle_blocks(particles.count))
     , slot(particles.count)
   {

@@ -79,7 +79,7 @@ namespace dem
           {
             Pack sum = inverse[i](row, 0) * in[0];
             for (int c = 1; c < motions; ++c)
-              sum += inverse[i](row, c) * in[c];
+              sum = multiply_add(Pack(inverse[i](row, c)), in[c], sum);
             store(sum, &z[(motions * i + row) * load_lanes]);
           }
       }

@@ -76,7 +76,7 @@ namespace dem
               {
                 const Pack of_block = load(block + pack_size * c);
                 for (int i = 0; i < n; ++i)
-                  sum[i] += of_block * Pack(from[i * x.rows() + c]);
+                  sum[i] = multiply_add(of_block, Pack(from[i * x.rows() + c]), sum[i]);
               }
           }
         for (int i = 0; i < n; ++i)

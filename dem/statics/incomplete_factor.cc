@@ -9,18 +9,18 @@ namespace dem
   namespace
   {
     template <typename Number>
-    using PackOf = stdx::simd<Number, stdx::simd_abi::deduce_t<Number, pack_size>>;
+    using Wide = PackOf<Number, pack_size>;
 
     template <typename Number>
-    BRECCIA_KERNEL PackOf<Number> column_of(const WideBlock<Number> &block, const int c)
+    BRECCIA_KERNEL Wide<Number> column_of(const WideBlock<Number> &block, const int c)
     {
-      return PackOf<Number>(block.data() + pack_size * c, stdx::element_aligned);
+      return Wide<Number>::load_unaligned(block.data() + pack_size * c);
     }
 
     template <typename Number>
-    BRECCIA_KERNEL void put(const PackOf<Number> &column, WideBlock<Number> &block, const int c)
+    BRECCIA_KERNEL void put(const Wide<Number> &column, WideBlock<Number> &block, const int c)
     {
-      column.copy_to(block.data() + pack_size * c, stdx::element_aligned);
+      column.store_unaligned(block.data() + pack_size * c);
     }
 
     template <typename Number>
@@ -29,9 +29,9 @@ namespace dem
       WideBlock<Number> all;
       for (int j = 0; j < motions; ++j)
         {
-          PackOf<Number> sum = column_of(a, 0) * PackOf<Number>(b(0, j));
+          Wide<Number> sum = column_of(a, 0) * Wide<Number>(b(0, j));
           for (int k = 1; k < motions; ++k)
-            sum += column_of(a, k) * PackOf<Number>(b(k, j));
+            sum += column_of(a, k) * Wide<Number>(b(k, j));
           put<Number>(sum, all, j);
         }
       return all;
@@ -43,9 +43,9 @@ namespace dem
     {
       for (int j = 0; j < motions; ++j)
         {
-          PackOf<Number> sum = column_of(c, j);
+          Wide<Number> sum = column_of(c, j);
           for (int k = 0; k < motions; ++k)
-            sum -= column_of(a, k) * PackOf<Number>(b(k, j));
+            sum -= column_of(a, k) * Wide<Number>(b(k, j));
           put<Number>(sum, c, j);
         }
     }
@@ -130,25 +130,25 @@ namespace dem
   template <int n>
   void IncompleteFactor<Number>::apply(const std::array<const double *, n> &r, const std::array<Number *, n> &z)
   {
-    using Wide                 = PackOf<Number>;
+    using Column               = Wide<Number>;
     const BlockPattern &p      = *pattern;
     constexpr int       of_row = n * pack_size;
     work.resize(static_cast<std::size_t>(of_row * p.rows()));
     const auto at       = [this](const int row) { return work.data() + of_row * row; };
-    const auto subtract = [&](const int first, const int end, Wide(&sum)[n]) {
+    const auto subtract = [&](const int first, const int end, Column(&sum)[n]) {
       for (int k = first; k < end; ++k)
         {
           const WideBlock<Number> &block = factor[static_cast<std::size_t>(k)];
           const Number *const      from  = at(p.column(k));
           for (int c = 0; c < motions; ++c)
             {
-              const Wide column = column_of(block, c);
+              const Column column = column_of(block, c);
               for (int i = 0; i < n; ++i)
-                sum[i] -= column * Wide(from[pack_size * i + c]);
+                sum[i] -= column * Column(from[pack_size * i + c]);
             }
         }
     };
-    Wide sum[n];
+    Column sum[n];
     for (int row = 0; row < p.rows(); ++row)
       {
         Number *const own = at(row);
@@ -157,25 +157,25 @@ namespace dem
             for (int c = 0; c < motions; ++c)
               own[pack_size * i + c] = static_cast<Number>(r[static_cast<std::size_t>(i)][motions * row + c]);
             std::fill_n(own + pack_size * i + motions, pack_size - motions, Number(0));
-            sum[i] = Wide(own + pack_size * i, stdx::element_aligned);
+            sum[i] = Column::load_unaligned(own + pack_size * i);
           }
         subtract(p.begin(row), p.diagonal(row), sum);
         for (int i = 0; i < n; ++i)
-          sum[i].copy_to(own + pack_size * i, stdx::element_aligned);
+          sum[i].store_unaligned(own + pack_size * i);
       }
     for (int row = p.rows() - 1; row >= 0; --row)
       {
         Number *const own = at(row);
         for (int i = 0; i < n; ++i)
-          sum[i] = Wide(own + pack_size * i, stdx::element_aligned);
+          sum[i] = Column::load_unaligned(own + pack_size * i);
         subtract(p.diagonal(row) + 1, p.begin(row + 1), sum);
         for (int i = 0; i < n; ++i)
           {
-            sum[i].copy_to(own + pack_size * i, stdx::element_aligned);
-            Wide solved(Number(0));
+            sum[i].store_unaligned(own + pack_size * i);
+            Column solved(Number(0));
             for (int c = 0; c < motions; ++c)
-              solved += column_of(inverse[static_cast<std::size_t>(row)], c) * Wide(own[pack_size * i + c]);
-            solved.copy_to(own + pack_size * i, stdx::element_aligned);
+              solved += column_of(inverse[static_cast<std::size_t>(row)], c) * Column(own[pack_size * i + c]);
+            solved.store_unaligned(own + pack_size * i);
             std::copy_n(own + pack_size * i, motions, z[static_cast<std::size_t>(i)] + motions * row);
           }
       }

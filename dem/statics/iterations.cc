@@ -17,10 +17,7 @@ namespace dem
     /** Values per chunk; sums run over chunks in order, so that threads change no bit. */
     constexpr std::int64_t chunk = 128 * motions * load_lanes;
 
-    Lanes pack_of(const std::array<double, load_lanes> &values)
-    {
-      return Lanes([&](auto lane) { return values[lane]; });
-    }
+    Lanes pack_of(const std::array<double, load_lanes> &values) { return Lanes::load_unaligned(values.data()); }
 
     /** a/b where b > 0, else 0; never divides by zero. */
     Lanes quotient(const Lanes &a, const Lanes &b)
@@ -59,8 +56,8 @@ namespace dem
     Lanes advance(const Lanes &alpha, const Fields &p, const Fields &q, Fields &x, Fields &r)
     {
       return sum_over(x.size(), [&](const std::int64_t i) {
-        store(load(&x[i]) + alpha * load(&p[i]), &x[i]);
-        const Lanes next = load(&r[i]) - alpha * load(&q[i]);
+        store(multiply_add(alpha, load(&p[i]), load(&x[i])), &x[i]);
+        const Lanes next = negative_multiply_add(alpha, load(&q[i]), load(&r[i]));
         store(next, &r[i]);
         return next * next;
       });
@@ -70,7 +67,7 @@ namespace dem
     void turn(const Lanes &beta, const Fields &z, Fields &p)
     {
       sum_over(p.size(), [&](const std::int64_t i) {
-        store(load(&z[i]) + beta * load(&p[i]), &p[i]);
+        store(multiply_add(beta, load(&p[i]), load(&z[i])), &p[i]);
         return Lanes(0.0);
       });
     }

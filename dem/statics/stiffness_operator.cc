@@ -36,7 +36,7 @@ namespace dem
       explicit StrainPacks(const LaneStrains &strain)
       {
         const auto component = [&](const int c, const double factor) {
-          return Pack([&](auto lane) { return factor * strain[lane][c]; });
+          return pack_of([&](const int lane) { return factor * strain[lane][c]; });
         };
         xx      = component(0, 1.0);
         yy      = component(1, 1.0);
@@ -48,8 +48,9 @@ namespace dem
 
       BRECCIA_KERNEL Vec<Pack, 3> operator*(const Eigen::Vector3d &l) const
       {
-        return {{xx * l[0] + half_xy * l[1] + half_zx * l[2], half_xy * l[0] + yy * l[1] + half_yz * l[2],
-                 half_zx * l[0] + half_yz * l[1] + zz * l[2]}};
+        const Vec<Pack, 3> branch = broadcast(l);
+        return {{dot(Vec<Pack, 3>{{xx, half_xy, half_zx}}, branch), dot(Vec<Pack, 3>{{half_xy, yy, half_yz}}, branch),
+                 dot(Vec<Pack, 3>{{half_zx, half_yz, zz}}, branch)}};
       }
     };
 
@@ -57,8 +58,8 @@ namespace dem
     template <typename Record>
     BRECCIA_KERNEL Vec<Pack, 3> product(const Record &l, const Vec<Pack, 3> &s)
     {
-      return {{l.c11 * s[0] + l.c12 * s[1] + l.c31 * s[2], l.c12 * s[0] + l.c22 * s[1] + l.c23 * s[2],
-               l.c31 * s[0] + l.c23 * s[1] + l.c33 * s[2]}};
+      const auto row = [&](const double x, const double y, const double z) { return dot(Vec<Pack, 3>{{x, y, z}}, s); };
+      return {{row(l.c11, l.c12, l.c31), row(l.c12, l.c22, l.c23), row(l.c31, l.c23, l.c33)}};
     }
 
     Eigen::Matrix3d cross_matrix(const Eigen::Vector3d &v)
@@ -170,18 +171,18 @@ namespace dem
             const double *const J      = values + stride * l.first;
             const double *const K      = values + stride * l.second;
             const Vec<Pack, 3>  a      = broadcast(l.n);
-            const Vec<Pack, 3>  spin =
-              Pack(l.arm_first) * load3(J + 3 * load_lanes) + Pack(l.arm_second) * load3(K + 3 * load_lanes);
-            Vec<Pack, 3> slip = load3(K) - load3(J) + cross(a, spin);
+            const Vec<Pack, 3>  spin   = multiply_add(Pack(l.arm_first), load3(J + 3 * load_lanes),
+                                                      Pack(l.arm_second) * load3(K + 3 * load_lanes));
+            Vec<Pack, 3>        slip   = load3(K) - load3(J) + cross(a, spin);
             if constexpr (strained)
               slip = slip + E * l.macro;
             const Vec<Pack, 3> f = product(l, slip);
             const Pack         sign(second ? 1.0 : -1.0), arm(second ? l.arm_second : l.arm_first);
-            force  = force + sign * f;
-            moment = moment - arm * cross(a, f);
+            force  = multiply_add(sign, f, force);
+            moment = negative_multiply_add(arm, cross(a, f), moment);
             if constexpr (with_turning)
-              moment = moment +
-                       sign * product(turning[entries[e].link], load3(K + 3 * load_lanes) - load3(J + 3 * load_lanes));
+              moment = multiply_add(
+                sign, product(turning[entries[e].link], load3(K + 3 * load_lanes) - load3(J + 3 * load_lanes)), moment);
           }
         double *const out = y.data() + stride * i;
         for (int c = 0; c < 3; ++c)

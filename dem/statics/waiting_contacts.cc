@@ -33,7 +33,7 @@ namespace dem
       bool        has_moment() const override { return bond->has_moment() || contact->has_moment(); }
       bool        breaks_in_place() const override { return bond->breaks_in_place(); }
       bool        bonds() const override { return true; }
-      LinkPass    pass(Mixture, bool) const override { only_statics(); }
+      LinkPass    pass(Mixture) const override { only_statics(); }
       double      reference_length(std::size_t, const NewLink &) const override { only_statics(); }
 
       std::vector<LinkQuantity> columns() const override

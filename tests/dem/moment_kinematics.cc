@@ -149,7 +149,7 @@ TEST_CASE("half records hold the moments of eight links in their order", "[dem]"
 {
   dem::Pack quantities[3];
   for (int i = 0; i < 3; ++i)
-    quantities[i] = dem::Pack([&](auto lane) { return 10.0 * (i + 1) + lane; });
+    quantities[i] = dem::pack_of([&](const int lane) { return 10.0 * (i + 1) + lane; });
   alignas(64) double record[dem::half_record_size * dem::pack_size];
   dem::store_half_records(quantities, record);
   for (int lane = 0; lane < dem::pack_size; ++lane)
@@ -166,7 +166,7 @@ TEST_CASE("half records hold the moments of eight links in their order", "[dem]"
 
 TEST_CASE("the moment of a link in the plane goes from the end of its record to the rotation about z", "[dem]")
 {
-  const dem::Pack record([](auto lane) { return 10.0 + lane; });
+  const dem::Pack record = dem::pack_of([](const int lane) { return 10.0 + lane; });
   const dem::Pack placed = dem::last_at_rotations(record);
   for (int c = 0; c < dem::record_size; ++c)
     CHECK(placed[c] == (c == 5 ? 17.0 : 0.0));

@@ -34,7 +34,7 @@ namespace
 TEST_CASE("a line written past the caches holds the bits of one written into them", "[dem]")
 {
   alignas(64) double stored[8], streamed[8];
-  const dem::Pack    values([](auto i) { return 1.0 / (3.0 + i); });
+  const dem::Pack    values = dem::pack_of([](const int i) { return 1.0 / (3.0 + i); });
   dem::put(values, stored, false);
   dem::put(values, streamed, true);
   dem::finish_streaming();
@@ -52,7 +52,7 @@ TEST_CASE("links give the same forces and histories, whether their records are w
   REQUIRE_FALSE(kept.streams); // few enough for any cache
   dem::LinkSet past = kept;
   past.streams      = true;
-  const auto pass   = law->pass(dem::Mixture::equal, false);
+  const auto pass   = law->pass(dem::Mixture::equal);
   pass(kept, particles, *law, kept.whole());
   pass(past, particles, *law, past.whole());
   CHECK(std::any_of(kept.force.begin(), kept.force.end(), [](const double f) { return f != 0; }));

@@ -18,7 +18,7 @@ set(base_libraries Eigen/)
 set(dem_rooms base)
 # Spectra is Eigen's eigenvalue solver, headers only; CHOLMOD factorises for statics; the last two are the vectors of
 # the compiler.
-set(dem_libraries Eigen/ Spectra/ cholmod.h omp.h experimental/simd immintrin.h)
+set(dem_libraries Eigen/ Spectra/ cholmod.h omp.h immintrin.h arm_neon.h)
 set(fem_rooms base)
 # Eigen carries the 6-vectors of the material points: the library that dem has too, hence no new dependency. Epetra is what
 # deal.II's own matrices are made of: to gather one on a rank.

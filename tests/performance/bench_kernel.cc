@@ -1,7 +1,8 @@
 // Link updates per second of the kernels of every law, from the 50 mm cube to a million particles, beside the machine's own rates.
 //
 // Run:     build/release/tests/performance/bench_kernel [particles ...]      (a minute; default 14556 100000 1000000)
-// Expect:  the roofline of one link update, then a row per size, state and number of threads
+// Expect:  the roofline of one link update, then a row per size, state and number of threads; instructions per link are of whole
+//          steps of 400 particles on one thread, and do not depend on what else the machine does
 //
 // Whole steps of dem::Specimen are timed: link pass, particle pass, accounts, search for contacts. Rotations, damage, friction,
 // contacts and the exactly objective shear update are on.
@@ -14,6 +15,7 @@
 #include "dem/packing/lattice.h"
 #include "dem/packing/tiling.h"
 #include "dem/specimen/specimen.h"
+#include "instruction_count.h"
 #include "machine_rates.h"
 #include "operation_count.h"
 
@@ -24,6 +26,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <string>
 #include <vector>
 
 namespace
@@ -218,6 +221,15 @@ namespace
     return specimen;
   }
 
+  /** Of one thread, per link and step: what a busy machine does not blur. 0 where they cannot be counted. */
+  double instructions_per_update(dem::Specimen specimen)
+  {
+    omp_set_num_threads(1);
+    specimen.advance(20);
+    const double links = static_cast<double>(specimen.counts().links + specimen.counts().contacts);
+    return performance::instructions_of([&] { specimen.advance(1); }) / links;
+  }
+
   /** Best of three runs [link updates/s]; the best is the one least disturbed. */
   double updates_per_second(dem::Specimen &specimen, const int threads)
   {
@@ -269,20 +281,26 @@ namespace
     std::printf("\n");
   }
 
-  void print_case(const dem::Packing &packing, const int most_threads, const std::vector<State> &states)
+  /** @param few a part of the packing, on which instructions are counted */
+  void print_case(const dem::Packing       &packing,
+                  const dem::Packing       &few,
+                  const int                 most_threads,
+                  const std::vector<State> &states)
   {
     for (const State state : states)
       {
-        dem::Specimen specimen = specimen_in(state, packing);
-        double        alone    = 0;
+        const double  instructions = instructions_per_update(specimen_in(state, few));
+        dem::Specimen specimen     = specimen_in(state, packing);
+        double        alone        = 0;
         for (int threads = 1; threads <= most_threads; threads *= 2)
           {
             const double      rate   = updates_per_second(specimen, threads);
             const dem::Counts counts = specimen.counts();
             alone                    = threads == 1 ? rate : alone;
-            std::printf("| %zu | %zu | %s | %d | %.1f | %.1f | %.2f | %.0f |\n", counts.particles,
+            std::printf("| %zu | %zu | %s | %d | %.1f | %.1f | %.2f | %.0f | %.1f |\n", counts.particles,
                         counts.links + counts.contacts, name_of(state), threads, 1e-6 * rate, 1e9 / rate, rate / alone,
-                        static_cast<double>(specimen.bytes()) / static_cast<double>(counts.links + counts.contacts));
+                        static_cast<double>(specimen.bytes()) / static_cast<double>(counts.links + counts.contacts),
+                        instructions);
             std::fflush(stdout);
           }
       }
@@ -307,19 +325,21 @@ int main(int argc, char **argv)
   const int          most_threads = omp_get_max_threads();
 
   print_roofline(most_threads, 6.3);
-  std::printf("| particles | links | state | threads | M link updates/s | ns per link | over one thread | bytes per "
-              "link |\n|---|---|---|---|---|---|---|---|\n");
+  const std::string header = "| particles | links | state | threads | M link updates/s | ns per link | over one thread "
+                             "| bytes per link | instructions "
+                             "per link |\n|---|---|---|---|---|---|---|---|---|\n";
+  std::printf("%s", header.c_str());
+  const dem::Packing few = cube(cell, 400);
   for (const double size : sizes)
-    print_case(cube(cell, size), most_threads,
+    print_case(cube(cell, size), few, most_threads,
                {State::elastic, State::softening, State::materials, State::cemented, State::glued, State::touching,
                 State::jointed, State::slit});
-  std::printf(
-    "\nDiscs in the plane:\n\n| particles | links | state | threads | M link updates/s | ns per link | over one "
-    "thread | bytes per link |\n|---|---|---|---|---|---|---|---|\n");
+  std::printf("\nDiscs in the plane:\n\n%s", header.c_str());
+  const auto discs = [](const double count) {
+    const int edge = static_cast<int>(std::sqrt(count));
+    return dem::make_lattice(dem::Lattice::hexagonal, 1e-3, {edge, edge / 2, 1});
+  };
   for (const double size : sizes)
-    {
-      const int edge = static_cast<int>(std::sqrt(size));
-      print_case(dem::make_lattice(dem::Lattice::hexagonal, 1e-3, {edge, edge / 2, 1}), most_threads,
-                 {State::cemented, State::glued, State::touching, State::jointed, State::slit});
-    }
+    print_case(discs(size), discs(400), most_threads,
+               {State::cemented, State::glued, State::touching, State::jointed, State::slit});
 }

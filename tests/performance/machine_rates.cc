@@ -59,7 +59,7 @@ namespace performance
         for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(doubles); i += 4 * dem::pack_size)
           for (int k = 0; k < 4; ++k)
             sum[k] += dem::load(x + i + k * dem::pack_size);
-        total += dem::stdx::reduce(sum[0] + sum[1] + sum[2] + sum[3]);
+        total += dem::sum_of(sum[0] + sum[1] + sum[2] + sum[3]);
                }
     });
              sink = total;
@@ -82,7 +82,7 @@ namespace performance
           for (int k = 0; k < chains; ++k)
             x[k] = x[k] * factor + addend;
         for (int k = 0; k < chains; ++k)
-          total += dem::stdx::reduce(x[k]);
+          total += dem::sum_of(x[k]);
       }
     });
     sink = total;

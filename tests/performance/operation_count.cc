@@ -30,6 +30,10 @@ namespace performance
     bool    operator<(const Counted &a, const Counted &b) { return ++counted.comparisons, a.value < b.value; }
     Counted select(const bool mask, const Counted &yes, const Counted &no) { return mask ? yes : no; }
     Counted maximum(const Counted &a, const Counted &b) { return ++counted.comparisons, a.value > b.value ? a : b; }
+    // A fused operation is a product and a sum.
+    Counted multiply_add(const Counted &a, const Counted &b, const Counted &c) { return a * b + c; }
+    Counted multiply_subtract(const Counted &a, const Counted &b, const Counted &c) { return a * b - c; }
+    Counted negative_multiply_add(const Counted &a, const Counted &b, const Counted &c) { return c - a * b; }
     Counted square_root(const Counted &a) { return ++counted.roots, std::sqrt(a.value); }
     template <typename Function>
     Counted each_lane(const Counted &a, Function &&f)
