@@ -440,10 +440,19 @@ namespace dem
     {
       return a = a * b;
     }
-  } // namespace BRECCIA_JOIN(vectors_of_, BRECCIA_VECTOR)
+    using Pack     = PackOf<double, pack_size>;
+    using PackMask = Pack::Mask;
 
-  using Pack     = PackOf<double, pack_size>;
-  using PackMask = Pack::Mask;
+    // So that they are found by their full names, too.
+    bool any(const PackMask &a);
+    Pack select(const PackMask &mask, const Pack &yes, const Pack &no);
+    Pack maximum(const Pack &a, const Pack &b);
+    Pack minimum(const Pack &a, const Pack &b);
+    Pack square_root(const Pack &a);
+    Pack multiply_add(const Pack &a, const Pack &b, const Pack &c);
+    Pack multiply_subtract(const Pack &a, const Pack &b, const Pack &c);
+    Pack negative_multiply_add(const Pack &a, const Pack &b, const Pack &c);
+  } // namespace BRECCIA_JOIN(vectors_of_, BRECCIA_VECTOR)
 
   /** Four doubles: a record with room for one vector. */
   constexpr int half_record_size = pack_size / 2;
