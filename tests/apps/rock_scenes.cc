@@ -287,9 +287,7 @@ TEST_CASE("a summary warns of a loading that was not static, and says what is th
   CHECK(of_laboratory(found, "largest_deviator") > 0);
 }
 
-TEST_CASE("a cylinder is loaded only when it stands still under its pressure: Poisson's ratio from the start is that "
-          "of the slopes",
-          "[apps][laboratory][slow]")
+TEST_CASE("a cylinder is loaded only when it stands still under its pressure", "[apps][laboratory][slow]")
 {
   const ScratchFolder folder;
   const Results       found =
