@@ -7,6 +7,8 @@
 #include <vtkCellArray.h>
 #include <vtkNew.h>
 
+#include <cmath>
+
 namespace postprocess
 {
   using namespace vtk_file;
@@ -14,6 +16,11 @@ namespace postprocess
   const char *name_of(const dem::BreakMode mode)
   {
     return mode == dem::BreakMode::tension ? "tension" : mode == dem::BreakMode::shear ? "shear" : "gradual";
+  }
+
+  double width_of(const dem::Break &broken, const double thickness)
+  {
+    return thickness > 0 ? broken.area / thickness : 2 * std::sqrt(broken.area / M_PI);
   }
 
   std::string name_of_pair(const std::int32_t pair, const std::vector<std::string> &materials)
@@ -66,7 +73,7 @@ namespace postprocess
       vtkNew<vtkCellArray>         lines;
       for (const dem::Break &b : breaks)
         {
-          const Eigen::Vector3d half    = 0.5 * b.area / thickness * Eigen::Vector3d(-b.normal[1], b.normal[0], 0);
+          const Eigen::Vector3d half    = 0.5 * width_of(b, thickness) * Eigen::Vector3d(-b.normal[1], b.normal[0], 0);
           const auto            first   = static_cast<vtkIdType>(ends.size());
           const vtkIdType       both[2] = {first, first + 1};
           ends.push_back(b.place - half);

@@ -11,6 +11,9 @@ namespace postprocess
   /** How a bond broke, in a word: "tension", "shear", "gradual". */
   const char *name_of(dem::BreakMode mode);
 
+  /** How wide it was: in the plane its length, in space the diameter of a disk of its area [m]. @param thickness of discs [m]; 0: space */
+  double width_of(const dem::Break &broken, double thickness);
+
   /** Names of the two materials that a pair of them joins: "mortar-aggregate". @param materials their names; empty: there is one */
   std::string name_of_pair(std::int32_t pair, const std::vector<std::string> &materials);
 

@@ -1,5 +1,6 @@
 #include "postprocess/break_pictures.h"
 
+#include "postprocess/break_log.h"
 #include "postprocess/gnuplot.h"
 #include "postprocess/numeric_text.h"
 #include "postprocess/picture_axes.h"
@@ -30,19 +31,16 @@ namespace postprocess
     std::string segment_rows(const std::vector<dem::Break> &breaks,
                              const PictureView             &view,
                              const dem::BreakMode           mode,
-                             const bool                     plane,
-                             const dem::ParticleOutput     &particles,
+                             const double                   thickness,
                              const double                   scale)
     {
       std::string text;
       for (const dem::Break &b : breaks)
         {
           const Eigen::Vector2d across = view.projected(b.normal);
-          if (b.mode != mode || across.norm() < 0.1 || (!plane && !view.shows(b.place)))
+          if (b.mode != mode || across.norm() < 0.1 || (thickness == 0 && !view.shows(b.place)))
             continue;
-          const auto   end  = [&](const int e) { return particles.radius[static_cast<std::size_t>(b.ends[e])]; };
-          const double size = std::min(end(0), end(1));
-          const Eigen::Vector2d along = Eigen::Vector2d(-across.y(), across.x()).normalized() * 1.8 * size;
+          const Eigen::Vector2d along = Eigen::Vector2d(-across.y(), across.x()).normalized() * width_of(b, thickness);
           const Eigen::Vector2d start = view.projected(b.place) - 0.5 * along;
           append_row(text, {scale * start.x(), scale * start.y(), scale * along.x(), scale * along.y()});
         }
@@ -69,6 +67,7 @@ namespace postprocess
     void draw_breaks(const std::filesystem::path   &path,
                      const dem::ParticleOutput     &particles,
                      const std::vector<dem::Break> &breaks,
+                     const double                   thickness,
                      const std::string             &title,
                      const PictureSlab             &slab)
     {
@@ -86,7 +85,7 @@ namespace postprocess
                     "rgb '#f2f2f2' notitle";
       for (const Mode &mode : modes)
         {
-          const std::string rows = segment_rows(breaks, view, mode.mode, slab.axis == 2, particles, scale);
+          const std::string rows = segment_rows(breaks, view, mode.mode, thickness, scale);
           if (rows.empty())
             continue;
           job.data[mode.data] = rows;
@@ -198,12 +197,13 @@ namespace postprocess
   std::string picture_of_breaks(const std::filesystem::path   &path,
                                 const dem::ParticleOutput     &particles,
                                 const std::vector<dem::Break> &breaks,
+                                const double                   thickness,
                                 const std::string             &title,
                                 const PictureSlab             &slab) noexcept
   {
     try
       {
-        draw_breaks(path, particles, breaks, title, slab);
+        draw_breaks(path, particles, breaks, thickness, title, slab);
         return {};
       }
     catch (const std::exception &error)

@@ -10,13 +10,15 @@
 namespace postprocess
 {
   /**
-   * Draw what broke where, by how it broke: in the plane segments as long as it was, in space those of a slab as they are seen, over the
+   * Draw what broke where, by how it broke: segments as wide as it was (width_of()), in space those of a slab as they are seen, over the
    * outlines of the particles. Both as they lay when it happened and as they lie now.
+   * @param thickness of discs [m]; 0: space
    * @return empty when drawn, otherwise why not; nothing is thrown (see plot()).
    */
   [[nodiscard]] std::string picture_of_breaks(const std::filesystem::path   &path,
                                               const dem::ParticleOutput     &particles,
                                               const std::vector<dem::Break> &breaks,
+                                              double                         thickness,
                                               const std::string             &title,
                                               const PictureSlab             &slab = {}) noexcept;
 

@@ -68,7 +68,7 @@ namespace apps
       body.start();
       ConfinedRow row;
       row.pressure                 = pressure;
-      row.balance                  = run_test(body, model.end_time).balance;
+      row.balance                  = run_test(body, model.last_time()).balance;
       row.cost                     = processor_seconds() - start;
       const dem::TestFigures found = body.test()->figures();
       row.axial_strength           = value_of(found.strength) + pressure;

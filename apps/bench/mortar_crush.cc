@@ -22,7 +22,7 @@ namespace apps
     body.start();
     row.particles                  = body.specimen().counts().particles;
     row.bonds                      = body.specimen().counts().links;
-    const LaboratoryRun run        = run_test(body, model.end_time);
+    const LaboratoryRun run        = run_test(body, model.last_time());
     row.balance                    = run.balance;
     row.cost                       = run.cost;
     const dem::TestFigures figures = body.test()->figures();

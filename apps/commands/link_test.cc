@@ -125,7 +125,11 @@ namespace apps
       const LinkHistory           answer    = is_of_strains(table) ?
                                                 drive(law, *constants, strains_of(table)) :
                                                 drive(law, *constants, options.pair, motions_of(table, options.pair));
-      postprocess::write_text(options.output, answer.as_csv());
+      if (!answer.columns.empty())
+        postprocess::write_text(options.output, answer.as_csv());
+      if (!answer.broke_off.empty())
+        throw base::NumericalError(answer.broke_off +
+                                   (answer.columns.empty() ? "" : " The rows before it are written."));
       return exit_success;
     }
   } // namespace

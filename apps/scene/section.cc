@@ -42,7 +42,7 @@ namespace apps
 
       bool contain(const double value) const
       {
-        return value == 0 || (std::abs(value) >= least && std::abs(value) <= most);
+        return value == 0 || std::isinf(value) || (std::abs(value) >= least && std::abs(value) <= most);
       }
       std::string text() const { return fmt::format(", of a size from {:g} to {:g}", least, most); }
     };
@@ -72,7 +72,7 @@ namespace apps
       const std::string ending = " " + unit;
       if (unit.empty() || text.size() <= ending.size() ||
           text.compare(text.size() - ending.size(), ending.size(), ending) != 0)
-        return {number_in(text), false};
+        return {same_name(trimmed(text), "inf") ? std::numeric_limits<double>::infinity() : number_in(text), false};
       return {number_in(trimmed(text.substr(0, text.size() - ending.size()))), true};
     }
 
@@ -95,18 +95,18 @@ namespace apps
 
   bool Range::contains(const double value) const
   {
-    return std::isfinite(value) && value >= lower && (upper_open ? value < upper : value <= upper);
+    return (std::isfinite(value) || value == upper) && value >= lower && (upper_open ? value < upper : value <= upper);
   }
 
   std::string Range::text() const
   {
     constexpr double largest  = std::numeric_limits<double>::max();
     constexpr double smallest = std::numeric_limits<double>::min();
-    const bool       no_lower = lower == -largest, no_upper = upper == largest;
+    const bool       no_lower = lower == -largest, no_upper = upper >= largest;
     if (no_lower && no_upper)
       return "";
     if (no_upper)
-      return lower == smallest ? "> 0" : fmt::format(">= {}", lower);
+      return (lower == smallest ? "> 0" : fmt::format(">= {}", lower)) + (upper > largest ? ", or inf" : "");
     if (no_lower)
       return fmt::format("{} {}", upper_open ? "<" : "<=", upper);
     return fmt::format("in {}{}, {}{}", lower == smallest ? "(" : "[", lower == smallest ? 0.0 : lower, upper,

@@ -60,7 +60,7 @@ namespace dem
         if (!fitted)
           continue;
         packing.centre[i] = fitted->centre;
-        packing.radius[i] = fitted->radius > most ? most : std::max(radius, fitted->radius + overlap);
+        packing.radius[i] = std::clamp(fitted->radius + overlap, radius, most);
       }
   }
 } // namespace dem

@@ -22,6 +22,8 @@ namespace dem
     constexpr double dips = 10;
     /** Of particles without bonds the peak is believed once they have been strained this much past it; earlier dips are waves. */
     constexpr double strain_past_peak = 1.1;
+    /** Strain rate of the gauges over that of the loading to come, below which a specimen stands still: so much a ratio of strains may err. */
+    constexpr double most_drift = 0.01;
 
     PressParameters press_of(const LabParameters &p)
     {
@@ -48,6 +50,8 @@ namespace dem
         refuse("Confining pressure: must be above 0 Pa.");
       if (p.test == Test::confined && p.confinement == LabParameters::Confinement::cylinder && dimension != 3)
         refuse("Confinement: in the plane there are walls or a membrane, no cylinder.");
+      if (p.section && !(*p.section > 0))
+        refuse("Test: the section must be above 0 m^2.");
       if (p.test == Test::tension && !(p.press.layer > 0))
         refuse("Glued layer: must be above 0 m.");
       if (p.test == Test::bending && !(p.press.span > 0 && p.press.roller > 0))
@@ -123,12 +127,16 @@ namespace dem
         return;
       }
     if (is(Test::splitting))
-      stress_per_force = 2 / (M_PI * body.length(axis) * thickness_of(*specimen, body, what.press.along));
+      {
+        // Between platens a disk may have flats; its diameter is that across the load.
+        const int across = dimension == 2 ? 1 - axis : 3 - axis - what.press.along;
+        stress_per_force = 2 / (M_PI * body.length(across) * thickness_of(*specimen, body, what.press.along));
+      }
     else
       {
         stress_per_force =
-          1 /
-          nominal_section({particles.position, particles.radius, dimension, specimen->parameters().thickness}, axis);
+          1 / what.section.value_or(nominal_section(
+                {particles.position, particles.radius, dimension, specimen->parameters().thickness}, axis));
         rows_gauge = rows_along(particles, axis);
       }
     for (int a = 0; a < dimension; ++a)
@@ -247,9 +255,22 @@ namespace dem
     fallen_steps          = believed && part < std::max(fallen_part, what.stop_fraction) ? fallen_steps + 1 : 0;
   }
 
-  bool LabTest::rests() const
+  bool LabTest::stands_still()
   {
-    if (stage_steps % look_every != 0 || specimen->force_ratio() > what.rest)
+    const double gauge = gauge_strain(), lateral = lateral_strain();
+    const double moved = std::max(std::abs(gauge - gauge_before), std::abs(lateral - lateral_before));
+    const double loads = what.speed * strain_per_approach * static_cast<double>(look_every) * specimen->time_step();
+    still_steps        = moved <= most_drift * loads ? still_steps + look_every : 0;
+    gauge_before       = gauge;
+    lateral_before     = lateral;
+    return still_steps >= wave_steps;
+  }
+
+  bool LabTest::rests()
+  {
+    if (stage_steps % look_every != 0)
+      return false;
+    if (!stands_still() || specimen->force_ratio() > what.rest)
       return false;
     if (now != Stage::confining)
       return true;
@@ -289,6 +310,18 @@ namespace dem
     return last.strain >= what.stop_strain || low_steps > wave_steps;
   }
 
+  double LabTest::longest_loading() const
+  {
+    // Over the ramp the mean speed is half of it.
+    return what.stop_strain / (strain_per_approach * what.speed) +
+           0.5 * static_cast<double>(what.ramp_steps) * specimen->time_step();
+  }
+
+  double LabTest::done() const
+  {
+    return finished() ? 1.0 : now == Stage::loading ? std::clamp(last.strain / what.stop_strain, 0.0, 1.0) : 0.0;
+  }
+
   bool LabTest::past_peak() const
   {
     return peak > 0 && (fallen_steps > wave_steps || last.strain >= past_peak_strain * strain_at_peak);
@@ -297,7 +330,7 @@ namespace dem
   void LabTest::enter(const Stage stage)
   {
     now         = stage;
-    stage_steps = 0;
+    stage_steps = still_steps = 0;
     if (stage == Stage::loading)
       breaks_before = breaks();
   }
@@ -351,6 +384,7 @@ namespace dem
                                                                         {"breaks_before", &breaks_before},
                                                                         {"low_steps", &low_steps},
                                                                         {"fallen_steps", &fallen_steps},
+                                                                        {"still_steps", &still_steps},
                                                                         {"unconfined", &unconfined},
                                                                         {"unsettled", &unsettled},
                                                                         {"unseated", &unseated}})
@@ -364,6 +398,8 @@ namespace dem
                                                                   {"strain_at_peak", &strain_at_peak},
                                                                   {"gauge_zero", &gauge_zero},
                                                                   {"lateral_zero", &lateral_zero},
+                                                                  {"gauge_before", &gauge_before},
+                                                                  {"lateral_before", &lateral_before},
                                                                   {"last_strain", &last.strain},
                                                                   {"last_stress", &last.stress},
                                                                   {"last_low", &last.low},

@@ -43,6 +43,8 @@ namespace dem
     double       rest           = 1e-5;   ///< force ratio that counts as at rest, after seating and confining
     std::int64_t rest_steps     = 100000; ///< at most that are waited for it
 
+    std::optional<double> section; ///< across the axis, of specimens with one [m^2]; none: as a calliper finds it
+
     Confinement  confinement   = Confinement::walls;
     double       pressure      = 0;   ///< across, and along as long as the test has not begun [Pa], > 0
     double       largest_speed = 0;   ///< of servo walls [m/s]; 0: the speed
@@ -82,6 +84,11 @@ namespace dem
     bool pushes() const { return membrane.has_value(); }
     void observe();
 
+    /** How long the loading takes at most: to the largest strain [s]. */
+    double longest_loading() const;
+    /** How far it has come on that way, in [0, 1]. */
+    double done() const;
+
     Stage                    stage() const { return now; }
     bool                     finished() const { return now == Stage::done; }
     const LabReading        &reading() const { return last; } ///< of the last step; what is dear of the last row
@@ -114,7 +121,9 @@ namespace dem
     void follow_load();
     void next_stage();
     /** Whether everything is at rest, and under the pressure asked for; looked at every now and then. */
-    bool      rests() const;
+    bool rests();
+    /** Whether the gauges have hardly moved for as long as the specimen's slowest swing takes: forces do not tell of a steady drift. */
+    bool      stands_still();
     bool      waited_enough() const { return stage_steps > what.ramp_steps + what.rest_steps; }
     void      enter(Stage stage);
     void      begin_loading();
@@ -146,7 +155,9 @@ namespace dem
                  fallen_steps  = 0; ///< since the stress has been below the stop fraction, and as low as after a peak
     LabReading   last;
     TestRecord   rows;
-    double       gauge_zero = 0, lateral_zero = 0; ///< strains of the gauges where the loading began
+    double       gauge_zero = 0, lateral_zero = 0;     ///< strains of the gauges where the loading began
+    double       gauge_before = 0, lateral_before = 0; ///< likewise, when it was last looked whether they move
+    std::int64_t still_steps = 0;                      ///< for which they have hardly moved
     std::int64_t unconfined = 0, unsettled = 0,
                  unseated = 0; ///< 1: a stage ended without having come to what it should
   };

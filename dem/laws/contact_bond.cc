@@ -21,6 +21,12 @@ namespace dem
       message << "contact-bond/" << entry << " = " << value << ": " << rule;
       throw base::InputError(message.str());
     }
+
+    void require_strength(const char *entry, const double value)
+    {
+      if (!(value >= 0)) // without a limit nothing breaks
+        require(false, entry, value, "must not be negative.");
+    }
   } // namespace
 
   ContactBondConstants::ContactBondConstants(const ContactBondParameters &p)
@@ -28,8 +34,8 @@ namespace dem
     require(p.effective_modulus > 0, "Effective modulus", p.effective_modulus, "must be above 0 Pa.");
     require(p.stiffness_ratio > 0, "Stiffness ratio", p.stiffness_ratio, "must be above 0.");
     require(p.friction_coefficient >= 0, "Friction coefficient", p.friction_coefficient, "must not be negative.");
-    require(p.tensile_strength >= 0, "Tensile strength", p.tensile_strength, "must not be negative.");
-    require(p.cohesion >= 0, "Cohesion", p.cohesion, "must not be negative.");
+    require_strength("Tensile strength", p.tensile_strength);
+    require_strength("Cohesion", p.cohesion);
     normal           = p.effective_modulus;
     shear            = p.effective_modulus / p.stiffness_ratio;
     friction         = p.friction_coefficient;

@@ -232,18 +232,19 @@ namespace dem
     template <typename Number, typename Choice>
     static void describe(ContactBondParameters &p, Number &&number, Choice &&)
     {
-      constexpr double smallest = std::numeric_limits<double>::min();
-      constexpr double largest  = std::numeric_limits<double>::max();
+      constexpr double smallest  = std::numeric_limits<double>::min();
+      constexpr double largest   = std::numeric_limits<double>::max();
+      constexpr double unlimited = std::numeric_limits<double>::infinity(); // what nothing breaks
       number("Effective modulus", p.effective_modulus, "Pa", "E*: normal stiffness is A E* over the sum of radii",
              smallest, largest, true);
       number("Stiffness ratio", p.stiffness_ratio, "-", "k_n/k_s, normal over shear stiffness", smallest, largest,
              false);
       number("Friction coefficient", p.friction_coefficient, "-", "mu of the contact that a broken bond leaves", 0.0,
              largest, false);
-      number("Tensile strength", p.tensile_strength, "Pa", "tensile force over A that breaks the bond", 0.0, largest,
+      number("Tensile strength", p.tensile_strength, "Pa", "tensile force over A that breaks the bond", 0.0, unlimited,
              true);
       number("Cohesion", p.cohesion, "Pa", "shear force over A that breaks the bond, whatever the normal force", 0.0,
-             largest, true);
+             unlimited, true);
     }
   };
 } // namespace dem

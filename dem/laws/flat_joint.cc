@@ -27,6 +27,12 @@ namespace dem
       throw base::InputError(message.str());
     }
 
+    void require_strength(const char *entry, const double value)
+    {
+      if (!(value >= 0)) // without a limit nothing breaks
+        require(false, entry, value, "must not be negative.");
+    }
+
     bool whole_number(const double value, const double lower, const double upper)
     {
       return value >= lower && value <= upper && value == std::floor(value);
@@ -37,8 +43,8 @@ namespace dem
       require(p.effective_modulus > 0, "Effective modulus", p.effective_modulus, "must be above 0 Pa.");
       require(p.stiffness_ratio > 0, "Stiffness ratio", p.stiffness_ratio, "must be above 0.");
       require(p.friction_coefficient >= 0, "Friction coefficient", p.friction_coefficient, "must not be negative.");
-      require(p.tensile_strength >= 0, "Tensile strength", p.tensile_strength, "must not be negative.");
-      require(p.cohesion >= 0, "Cohesion", p.cohesion, "must not be negative.");
+      require_strength("Tensile strength", p.tensile_strength);
+      require_strength("Cohesion", p.cohesion);
       require(p.friction_angle >= 0 && p.friction_angle < 90, "Friction angle", p.friction_angle,
               "must lie in [0, 90) degrees.");
       require(p.radius_multiplier > 0, "Radius multiplier", p.radius_multiplier, "must be above 0.");
@@ -138,11 +144,8 @@ namespace dem
     owned_layout = std::make_shared<const FlatJointLayout>(
       dimension == 3 ? disk_layout(static_cast<int>(p.rings), static_cast<int>(p.sectors), p.own_moments) :
                        segment_layout(static_cast<int>(p.elements)));
-    layout                             = owned_layout.get();
-    const LinearContactParameters born = p.contact();
+    layout = owned_layout.get();
 
-    normal            = born.effective_modulus;
-    shear             = born.effective_modulus / born.stiffness_ratio;
     friction          = p.friction_coefficient;
     joint_normal      = p.effective_modulus;
     joint_shear       = p.effective_modulus / p.stiffness_ratio;
@@ -150,6 +153,8 @@ namespace dem
     cohesion          = std::max(reached * p.cohesion, no_stress * joint_normal);
     tan_angle         = std::tan(p.friction_angle * pi / 180);
     area_factor       = dimension == 3 ? p.radius_multiplier * p.radius_multiplier : p.radius_multiplier;
+    normal            = area_factor * joint_normal;
+    shear             = area_factor * joint_shear;
     bending_modulus   = area_factor * layout->second_moment() * joint_normal;
     twisting_modulus  = dimension == 3 ? area_factor * layout->polar_moment() * joint_shear : 0.0;
     radius_multiplier = p.radius_multiplier;
@@ -248,10 +253,10 @@ namespace dem
   {
     if (state.number[bonded] > 0.5)
       return LinkPhase::whole;
+    const bool apart = link.strain > joint_reach<double>(state);
     if (state.rows.get(replaced) > 0.5)
-      return link.strain > std::max(state.number[installed], 0.0) ? LinkPhase::gone : LinkPhase::broken;
-    const double reach = std::max(state.number[installed] + state.rows.get(initial_gap), 0.0);
-    if (link.strain > reach && lowest_gap(*k.layout, opening_at(link, state)) >= 0)
+      return apart ? LinkPhase::gone : LinkPhase::broken;
+    if (apart && lowest_gap(*k.layout, opening_at(link, state)) >= 0)
       return LinkPhase::gone;
     return state.rows.get(broken) > 0.5 ? LinkPhase::broken : LinkPhase::whole;
   }

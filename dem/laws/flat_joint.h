@@ -36,11 +36,11 @@ namespace dem
     double mean_gap = 0, gap_deviation = 0;        ///< of gapped joints, normally distributed, above 0 [m]
     double seed = 1;                               ///< of that draw
 
-    /** What is born later, and what a joint becomes that has slid over its length. */
+    /** What is born later. */
     LinearContactParameters contact() const;
   };
 
-  /** The same as an update takes them. */
+  /** The same as an update takes them; as a linear contact, what stands in the place of a joint that has slid over its length. */
   template <typename Number>
   struct FlatJointNumbers : LinearContactNumbers<Number>
   {
@@ -227,17 +227,18 @@ namespace dem
     template <typename Number, typename Choice>
     static void describe(FlatJointParameters &p, Number &&number, Choice &&choice)
     {
-      constexpr double smallest = std::numeric_limits<double>::min();
-      constexpr double largest  = std::numeric_limits<double>::max();
+      constexpr double smallest  = std::numeric_limits<double>::min();
+      constexpr double largest   = std::numeric_limits<double>::max();
+      constexpr double unlimited = std::numeric_limits<double>::infinity(); // what nothing breaks
       number("Effective modulus", p.effective_modulus, "Pa",
              "E* of the joint: stiffness per area is E* over the sum of radii", smallest, largest, true);
       number("Stiffness ratio", p.stiffness_ratio, "-", "k_n/k_s of the joint", smallest, largest, false);
       number("Friction coefficient", p.friction_coefficient, "-",
              "mu of elements that are not bonded, and of linear contacts", 0.0, largest, false);
       number("Tensile strength", p.tensile_strength, "Pa", "sigma_c, tension at its middle that breaks an element", 0.0,
-             largest, true);
-      number("Cohesion", p.cohesion, "Pa", "c, shear stress that breaks an element without normal stress", 0.0, largest,
-             true);
+             unlimited, true);
+      number("Cohesion", p.cohesion, "Pa", "c, shear stress that breaks an element without normal stress", 0.0,
+             unlimited, true);
       number("Friction angle", p.friction_angle, "degrees",
              "phi, growth of an element's shear strength with compression", 0.0, 89.9, false);
       number("Radius multiplier", p.radius_multiplier, "-",
@@ -250,9 +251,10 @@ namespace dem
         "whether bonded elements of a joint between spheres resist bending about their own middles, too, which makes "
         "the joint as stiff as a disk");
       number("Contact effective modulus", p.contact_effective_modulus, "Pa",
-             "E* of the linear contact; 0: that of the joint", 0.0, largest, false);
-      number("Contact stiffness ratio", p.contact_stiffness_ratio, "-",
-             "k_n/k_s of the linear contact; 0: that of the joint", 0.0, largest, false);
+             "E* of the linear contact between particles that no joint holds any more; 0: that of the joint", 0.0,
+             largest, false);
+      number("Contact stiffness ratio", p.contact_stiffness_ratio, "-", "k_n/k_s of that contact; 0: that of the joint",
+             0.0, largest, false);
       number("Gapped fraction", p.gapped_fraction, "-", "of the joints that are made unbonded with a gap", 0.0, 1.0,
              false);
       number("Slit fraction", p.slit_fraction, "-", "of the joints that are made unbonded without a gap", 0.0, 1.0,

@@ -40,6 +40,13 @@ namespace dem
       }
   }
 
+  /** Strain beyond which particles whose joint holds nothing are apart: that at which it was made, or beyond touching. */
+  template <typename T, typename S>
+  BRECCIA_KERNEL T joint_reach(const S &state)
+  {
+    return maximum(state.number[FlatJoint::installed] + state.rows.get(FlatJoint::initial_gap), T(0.0));
+  }
+
   /**
    * Where a joint stands: gap in its middle and turns over the radius, as changes of gap over the reference length.
    * @tparam m see FlatJoint::State; in the plane all that is about axis 1 or along axis 2 is zero, and not looked at

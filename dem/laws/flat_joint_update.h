@@ -241,8 +241,7 @@ namespace dem
     answer.twisting_moment = select(step.contact, T(0.0), select(mine, lever * sums.twisting, answer.twisting_moment));
     answer.slides          = mine && sums.slides;
 
-    const T    reach = maximum(state.number[J::installed] + state.rows.get(J::initial_gap), T(0.0));
-    const auto opens = parted && sums.lowest >= T(0.0) && motion.strain > reach;
+    const auto opens = parted && sums.lowest >= T(0.0) && motion.strain > joint_reach<T>(state);
     answer.event     = (step.active && sums.breaks) || opens;
   }
 
@@ -265,14 +264,17 @@ namespace dem
     put_where(step.contact, force.normal, axes.of_slip(force.shear), answer);
     work.friction += select(step.contact, done.friction, T(0.0));
     answer.slides = answer.slides || (step.contact && force.slides);
-    answer.event =
-      answer.event || (step.contact && motion.strain > maximum(state.number[FlatJoint::installed], T(0.0)));
+    answer.event  = answer.event || (step.contact && motion.strain > joint_reach<T>(state));
     state.rows.put(first, select(step.contact, slip[0], before[0]));
     if constexpr (m == 3)
       state.rows.put(first + 1, select(step.contact, slip[1], before[1]));
   }
 
-  /** Slid over their length: linear contacts take over, with the force that they find. */
+  /**
+   * Slid over their length: linear contacts as stiff as the joints take over, with the force that they find. Of a joint that is open, or
+   * closed without a rotation, the distance at which it was made stays; of one that is closed in part the distance moves to where it has
+   * no force. What is stored cannot grow: the contact stores the square of the mean stress, the elements the mean of its squares.
+   */
   template <typename K, typename T, int m, typename S>
   BRECCIA_KERNEL void replace_joints(const K                &k,
                                      const LinkMotion<T, m> &motion,
@@ -290,7 +292,8 @@ namespace dem
     const T         kept   = T(0.5) * volume * (T(k.normal) * normal * normal + T(k.shear) * dot(slip, slip));
     const T         had    = motion.area * T(k.area_factor) * motion.reference * stored_in_loose(k, step.now, state);
     work.released += select(slid, had - kept, T(0.0));
-    state.number[J::installed] = select(slid, motion.strain - normal, state.number[J::installed]);
+    // Without a force, a distance found from it would be wherever the particles happen to be.
+    state.number[J::installed] = select(slid && normal < T(0.0), motion.strain - normal, state.number[J::installed]);
     state.rows.put(J::replaced, select(slid, T(1.0), state.rows.get(J::replaced)));
     state.rows.put(first, select(slid, slip[0], state.rows.get(first)));
     if constexpr (m == 3)

@@ -24,6 +24,12 @@ namespace dem
       throw base::InputError(message.str());
     }
 
+    void require_strength(const char *entry, const double value)
+    {
+      if (!(value >= 0)) // without a limit nothing breaks
+        require(false, entry, value, "must not be negative.");
+    }
+
     void check(const ParallelBondParameters &p)
     {
       require(p.effective_modulus > 0, "Effective modulus", p.effective_modulus, "must be above 0 Pa.");
@@ -33,8 +39,8 @@ namespace dem
               "must not be negative; 0 stands for that of the contact.");
       require(p.bond_stiffness_ratio >= 0, "Bond stiffness ratio", p.bond_stiffness_ratio,
               "must not be negative; 0 stands for that of the contact.");
-      require(p.tensile_strength >= 0, "Tensile strength", p.tensile_strength, "must not be negative.");
-      require(p.cohesion >= 0, "Cohesion", p.cohesion, "must not be negative.");
+      require_strength("Tensile strength", p.tensile_strength);
+      require_strength("Cohesion", p.cohesion);
       require(p.friction_angle >= 0 && p.friction_angle < 90, "Friction angle", p.friction_angle,
               "must lie in [0, 90) degrees.");
       require(p.radius_multiplier > 0, "Radius multiplier", p.radius_multiplier, "must be above 0.");

@@ -336,8 +336,9 @@ namespace dem
     template <typename Number, typename Choice>
     static void describe(ParallelBondParameters &p, Number &&number, Choice &&)
     {
-      constexpr double smallest = std::numeric_limits<double>::min();
-      constexpr double largest  = std::numeric_limits<double>::max();
+      constexpr double smallest  = std::numeric_limits<double>::min();
+      constexpr double largest   = std::numeric_limits<double>::max();
+      constexpr double unlimited = std::numeric_limits<double>::infinity(); // what nothing breaks
       number("Effective modulus", p.effective_modulus, "Pa",
              "E* of the linear contact: normal stiffness is A E* over the sum of radii", smallest, largest, true);
       number("Stiffness ratio", p.stiffness_ratio, "-", "k_n/k_s of the linear contact", smallest, largest, false);
@@ -347,9 +348,9 @@ namespace dem
       number("Bond stiffness ratio", p.bond_stiffness_ratio, "-", "k_n/k_s of the bond; 0: that of the contact", 0.0,
              largest, false);
       number("Tensile strength", p.tensile_strength, "Pa", "sigma_c, tension at the rim that breaks the bond", 0.0,
-             largest, true);
+             unlimited, true);
       number("Cohesion", p.cohesion, "Pa", "c, shear stress at the rim that breaks the bond without normal stress", 0.0,
-             largest, true);
+             unlimited, true);
       number("Friction angle", p.friction_angle, "degrees", "phi, growth of the bond's shear strength with compression",
              0.0, 89.9, false);
       number("Radius multiplier", p.radius_multiplier, "-",

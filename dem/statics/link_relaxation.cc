@@ -154,8 +154,9 @@ namespace dem
       {
         links.evaluate(motion);
         links.commit();
-        const Unbalanced unbalanced = unbalanced_of(loaded, motion, links.forces(), links.moments(), scale);
-        report.residual             = unbalanced.residual;
+        const Unbalanced unbalanced =
+          unbalanced_of(loaded, motion, links.forces(), links.moments(), scale, p.least_borne);
+        report.residual = unbalanced.residual;
         if (!std::isfinite(report.residual))
           throw base::NumericalError("quasi-static loading: a force is no longer a number after " +
                                      std::to_string(report.steps) + " steps of relaxation.");

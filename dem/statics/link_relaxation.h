@@ -9,10 +9,11 @@ namespace dem
   /** How damaging links are shaken to rest. */
   struct LinkRelaxationParameters
   {
-    double       damping    = 0.7;    ///< local (Cundall) damping D, in (0, 1)
-    double       tolerance  = 1e-7;   ///< see Unbalanced::residual
-    std::int64_t ramp_steps = 200;    ///< over which the led parameters move
-    std::int64_t most_steps = 200000; ///< with the ramp
+    double       damping     = 0.7;    ///< local (Cundall) damping D, in (0, 1)
+    double       tolerance   = 1e-7;   ///< see Unbalanced::residual
+    double       least_borne = 0;      ///< see unbalanced_of() [N]
+    std::int64_t ramp_steps  = 200;    ///< over which the led parameters move
+    std::int64_t most_steps  = 200000; ///< with the ramp
   };
 
   struct LinkRelaxationReport

@@ -192,7 +192,8 @@ namespace dem
                            const LoadedMotion                 &motion,
                            const std::vector<Eigen::Vector3d> &force,
                            const std::vector<Eigen::Vector3d> &moments,
-                           const double                        scale)
+                           const double                        scale,
+                           const double                        least)
   {
     Unbalanced u;
     u.particles.setZero(motions, static_cast<Eigen::Index>(loaded.held.size()));
@@ -228,6 +229,8 @@ namespace dem
     for (Eigen::Index i = 0; i < u.particles.cols(); ++i)
       for (int c = 0; c < motions; ++c)
         left += std::pow(c < 3 ? u.particles(c, i) : u.particles(c, i) / scale, 2);
+    u.borne = std::sqrt(squares);
+    squares = std::max(squares, least * least);
     if (squares == 0)
       return u;
     u.residual = std::sqrt(left / squares);

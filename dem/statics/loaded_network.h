@@ -101,7 +101,8 @@ namespace dem
   {
     CarrierMotions particles; ///< force [N] and moment [N m] on each carrier, zero where held or borne by ties
     base::Vector6  loads;     ///< force of each parameter, volume times its stress [J]
-    /** Of the forces on carriers, and of free parameters; over forces of links and body, both as root of sums of squares. */
+    double         borne = 0; ///< by links and body: root of the sum of squares of their forces [N]
+    /** Of the forces on carriers, and of free parameters; over what is borne, both as root of sums of squares. */
     double residual = 0;
   };
 
@@ -112,12 +113,14 @@ namespace dem
    * @param force of each link on its first end [N]
    * @param moment likewise at the contact point [N m]; empty: there are none
    * @param scale length that makes forces of moments [m]
+   * @param least that is taken for borne where less is: what has broken altogether bears nothing that a residual could be part of [N]
    */
   Unbalanced unbalanced_of(const LoadedNetwork                &loaded,
                            const LoadedMotion                 &motion,
                            const std::vector<Eigen::Vector3d> &force,
                            const std::vector<Eigen::Vector3d> &moment,
-                           double                              scale);
+                           double                              scale,
+                           double                              least = 0);
 
   /** Mean arm of the links: the length that makes forces of moments [m]. */
   double mean_arm(const ElasticNetwork &network);

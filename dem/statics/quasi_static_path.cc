@@ -114,10 +114,11 @@ namespace dem
                                                       const std::vector<std::optional<std::size_t>> &before)
   {
     bonds.take_over(earlier.bonds, before);
-    path      = earlier.path;
-    part      = earlier.part;
-    solutions = 0;
-    bool done = false;
+    path       = earlier.path;
+    part       = earlier.part;
+    most_borne = earlier.most_borne;
+    solutions  = 0;
+    bool done  = false;
     for (const LinkStiffness stiffness : {LinkStiffness::consistent, LinkStiffness::secant})
       {
         restore(start);
@@ -144,7 +145,13 @@ namespace dem
   {
     now = earlier;
     bonds.evaluate(now);
-    unbalanced = unbalanced_of(*loaded, now, bonds.forces(), bonds.moments(), system.length_scale());
+    unbalanced = unbalanced_of(*loaded, now, bonds.forces(), bonds.moments(), system.length_scale(), least_borne());
+  }
+
+  double QuasiStaticPath::least_borne() const
+  {
+    constexpr double part = 1e-3; // of the most that was borne; below, a path has come to its end
+    return part * most_borne;
   }
 
   bool QuasiStaticPath::attempt(const LinkStiffness stiffness, const double of_step)
@@ -257,6 +264,7 @@ namespace dem
   {
     LinkRelaxationParameters p = parameters.relaxation;
     p.tolerance                = parameters.tolerance;
+    p.least_borne              = least_borne();
     bonds.forget_growth();
     const LinkRelaxationReport report = relax_links(
       *loaded, bonds, now, parameters.sign * onward * parameters.strain_step * base::Vector6::Unit(loaded->led), p);
@@ -310,6 +318,7 @@ namespace dem
     point.residual    = unbalanced.residual;
     point.changed     = path.back().changed;
     dead_load_work    = work_of_dead_loads();
+    most_borne        = std::max(most_borne, unbalanced.borne);
     path.push_back(point);
   }
 
@@ -318,6 +327,7 @@ namespace dem
     bonds.visit_state(visitor);
     now.visit_state(visitor);
     visitor.scalar("part", part);
+    visitor.scalar("most_borne", most_borne);
     visit_points(visitor);
     restore(now);
     dead_load_work = work_of_dead_loads();

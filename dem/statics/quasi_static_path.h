@@ -123,6 +123,7 @@ namespace dem
     void                      restore(const LoadedMotion &earlier);
     void                      visit_points(base::StateVisitor &visitor);
     double                    work_of_dead_loads() const;
+    double                    least_borne() const; ///< that residuals are part of [N]
     double                    led() const { return now.loads[loaded->led]; }
 
     const LoadedNetwork          *loaded;
@@ -137,5 +138,6 @@ namespace dem
     StepControl                   control        = StepControl::strain;
     int                           attempt_length = 0; ///< iterations of the last attempt
     double                        dead_load_work = 0; ///< up to the last point [J]
+    double                        most_borne     = 0; ///< of all points: Unbalanced::borne [N]
   };
 } // namespace dem

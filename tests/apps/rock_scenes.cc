@@ -103,7 +103,8 @@ TEST_CASE("rock under pressure from the sides is stronger, by walls as by a memb
   const Results       by_membrane = run_of(membrane, "biaxial", {"Laboratory/Confinement=membrane"});
   const Results       at_more     = run_of(higher, "biaxial", {"Laboratory/Confining pressure=8e6"});
   const double        one         = of_laboratory(by_walls, "deviator_strength"),
-               other = of_laboratory(by_membrane, "deviator_strength"), more = of_laboratory(at_more, "largest_stress");
+               other              = of_laboratory(by_membrane, "deviator_strength"),
+               more               = of_laboratory(at_more, "largest_deviator");
   INFO("walls " << one << ", membrane " << other << ", at 8 MPa " << more);
   CHECK(of_laboratory(by_membrane, "young_modulus_by_gauges") ==
         Approx(of_laboratory(by_walls, "young_modulus_by_gauges")).epsilon(0.05));
@@ -240,6 +241,60 @@ TEST_CASE("a family under several pressures has a strength that rises along a li
   const Outcome refused = run(folder.path(), {"bench", "confined", rock("compression"), "-o", "none"});
   CHECK(refused.status == 2);
   CHECK_THAT(refused.err, Contains("needs biaxial or triaxial compression"));
+}
+
+TEST_CASE("rows of a test and its snapshots show all of it, wherever its largest strain lies",
+          "[apps][laboratory][slow]")
+{
+  std::vector<std::string> series;
+  for (const char *largest : {"0.02", "0.2"})
+    {
+      const ScratchFolder folder;
+      const Results       found = results_of(folder, rock("tension"),
+                                             {"Specimen/Box size=0.012, 0.02, 1", "Laboratory/Speed=0.5", "Output/Samples=40",
+                                              "Output/Snapshots=10", "Laboratory/Ramp steps=200",
+                                              std::string("Laboratory/Largest strain=") + largest});
+      CHECK(found.summary["ended_by"] == "test");
+      const double peak   = of_laboratory(found, "strain_at_peak");
+      const auto   rows   = postprocess::read_csv_table(folder.path() / "results/series.csv");
+      const auto  &strain = rows.column("strain");
+      const auto   before = std::count_if(strain.begin(), strain.end(), [&](const double e) { return e < peak; });
+      CHECK(before > 20);
+      CHECK(rows.rows() < 400);
+      CHECK(strain.back() > peak);
+      std::size_t snapshots = 0;
+      for ([[maybe_unused]] const auto &file :
+           std::filesystem::directory_iterator(folder / "results/particles_particles"))
+        ++snapshots;
+      CHECK(snapshots > 10);
+      CHECK(snapshots < 100);
+      CHECK(exists(folder, "stress_strain.png"));
+      CHECK_FALSE(exists(folder, "curve.png")); // between rows it would not know of the peak
+      series.push_back(content_of(folder / "results/series.csv"));
+    }
+  CHECK(series[0] == series[1]);
+}
+
+TEST_CASE("a summary warns of a loading that was not static, and says what is the deviator", "[apps][laboratory][slow]")
+{
+  const ScratchFolder folder;
+  const Results       found = results_of(folder, rock("biaxial"),
+                                         {"Specimen/Box size=0.012, 0.02, 1", "Laboratory/Speed=2", "Output/Snapshots=0"});
+  const auto         &lab   = found.summary["figures"]["laboratory"];
+  REQUIRE(lab["quasi_static"]["holds"] == false);
+  CHECK_THAT(found.summary["warnings"].dump(), Contains("was not static up to the peak"));
+  CHECK_FALSE(lab.contains("largest_stress"));
+  CHECK(of_laboratory(found, "largest_deviator") > 0);
+}
+
+TEST_CASE("a cylinder is loaded only when it stands still under its pressure", "[apps][laboratory][slow]")
+{
+  const ScratchFolder folder;
+  const Results       found =
+    results_of(folder, rock("cylinder"), {"Specimen/Genesis/Classes=4e-3-5e-3: 1", "Output/Snapshots=0"});
+  CHECK(of_laboratory(found, "poisson_ratio") == Approx(of_laboratory(found, "poisson_ratio_by_slopes")).margin(0.06));
+  // Section of the mould, in which it grew.
+  CHECK(of_laboratory(found, "stress_over_force") == Approx(4 / (M_PI * 0.02 * 0.02)).epsilon(1e-9));
 }
 
 TEST_CASE("what a laboratory cannot do is refused with the entry", "[apps][laboratory]")

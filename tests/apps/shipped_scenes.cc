@@ -5,6 +5,7 @@
 #include "tests/places.h"
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 using namespace apps_tests;
 using Catch::Contains;
@@ -40,4 +41,18 @@ TEST_CASE("Every scene that is shipped reads the same as it is completed in a re
       CHECK(completed_scene(*again.root, apps::Completed::what_decides_results) ==
             completed_scene(*asked.root, apps::Completed::what_decides_results));
     }
+}
+
+TEST_CASE("The first scene that a reader runs ends without a warning", "[apps][slow]")
+{
+  const ScratchFolder folder;
+  const Outcome       outcome = run(folder.path(), {"run", places::sources() + "/apps/scenes/quick_uniaxial.prm", "-o",
+                                                    "results", "-s", "Output/Snapshots=0"});
+  INFO(outcome.err << outcome.out);
+  REQUIRE(outcome.status == 0);
+  CHECK_THAT(outcome.out, !Contains("warning"));
+  const auto summary = nlohmann::json::parse(content_of(folder / "results/summary.json"));
+  CHECK(summary["warnings"].empty());
+  for (const auto &test : summary["tests"])
+    CHECK(test["peak_passed"] == true);
 }

@@ -246,6 +246,56 @@ TEST_CASE("broken flat joint that slides over its length becomes a linear contac
     }
 }
 
+TEST_CASE("flat joint that slides over its length while it is open pushes again where it was made", "[dem][laws]")
+{
+  for (const int dimension : {2, 3})
+    for (const double slid : {1.9, 2.2})
+      {
+        auto p          = mortar();
+        p.slit_fraction = 1;
+        Joint     joint(p, dimension);
+        const int steps = 100;
+        for (int i = 0; i < steps; ++i)
+          joint.advance(1e-6, Vector3d(0, slid * R / steps, 0), Vector3d::Zero());
+        INFO("dimension " << dimension << ", slid by " << slid << " R");
+        CHECK(joint.column("replaced") == (slid > 2 ? 1 : 0));
+        joint.advance(0.5e-6, Vector3d::Zero(), Vector3d::Zero());
+        CHECK(joint.answer.force.norm() == 0);
+        joint.advance(-1e-7, Vector3d::Zero(), Vector3d::Zero());
+        CHECK(joint.answer.force.x() ==
+              Approx(-p.effective_modulus / (2 * R) * section(dimension) * 1e-7).epsilon(1e-12));
+      }
+}
+
+TEST_CASE("contact in the place of a flat joint makes no energy, however soft contacts are that form later",
+          "[dem][laws]")
+{
+  for (const int dimension : {2, 3})
+    for (const double turn : {0.0, 3e-4})
+      {
+        auto p                      = mortar();
+        p.slit_fraction             = 1;
+        p.contact_effective_modulus = 0.2 * p.effective_modulus;
+        p.contact_stiffness_ratio   = 1.5;
+        Joint joint(p, dimension);
+        joint.advance(-1e-7, Vector3d::Zero(), Vector3d(0, 0, turn));
+        const Vector3d force = joint.answer.force;
+        INFO("dimension " << dimension << ", turned by " << turn);
+        for (int i = 0; i < 2200; ++i)
+          {
+            joint.advance(-1e-7, Vector3d(0, R / 1000, 0), Vector3d::Zero());
+            REQUIRE(joint.answer.force.x() == Approx(force.x()).epsilon(1e-9));
+            REQUIRE(joint.answer.released >= -1e-12 * joint.work);
+          }
+        CHECK(joint.column("replaced") == 1);
+        CHECK(std::abs(joint.work - joint.stored() - joint.lost) < 1e-9 * joint.work);
+        // Closed throughout it is referred to the distance at which it was made: as stiff as the joint was.
+        joint.advance(-3e-7, Vector3d::Zero(), Vector3d::Zero());
+        if (turn == 0)
+          CHECK(joint.answer.force.x() == Approx(3 * force.x()).epsilon(1e-9));
+      }
+}
+
 TEST_CASE("static cantilever of flat joints deflects as n shear and bending springs in a row (T7)",
           "[dem][laws][statics]")
 {
@@ -319,6 +369,55 @@ TEST_CASE("static solver pulls bonds to their strength, and past it", "[dem][law
   for (const dem::LinkMaterials &law :
        {dem::LinkMaterials(joint), dem::LinkMaterials(cement), dem::LinkMaterials(glue)})
     CHECK(peak_of(law, failure) == Approx(limit).epsilon(0.011));
+}
+
+TEST_CASE("static path of a chain goes on when the chain has broken in two and bears nothing any more",
+          "[dem][laws][statics]")
+{
+  const int  n         = 7;
+  const auto points_of = [](const dem::LinkMaterials &law, const double failure) {
+    dem::Packing chain = cluster::cubic_lattice(n, 1, 1, R);
+    for (std::size_t i = 1; i < n; i += 2) // so that what is left of forces after the break is rounding, not zero
+      chain.centre[i].y() += 0.05 * R;
+    chain.radius[3] = 0.9 * R; // here it breaks
+    dem::NetworkParameters links;
+    links.interaction_ratio = 1.2;
+    dem::GripPair grips;
+    grips.axis                        = 0;
+    grips.layers.low                  = {0};
+    grips.layers.high                 = {n - 1};
+    grips.layers.high_face            = 2 * R * (n - 1);
+    grips.layers.distance             = 2 * R * (n - 1);
+    grips.layers.gauge_length         = 2 * R * (n - 1);
+    grips.layers.section              = section(3);
+    grips.lateral_blocked             = true;
+    grips.spin_blocked                = true;
+    const dem::LoadedNetwork   loaded = dem::load_grips(dem::make_network(chain, links, law), grips);
+    dem::QuasiStaticParameters p;
+    p.strain_step = failure / 20;
+    p.end_strain  = 3 * failure;
+    p.end_stress  = 0;
+    dem::QuasiStaticPath path(loaded, law, p);
+    while (!path.finished())
+      path.advance();
+    return path.points();
+  };
+  const auto                  joint   = mortar();
+  const double                failure = joint.tensile_strength / joint.effective_modulus;
+  dem::ParallelBondParameters cement;
+  cement.effective_modulus = joint.effective_modulus;
+  cement.tensile_strength  = joint.tensile_strength;
+  cement.cohesion          = 1e9;
+  for (const dem::LinkMaterials &law : {dem::LinkMaterials(joint), dem::LinkMaterials(cement)})
+    {
+      const auto points = points_of(law, failure);
+      double     peak   = 0;
+      for (const dem::QuasiStaticPoint &point : points)
+        peak = std::max(peak, point.stress[0]);
+      CHECK(peak > 0.5 * joint.tensile_strength);
+      CHECK(std::abs(points.back().stress[0]) < 1e-6 * peak);
+      CHECK(points.back().balance_error() < 0.05);
+    }
 }
 
 TEST_CASE("hexagonal crystal of bonds has E = 2 sqrt(3) k_n (k_n + k_s)/(3 k_n + k_s) (T8)", "[dem][laws][statics]")

@@ -83,4 +83,9 @@ TEST_CASE("cages: a floater touches all around with the overlap that is asked fo
   dem::fit_into_cages(fitted, vessel, the_last, 1.3, 1e-5);
   CHECK(fitted.radius[3] == Approx(0.13).epsilon(1e-12));
   CHECK((fitted.centre[3] - Vector3d(3, 2 + h / 3, 0)).norm() < 1e-9);
+  // Just large enough without the overlap: with it, too, it grows by so much at most.
+  packing.radius[3] = 1.0001 * (2 / h - 1) / 1.3;
+  fitted            = packing;
+  dem::fit_into_cages(fitted, vessel, the_last, 1.3, 2e-3);
+  CHECK(fitted.radius[3] == Approx(1.3 * packing.radius[3]).epsilon(1e-12));
 }

@@ -279,6 +279,39 @@ TEST_CASE("platens stand where they are told, and what reaches through is cut of
   CHECK(run.body.counts().wall_contacts > 12);
 }
 
+TEST_CASE("a specimen that still grows wider is not at rest, whatever its forces", "[dem][laboratory]")
+{
+  dem::LabParameters asked = between_platens(0.02);
+  asked.seating_stress     = 1e3;
+  asked.rest               = 1; // any force will do
+  Run          run(crystal(12, 8), discs(), strong(), asked);
+  const auto   particles = run.body.particles();
+  const double middle = dem::BodyExtent(particles).middle(0), rate = 2;
+  for (std::size_t i = 0; i < particles.position.size(); ++i)
+    run.body.set_velocity(i, Vector3d(rate * (particles.position[i].x() - middle), 0, 0), Vector3d::Zero());
+  const double start = run.body.kinetic_energy();
+  for (int i = 0; i < 20000 && run.test.stage() != dem::LabTest::Stage::loading; ++i)
+    run.advance(1);
+  REQUIRE(run.test.stage() == dem::LabTest::Stage::loading);
+  CHECK(run.body.kinetic_energy() < 1e-3 * start);
+  CHECK(run.test.notes().empty());
+}
+
+TEST_CASE("stress is that of the section that is told, and a disk's that of its diameter across the load",
+          "[dem][laboratory]")
+{
+  dem::LabParameters asked = between_platens(0.02);
+  asked.section            = 0.03;
+  CHECK(Run(crystal(12, 6), discs(), strong(), asked).test.stress_of_force() == Approx(1 / 0.03).epsilon(1e-12));
+  asked.section.reset();
+  const Run    plain(crystal(12, 6), discs(), strong(), asked);
+  const double wide = dem::BodyExtent(plain.body.particles()).length(0);
+  CHECK(plain.test.stress_of_force() == Approx(1 / wide).epsilon(1e-12));
+  asked.test = Test::splitting; // what is loaded here has flats: it is not as high as wide
+  CHECK(Run(crystal(12, 6), discs(), strong(), asked).test.stress_of_force() ==
+        Approx(2 / (M_PI * wide)).epsilon(1e-12));
+}
+
 TEST_CASE("specimen loaded to a tenth of its strength and unloaded is what it was (genesis 7)",
           "[dem][laboratory][slow]")
 {

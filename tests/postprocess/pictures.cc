@@ -1,3 +1,5 @@
+#include "postprocess/break_log.h"
+#include "postprocess/break_pictures.h"
 #include "postprocess/drawn_unit.h"
 #include "postprocess/field_picture.h"
 #include "postprocess/picture_axes.h"
@@ -199,6 +201,31 @@ TEST_CASE("glue that was torn and has opened is drawn as a crack", "[postprocess
   const std::string whole = picture("whole.png", -1, 0);
   CHECK(picture("open.png", -1, 1) != whole);
   CHECK(picture("closed.png", 1, 1) == whole);
+}
+
+TEST_CASE("what broke is drawn as wide as it was, an element of a joint narrower than the whole", "[postprocess]")
+{
+  const ScratchFolder folder;
+  const auto          particles = postprocess_tests::numbered_particles(3);
+  dem::Break          whole;
+  whole.ends   = {0, 1};
+  whole.mode   = dem::BreakMode::tension;
+  whole.place  = {0.5, 0.25, 0.5};
+  whole.area   = 0.3;
+  auto element = whole, glue = whole;
+  element.area /= 4;
+  glue.ends[1] = -1;
+  glue.surface = 0;
+  CHECK(width_of(whole, 0.5) == Approx(0.6));
+  CHECK(width_of(element, 0.5) == Approx(0.15));
+  CHECK(width_of(element, 0) == Approx(0.5 * width_of(whole, 0)));
+  const auto picture = [&](const dem::Break &b, const double thickness) {
+    REQUIRE(picture_of_breaks(folder / "b.png", particles, {b}, thickness, "title") == "");
+    return content_of(folder / "b.png");
+  };
+  CHECK(picture(element, 0.5) != picture(whole, 0.5));
+  CHECK(picture(element, 0.125) == picture(whole, 0.5)); // as long, of thinner discs
+  CHECK(picture(glue, 0.5) == picture(whole, 0.5));      // it has a second end that is no particle
 }
 
 TEST_CASE("a link to a periodic image shows no crack where only the cell lies between", "[postprocess]")

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace apps
@@ -35,13 +36,20 @@ namespace apps
   {
     if (what.laboratory.given())
       lab = std::make_unique<dem::LabTest>(
-        body, what.laboratory.parameters(what.source.genesis.vessel(what.physics.dimension).size));
+        body, what.laboratory.parameters(what.source.genesis.vessel(what.physics.dimension), what.source.thickness));
     constexpr double limit = 1e12; // a year at thirty thousand steps a second
-    const double     steps = what.end_time / body.time_step();
+    const bool       timed = what.end_time > 0;
+    const double     steps = (timed ? what.end_time : lab->longest_loading()) / body.time_step();
     if (!(steps < limit))
-      throw base::InputError(fmt::format("Time/End time = {}: that would take {:.1e} steps of {:.1e} s. Check density, "
+      throw base::InputError(fmt::format("{} = {}: that would take {:.1e} steps of {:.1e} s. Check density, "
                                          "moduli and sizes: all in SI units.",
-                                         what.end_time, steps, body.time_step()));
+                                         timed ? "Time/End time" : "Laboratory/Speed",
+                                         timed ? what.end_time : what.laboratory.asked.speed, steps, body.time_step()));
+  }
+
+  double ParticlesBody::done() const
+  {
+    return std::min(1.0, std::max(lab ? lab->done() : 0.0, body.time() / model->last_time()));
   }
 
   StaticStart ParticlesBody::start()
@@ -83,7 +91,7 @@ namespace apps
 
   void ParticlesBody::advance_to(const double time)
   {
-    const bool comes_back = model->laboratory.check_speed && lab && !test_is_loading();
+    const bool comes_back = lab && !test_is_loading();
     push();
     body.advance(std::numeric_limits<std::int64_t>::max(), [&] {
       if (lab)

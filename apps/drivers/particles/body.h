@@ -23,7 +23,7 @@ namespace apps
     /** Before the first step: the initial equilibrium, if the scene asks for one, and then initial velocities. @throws base::InputError */
     StaticStart start();
 
-    /** At least one step, up to this time; fewer when interrupted, and when the loading of a test begins whose speed is to be checked. */
+    /** At least one step, up to this time; fewer when interrupted, and when the loading of a test begins. */
     void advance_to(double time);
     /** So many steps, whatever the time. */
     void advance(std::int64_t steps);
@@ -45,6 +45,8 @@ namespace apps
     const dem::LabTest *test() const { return lab.get(); }
     bool                test_is_over() const { return lab && lab->finished(); }
     bool                test_is_loading() const { return lab && lab->stage() == dem::LabTest::Stage::loading; }
+    /** How far it has come on the way to its end, in [0, 1]. */
+    double done() const;
     /** Go on from where another one is, made from the same model and packing, and load at a part of the test's speed. @pre test() */
     void repeat_loading_of(ParticlesBody &other, double part_of_speed);
     /** Likewise, for a reader: the state is to be visited next. */

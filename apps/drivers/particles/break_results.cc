@@ -20,8 +20,9 @@ namespace apps
     for (std::size_t s = 0; s < specimen.surfaces(); ++s)
       surfaces.push_back(specimen.surface(s).name);
     postprocess::write_break_table(folder / "breaks.csv", breaks, materials, surfaces);
+    const bool               plane = specimen.parameters().physics.dimension == 2;
     postprocess::PictureSlab slab;
-    slab.axis                           = specimen.parameters().physics.dimension == 2 ? 2 : 1;
+    slab.axis                           = plane ? 2 : 1;
     slab.materials                      = materials;
     const dem::ParticleOutput particles = specimen.particles();
     const dem::LinkOutput     links     = specimen.links();
@@ -35,7 +36,8 @@ namespace apps
     if (breaks.empty())
       return;
     warn_of_missing("breaks.png",
-                    postprocess::picture_of_breaks(folder / "breaks.png", particles, breaks, "What broke", slab));
+                    postprocess::picture_of_breaks(folder / "breaks.png", particles, breaks,
+                                                   plane ? specimen.parameters().thickness : 0.0, "What broke", slab));
     warn_of_missing("directions.png", postprocess::picture_of_directions(folder / "directions.png", breaks, slab.axis,
                                                                          "Directions of what broke, part of its area"));
   }

@@ -76,19 +76,35 @@ namespace apps
       return found;
     }
 
-    std::string text_of(const dem::QuasiStatic &how)
+    /** Of a loading whose criteria are known and do not all hold: which do not. */
+    std::string broken_criteria(const dem::QuasiStatic &how)
+    {
+      std::string all;
+      const auto  add = [&all](const dem::Finding &f, const double most, const char *what) {
+        if (f.found && f.value >= most)
+          all += fmt::format("{}{} {:.2g} % (below {:g} % asked for)", all.empty() ? "" : ", ", what, 100 * f.value,
+                              100 * most);
+      };
+      add(how.imbalance, dem::QuasiStatic::most_imbalance, "the two forces differ by up to");
+      add(how.kinetic, dem::QuasiStatic::most_kinetic, "the kinetic energy is up to");
+      add(how.speed, dem::QuasiStatic::most_speed, "at half the speed the strength differs by");
+      return all;
+    }
+
+    /** @param top up to which it was looked at */
+    std::string text_of(const dem::QuasiStatic &how, const char *top)
     {
       const auto part = [](const dem::Finding &f, const double most) {
         return f.found ? fmt::format("{:.2g} ({} {:g})", f.value, f.value < most ? "below" : "NOT below", most) :
                          std::string("not determined");
       };
       return fmt::format(
-        "static       {}: up to the peak, difference of the two forces over their mean {}, kinetic energy over "
+        "static       {}: up to {}, difference of the two forces over their mean {}, kinetic energy over "
         "work {}, force ratio {}; strength at half the speed {}\n",
         !how.determined() ? "not determined" :
         how.holds()       ? "yes" :
-                            "NO, load more slowly",
-        part(how.imbalance, dem::QuasiStatic::most_imbalance), part(how.kinetic, dem::QuasiStatic::most_kinetic),
+                            "NO",
+        top, part(how.imbalance, dem::QuasiStatic::most_imbalance), part(how.kinetic, dem::QuasiStatic::most_kinetic),
         words(how.force_ratio, 1, ""),
         how.speed.found ? "differs by " + part(how.speed, dem::QuasiStatic::most_speed) : std::string("not looked at"));
     }
@@ -119,14 +135,15 @@ namespace apps
     found["test"]                                           = asked.name();
     found[strength_name()]                                  = figure(f.strength, "Pa");
     found[strength_name() + std::string("_moving_average")] = figure(f.smooth_strength, "Pa");
-    found["largest_stress"]                                 = figure(f.largest_stress, "Pa");
-    found["strain_at_peak"]                                 = figure(f.strain_at_peak, "-");
-    found["young_modulus"]                                  = figure(f.modulus, "Pa");
-    found["young_modulus_by_gauges"]                        = figure(f.gauge_modulus, "Pa");
-    found["secant_modulus_to_half"]                         = figure(f.secant_modulus, "Pa");
-    found["poisson_ratio"]                                  = figure(f.poisson_secant, "-");
-    found["poisson_ratio_by_slopes"]                        = figure(f.poisson_slope, "-");
-    found["stress_over_force"]                              = quantity(test.stress_of_force(), "1/m^2");
+    // Under a pressure it is what the strength is: the part above the pressure.
+    found[asked.confined() ? "largest_deviator" : "largest_stress"] = figure(f.largest_stress, "Pa");
+    found["strain_at_peak"]                                         = figure(f.strain_at_peak, "-");
+    found["young_modulus"]                                          = figure(f.modulus, "Pa");
+    found["young_modulus_by_gauges"]                                = figure(f.gauge_modulus, "Pa");
+    found["secant_modulus_to_half"]                                 = figure(f.secant_modulus, "Pa");
+    found["poisson_ratio_by_slopes"]                                = figure(f.poisson_slope, "-");
+    found["poisson_ratio"]                                          = figure(f.poisson_secant, "-");
+    found["stress_over_force"]                                      = quantity(test.stress_of_force(), "1/m^2");
     if (asked.published.given())
       found["published"] = asked.published.json(f);
     if (asked.confined())
@@ -136,7 +153,19 @@ namespace apps
     if (test.parameters().seating_stress > 0)
       found["strain_at_end_of_seating"] = quantity(test.seated_strain(), "-");
     found["quasi_static"] = json_of(how_static(), slower);
-    found["warnings"]     = test.notes();
+    return found;
+  }
+
+  std::vector<std::string> LaboratoryReport::warnings() const
+  {
+    std::vector<std::string> found = test.notes();
+    const dem::QuasiStatic   how   = how_static();
+    if (how.determined() && !how.holds())
+      found.push_back(std::string("the loading was not static up to the ") +
+                      (test.past_peak() ? "peak: " : "largest stress: ") + broken_criteria(how) +
+                      (slower ? ". Lower Laboratory/Speed" :
+                                ". Lower Laboratory/Speed, or see with Laboratory/Check speed whether the strength "
+                                "hangs on it"));
     return found;
   }
 
@@ -163,25 +192,33 @@ namespace apps
                                       {postprocess::stress_strain_panel(title + ", " + asked.name(), curves)}));
   }
 
+  std::string LaboratoryReport::strength_text(const dem::TestFigures &f) const
+  {
+    if (!f.largest_stress.found)
+      return f.largest_stress.why_not;
+    if (!f.strength.found)
+      return fmt::format("largest {} {:.4g} MPa; the strength is not determined, {}",
+                         asked.confined() ? "deviator" : "stress", 1e-6 * f.largest_stress.value, f.strength.why_not);
+    const double      p = asked.confined() ? asked.asked.pressure : 0.0;
+    const std::string axial =
+      fmt::format(", axial {:.4g} MPa under {:.4g} MPa", 1e-6 * (f.strength.value + p), 1e-6 * p);
+    return fmt::format("{} {:.4g} MPa at strain {:.3e} (moving average {:.4g} MPa){}",
+                       asked.confined() ? "deviator strength" : "strength", 1e-6 * f.strength.value,
+                       f.strain_at_peak.value, 1e-6 * f.smooth_strength.value, asked.confined() ? axial : "");
+  }
+
   std::string LaboratoryReport::text() const
   {
-    const dem::TestFigures f = test.figures();
-    std::string            text;
-    text += fmt::format(
-      "test         {}: {}\n", asked.name(),
-      f.strength.found       ? fmt::format("strength {:.4g} MPa at strain {:.3e} (moving average {:.4g} MPa)",
-                                           1e-6 * f.strength.value, f.strain_at_peak.value, 1e-6 * f.smooth_strength.value) :
-      f.largest_stress.found ? fmt::format("largest stress {:.4g} MPa; the strength is not determined, {}",
-                                           1e-6 * f.largest_stress.value, f.strength.why_not) :
-                               f.largest_stress.why_not);
+    const dem::TestFigures f    = test.figures();
+    const char *const      top  = f.strength.found ? "the peak" : "the largest stress";
+    std::string            text = fmt::format("test         {}: {}\n", asked.name(), strength_text(f));
     text +=
-      fmt::format("moduli       E {}, by gauges {}, secant to half the peak {}; Poisson's ratio {}, by slopes {}\n",
-                  words(f.modulus, 1e-9, " GPa"), words(f.gauge_modulus, 1e-9, " GPa"),
-                  words(f.secant_modulus, 1e-9, " GPa"), words(f.poisson_secant, 1, ""), words(f.poisson_slope, 1, ""));
+      fmt::format("moduli       at half {} E {}, by gauges {}, Poisson's ratio {}; from the start to there E {}, "
+                  "Poisson's ratio {}\n",
+                  top, words(f.modulus, 1e-9, " GPa"), words(f.gauge_modulus, 1e-9, " GPa"),
+                  words(f.poisson_slope, 1, ""), words(f.secant_modulus, 1e-9, " GPa"), words(f.poisson_secant, 1, ""));
     text += asked.published.text(f);
-    text += text_of(how_static());
-    for (const std::string &note : test.notes())
-      text += "warning      " + note + "\n";
+    text += text_of(how_static(), top);
     return text;
   }
 } // namespace apps

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace apps
 {
@@ -20,11 +21,14 @@ namespace apps
     nlohmann::json json() const;
     /** stress_strain.csv, that at half the speed, and stress_strain.png. @throws postprocess::OutputError */
     void write(const std::filesystem::path &folder, const std::string &title) const;
+    /** What casts doubt on these figures, one sentence each. */
+    std::vector<std::string> warnings() const;
     /** Strength, moduli, ratio of Poisson and the criteria of a static loading. */
     std::string text() const;
 
   private:
     const char      *strength_name() const;
+    std::string      strength_text(const dem::TestFigures &found) const;
     dem::QuasiStatic how_static() const;
   };
 } // namespace apps

@@ -65,7 +65,8 @@ namespace apps
     s.choice("Platens", at_vessel, {{"outermost particles", false}, {"vessel walls", true}}, Need::optional)
       .means(
         "Where they stand at first. vessel walls: where the walls of genesis stood; what was pressed into these is "
-        "cut off, so that all that touched them touches the platens, and nothing pushes yet")
+        "cut off, so that all that touched them touches the platens, and nothing pushes yet; stress is then that of "
+        "the vessel's section")
       .only_if(flat, "Test is of platens");
     s.number("Smoothing depth", asked.press.smoothing, "m", Range::at_least(0), Need::optional)
       .means("By which the platens stand inside the outermost particles, at most half a radius: what reaches beyond is "
@@ -167,11 +168,17 @@ namespace apps
                            "\" to series.csv, and a gauge has that name. Rename the gauge.");
   }
 
-  dem::LabParameters SpecimenTestSection::parameters(const Eigen::Vector3d &vessel) const
+  dem::LabParameters SpecimenTestSection::parameters(const dem::Vessel &vessel, const double thickness) const
   {
     dem::LabParameters made = asked;
     if (at_vessel && flat_platens())
-      made.press.stand = {0.0, vessel[asked.press.axis]};
+      {
+        const int axis   = asked.press.axis;
+        made.press.stand = {0.0, vessel.size[axis]};
+        // Across another axis a cylinder has no one section.
+        if (vessel.shape == dem::Vessel::Shape::box || axis == 2)
+          made.section = vessel.space() / vessel.size[axis] * (vessel.dimension == 2 ? thickness : 1.0);
+      }
     using Kind = dem::LabParameters::Test;
     made.test  = test == Test::tension   ? Kind::tension :
                  test == Test::splitting ? Kind::splitting :

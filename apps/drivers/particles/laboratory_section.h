@@ -3,6 +3,7 @@
 #include "apps/drivers/particles/published_figures.h"
 #include "apps/scene/section.h"
 #include "apps/scene/specimen_section.h"
+#include "dem/genesis/vessel.h"
 #include "dem/laboratory/lab_test.h"
 #include "postprocess/series.h"
 
@@ -39,8 +40,8 @@ namespace apps
                   const std::vector<std::string> &other) const;
     bool given() const { return test != Test::none; }
     bool confined() const { return test == Test::biaxial || test == Test::triaxial; }
-    /** @param vessel edges of what the specimen grew in, a corner in the origin [m] @pre given() */
-    dem::LabParameters parameters(const Eigen::Vector3d &vessel) const;
+    /** @param vessel in which the specimen grew @param thickness of discs [m] @pre given() */
+    dem::LabParameters parameters(const dem::Vessel &vessel, double thickness) const;
     bool               flat_platens() const { return presses() && test != Test::bending; }
     const char        *name() const; ///< "uniaxial compression"
 

@@ -16,13 +16,15 @@ namespace apps
       Section &section = *root.find_section("Output");
       Entry   &samples = *section.find_entry("Samples");
       samples.means("Rows of series.csv from the start to the end time, besides that of the start; stop conditions are "
-                    "looked at with each");
+                    "looked at with each. A test of section Laboratory has so many during its ramp and again from the "
+                    "beginning of the loading; whenever it has lasted twice as long, they lie twice as far apart");
       samples.decides = true; // when a stop condition is seen
       section.find_entry("Snapshots")
         ->means("ParaView files from the start to the end time, the first and last state "
-                "besides; 0: none at all");
+                "besides; 0: none at all. Of a test of section Laboratory spread over its rows in the same proportion");
       section.text("Curve horizontal", horizontal, Need::optional)
-        .means("Column of series.csv for curve.png; empty: the time, or the strain of a test")
+        .means("Column of series.csv for curve.png; empty: the time. A test of section Laboratory, which draws "
+               "stress_strain.png, has a curve.png only where a column is given")
         .housekeeping();
       section.text("Curve vertical", vertical, Need::optional)
         .means(
@@ -61,7 +63,8 @@ namespace apps
     time.declare_by_time(root);
     root.find_section("Time")
       ->number("End time", end_time, "s", Range::positive(), Need::required)
-      .means("When the run ends, unless a stop condition ends it before");
+      .means("When the run ends, unless a stop condition or the test of section Laboratory ends it before")
+      .only_if([this] { return !laboratory.given(); }, "there is no section Laboratory that ends the run");
     gravity.declare(root);
     stops.declare(root);
     declare_output(root, output, horizontal, vertical);

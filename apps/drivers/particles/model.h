@@ -12,6 +12,8 @@
 #include "apps/scene/time_section.h"
 #include "postprocess/series.h"
 
+#include <limits>
+
 namespace apps
 {
   /** Everything that a scene of kind "particles" says. */
@@ -22,7 +24,7 @@ namespace apps
     MaterialSection         material;
     dem::Physics            physics;
     TimeSection             time;
-    double                  end_time = 0; ///< [s]
+    double                  end_time = 0; ///< [s]; 0: the test of the laboratory ends it
     GravitySection          gravity;
     GroupsSection           groups;
     ClumpsSection           clumps;
@@ -55,11 +57,16 @@ namespace apps
     ParticleGroups          groups_in(const dem::Packing &packing) const;
     dem::SpecimenParameters parameters() const;
 
+    /** When the run ends in any case [s]. */
+    double last_time() const { return end_time > 0 ? end_time : std::numeric_limits<double>::infinity(); }
+
     /** Of series.csv; the first is the time. */
     std::vector<postprocess::SeriesColumn> columns() const;
     std::vector<std::string>               column_names() const;
     std::vector<std::string>               names_before_test() const; ///< of gauges
-    /** Of the curve: what is over what. @throws base::InputError. */
+    /** Of curve.png: a test of the laboratory draws its own, better one, unless the scene asks for columns. */
+    bool draws_curve() const { return !laboratory.given() || !horizontal.empty() || !vertical.empty(); }
+    /** What is over what. @throws base::InputError. */
     std::string curve_horizontal() const;
     std::string curve_vertical() const;
   };

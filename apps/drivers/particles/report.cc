@@ -15,10 +15,21 @@ namespace apps
 {
   MotionReport ParticlesReport::common() const
   {
-    const std::string by_stop = model.stops.what_ended(series);
-    return {
-      request,        "particles", body.test_is_over() ? "test" : by_stop, specimen().time(), materials, start, series,
-      not_in_balance, specimen()};
+    const std::string        by_stop = model.stops.what_ended(series);
+    std::vector<std::string> doubts;
+    if (body.test())
+      doubts = LaboratoryReport{model.laboratory, *body.test(), slower}.warnings();
+    return {request,
+            "particles",
+            body.test_is_over() ? "test" : by_stop,
+            specimen().time(),
+            materials,
+            start,
+            series,
+            not_in_balance,
+            specimen(),
+            {},
+            doubts};
   }
 
   nlohmann::json ParticlesReport::figures() const
@@ -42,7 +53,8 @@ namespace apps
                     {"steps", specimen().steps()},
                     {"time_step", specimen().time_step()},
                     {"wall_seconds", wall_seconds}},
-                   {model.curve_horizontal(), model.curve_vertical()});
+                   model.draws_curve() ? std::pair(model.curve_horizontal(), model.curve_vertical()) :
+                                         std::pair<std::string, std::string>());
   }
 
   std::string ParticlesReport::text() const

@@ -45,6 +45,7 @@ namespace apps
     : request(asked)
     , model(what)
     , sampling(model.end_time, model.output)
+    , rows_of_test(model.output)
   {
   }
 
@@ -94,6 +95,15 @@ namespace apps
     open(location);
     snapshots.take(body->specimen());
     record({{}, body->row(), {}});
+    if (body->test())
+      begin_rows_of_test();
+  }
+
+  void ParticlesRun::begin_rows_of_test()
+  {
+    const dem::Specimen &specimen = body->specimen();
+    rows_of_test.begin(specimen.time(),
+                       static_cast<double>(body->test()->parameters().ramp_steps) * specimen.time_step());
   }
 
   void ParticlesRun::reopen(const std::filesystem::path &folder)
@@ -126,6 +136,8 @@ namespace apps
       }
     apps::visit_state(state, start);
     sampling.visit_state(state);
+    if (model.laboratory.given())
+      rows_of_test.visit_state(state);
     state.group("specimen");
     body->visit_state(state);
     snapshots.visit_state(state);
@@ -162,9 +174,7 @@ namespace apps
   {
     if (genesis)
       return genesis->done();
-    if (sampling.finished() && slow)
-      return std::min(1.0, slow->specimen().time() / last_time_of_slow());
-    return std::min(1.0, body->specimen().time() / model.end_time);
+    return sampling.finished() && slow ? slow->done() : body->done();
   }
 
   std::string ParticlesRun::details() const
@@ -204,15 +214,33 @@ namespace apps
       return slow->advance_to(std::min(slow->specimen().time() + seconds_of_a_row(), last_time_of_slow()));
     keep_start_of_loading();
     const Stopwatch watch;
-    body->advance_to(sampling.next_time());
+    const bool      due = move();
     stepping_seconds += watch.seconds();
-    if (!sampling.take(body->specimen().time()) && !body->test_is_over()) // interrupted on the way
+    if (!due) // interrupted on the way
       return;
-    if (body->test_is_over())
-      sampling.stop();
     record_row(record);
-    if (sampling.snapshot_due())
+    if (sampling.finished() || (body->test() ? rows_of_test.snapshot_due() : sampling.snapshot_due()))
       snapshots.take(body->specimen());
+  }
+
+  bool ParticlesRun::move()
+  {
+    if (!body->test())
+      {
+        body->advance_to(sampling.next_time());
+        return sampling.take(body->specimen().time());
+      }
+    const bool loaded = body->test_is_loading();
+    body->advance_to(std::min(rows_of_test.next_time(), model.last_time()));
+    const double now = body->specimen().time();
+    if (body->test_is_over() || now >= model.last_time())
+      sampling.stop();
+    if (!loaded && body->test_is_loading())
+      {
+        begin_rows_of_test();
+        return true;
+      }
+    return rows_of_test.take(now) || sampling.finished();
   }
 
   void ParticlesRun::keep_start_of_loading()

@@ -54,8 +54,13 @@ namespace apps
     /** Where the loading of a test has begun whose speed is to be checked: a copy that shall do it at half the speed. */
     void   keep_start_of_loading();
     void   visit_slow(RunState &state);
-    double last_time_of_slow() const { return 2 * model.end_time; } ///< [s]
-    double seconds_of_a_row() const { return model.end_time / static_cast<double>(model.output.samples); }
+    double last_time_of_slow() const { return 2 * model.last_time(); } ///< [s]
+    /** Between two looks at how far it is [s]. */
+    double seconds_of_a_row() const { return body->specimen().time() / static_cast<double>(model.output.samples); }
+    /** Rows of a test are counted anew from the beginning of its motion, and of its loading. */
+    void begin_rows_of_test();
+    /** Some further. @return whether a row is due */
+    bool move();
     /** Whether that copy still has something to do. */
     bool checks_speed() const;
     /** Some further; where particles have grown up, they begin to move. */
@@ -77,6 +82,7 @@ namespace apps
     MaterialCounts    materials; ///< before anything moves
     StaticStart       start;
     Sampling          sampling;
+    OpenEndedSampling rows_of_test; ///< where there is a test of the laboratory
     SpecimenSnapshots snapshots;
     double            stepping_seconds = 0; ///< wall clock, since the run began or was resumed
     std::int64_t      steps_before     = 0; ///< when it did

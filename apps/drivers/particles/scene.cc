@@ -54,7 +54,8 @@ namespace apps
     const StaticStart  start          = body.start();
     const double       set_up_seconds = set_up.seconds();
     const auto        &specimen       = body.specimen();
-    const double       steps          = model.end_time / specimen.time_step();
+    const double       longest        = model.end_time > 0 ? model.end_time : body.test()->longest_loading();
+    const double       steps          = longest / specimen.time_step();
     std::string        text;
     text += fmt::format("  particles    {}\n", specimen.counts().particles);
     text += fmt::format("  links        {}\n", specimen.counts().links);
@@ -69,7 +70,9 @@ namespace apps
     if (start)
       text += fmt::format("  start        {}\n", text_of(*start));
     text += fmt::format("  steps        {:.0f}{}\n", steps,
-                        model.stops.stops.empty() ? "" : ", fewer where a stop condition comes first");
+                        body.test()               ? " at most in the loading, fewer where the test is over before" :
+                        model.stops.stops.empty() ? "" :
+                                                    ", fewer where a stop condition comes first");
     const auto   last = static_cast<std::int64_t>(std::ceil(steps)); // what moves further is no part of the run
     const double step =
       seconds_per_step(specimen,
@@ -84,7 +87,9 @@ namespace apps
       });
     const double motion = steps * step + static_cast<double>(model.output.samples) * row +
                           static_cast<double>(std::min(model.output.snapshots, model.output.samples)) * snapshot;
-    return text + model.stops.duration_line(set_up_seconds, motion, model.end_time);
+    if (body.test())
+      return text + stoppable_duration_line(set_up_seconds + motion, 0);
+    return text + model.stops.duration_line(set_up_seconds, motion, longest);
   }
 
   int ParticlesScene::run(const RunRequest &request) const { return ParticlesRun(request, model).execute(); }

@@ -18,7 +18,7 @@ namespace apps
   std::vector<std::string> MotionReport::doubts() const
   {
     const dem::Counts        counts = specimen.counts();
-    std::vector<std::string> all;
+    std::vector<std::string> all    = found_doubtful;
     for (const std::string &doubt : {overlap_warning(counts.deepest_overlap), turn_warning(counts.largest_turn)})
       if (!doubt.empty())
         all.push_back(doubt);
@@ -51,6 +51,8 @@ namespace apps
     if (start)
       summary["initial_equilibrium"] = json_of(*start);
     postprocess::write_json(folder / "summary.json", summary);
+    if (curve.first.empty())
+      return;
     const std::string title = std::filesystem::path(request.scene_file).stem().string();
     warn_of_missing("curve.png",
                     postprocess::plot(folder / "curve.png", {drawn_curve(series, curve.first, curve.second, title)}));

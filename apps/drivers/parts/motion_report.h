@@ -24,13 +24,14 @@ namespace apps
     double                       end_time; ///< [s]
     const MaterialCounts        &materials;
     const StaticStart           &start;
-    const postprocess::CsvTable &series;         ///< complete
-    const std::string           &not_in_balance; ///< see left_out_of_balance()
-    const dem::Specimen         &specimen;       ///< as it is at the end
-    std::vector<std::string>     notes = {};     ///< what else a user should know, one sentence each
+    const postprocess::CsvTable &series;              ///< complete
+    const std::string           &not_in_balance;      ///< see left_out_of_balance()
+    const dem::Specimen         &specimen;            ///< as it is at the end
+    std::vector<std::string>     notes          = {}; ///< what else a user should know, one sentence each
+    std::vector<std::string>     found_doubtful = {}; ///< by who measured, one sentence each: warnings of the summary
 
     /**
-     * summary.json and curve.png.
+     * summary.json and, where columns are given, curve.png.
      * @param energy its terms by name, to which the balance is added @param curve columns: what is over what
      * @throws postprocess::OutputError.
      */
@@ -43,7 +44,7 @@ namespace apps
     std::string text() const;
 
   private:
-    std::vector<std::string> doubts() const; ///< what is large that laws take for small
+    std::vector<std::string> doubts() const; ///< besides, what is large that laws take for small
     double                   balance_error() const;
   };
 } // namespace apps

@@ -42,6 +42,46 @@ namespace apps
     state.scalar("stopped", stopped);
   }
 
+  OpenEndedSampling::OpenEndedSampling(const OutputSection &output)
+    : samples(output.samples)
+    , snapshots(output.snapshots)
+  {
+  }
+
+  void OpenEndedSampling::begin(const double time, const double shortest)
+  {
+    start = time;
+    unit  = shortest / static_cast<double>(samples);
+    last = taken = before = 0;
+    apart                 = 1;
+  }
+
+  double OpenEndedSampling::next_time() const { return start + unit * static_cast<double>(last + apart); }
+
+  bool OpenEndedSampling::take(const double time)
+  {
+    before = taken;
+    while (next_time() <= time)
+      {
+        last += apart;
+        ++taken;
+        if (last >= samples * apart)
+          apart *= 2;
+      }
+    return taken > before;
+  }
+
+  bool OpenEndedSampling::snapshot_due() const { return due_between(before, taken, snapshots, samples); }
+
+  void OpenEndedSampling::visit_state(RunState &state)
+  {
+    state.scalar("rows_start", start);
+    state.scalar("rows_unit", unit);
+    state.scalar("rows_last", last);
+    state.scalar("rows_apart", apart);
+    state.scalar("rows_taken", taken);
+  }
+
   StepSampling::StepSampling(const std::int64_t steps, const OutputSection &output)
     : samples(output.samples)
     , snapshots(output.snapshots)

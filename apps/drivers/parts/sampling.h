@@ -32,6 +32,30 @@ namespace apps
     std::int64_t stopped = 0;
   };
 
+  /**
+   * The same of a motion whose end nobody knows beforehand: its shortest duration has as many rows as are asked for, and whenever it has
+   * lasted twice as long rows lie twice as far apart. So half as many or more show its later half, however long it lasts.
+   */
+  class OpenEndedSampling
+  {
+  public:
+    explicit OpenEndedSampling(const OutputSection &output);
+
+    /** What is sampled begins now. @param shortest that it lasts [s] */
+    void   begin(double time, double shortest);
+    double next_time() const; ///< of the next sample [s]
+    bool   take(double time); ///< see Sampling
+    bool   snapshot_due() const;
+
+    void visit_state(RunState &state);
+
+  private:
+    std::int64_t samples, snapshots;
+    double       start = 0, unit = 0;   ///< when it began, and from row to row at first [s]
+    std::int64_t last = 0, apart = 1;   ///< time of the last row since then, and from there to the next, in that unit
+    std::int64_t taken = 0, before = 0; ///< see Sampling
+  };
+
   /** The same of a test that is counted in steps and may end at any of them: with its samples counted from 1, nothing is to be remembered. */
   class StepSampling
   {

@@ -246,7 +246,6 @@ namespace apps
       {
         constexpr int    most      = 60;
         constexpr double tolerance = 1e-11;
-        double           scale     = 0;
         for (int i = 0; i < most; ++i)
           {
             const Vector6 found = link.answer_to(motion);
@@ -305,8 +304,9 @@ namespace apps
       const LinkMotionPath &path;
       int                   dimension;
       std::vector<int>      forces;
-      double                arm    = 1; ///< by which moments are compared with forces [m]
-      Vector6               motion = Vector6::Zero();
+      double                arm = 1; ///< by which moments are compared with forces [m]
+      double  scale = 0; ///< of forces that the link resists with on the path; one that opens resists less and less [N]
+      Vector6 motion = Vector6::Zero();
     };
 
     void refuse_unknown(const dem::LinkLaw &law, const LinkPair &pair, const LinkMotionPath &path)
@@ -348,10 +348,17 @@ namespace apps
     refuse_unknown(link.lawful(), pair, path);
     Holder       holder(link, pair, path);
     LinkRecorder recorder;
-    for (std::size_t row = 0; row < path.rows; ++row)
+    try
       {
-        const Vector6 force = holder.row(row);
-        link.record(recorder, force);
+        for (std::size_t row = 0; row < path.rows; ++row)
+          {
+            const Vector6 force = holder.row(row);
+            link.record(recorder, force);
+          }
+      }
+    catch (const base::NumericalError &nowhere)
+      {
+        recorder.history.broke_off = nowhere.what();
       }
     return std::move(recorder.history);
   }

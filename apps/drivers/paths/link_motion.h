@@ -50,8 +50,8 @@ namespace apps
    * displacement finds a force of the other sign. A link that is gone is followed by the contact that the law leaves, should the
    * particles touch again.
    *
+   * The path is followed as far as some motion holds the forces asked for; LinkHistory::broke_off names the row where none does.
    * @throws base::InputError for a component that the law does not know
-   * @throws base::NumericalError where no motion holds the forces asked for, with the row
    */
   LinkHistory drive(const dem::LinkLawKind   &law,
                     const dem::LinkConstants &constants,

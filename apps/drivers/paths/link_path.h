@@ -15,7 +15,7 @@ namespace apps
     std::vector<std::array<double, 2>> shear;  ///< [-], two directions across the link; as many rows as normal
   };
 
-  /** What the link answered: named columns with units, as many rows as the path. */
+  /** What the link answered: named columns with units, as many rows as the path, or as it could follow. */
   struct LinkHistory
   {
     struct Column
@@ -24,6 +24,7 @@ namespace apps
       std::vector<double> values;
     };
     std::vector<Column> columns;
+    std::string         broke_off; ///< why rows are missing at its end; "": none is
 
     /** As CSV: a header line with units, numbers in the shortest form that keeps every bit. */
     std::string as_csv() const;
