@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <sstream>
 
 namespace dem
@@ -93,7 +94,7 @@ namespace dem
       return particles;
     }
 
-    /** As much as rounding of places strains a bond, a few digits more; see EnergyAccount::rounding. */
+    /** As much as rounding of places strains a bond or a contact, a few digits more; see EnergyAccount::rounding. */
     constexpr double strain_of_rounding = 1e-11;
 
     /**
@@ -143,7 +144,6 @@ namespace dem
     for (std::size_t i = 0; i < particles.count; ++i)
       slot[particles.number[i]] = static_cast<std::int32_t>(i);
     link();
-    rounding_energy = energy_of_strain(particles, bonds, *bond_law, strain_of_rounding);
     space_per_solid = volume_per_solid(particles, shape);
     longest_step = time_step = parameters.step_factor * (bond_law->bonds() ? stable() : step_of_lone_particles());
     if (!std::isfinite(time_step))
@@ -151,6 +151,8 @@ namespace dem
         "Interaction ratio = " + base::number_text(p.interaction_ratio) +
         ": no two particles are near enough to be linked, nothing holds the specimen together. Raise "
         "the ratio or check the packing.");
+    rounding_energy = made_links > 0 ? energy_of_strain(particles, bonds, *bond_law, strain_of_rounding) :
+                                       energy_of_strained_packing(strain_of_rounding);
     if (parameters.physics.contacts)
       make_contacts(); // of what overlaps from the start
   }
@@ -226,6 +228,12 @@ namespace dem
           }));
       }
     return smallest;
+  }
+
+  double Specimen::Implementation::energy_of_strained_packing(const double strain) const
+  {
+    const double speed = 2 * smallest_radius * parameters.step_factor / longest_step;
+    return 0.5 * std::accumulate(particles.mass.begin(), particles.mass.end(), 0.0) * speed * speed * strain * strain;
   }
 
   void Specimen::Implementation::link()
