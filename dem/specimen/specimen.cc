@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <set>
 #include <sstream>
 
 namespace dem
@@ -404,8 +405,30 @@ namespace dem
     double *v = &self->particles.velocity[record_size * static_cast<std::size_t>(self->slot.at(particle))];
     std::copy_n(velocity.data(), 3, v);
     std::copy_n(spin.data(), 3, v + 3);
-    if (const std::int32_t of = self->particles.clump_of(static_cast<std::size_t>(self->slot[particle])); of >= 0)
+    const std::int32_t of = self->particles.clump_of(static_cast<std::size_t>(self->slot[particle]));
+    if (of >= 0)
       self->clumps.take_velocities(self->particles, static_cast<std::size_t>(of));
+  }
+
+  void Specimen::set_velocities(const std::vector<AskedVelocity> &asked)
+  {
+    Particles                       &p = self->particles;
+    std::set<std::size_t>            moved; // clumps
+    std::vector<std::array<bool, 6>> given(p.count, {true, true, true, true, true, true});
+    for (const AskedVelocity &one : asked)
+      {
+        const auto i = static_cast<std::size_t>(self->slot.at(one.particle));
+        for (int c = 0; c < 6; ++c)
+          p.velocity[record_size * i + c] = !one.given[c] ? 0.0 : c < 3 ? one.velocity[c] : one.spin[c - 3];
+        given[i] = one.given;
+        if (p.clump_of(i) >= 0)
+          moved.insert(static_cast<std::size_t>(p.clump_of(i)));
+      }
+    for (const std::size_t clump : moved)
+      {
+        self->clumps.take_velocities(p, clump, given);
+        self->clumps.lead(p, clump);
+      }
   }
 
   namespace
