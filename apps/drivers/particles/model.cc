@@ -55,14 +55,14 @@ namespace apps
     gauges.declare(root);
   }
 
-  void ParticlesModel::declare_course(Section &root)
+  void ParticlesModel::declare_course(Section &root, const char *const weight)
   {
     time.declare(root);
     time.declare_by_time(root);
     root.find_section("Time")
       ->number("End time", end_time, "s", Range::positive(), Need::required)
       .means("When the run ends, unless a stop condition ends it before");
-    gravity.declare(root);
+    gravity.declare(root, weight);
     stops.declare(root);
     declare_output(root, output, horizontal, vertical);
   }
