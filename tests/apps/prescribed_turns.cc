@@ -83,7 +83,7 @@ TEST_CASE("A field that particles are led by is that of the place where they are
 TEST_CASE("A group turns about an axis that moves, as one rigid body, spins included", "[apps][particles]")
 {
   const Vector3d centre(0.01, -0.02, 0.03), rate(3, -40, 25), speed(0.5, 0, -0.2);
-  LedBalls       balls({"Motion/all/Turn x=2*3*t", "Motion/all/Turn y=2*-40*t", "Motion/all/Turn z=2*25*t",
+  LedBalls       balls({"Motion/all/Turn x=6*t", "Motion/all/Turn y=-80*t", "Motion/all/Turn z=50*t",
                         "Motion/all/Centre=0.01, -0.02, 0.03", "Motion/all/Velocity x=0.5", "Motion/all/Velocity z=-0.2"});
   const Vector3d start[2] = {balls.place(0), balls.place(1)};
   balls.body->advance_to(0.3);
@@ -138,10 +138,10 @@ TEST_CASE("Turns that mean nothing are refused with the place", "[apps][particle
   refused({"Motion/ball/Turn z=100", "Motion/ball/Velocity y=x"}, "moves as a rigid body: a formula of t alone");
   refused({"Motion/ball/Turn z=100", "Motion/ball/Spin z=1"}, "the turn prescribes it already");
   refused({"Motion/ball/Turn z=100", "Motion/all/Velocity x=1"}, "which prescribes the same");
-  refused({"Motion/ball/Centre=0, 0, 1"}, "Centre");
-  refused({"Physics/Dimension=2", "More particles/ball/Centre=0, 0.025, 0", "Gravity/Acceleration=0, -9.81, 0",
-           "Motion/ball/Turn x=1"},
-          "in two dimensions");
+  refused({"Motion/ball/Centre=0, 0, 1"}, "the group does not turn");
+  REQUIRE_THROWS_WITH(LedBalls({"Physics/Dimension=2", "Specimen/Thickness=0.01",
+                                "More particles/small/Centre=-0.02, 0.03, 0", "Motion/small/Turn x=1"}),
+                      Contains("in two dimensions a group turns about z"));
 }
 
 TEST_CASE("The torque that twists eight spheres is that of their bonds about the axis", "[apps][particles]")

@@ -66,6 +66,8 @@ namespace apps
   void PrescribedFormulas::validate(const Section &section, const dem::Physics &physics) const
   {
     MotionFormulas::validate(section, physics);
+    if (!turns() && section.find_entry("Centre")->set)
+      section.refuse("Centre", "the group does not turn. Give Turn x, y or z, or leave it out.");
     if (!turns())
       return;
     PrescribedFormulas turn_alone;
