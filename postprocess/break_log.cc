@@ -36,6 +36,12 @@ namespace postprocess
     return std::to_string(pair);
   }
 
+  namespace
+  {
+    /** Number of a particle as files and messages for people have it; -1: there is none. */
+    double counted_from_one(const std::int32_t end) { return end < 0 ? -1.0 : end + 1.0; }
+  } // namespace
+
   void write_break_table(const std::filesystem::path    &path,
                          const std::vector<dem::Break>  &breaks,
                          const std::vector<std::string> &materials,
@@ -59,7 +65,7 @@ namespace postprocess
     for (const dem::Break &b : breaks)
       table.append({name_of(b.mode), name_of_pair(b.pair, materials),
                     b.surface < 0 ? "-" : surfaces.at(static_cast<std::size_t>(b.surface))},
-                   {b.time, static_cast<double>(b.step), static_cast<double>(b.ends[0]), static_cast<double>(b.ends[1]),
+                   {b.time, static_cast<double>(b.step), counted_from_one(b.ends[0]), counted_from_one(b.ends[1]),
                     static_cast<double>(b.element), b.place[0], b.place[1], b.place[2], b.normal[0], b.normal[1],
                     b.normal[2], b.area});
     table.flush();

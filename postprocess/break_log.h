@@ -18,7 +18,7 @@ namespace postprocess
   std::string name_of_pair(std::int32_t pair, const std::vector<std::string> &materials);
 
   /**
-   * A row per bond, or element of one, that broke: when, between which particles (numbers from 0, as in files for ParaView) or from which
+   * A row per bond, or element of one, that broke: when, between which particles (numbers from 1) or from which
    * surface, which element, how, where, across what, and what area it had.
    * @param surfaces their names; of breaks between particles "-" is written, and -1 for the second particle of the others @throws OutputError
    */

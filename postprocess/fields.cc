@@ -20,7 +20,8 @@ namespace postprocess
         "particles",
         "TEST_particles.pvd, cell_particles.pvd",
         "a point per particle, at its present place",
-        {{"id", "", 1, points, "number of the particle in the packing, from 0", ""},
+        {{"id", "", 1, points, "number of the particle in the packing, from 1 as in files of groups and in messages",
+          ""},
          {"radius", "m", 1, points, "of the sphere or disc", ""},
          {"displacement", "m", 3, points, "since the specimen was made", ""},
          {"velocity", "m/s", 3, points, "", ""},
@@ -43,7 +44,7 @@ namespace postprocess
         "is linked to, or to the place where it is or was glued to a surface; the points are the particles, then these "
         "images and places",
         {{"id", "", 1, points,
-          "number of the particle in the packing, from 0; an image has that of its particle, a place on a surface -1",
+          "number of the particle in the packing, from 1; an image has that of its particle, a place on a surface -1",
           ""},
          {"radius", "m", 1, points, "of the particle", ""},
          {"displacement", "m", 3, points, "of the particle, or of the image", ""},

@@ -117,7 +117,7 @@ namespace postprocess::vtk_file
   {
     auto array = make_empty<vtkIdTypeArray>(name, 1, count);
     for (std::size_t i = 0; i < count; ++i)
-      array->SetValue(static_cast<vtkIdType>(i), static_cast<vtkIdType>(i));
+      array->SetValue(static_cast<vtkIdType>(i), static_cast<vtkIdType>(i) + 1);
     return array;
   }
 

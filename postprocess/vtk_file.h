@@ -28,7 +28,7 @@ namespace postprocess::vtk_file
   Array make_array(const std::string &name, const std::vector<Eigen::Matrix3d> &values);
   /** Rows of 1, 3 (vector) or 6 numbers (symmetric tensor, in VTK's order). */
   Array make_array(const std::string &name, const std::vector<float> &values, int components);
-  /** 0, 1, ... */
+  /** 1, 2, ... */
   Array make_numbering(const std::string &name, std::size_t count);
 
   /** Names the components of a tensor as ParaView shows them. */

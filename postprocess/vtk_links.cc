@@ -44,7 +44,7 @@ namespace postprocess
         , radius(particles.radius)
       {
         for (std::size_t i = 0; i < position.size(); ++i)
-          id.push_back(static_cast<std::int32_t>(i));
+          id.push_back(static_cast<std::int32_t>(i) + 1);
         lines->AllocateExact(static_cast<vtkIdType>(links.ends.size()), static_cast<vtkIdType>(2 * links.ends.size()));
         for (std::size_t l = 0; l < links.ends.size(); ++l)
           {
@@ -72,7 +72,7 @@ namespace postprocess
 
       std::vector<Eigen::Vector3d>  position, displacement;
       std::vector<double>           radius;
-      std::vector<std::int32_t>     id; ///< of the particle
+      std::vector<std::int32_t>     id; ///< of the particle, from 1
       vtkSmartPointer<vtkCellArray> lines = vtkSmartPointer<vtkCellArray>::New();
 
     private:
@@ -81,7 +81,7 @@ namespace postprocess
         position.push_back(position[particle] + image.now);
         displacement.push_back(displacement[particle] + image.now - image.at_start);
         radius.push_back(radius[particle]);
-        id.push_back(static_cast<std::int32_t>(particle));
+        id.push_back(id[particle]);
         return position.size() - 1;
       }
     };

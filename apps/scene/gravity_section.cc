@@ -2,9 +2,9 @@
 
 namespace apps
 {
-  void GravitySection::declare(Section &root)
+  void GravitySection::declare(Section &root, const char *const meaning)
   {
-    Section &section = root.section("Gravity", "Weight of the particles");
+    Section &section = root.section("Gravity", meaning);
     section.vector("Acceleration", acceleration, "m/s^2", Range(), Need::optional)
       .means("Of what falls; 0, 0, -9.81 on earth with z upwards");
     section.choice("Initial equilibrium", start, {{"none", Start::none}, {"static", Start::statics}}, Need::optional)

@@ -18,7 +18,8 @@ namespace apps
     std::array<double, 3> acceleration = {0, 0, 0}; ///< [m/s^2]
     Start                 start        = Start::statics;
 
-    void declare(Section &root);
+    /** @param meaning of the section */
+    void declare(Section &root, const char *meaning = "Weight of the particles");
     /** @param root holds the section, as in declare() */
     void            validate(const Section &root, int dimension) const;
     Eigen::Vector3d vector() const { return {acceleration[0], acceleration[1], acceleration[2]}; }

@@ -23,7 +23,8 @@ namespace dem
     double friction      = 0; ///< dissipated by plastic sliding of links and contacts
     double released      = 0; ///< still stored in links and contacts when they were deleted
     double damping       = 0; ///< dissipated by local damping
-    double rounding      = 0; ///< no part of the balance: what a strain of 1e-11 would store in the bonds
+    double rounding =
+      0; ///< no part of the balance: what a strain of 1e-11 would store in the bonds; without bonds, in touching particles
 
     /** input - (stored + dissipated) [J]; zero when every mechanism is accounted for. */
     double residual() const

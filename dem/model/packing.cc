@@ -121,6 +121,13 @@ namespace dem
       for (std::size_t i = 0; i < packing.clump.size(); ++i)
         if (const std::int32_t body = packing.clump[i]; body >= 0)
           {
+            if (packing.bodies.empty())
+              refuse(
+                origin, i,
+                "clump = " + std::to_string(body) +
+                  ": the packing says of no rigid body what it is. In a text each is a line \"# body VOLUME X Y Z "
+                  "IXX IYY IZZ IYZ IXZ IXY\" before the first particle, in HDF5 a row of \"bodies\". Add these, or "
+                  "leave the column clump out.");
             if (static_cast<std::size_t>(body) >= packing.bodies.size())
               refuse(origin, i,
                      "clump = " + std::to_string(body) + ": there are bodies for " +

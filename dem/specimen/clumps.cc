@@ -63,6 +63,7 @@ namespace dem
     Body body;
     body.members = members;
     body.shares  = mass_shares;
+    body.planar  = planar;
     body.mass    = clump.mass;
     body.start   = clump.centre;
     body.inertia = clump.inertia;
@@ -79,7 +80,8 @@ namespace dem
   ClumpState Clumps::state(const std::size_t clump) const
   {
     const Body &body = bodies.at(clump);
-    return {body.start + body.travelled, body.velocity, body.spin, body.angular_momentum, body.turn.toRotationMatrix()};
+    return {body.start + body.travelled,  body.velocity,  body.spin, body.angular_momentum,
+            body.turn.toRotationMatrix(), body.travelled, body.mass, body.members.size()};
   }
 
   double Clumps::mass_of_pebble(const Particles &particles, const std::size_t pebble) const
@@ -89,33 +91,96 @@ namespace dem
     return body.mass * body.shares.at(static_cast<std::size_t>(at - body.members.begin()));
   }
 
-  void Clumps::take_velocities(const Particles &particles, const std::size_t clump)
+  namespace
   {
-    Body        &body = bodies.at(clump);
-    const double part = 1 / static_cast<double>(body.members.size());
-    Vector3d     mean = Vector3d::Zero(), arm = Vector3d::Zero();
-    body.spin.setZero();
-    for (std::size_t k = 0; k < body.members.size(); ++k)
+    /** Least squares for the six velocities of a body: along x, y, z, and its spin times a length. */
+    struct AskedMotion
+    {
+      using Matrix = Eigen::Matrix<double, 6, 6>;
+      using Vector = Eigen::Matrix<double, 6, 1>;
+
+      Matrix normal = Matrix::Zero();
+      Vector right  = Vector::Zero();
+
+      void add(const Vector &row, const double weight, const double value)
       {
-        const double *v = &particles.velocity[record_size * static_cast<std::size_t>(body.members[k])];
-        mean += part * Vector3d(v);
-        body.spin += part * Vector3d(v + 3);
-        arm += part * body.arms[k];
+        normal += weight * row * row.transpose();
+        right += weight * value * row;
       }
-    body.velocity         = mean - body.spin.cross(arm);
+
+      /** Of what nothing asks for there is none. */
+      Vector solution() const
+      {
+        constexpr double                            nothing = 1e-10; // of the largest
+        const Eigen::SelfAdjointEigenSolver<Matrix> modes(normal);
+        Vector                                      found = Vector::Zero();
+        for (int mode = 0; mode < 6; ++mode)
+          if (const double size = modes.eigenvalues()[mode]; size > nothing * modes.eigenvalues().maxCoeff())
+            found += modes.eigenvectors().col(mode).dot(right) / size * modes.eigenvectors().col(mode);
+        return found;
+      }
+    };
+  } // namespace
+
+  double Clumps::Body::own_gyration(const Particles &particles, const std::size_t member) const
+  {
+    const double radius = particles.radius_of(static_cast<std::size_t>(members[member]));
+    return (planar ? 1.0 / 2 : 2.0 / 5) * radius * radius;
+  }
+
+  void Clumps::take_velocities(const Particles                        &particles,
+                               const std::size_t                       clump,
+                               const std::vector<std::array<bool, 6>> &given)
+  {
+    Body  &body    = bodies.at(clump);
+    double squares = 0;
+    for (std::size_t k = 0; k < body.members.size(); ++k)
+      squares += body.shares[k] * (body.arms[k].squaredNorm() + body.own_gyration(particles, k));
+    const double length = std::sqrt(squares);
+    body.velocity.setZero();
+    body.spin.setZero();
+    for (int round = 0; round < 2; ++round) // the second one finds what rounding has left of the first
+      {
+        AskedMotion missing;
+        for (std::size_t k = 0; k < body.members.size(); ++k)
+          {
+            const auto     i     = static_cast<std::size_t>(body.members[k]);
+            const double  *asked = &particles.velocity[record_size * i];
+            const Vector3d rate  = body.velocity + body.spin.cross(body.arm(k));
+            for (int c = 0; c < 3; ++c)
+              {
+                AskedMotion::Vector along, about;
+                along << Vector3d::Unit(c), body.arm(k).cross(Vector3d::Unit(c)) / length;
+                about << Vector3d::Zero(), Vector3d::Unit(c) / length;
+                if (given.empty() || given[i][static_cast<std::size_t>(c)])
+                  missing.add(along, body.shares[k], asked[c] - rate[c]);
+                if (given.empty() || given[i][static_cast<std::size_t>(3 + c)])
+                  missing.add(about, body.shares[k] * body.own_gyration(particles, k), asked[3 + c] - body.spin[c]);
+              }
+          }
+        const AskedMotion::Vector found = missing.solution();
+        body.velocity += found.head<3>();
+        body.spin += found.tail<3>() / length;
+      }
     body.angular_momentum = body.turn * (body.inertia * (body.turn.conjugate() * body.spin));
   }
 
   void Clumps::lead(Particles &particles) const
   {
-    for (const Body &body : bodies)
-      for (std::size_t k = 0; k < body.members.size(); ++k)
-        {
-          double        *v    = &particles.velocity[record_size * static_cast<std::size_t>(body.members[k])];
-          const Vector3d rate = body.velocity + body.spin.cross(body.arm(k));
-          std::copy_n(rate.data(), 3, v);
-          std::copy_n(body.spin.data(), 3, v + 3);
-        }
+    for (std::size_t clump = 0; clump < bodies.size(); ++clump)
+      lead(particles, clump);
+  }
+
+  void Clumps::lead(Particles &particles, const std::size_t clump) const
+  {
+    const Body &body = bodies.at(clump);
+    for (std::size_t k = 0; k < body.members.size(); ++k)
+      {
+        double        *v    = &particles.velocity[record_size * static_cast<std::size_t>(body.members[k])];
+        const Vector3d rate = body.velocity + body.spin.cross(body.arm(k));
+        std::copy_n(rate.data(), 3, v);
+        std::copy_n(body.spin.data(), 3, v + 3);
+      }
   }
 
   void Clumps::sum_forces(const Body &body, const Particles &particles, Vector3d &force, Vector3d &couple)

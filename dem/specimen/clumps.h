@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -32,10 +33,15 @@ namespace dem
     /** Mass that a pebble stands for [kg]. @pre it is one */
     double mass_of_pebble(const Particles &particles, std::size_t pebble) const;
 
-    /** Velocities [m/s, rad/s] of a clump before the first step, as the mean of its pebbles'. */
-    void take_velocities(const Particles &particles, std::size_t clump);
-    /** Pebbles move as their clumps do. */
+    /**
+     * Velocities of a clump before the first step: the rigid motion nearest to its pebbles', by their masses (doc/theory/clumps.md, 1).
+     * @param given which components of each particle are asked for; empty: all
+     */
+    void
+    take_velocities(const Particles &particles, std::size_t clump, const std::vector<std::array<bool, 6>> &given = {});
+    /** Pebbles move as their clumps do, or as one of these does. */
     void lead(Particles &particles) const;
+    void lead(Particles &particles, std::size_t clump) const;
 
     /**
      * Take the step that the pass has just taken with the pebbles.
@@ -69,8 +75,9 @@ namespace dem
       std::vector<std::int32_t>    members;
       std::vector<Eigen::Vector3d> arms;   ///< of the pebbles, at the start [m]
       std::vector<double>          shares; ///< of the mass, for who asks what a pebble weighs
-      double                       mass  = 0;
-      Eigen::Vector3d              start = Eigen::Vector3d::Zero(); ///< of the centre [m]
+      bool                         planar = false;
+      double                       mass   = 0;
+      Eigen::Vector3d              start  = Eigen::Vector3d::Zero(); ///< of the centre [m]
       Eigen::Matrix3d    inertia, inverse_inertia; ///< at the start; a clump of the plane has no inverse but for z
       Eigen::Vector3d    travelled   = Eigen::Vector3d::Zero(); ///< of the centre, at the start of the step to come [m]
       Eigen::Vector3d    last_travel = Eigen::Vector3d::Zero(); ///< in the last step [m]
@@ -80,6 +87,8 @@ namespace dem
       Eigen::Vector3d    angular_momentum = Eigen::Vector3d::Zero();   ///< about the centre, likewise
 
       Eigen::Vector3d arm(std::size_t member) const { return turn * arms[member]; }
+      /** Of a pebble about its own centre: inertia over mass [m^2]. */
+      double          own_gyration(const Particles &particles, std::size_t member) const;
       Eigen::Vector3d spin_of(const Eigen::Quaterniond &turned, const Eigen::Vector3d &momentum) const;
       /** Turn on for a time [s] with the angular momentum as it is. */
       void turn_on(double time);

@@ -142,6 +142,8 @@ namespace dem
     void remove_contacts_within_bodies();
     /** Stable step (5.1) of particles that have no links yet: for as many contacts as equal spheres can have at once [s]. */
     double step_of_lone_particles() const;
+    /** Of particles that no bonds join, as if they touched all around with the stiffness that the time step allows for [J]. */
+    double energy_of_strained_packing(double strain) const;
     /** Of a pebble the part that it stands for of its clump's [kg]. */
     double mass_of(const std::size_t i) const
     {

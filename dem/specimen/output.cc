@@ -81,6 +81,8 @@ namespace dem
 
   double Specimen::mean_damage() const
   {
+    if (self->made_links == 0)
+      return 0.0;
     double     sum = static_cast<double>(self->crack_log.size() / 2);
     LinkReader reader(self->particles, self->bonds, *self->bond_law);
     for (std::size_t l = 0; l < self->bonds.count; ++l)

@@ -188,4 +188,10 @@ namespace dem
   std::size_t Specimen::clumps() const { return self->clumps.size(); }
 
   ClumpState Specimen::clump(const std::size_t number) const { return self->clumps.state(number); }
+
+  std::optional<std::size_t> Specimen::clump_of(const std::size_t particle) const
+  {
+    const std::int32_t clump = self->particles.clump_of(static_cast<std::size_t>(self->slot.at(particle)));
+    return clump < 0 ? std::nullopt : std::optional<std::size_t>(clump);
+  }
 } // namespace dem

@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <set>
 #include <sstream>
 
 namespace dem
@@ -93,7 +95,7 @@ namespace dem
       return particles;
     }
 
-    /** As much as rounding of places strains a bond, a few digits more; see EnergyAccount::rounding. */
+    /** As much as rounding of places strains a bond or a contact, a few digits more; see EnergyAccount::rounding. */
     constexpr double strain_of_rounding = 1e-11;
 
     /**
@@ -143,7 +145,6 @@ namespace dem
     for (std::size_t i = 0; i < particles.count; ++i)
       slot[particles.number[i]] = static_cast<std::int32_t>(i);
     link();
-    rounding_energy = energy_of_strain(particles, bonds, *bond_law, strain_of_rounding);
     space_per_solid = volume_per_solid(particles, shape);
     longest_step = time_step = parameters.step_factor * (bond_law->bonds() ? stable() : step_of_lone_particles());
     if (!std::isfinite(time_step))
@@ -151,6 +152,8 @@ namespace dem
         "Interaction ratio = " + base::number_text(p.interaction_ratio) +
         ": no two particles are near enough to be linked, nothing holds the specimen together. Raise "
         "the ratio or check the packing.");
+    rounding_energy = made_links > 0 ? energy_of_strain(particles, bonds, *bond_law, strain_of_rounding) :
+                                       energy_of_strained_packing(strain_of_rounding);
     if (parameters.physics.contacts)
       make_contacts(); // of what overlaps from the start
   }
@@ -226,6 +229,12 @@ namespace dem
           }));
       }
     return smallest;
+  }
+
+  double Specimen::Implementation::energy_of_strained_packing(const double strain) const
+  {
+    const double speed = 2 * smallest_radius * parameters.step_factor / longest_step;
+    return 0.5 * std::accumulate(particles.mass.begin(), particles.mass.end(), 0.0) * speed * speed * strain * strain;
   }
 
   void Specimen::Implementation::link()
@@ -396,8 +405,30 @@ namespace dem
     double *v = &self->particles.velocity[record_size * static_cast<std::size_t>(self->slot.at(particle))];
     std::copy_n(velocity.data(), 3, v);
     std::copy_n(spin.data(), 3, v + 3);
-    if (const std::int32_t of = self->particles.clump_of(static_cast<std::size_t>(self->slot[particle])); of >= 0)
+    const std::int32_t of = self->particles.clump_of(static_cast<std::size_t>(self->slot[particle]));
+    if (of >= 0)
       self->clumps.take_velocities(self->particles, static_cast<std::size_t>(of));
+  }
+
+  void Specimen::set_velocities(const std::vector<AskedVelocity> &asked)
+  {
+    Particles                       &p = self->particles;
+    std::set<std::size_t>            moved; // clumps
+    std::vector<std::array<bool, 6>> given(p.count, {true, true, true, true, true, true});
+    for (const AskedVelocity &one : asked)
+      {
+        const auto i = static_cast<std::size_t>(self->slot.at(one.particle));
+        for (int c = 0; c < 6; ++c)
+          p.velocity[record_size * i + c] = !one.given[c] ? 0.0 : c < 3 ? one.velocity[c] : one.spin[c - 3];
+        given[i] = one.given;
+        if (p.clump_of(i) >= 0)
+          moved.insert(static_cast<std::size_t>(p.clump_of(i)));
+      }
+    for (const std::size_t clump : moved)
+      {
+        self->clumps.take_velocities(p, clump, given);
+        self->clumps.lead(p, clump);
+      }
   }
 
   namespace

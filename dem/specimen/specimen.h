@@ -19,6 +19,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace dem
@@ -221,6 +222,8 @@ namespace dem
     std::size_t add_clump(const RigidClump &clump);
     std::size_t clumps() const;
     ClumpState  clump(std::size_t number) const;
+    /** The clump that a particle is a pebble of; none: it moves on its own. @param particle by packing number */
+    std::optional<std::size_t> clump_of(std::size_t particle) const;
 
     /** Prescribe motion of a group from now on. @return its number for reaction(). @throws base::InputError in a periodic cell */
     std::size_t add_grip(const Grip &grip);
@@ -327,6 +330,11 @@ namespace dem
 
     /** Set velocities (by packing number) before the first step; they count as initial energy. In a periodic cell: about its motion. */
     void set_velocity(std::size_t particle, const Eigen::Vector3d &velocity, const Eigen::Vector3d &spin);
+    /**
+   * The same for many at once, each of them once. A clump takes the rigid motion that is nearest to what is asked of its pebbles
+   * (doc/theory/clumps.md, 1); those of which nothing is asked are to rest.
+   */
+    void set_velocities(const std::vector<AskedVelocity> &asked);
 
     EnergyAccount   energy() const;                     ///< at t_n of the last step
     double          kinetic_energy() const;             ///< of it, for who asks often: no link is looked at [J]

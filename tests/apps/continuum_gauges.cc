@@ -4,6 +4,7 @@
 #include "apps/drivers/continuum/solid.h"
 #include "apps/drivers/read_scene.h"
 #include "apps/process/mpi_session.h"
+#include "tests/apps/scene_runs.h"
 #include "tests/apps/scratch_folder.h"
 
 #include <catch2/catch.hpp>
@@ -93,6 +94,22 @@ TEST_CASE("Gauges of a solid read loads, reactions, displacements and energies a
   CHECK(bar_gauges.gauges.first_reaction() == "reaction_left_x");
   CHECK(read.count("load_y") == 0); // nothing acts along it
   CHECK(read.count("reaction_right_x") == 0);
+}
+
+TEST_CASE("Where two boundaries hold the same nodes, a total counts these once and balances the load", "[apps]")
+{
+  const ScratchFolder folder;
+  folder.file("x.prm",
+              bar("subsection Boundary conditions\n  subsection bottom\n    set Displacement x = 0\n  end\nend\n"));
+  const auto   series = results_of(folder, "x.prm").series;
+  const double load = series.column("load_x").back(), total = series.column("total_reaction_x").back();
+  REQUIRE(load > 0);
+  CHECK(total == Approx(-load).epsilon(1e-9));
+  // The corner belongs to both.
+  const double both = series.column("reaction_left_x").back() + series.column("reaction_bottom_x").back();
+  CHECK(std::abs(both - total) > 1e-3 * load);
+  for (const std::string &name : series.names)
+    CHECK(name != "total_reaction_y"); // along y one boundary holds
 }
 
 TEST_CASE("Gauges count as dissipated what materials say, or else what a solid that need not be elastic does not store",

@@ -78,6 +78,17 @@ TEST_CASE("check says the longest duration of a run that a stop condition may en
     CHECK_THAT(said, Contains("duration     at most "));
 }
 
+TEST_CASE("check says that local damping slows the fall of particles without bonds, and only theirs", "[apps]")
+{
+  const std::string slowed = "what falls freely falls at ";
+  const std::string damped = forecasts_of({"bouncing_sphere.prm"}, {"-s", "Time/Damping=0.7"}).front();
+  CHECK_THAT(damped, Contains(slowed + "0.3 of the acceleration, for 1.83 of the time"));
+  const std::string free   = forecasts_of({"bouncing_sphere.prm"}).front();
+  const std::string bonded = forecasts_of({"bonded_beam.prm"}, {"-s", "Time/Damping=0.7"}).front();
+  CHECK_THAT(free, !Contains(slowed));
+  CHECK_THAT(bonded, !Contains(slowed));
+}
+
 TEST_CASE("check forecasts without a folder for temporary files", "[apps]")
 {
   const ScratchFolder folder;

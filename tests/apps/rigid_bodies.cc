@@ -129,6 +129,52 @@ TEST_CASE("A shape takes the particles inside it, or those of a group, with its 
                       "Groups/stone/Upper=0.02, 0.02, 0"}) == Approx(0.1 * 100 / mass).epsilon(1e-2));
 }
 
+TEST_CASE("A body whose particles are given a turn turns as a whole, and gauges read the body", "[apps][particles]")
+{
+  const ScratchFolder folder;
+  // The brick alone moves, far from all others: 30 mm x 15 mm x 10 mm.
+  const std::vector<std::string> still = {"Gravity/Acceleration=0, 0, 0",
+                                          "Initial velocity/cube/Velocity x=0",
+                                          "Time/Damping=0",
+                                          "Time/End time=2e-4",
+                                          "Output/Samples=4",
+                                          "Output/Snapshots=0",
+                                          "Gauges/turning/Quantity=kinetic energy",
+                                          "Gauges/turning/Group=brick"};
+  const double mass = 2650 * 4.5e-6, I = mass / 12 * (0.03 * 0.03 + 0.01 * 0.01), energy = 0.5 * I * 1e4;
+  CHECK(energy == Approx(4.969e-3).epsilon(1e-3));
+  for (const std::vector<std::string> &field :
+       {std::vector<std::string>{"Initial velocity/brick/Velocity z=-100*(x-0.04)"},
+        std::vector<std::string>{"Initial velocity/brick/Velocity z=-100*(x-0.04)",
+                                 "Initial velocity/brick/Velocity x=100*(z-0.03)"},
+        std::vector<std::string>{"Initial velocity/brick/Spin y=100"}})
+    {
+      std::vector<std::string> changes = still;
+      changes.insert(changes.end(), field.begin(), field.end());
+      const Results found = results_of(folder, tumbling, changes);
+      for (const char *column : {"turning", "energy_kinetic"})
+        for (const double value : found.series.column(column))
+          CHECK(value == Approx(energy).epsilon(1e-6));
+    }
+}
+
+TEST_CASE("The place of a body is that of its shape, wherever its particles lie", "[apps][particles]")
+{
+  const ScratchFolder folder;
+  folder.file("discs.txt", grid());
+  folder.file("x.prm", plate);
+  const Results found =
+    results_of(folder, "x.prm",
+               {"Forces/stone/Force x=0", "Initial velocity/stone/Velocity y=0.3", "Gauges/x/Quantity=position",
+                "Gauges/x/Group=stone", "Gauges/x/Component=x", "Gauges/way/Quantity=displacement",
+                "Gauges/way/Group=stone", "Gauges/way/Component=y"});
+  // A square of 30 by 20 mm and a triangle of 10 by 20 beside it.
+  const double centre = (6 * 0.015 + 1 * (0.03 + 0.01 / 3)) / 7;
+  for (const double x : found.series.column("x"))
+    CHECK(x == Approx(centre).epsilon(1e-12));
+  CHECK(found.series.column("way").back() == Approx(0.3 * found.series.column("time").back()).epsilon(1e-9));
+}
+
 TEST_CASE("Bodies that are none are refused with the place", "[apps][particles][S14]")
 {
   const ScratchFolder folder;

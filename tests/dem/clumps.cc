@@ -1,4 +1,5 @@
 // Particles that move as one rigid body: doc/theory/clumps.md.
+#include "dem/observation/group_motion.h"
 #include "facets_fixture.h"
 #include "memory_state.h"
 
@@ -100,6 +101,98 @@ TEST_CASE("a clump that nothing acts on keeps its angular momentum and its shape
       else
         CHECK((now.spin - spin).norm() > 0.1 * spin.norm()); // it does tumble
     }
+}
+
+TEST_CASE("a clump takes the momentum that is asked of its pebbles, and their angular momentum as far as a body can",
+          "[dem][clumps]")
+{
+  for (const int dimension : {2, 3})
+    {
+      dem::Packing packing = balls(bent, R);
+      packing.radius       = {R, 0.5 * R, 0.7 * R};
+      dem::Specimen   body(packing, loose(dimension), contact());
+      dem::RigidClump clump;
+      clump.particles = {0, 1, 2};
+      std::vector<double> mass;
+      Vector3d            middle = Vector3d::Zero(); // of the pebbles; the body's own centre lies elsewhere
+      double              whole  = 0;
+      for (std::size_t i = 0; i < 3; ++i)
+        {
+          mass.push_back(body.particle(i).mass);
+          whole += mass[i];
+          middle += mass[i] * bent[i];
+        }
+      middle /= whole;
+      clump.mass    = 3 * whole;
+      clump.centre  = middle + Vector3d(1e-3, -2e-3, 0);
+      clump.inertia = clump.mass * 1e-4 * Vector3d(1, 2, 3).asDiagonal();
+      body.add_clump(clump);
+
+      const std::vector<Vector3d>     asked = {{0.3, -0.1, 0}, {0.05, 0.2, 0}, {-0.1, 0.4, 0}};
+      std::vector<dem::AskedVelocity> all;
+      for (std::size_t i = 0; i < 3; ++i)
+        all.push_back({i, asked[i], Vector3d::Zero(), {true, true, true, false, false, false}});
+      body.set_velocities(all);
+      const dem::ClumpState found    = body.clump(0);
+      Vector3d              momentum = Vector3d::Zero(), there = momentum, turning = momentum, turns = momentum;
+      for (std::size_t i = 0; i < 3; ++i)
+        {
+          const Vector3d rate = found.velocity + found.spin.cross(bent[i] - clump.centre);
+          momentum += mass[i] * asked[i];
+          there += mass[i] * rate;
+          turning += mass[i] * (bent[i] - middle).cross(asked[i]);
+          turns += mass[i] * (bent[i] - middle).cross(rate);
+          CHECK((body.particles().velocity[i] - rate).norm() < 1e-13);
+        }
+      CHECK((there - momentum).norm() < 1e-13 * momentum.norm());
+      CHECK((turns - turning).norm() < 1e-13 * turning.norm());
+      CHECK(found.kinetic_energy() == Approx(0.5 * clump.mass * found.velocity.squaredNorm() +
+                                             0.5 * clump.inertia(2, 2) * std::pow(found.spin.z(), 2)));
+      CHECK(body.energy().kinetic == Approx(found.kinetic_energy()).epsilon(1e-13));
+    }
+}
+
+TEST_CASE("a clump of which one component of a turn is asked turns as a whole, and so it does by its spin",
+          "[dem][clumps]")
+{
+  const Vector3d spin(0, 0, 80);
+  for (const bool by_spin : {false, true})
+    {
+      dem::Specimen                   body   = with_clump(bent, loose(3));
+      const Vector3d                  centre = body.clump(0).position;
+      std::vector<dem::AskedVelocity> asked;
+      for (std::size_t i = 0; i < 3; ++i)
+        asked.push_back(by_spin ? dem::AskedVelocity{i, {}, spin, {false, false, false, false, false, true}} :
+                                  dem::AskedVelocity{i, spin.cross(bent[i] - centre), {}, {false, true}});
+      body.set_velocities(asked);
+      CHECK((body.clump(0).spin - spin).norm() < 1e-12 * spin.norm());
+      CHECK(body.clump(0).velocity.norm() < 1e-13);
+    }
+}
+
+TEST_CASE("a group counts the bodies that lie in it whole as bodies, and of others the pebbles", "[dem][clumps]")
+{
+  dem::Specimen         both = with_clump(bent_and({0.1, 0, 0}), loose(3));
+  const dem::ClumpState body = both.clump(0);
+  const double          ball = both.particle(3).mass, speed = 0.4;
+  const Vector3d        spin(3, -2, 5);
+  for (std::size_t i = 0; i < 3; ++i)
+    both.set_velocity(i, spin.cross(bent[i] - body.position), spin);
+  both.set_velocity(3, {speed, 0, 0}, Vector3d::Zero());
+  both.advance(1000);
+  const dem::ParticleOutput seen = both.particles();
+  const dem::ClumpState     now  = both.clump(0);
+  const dem::GroupMotion whole = dem::motion_of(both, seen, {0, 1, 2}), all = dem::motion_of(both, seen, {0, 1, 2, 3}),
+                         part = dem::motion_of(both, seen, {1, 2});
+  CHECK(whole.mass == Approx(body.mass).epsilon(1e-14));
+  CHECK((whole.position - now.position).norm() < 1e-15);
+  CHECK((whole.travelled - now.travelled).norm() < 1e-15);
+  CHECK(whole.kinetic_energy == Approx(0.5 * now.spin.dot(now.angular_momentum)).epsilon(1e-12));
+  CHECK(all.kinetic_energy == Approx(whole.kinetic_energy + 0.5 * ball * speed * speed).epsilon(1e-12));
+  const Vector3d centre = (body.mass * now.position + ball * seen.position[3]) / (body.mass + ball);
+  CHECK((all.position - centre).norm() < 1e-15);
+  CHECK((part.position - 0.5 * (seen.position[1] + seen.position[2])).norm() < 1e-15);
+  CHECK(part.mass == Approx(2.0 / 3 * body.mass).epsilon(1e-14));
 }
 
 TEST_CASE("a clump answers a force through its centre as one mass, and beside it as its inertia says", "[dem][clumps]")

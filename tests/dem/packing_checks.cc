@@ -44,6 +44,13 @@ TEST_CASE("a packing without particles, or with columns that do not fit, is refu
     packing = {};
     REQUIRE_THROWS_WITH(refusal(), Contains("a.txt: no particle"));
   }
+  SECTION("pebbles of bodies that nothing is said of")
+  {
+    packing.clump = {0, 0};
+    REQUIRE_THROWS_WITH(refusal(), Contains("# body VOLUME X Y Z IXX IYY IZZ IYZ IXZ IXY"));
+    packing.clump = {-1, -1};
+    REQUIRE_NOTHROW(refusal());
+  }
   SECTION("columns of unequal length")
   {
     packing.radius.pop_back();

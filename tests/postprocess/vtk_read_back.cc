@@ -83,7 +83,7 @@ TEST_CASE("VTK reads back every value of the particles", "[postprocess]")
       REQUIRE(values->GetArray("damage")->GetTuple1(i) == particles.damage[i]);
       REQUIRE(values->GetArray("broken_links")->GetTuple1(i) == i % 4);
       REQUIRE(values->GetArray("phase")->GetTuple1(i) == 0);
-      REQUIRE(values->GetArray("id")->GetTuple1(i) == i);
+      REQUIRE(values->GetArray("id")->GetTuple1(i) == i + 1);
     }
 }
 
@@ -162,7 +162,7 @@ TEST_CASE("a link to a periodic image is a line to that image, not across the ce
   CHECK(end(1) == particles.position[2] + image.now);
   const vtkIdType     at     = data->GetCell(1)->GetPointId(1);
   vtkPointData *const points = data->GetPointData();
-  CHECK(points->GetArray("id")->GetTuple1(at) == 2);
+  CHECK(points->GetArray("id")->GetTuple1(at) == 2 + 1);
   CHECK(points->GetArray("radius")->GetTuple1(at) == particles.radius[2]);
   CHECK(points->GetArray("displacement")->GetComponent(at, 0) == Approx(particles.displacement[2].x() - 0.03));
   CHECK(data->GetCellData()->GetArray("to_image")->GetTuple1(0) == 0);

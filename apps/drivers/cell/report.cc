@@ -26,6 +26,13 @@ namespace apps
       return {{"time", s.time}, {"strain", vector_of(s.strain)}, {"stress", vector_of(s.stress)}};
     }
 
+    std::string text_of(const dem::StressAtEnd &end)
+    {
+      return fmt::format("at the end of leg {} stress {} is {:.4g} Pa, with {:.4g} Pa asked, at strain {:.3g}",
+                         end.leg + 1, base::voigt_names[static_cast<std::size_t>(end.component)], end.is, end.asked,
+                         end.strain);
+    }
+
     /** Component whose strain spans most. */
     int leading_component(const std::vector<dem::CellSample> &curve)
     {
@@ -40,6 +47,32 @@ namespace apps
       return static_cast<int>(at);
     }
   } // namespace
+
+  std::string CellReport::ended_by() const { return test.not_reached() ? "stress not reached" : "end of the path"; }
+
+  std::string CellReport::reason() const
+  {
+    const dem::StressAtEnd &end   = test.stresses_at_ends().back();
+    const dem::Counts       count = specimen.counts();
+    return end.at_limit ? "More strain would pass Loading/Strain limit: the cell cannot carry it, or "
+                          "its particles are still apart." :
+           count.contacts + count.links == 0 ? "No two particles touch yet: the leg needs more time." :
+                                               "The cell cannot carry it, or the leg needs more time.";
+  }
+
+  std::vector<std::string> CellReport::warnings() const
+  {
+    std::vector<std::string> found;
+    for (const dem::StressAtEnd &end : test.stresses_at_ends())
+      if (end.inaccurate() && !end.at_limit && !end.missed())
+        found.push_back(text_of(end) + ", and more than a tenth off. A longer leg, or more Time/Damping, leaves fewer "
+                                       "waves.");
+    if (test.not_reached())
+      found.push_back("Not reached: " + text_of(test.stresses_at_ends().back()) + ". " + reason());
+    if (const std::string doubt = overlap_warning(specimen.counts().deepest_overlap); !doubt.empty())
+      found.push_back(doubt);
+    return found;
+  }
 
   nlohmann::json CellReport::summary() const
   {
@@ -63,15 +96,14 @@ namespace apps
                                {"least_stress", {{"value", vector_of(least)}, {"unit", "Pa"}}},
                                {"end", sample_of(test.curve().back())}};
     summary["localisation"] = localisation;
-    summary["warnings"]     = nlohmann::json::array();
-    if (const std::string doubt = overlap_warning(specimen.counts().deepest_overlap); !doubt.empty())
-      summary["warnings"].push_back(doubt);
-    summary["energy"] = json_of(specimen.energy(), worst_balance_error);
-    summary["cost"]   = {{"particles", specimen.counts().particles},
-                         {"links", specimen.counts().links},
-                         {"steps", specimen.steps()},
-                         {"threads", omp_get_max_threads()},
-                         {"wall_seconds", wall_seconds}};
+    summary["ended_by"]     = ended_by();
+    summary["warnings"]     = warnings();
+    summary["energy"]       = json_of(specimen.energy(), worst_balance_error);
+    summary["cost"]         = {{"particles", specimen.counts().particles},
+                               {"links", specimen.counts().links},
+                               {"steps", specimen.steps()},
+                               {"threads", omp_get_max_threads()},
+                               {"wall_seconds", wall_seconds}};
     materials.put_into(summary);
     return summary;
   }
@@ -112,6 +144,9 @@ namespace apps
         "localised    from time {:.4g} s, in a band {:.3g} m thick with normal ({:.2f}, {:.2f}, {:.2f}): from "
         "there the average over the cell is no material property\n",
         found->onset.time, found->band.thickness, found->band.normal[0], found->band.normal[1], found->band.normal[2]);
+    text += fmt::format("ended by     {}\n", ended_by());
+    for (const std::string &warning : warnings())
+      text += fmt::format("warning      {}\n", warning);
     text += fmt::format("energy       balance error {:.1e} at worst\n", worst_balance_error);
     text += fmt::format("cost         {}, {} steps with {} threads\n", duration_text(wall_seconds), specimen.steps(),
                         omp_get_max_threads());

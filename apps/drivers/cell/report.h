@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace apps
 {
@@ -20,10 +21,15 @@ namespace apps
     const MaterialCounts &materials;
     double                worst_balance_error, wall_seconds;
 
-    /** summary.json: extremes of stress, localisation, cost, energy. */
+    /** summary.json: extremes of stress, localisation, how it ended, cost, energy. */
     nlohmann::json summary() const;
     /** curve.png: every stress over the strain that moved most. @return what went wrong, "" if nothing. */
     std::string draw_curve(const std::filesystem::path &file) const;
     std::string text() const;
+
+  private:
+    std::string              ended_by() const; ///< "end of the path", or "stress not reached"
+    std::string              reason() const;   ///< of the latter
+    std::vector<std::string> warnings() const;
   };
 } // namespace apps

@@ -59,7 +59,7 @@ namespace apps
     section.number("Servo time", servo_time, "-", Range::positive(), Need::optional)
       .means("Time constant with which stresses are reached, over the time of a pressure wave across the cell");
     section.number("Strain limit", strain_limit, "-", Range::positive(), Need::optional)
-      .means("Largest strain that may be used to reach a stress; beyond, the cell cannot carry it and the run stops");
+      .means("Largest strain that may be used to reach a stress; beyond, the cell cannot carry it and the path ends");
     section.number("Localised above", localised_above, "-", Range::between(0.01, 0.99), Need::optional)
       .means("Concentration of the strength lost since softening began at which the cell counts as localised; 0.5: a "
              "band of 60 % of it");
@@ -138,6 +138,8 @@ namespace apps
     text += fmt::format("  particles    {}\n", body.counts().particles);
     text += fmt::format("  links        {}\n", body.counts().links);
     text += MaterialCounts(packing.material_names, body).text();
+    if (!test.holds_together())
+      text += "  joined       not against every strain: stresses are reached only once particles touch\n";
     text += fmt::format("  time step    {:.4g} s\n", body.time_step());
     const double steps = duration / body.time_step();
     text += fmt::format("  steps        {:.0f}\n", steps);

@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <set>
 
 namespace apps
 {
@@ -60,10 +61,30 @@ namespace apps
           {
             throw base::InputError(p->place.text() + ": Points/" + p->name + ": " + refusal.what());
           }
+    add_totals();
     watch_histories();
     fem::Vector rest = solid.make_vector();
     rest.update_ghost_values();
     start_at(rest);
+  }
+
+  template <int dim>
+  void ContinuumGauges<dim>::add_totals()
+  {
+    const std::size_t sets = reactions.size();
+    for (unsigned int c = 0; c < dim; ++c)
+      {
+        std::set<dealii::types::global_dof_index> all;
+        std::size_t                               counted_each = 0;
+        for (std::size_t r = 0; r < sets; ++r)
+          if (reactions[r].name.back() == "xyz"[c])
+            {
+              all.insert(reactions[r].dofs.begin(), reactions[r].dofs.end());
+              counted_each += reactions[r].dofs.size();
+            }
+        if (sum(counted_each - all.size(), solid.communicator()) > 0)
+          reactions.push_back({std::string("total_reaction_") + "xyz" [c], { all.begin(), all.end() }});
+      }
   }
 
   template <int dim>

@@ -64,6 +64,8 @@ namespace apps
       std::vector<double> count;   ///< of points that have each counted one
     };
 
+    /** Along components in which several boundaries or supports hold the same nodes: their sum, in which these count once. */
+    void   add_totals();
     void   watch_histories();
     Points read_points(const fem::Vector &displacement, double work) const;
 

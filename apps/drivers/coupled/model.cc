@@ -15,7 +15,8 @@ namespace apps
     couplings.declare(scene);
     handshakes.declare(scene, continuum);
     particles.gravity.start = GravitySection::Start::none;
-    particles.declare_course(scene);
+    particles.declare_course(scene,
+                             "Weight of everything, particles and solid: the solid needs no other load for its own");
     scene.find_section("Gravity")
       ->find_entry("Acceleration")
       ->means("Of all that falls; 0, 0, -9.81 on earth with z upwards");

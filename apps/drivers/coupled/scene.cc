@@ -1,6 +1,7 @@
 #include "apps/drivers/coupled/scene.h"
 
 #include "apps/drivers/coupled/run.h"
+#include "apps/drivers/particles/damped_fall.h"
 #include "apps/drivers/particles/piled_up.h"
 #include "apps/drivers/parts/duration.h"
 #include "apps/drivers/parts/material_counts.h"
@@ -86,6 +87,7 @@ namespace apps
     text += fmt::format("  window       {:.4g} s: {} of the solid, {} of the particles\n", steps.window,
                         steps.solid_steps == 1 ? "one step" : fmt::format("{} steps", steps.solid_steps),
                         steps.particle_steps);
+    text += damped_fall_line(model.particles);
     if (start)
       text += fmt::format("  start        {}\n", text_of(*start));
     const char *fewer = model.particles.stops.stops.empty() ? "" : ", fewer where a stop condition comes first";

@@ -85,6 +85,7 @@ namespace apps
   void ParticlesBody::visit_state(base::StateVisitor &visitor)
   {
     body.visit_state(visitor);
+    motion.visit_state(visitor);
     if (lab)
       lab->visit_state(visitor);
   }

@@ -2,6 +2,7 @@
 
 #include "apps/scene/nearest_name.h"
 #include "apps/scene/same_name.h"
+#include "dem/observation/group_motion.h"
 
 #include <algorithm>
 #include <cctype>
@@ -18,6 +19,7 @@ namespace apps
               {"distance", Quantity::distance},
               {"reaction", Quantity::reaction},
               {"reaction moment", Quantity::reaction_moment},
+              {"reaction torque", Quantity::reaction_torque},
               {"wall force", Quantity::wall_force},
               {"wall moment", Quantity::wall_moment},
               {"wall travel", Quantity::wall_travel},
@@ -27,18 +29,23 @@ namespace apps
               {"broken links", Quantity::broken_links},
               {"unbalanced ratio", Quantity::unbalanced_ratio}},
              Need::required)
-      .means("position, displacement, velocity: of the centre of mass of the group; distance: from it to that of the "
-             "other group; reaction: force that the prescribed motion exerts on the group; reaction moment: sum of its "
-             "moments on the particles about their own centres; wall force, wall moment: of the particles on the wall, "
-             "about the "
-             "origin; wall travel: of the wall since the start; wall impulse: momentum that it has taken; force: of "
-             "links, contacts and walls on the group, from all that is not of it; kinetic "
-             "energy: of the group; broken links: that have "
-             "an end in it; unbalanced ratio: mean force on all free particles over mean force of links and contacts");
+      .means(
+        "position, displacement, velocity: of the centre of mass of the group; distance: from it to that of the "
+        "other group; reaction: force that the prescribed motion exerts on the group; reaction moment: sum of its "
+        "moments on the particles about their own centres; reaction torque: moment of its forces and moments about "
+        "Point; wall force, wall moment: of the particles on the wall, the moment about Point; wall travel: of the "
+        "wall since the start; wall impulse: momentum that it has taken; force: of "
+        "links, contacts and walls on the group, from all that is not of it; kinetic "
+        "energy: of the group; broken links: that have "
+        "an end in it; unbalanced ratio: mean force on all free particles over mean force of links and contacts");
     s.text("Group", group, Need::optional).means("What is measured");
     s.text("Wall", wall, Need::required)
       .means("Of section Walls")
       .only_if([this] { return of_wall(); }, "Quantity is of a wall");
+    s.vector("Point", point, "m", Range(), Need::optional)
+      .means("About which the moment is taken; it stays where it is. In two dimensions z is 0")
+      .only_if([this] { return quantity == Quantity::reaction_torque || quantity == Quantity::wall_moment; },
+               "Quantity is reaction torque or wall moment");
     s.text("Other group", other, Need::required)
       .means("To which the distance is measured")
       .only_if([this] { return quantity == Quantity::distance; }, "Quantity = distance");
@@ -59,8 +66,8 @@ namespace apps
     if (of_wall() && !walls.knows(wall))
       section.refuse("Wall", "there is no such wall. " + did_you_mean(wall, walls.names()));
     const bool held = std::any_of(motion.motions.begin(), motion.motions.end(),
-                                  [&](const MotionFormulas &m) { return same_name(m.group, group); });
-    if ((quantity == Quantity::reaction || quantity == Quantity::reaction_moment) && !held)
+                                  [&](const PrescribedFormulas &m) { return same_name(m.group, group); });
+    if (of_grip() && !held)
       section.refuse("Group", "only a group of section Motion has a reaction.");
   }
 
@@ -75,6 +82,7 @@ namespace apps
       case Quantity::force:
         return "N";
       case Quantity::reaction_moment:
+      case Quantity::reaction_torque:
       case Quantity::wall_moment:
         return "N m";
       case Quantity::wall_impulse:
@@ -131,31 +139,10 @@ namespace apps
   namespace
   {
     using Quantity = GaugeSection::Quantity;
-    using Vectors  = std::vector<Eigen::Vector3d>;
 
-    Eigen::Vector3d
-    mean(const Vectors &of, const std::vector<std::size_t> &members, const dem::ParticleOutput &particles)
+    dem::GroupMotion motion_of(const std::string &group, const ObservedSpecimen &seen)
     {
-      Eigen::Vector3d sum  = Eigen::Vector3d::Zero();
-      double          mass = 0;
-      for (const std::size_t i : members)
-        {
-          sum += particles.mass[i] * of[i];
-          mass += particles.mass[i];
-        }
-      return sum / mass;
-    }
-
-    /** Of translation and rotation, by the velocities half a step ago [J]. */
-    double kinetic_energy(const std::vector<std::size_t> &members, const ObservedSpecimen &seen)
-    {
-      const dem::ParticleOutput &p      = seen.particles;
-      const double               gyrate = seen.specimen.parameters().physics.dimension == 3 ? 2.0 / 5 : 1.0 / 2;
-      double                     sum    = 0;
-      for (const std::size_t i : members)
-        sum += 0.5 * p.mass[i] *
-               (p.velocity[i].squaredNorm() + gyrate * p.radius[i] * p.radius[i] * p.angular_velocity[i].squaredNorm());
-      return sum;
+      return dem::motion_of(seen.specimen, seen.particles, seen.groups.at(group));
     }
 
     /** Not a number where particles are joined by nothing. */
@@ -168,32 +155,33 @@ namespace apps
 
     Eigen::Vector3d vector_of(const GaugeSection &gauge, const ObservedSpecimen &seen)
     {
-      const auto                &members = seen.groups.at(gauge.group);
-      const dem::ParticleOutput &p       = seen.particles;
       switch (gauge.quantity)
         {
         case Quantity::displacement:
-          return mean(p.displacement, members, p);
+          return motion_of(gauge.group, seen).travelled;
         case Quantity::velocity:
-          return mean(p.velocity, members, p);
+          return motion_of(gauge.group, seen).velocity;
         case Quantity::distance:
-          return mean(p.position, seen.groups.at(gauge.other), p) - mean(p.position, members, p);
+          return motion_of(gauge.other, seen).position - motion_of(gauge.group, seen).position;
         case Quantity::reaction:
           return seen.motion.reaction(gauge.group);
         case Quantity::reaction_moment:
           return seen.motion.reaction_moment(gauge.group);
+        case Quantity::reaction_torque:
+          return seen.motion.reaction_torque(gauge.group, gauge.about());
         case Quantity::wall_force:
           return seen.walls.surface(gauge.wall).total_force;
         case Quantity::wall_moment:
-          return seen.walls.surface(gauge.wall).total_moment;
+          return seen.walls.surface(gauge.wall).total_moment -
+                 gauge.about().cross(seen.walls.surface(gauge.wall).total_force);
         case Quantity::wall_travel:
           return seen.walls.surface(gauge.wall).travel;
         case Quantity::force:
-          return seen.specimen.force_on(members);
+          return seen.specimen.force_on(seen.groups.at(gauge.group));
         case Quantity::wall_impulse:
           return seen.walls.surface(gauge.wall).momentum;
         default:
-          return mean(p.position, members, p);
+          return motion_of(gauge.group, seen).position;
         }
     }
   } // namespace
@@ -201,7 +189,7 @@ namespace apps
   double value_of(const GaugeSection &gauge, const ObservedSpecimen &seen)
   {
     if (gauge.quantity == Quantity::kinetic_energy)
-      return kinetic_energy(seen.groups.at(gauge.group), seen);
+      return motion_of(gauge.group, seen).kinetic_energy;
     if (gauge.quantity == Quantity::unbalanced_ratio)
       return unbalanced_ratio(seen.specimen);
     if (gauge.quantity == Quantity::broken_links)

@@ -4,6 +4,7 @@
 #include "apps/drivers/particles/walls.h"
 #include "dem/specimen/specimen.h"
 
+#include <array>
 #include <list>
 #include <string>
 #include <vector>
@@ -21,6 +22,7 @@ namespace apps
       distance,
       reaction,
       reaction_moment,
+      reaction_torque,
       wall_force,
       wall_moment,
       wall_travel,
@@ -43,15 +45,20 @@ namespace apps
     Component   component = Component::size;
     std::string group     = GroupNames::all, other, wall;
 
+    std::array<double, 3> point = {0, 0, 0}; ///< about which a moment is taken
+
     void declare(Section &section);
     /** @throws base::InputError. */
     void        validate(const Section                 &section,
                          const GroupNames              &names,
                          const PrescribedMotionSection &motion,
                          const WallsSection            &walls) const;
+    bool        of_grip() const { return quantity >= Quantity::reaction && quantity <= Quantity::reaction_torque; }
     bool        of_wall() const { return quantity >= Quantity::wall_force && quantity <= Quantity::wall_impulse; }
     bool        is_vector() const { return quantity < Quantity::kinetic_energy; }
     const char *unit() const;
+
+    Eigen::Vector3d about() const { return {point[0], point[1], point[2]}; }
   };
 
   /** Section "Gauges". */
@@ -77,6 +84,6 @@ namespace apps
     const Walls               &walls;
   };
 
-  /** Value of a gauge. Means over a group are weighted by mass: they are those of its centre of mass. */
+  /** Value of a gauge. Means over a group are those of its centre of mass; a rigid body counts as one. */
   double value_of(const GaugeSection &gauge, const ObservedSpecimen &seen);
 } // namespace apps

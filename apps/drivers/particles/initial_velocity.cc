@@ -1,5 +1,7 @@
 #include "apps/drivers/particles/initial_velocity.h"
 
+#include <map>
+
 namespace apps
 {
   void InitialVelocitySection::declare(Section &root)
@@ -7,11 +9,13 @@ namespace apps
     root
       .section("Initial velocity",
                "One sub-section per group that moves at the start, named after the group; of two groups with the same "
-               "particle the later one counts")
+               "particle the later one counts. A rigid body takes the motion that is nearest to what is asked of its "
+               "particles, by their masses")
       .named_sections("GROUP", [this](Section &opened) {
         MotionFormulas &added = velocities.emplace_back();
         added.group           = opened.name();
-        added.declare(opened, "At the start, by the place of each particle; empty: none");
+        added.declare(opened, "At the start, by the place of each particle; empty: none, and of a rigid body's "
+                              "particles whatever the other components make of it");
       });
   }
 
@@ -26,9 +30,18 @@ namespace apps
   void
   InitialVelocitySection::give(dem::Specimen &specimen, const dem::Packing &packing, const ParticleGroups &groups) const
   {
+    std::map<std::size_t, dem::AskedVelocity> asked; // by particle: later ones win
     for (const MotionFormulas &given : velocities)
       for (const std::size_t i : groups.at(given.group))
-        specimen.set_velocity(i, value_of(given.velocity, packing.centre[i], 0),
-                              value_of(given.spin, packing.centre[i], 0));
+        {
+          dem::AskedVelocity &one = asked[i];
+          one = {i, value_of(given.velocity, packing.centre[i], 0), value_of(given.spin, packing.centre[i], 0)};
+          for (int c = 0; c < 6; ++c)
+            one.given[static_cast<std::size_t>(c)] = given.component(c).given();
+        }
+    std::vector<dem::AskedVelocity> velocities_asked;
+    for (const auto &[particle, one] : asked)
+      velocities_asked.push_back(one);
+    specimen.set_velocities(velocities_asked);
   }
 } // namespace apps

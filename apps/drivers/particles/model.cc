@@ -57,7 +57,7 @@ namespace apps
     gauges.declare(root);
   }
 
-  void ParticlesModel::declare_course(Section &root)
+  void ParticlesModel::declare_course(Section &root, const char *const weight)
   {
     time.declare(root);
     time.declare_by_time(root);
@@ -65,7 +65,7 @@ namespace apps
       ->number("End time", end_time, "s", Range::positive(), Need::required)
       .means("When the run ends, unless a stop condition or the test of section Laboratory ends it before")
       .only_if([this] { return !laboratory.given(); }, "there is no section Laboratory that ends the run");
-    gravity.declare(root);
+    gravity.declare(root, weight);
     stops.declare(root);
     declare_output(root, output, horizontal, vertical);
   }

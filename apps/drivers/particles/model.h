@@ -41,8 +41,8 @@ namespace apps
     void declare(Section &root);
     /** What is there: all sections but Laboratory and the four of the course. */
     void declare_as_part(Section &root);
-    /** How it goes on: sections Time, Gravity, Stop and Output. */
-    void declare_course(Section &root);
+    /** How it goes on: sections Time, Gravity, Stop and Output. @param weight meaning of section Gravity */
+    void declare_course(Section &root, const char *weight = "Weight of the particles");
     /** @throws base::InputError. */
     void validate(const Section &root) const;
     /** The same but for the course. @return the names of its groups */

@@ -1,5 +1,6 @@
 #include "apps/drivers/particles/scene.h"
 
+#include "apps/drivers/particles/damped_fall.h"
 #include "apps/drivers/particles/piled_up.h"
 #include "apps/drivers/particles/run.h"
 #include "apps/drivers/parts/duration.h"
@@ -67,6 +68,7 @@ namespace apps
                         model.time.step_factor);
     text +=
       fmt::format("  memory       {:.1f} MB for particles and links\n", 1e-6 * static_cast<double>(specimen.bytes()));
+    text += damped_fall_line(model);
     if (start)
       text += fmt::format("  start        {}\n", text_of(*start));
     text += fmt::format("  steps        {:.0f}{}\n", steps,

@@ -1,0 +1,69 @@
+#include "dem/observation/group_motion.h"
+
+namespace dem
+{
+  namespace
+  {
+    /** Which clumps lie wholly in a group. */
+    std::vector<bool> whole_clumps(const Specimen &specimen, const std::vector<std::size_t> &group)
+    {
+      std::vector<std::size_t> pebbles(specimen.clumps(), 0);
+      for (const std::size_t i : group)
+        if (const auto clump = specimen.clump_of(i))
+          ++pebbles[*clump];
+      std::vector<bool> whole(pebbles.size());
+      for (std::size_t clump = 0; clump < pebbles.size(); ++clump)
+        whole[clump] = pebbles[clump] == specimen.clump(clump).pebbles;
+      return whole;
+    }
+
+    /** Sums of what has a mass. */
+    struct Sums
+    {
+      GroupMotion of;
+
+      void add(const double           mass,
+               const Eigen::Vector3d &position,
+               const Eigen::Vector3d &travelled,
+               const Eigen::Vector3d &velocity)
+      {
+        of.mass += mass;
+        of.position += mass * position;
+        of.travelled += mass * travelled;
+        of.velocity += mass * velocity;
+      }
+
+      GroupMotion mean() const
+      {
+        GroupMotion found = of;
+        for (Eigen::Vector3d *sum : {&found.position, &found.travelled, &found.velocity})
+          *sum /= of.mass;
+        return found;
+      }
+    };
+  } // namespace
+
+  GroupMotion motion_of(const Specimen &specimen, const ParticleOutput &p, const std::vector<std::size_t> &group)
+  {
+    const std::vector<bool> whole  = whole_clumps(specimen, group);
+    const double            gyrate = specimen.parameters().physics.dimension == 3 ? 2.0 / 5 : 1.0 / 2;
+    Sums                    sums;
+    for (const std::size_t i : group)
+      {
+        if (const auto clump = specimen.clump_of(i); clump && whole[*clump])
+          continue;
+        sums.add(p.mass[i], p.position[i], p.displacement[i], p.velocity[i]);
+        sums.of.kinetic_energy +=
+          0.5 * p.mass[i] *
+          (p.velocity[i].squaredNorm() + gyrate * p.radius[i] * p.radius[i] * p.angular_velocity[i].squaredNorm());
+      }
+    for (std::size_t clump = 0; clump < whole.size(); ++clump)
+      if (whole[clump])
+        {
+          const ClumpState body = specimen.clump(clump);
+          sums.add(body.mass, body.position, body.travelled, body.velocity);
+          sums.of.kinetic_energy += body.kinetic_energy();
+        }
+    return sums.mean();
+  }
+} // namespace dem
