@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <set>
@@ -98,6 +99,7 @@ int main(int argc, char *argv[])
   Catch::Session session;
   if (argc >= 4 && std::string(argv[1]) == "--write-ctest")
     return write_ctest(argv[0], argv[2], argv[3], argc == 5 && std::string(argv[4]) == "by-file");
+  ::setenv("XDG_CACHE_HOME", "/dev/null", 1); // packings are made by the program under test, not by the one before
   dem::enable_floating_point_traps();
   return session.run(argc, argv);
 }

@@ -6,6 +6,7 @@
 #include "apps/drivers/continuum/gauges.h"
 #include "apps/drivers/continuum/scene.h"
 #include "apps/drivers/continuum/solid.h"
+#include "apps/drivers/parts/specimen_packing.h"
 #include "apps/process/mpi_session.h"
 #include "apps/process/stopwatch.h"
 #include "coupling/multiscale/cell_points.h"
@@ -229,7 +230,7 @@ namespace apps
       dem::CompactionParameters packing;
       packing.radius = 1e-3;
       packing.count  = particles;
-      return dem::compact(packing).packing;
+      return compact_with_progress(packing).packing;
     }
 
     dem::CpmParameters concrete_links()

@@ -47,6 +47,7 @@ namespace apps
       ->type_name("SCENE");
     add_overrides(command, options->overrides, "Set an entry of the scene; repeatable");
     add_threads(command, options->threads);
+    add_no_cache(command);
     add_bench_folder(command, options->folder);
     command.add_option("--seeds", options->seeds, "Packings per case; default: 1")
       ->check(CLI::Range(1, 1000))

@@ -25,6 +25,7 @@ namespace apps
       ->type_name("SCENE");
     add_overrides(command, options->overrides, "Set an entry of the scene; repeatable");
     add_threads(command, options->threads);
+    add_no_cache(command);
     add_bench_folder(command, options->folder);
     command.add_option("--pressures", options->pressures, "Confining pressures [Pa]; default: 0.5e6 2e6 5e6 10e6")
       ->check(CLI::PositiveNumber)

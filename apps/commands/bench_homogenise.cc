@@ -39,6 +39,7 @@ namespace apps
       ->check(CLI::PositiveNumber);
     command.add_flag("--quick", options->quick, "Cells of 64 and 125 spheres, three seeds");
     add_threads(command, options->threads);
+    add_no_cache(command);
     command.callback([options, &chosen] {
       chosen = [options] {
         use_threads(options->threads);

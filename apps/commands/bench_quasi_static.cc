@@ -30,6 +30,7 @@ namespace apps
       ->check(CLI::PositiveNumber);
     command.add_flag("--quick", options->quick, "A smaller specimen, three rates");
     add_threads(command, options->threads);
+    add_no_cache(command);
     command.callback([options, &chosen] {
       chosen = [options] {
         use_threads(options->threads);

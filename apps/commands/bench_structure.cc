@@ -22,6 +22,7 @@ namespace apps
       ->type_name("SCENE");
     add_overrides(command, options->overrides, "Set an entry of both scenes; repeatable");
     add_threads(command, options->threads);
+    add_no_cache(command);
     add_bench_folder(command, options->folder);
     command.add_flag("--quick", options->quick, "One method only");
     command.callback([options, &chosen] {

@@ -24,6 +24,7 @@ namespace apps
       ->type_name("SCENE");
     add_overrides(command, options->overrides, "Set an entry of the scene; repeatable");
     add_threads(command, options->threads);
+    add_no_cache(command);
     add_bench_folder(command, options->folder);
     command.add_flag("--quick", options->quick, "Two wavelengths only, and one method of the beam");
     command.add_flag("--beam", options->beam,

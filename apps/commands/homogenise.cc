@@ -189,6 +189,7 @@ namespace apps
                                                                          {"direct", dem::SolverMethod::direct}}));
     command.add_option("-o,--output", options->folder, "Folder for homogenised.json")->type_name("DIR");
     add_threads(command, options->threads);
+    add_no_cache(command);
     command.callback([options, &chosen] { chosen = [options] { return homogenise_packing(*options); }; });
   }
 } // namespace apps

@@ -148,6 +148,7 @@ namespace apps
       ->required()
       ->type_name("FILE");
     add_threads(command, options->threads);
+    add_no_cache(command);
     command.callback([options, count, &chosen] {
       options->counted = count->count() > 0;
       chosen           = [options] { return pack(*options); };

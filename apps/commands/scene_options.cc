@@ -1,5 +1,6 @@
 #include "apps/commands/scene_options.h"
 
+#include "apps/drivers/parts/packing_cache.h"
 #include "apps/process/mpi_session.h"
 #include "base/errors.h"
 
@@ -13,6 +14,7 @@ namespace apps
     command.add_option("scene", options.scene, "Scene file (.prm or .json)")->required()->type_name("SCENE");
     add_overrides(command, options.overrides, "Set an entry of the scene, e.g. -s \"Time/Damping=0.2\"; repeatable");
     add_threads(command, options.threads);
+    add_no_cache(command);
   }
 
   void add_overrides(CLI::App &command, std::vector<std::string> &overrides, const std::string &meaning)
@@ -24,6 +26,13 @@ namespace apps
   {
     command.add_option("-o,--output", folder, "Folder for " + holds + "; default: " + folder.string())
       ->type_name("DIR");
+  }
+
+  void add_no_cache(CLI::App &command)
+  {
+    command.add_flag_callback("--no-cache", do_without_packing_cache,
+                              "Make generated packings anew; otherwise those made before are taken from, and new ones "
+                              "kept in, breccia/packings in XDG_CACHE_HOME or ~/.cache");
   }
 
   void add_threads(CLI::App &command, int &threads)

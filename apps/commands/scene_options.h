@@ -29,6 +29,9 @@ namespace apps
                         std::filesystem::path &folder,
                         const std::string     &holds = "the table and the picture");
 
+  /** Option --no-cache, of whatever makes packings. */
+  void add_no_cache(CLI::App &command);
+
   /** Option --threads. */
   void add_threads(CLI::App &command, int &threads);
 

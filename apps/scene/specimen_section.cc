@@ -35,7 +35,7 @@ namespace apps
           "Spheres in the periodic cell, which is repeated to fill the box: its pattern repeats too, and cracks follow "
           "it; 1000 make its edge about ten diameters. 0: a box of up to " +
           std::to_string(dem::most_in_one_cell) +
-          " spheres is filled in one piece, in half a minute at most; a larger one is filled with cells of so many; a "
+          " spheres is filled in one piece, in some ten seconds; a larger one is filled with cells of so many; a "
           "periodic "
           "cell has 1000");
       inner.integer("Seed", generator.seed, "", Range::between(0, 9007199254740992.0), Need::optional)
@@ -43,7 +43,8 @@ namespace apps
       inner.number("Friction coefficient", generator.friction, "-", Range::between(0, 10), Need::optional)
         .means("Between the spheres while they are compacted: 0 gives a packing fraction of 0.65, 0.1 0.61, 1 0.55");
       inner.number("Damping", generator.damping, "-", Range::from_up_to(0, 1), Need::optional)
-        .means("Local damping while they are compacted; hardly matters for the result");
+        .means("Local damping while they are compacted; hardly matters for the result from 0.3 upwards, and takes "
+               "longer the more there is");
       inner
         .number("Pressure", generator.pressure, "-", Range::from_up_to(1e-5, dem::CompactionParameters().high_pressure),
                 Need::optional)

@@ -4,7 +4,7 @@
 
 namespace dem
 {
-  /** Spheres that are compacted in one cell where nobody says how many: half a minute on one core (17,000 took 32 s). */
+  /** Spheres that are compacted in one cell where nobody says how many: some ten seconds on one core. */
   constexpr std::size_t most_in_one_cell = 20000;
 
   /**

@@ -52,7 +52,7 @@ namespace dem
               "above the low pressure, at most 0.5");
       require("proportions", p.proportions.minCoeff() / p.proportions.maxCoeff(), 1e-3, 1,
               "above zero, none a thousandth of another");
-      require("time step factor", p.time_step_factor, above_zero, 0.8, "above 0, at most 0.8");
+      require("time step factor", p.time_step_factor, above_zero, 1.2, "above 0, at most 1.2");
       require("step limit", static_cast<double>(p.step_limit), 1, largest, "above zero");
     }
 
@@ -158,8 +158,8 @@ namespace dem
 
   double expected_packing_fraction(const double friction)
   {
-    constexpr double table[][2] = {{0, 0.6460},   {0.1, 0.6130}, {0.2, 0.5923}, {0.5, 0.5643},
-                                   {0.8, 0.5550}, {1.0, 0.5517}, {2.0, 0.5472}};
+    constexpr double table[][2] = {{0, 0.6466},   {0.1, 0.6150}, {0.2, 0.5933}, {0.5, 0.5657},
+                                   {0.8, 0.5568}, {1.0, 0.5512}, {2.0, 0.5472}};
     constexpr int    rows       = sizeof(table) / sizeof(table[0]);
     for (int i = 1; i < rows; ++i)
       if (friction <= table[i][0])

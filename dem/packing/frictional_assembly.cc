@@ -1,98 +1,276 @@
 #include "dem/packing/frictional_assembly.h"
 
+#include "dem/core/records.h"
+#include "dem/kernels/kinematics.h"
 #include "dem/laws/linear_contact.h"
+#include "dem/model/particles.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace dem
 {
   namespace
   {
-    /** Part of the stable step that a step may be. */
-    constexpr double step_factor = 0.95;
+    constexpr std::size_t spheres_in_block = 256, lines_in_block = 1024; // a multiple of the pack
+    /// Below, threads cost more than they spare.
+    constexpr std::size_t worth_threads = 4096;
+    constexpr double      inertia       = 2.0 / 5.0;
+    /// The law speaks of strains over the reference length 2 (two radii) and of stresses: with an area of 1, k_n = modulus/2.
+    constexpr double reference = 2.0, area = 1.0;
 
-    SpecimenParameters specimen_parameters(const FrictionalAssemblyParameters &p)
+    using Record = double[record_size];
+
+    alignas(64) constexpr Record difference_and_sum = {-1, -1, -1, 1, 1, 1, 0, 0};
+    alignas(64) constexpr Record inverse_inertias   = {1, 1, 1, 1 / inertia, 1 / inertia, 1 / inertia, 0, 0};
+    alignas(64) constexpr Record of_centre          = {1, 1, 1, 0, 0, 0, 0, 0};
+
+    std::size_t blocks_of(const std::size_t count, const std::size_t in_block)
     {
-      SpecimenParameters s;
-      s.physics.damage    = false;
-      s.physics.periodic  = true;
-      s.density           = 3.0 / (4.0 * M_PI); // mass 1
-      s.interaction_ratio = 1;
-      s.step_factor       = step_factor;
-      s.damping           = p.damping;
-      return s;
+      return (count + in_block - 1) / in_block;
     }
 
-    LinearContactParameters contacts(const FrictionalAssemblyParameters &p)
+    double sum_of(const Pack &pack)
     {
-      LinearContactParameters linear;
-      linear.effective_modulus    = 2.0 / M_PI; // k_n = pi r^2 E* / (2 r) = 1
-      linear.stiffness_ratio      = 1.0 / std::max(p.shear_ratio, 1e-12);
-      linear.friction_coefficient = p.friction;
-      return linear;
+      alignas(64) Record lanes;
+      store(pack, lanes);
+      double sum = 0;
+      for (const double lane : lanes)
+        sum += lane;
+      return sum;
     }
 
-    double pressure_of(const Specimen &specimen) { return -specimen.cell().stress.trace() / 3; }
+    double largest_of(const Pack &pack)
+    {
+      alignas(64) Record lanes;
+      store(pack, lanes);
+      return *std::max_element(lanes, lanes + record_size);
+    }
+
+    Eigen::Matrix3d loose_cell(const Packing &start) { return start.periodic_cell->asDiagonal(); }
+
+    std::vector<std::int32_t> inverse(const std::vector<std::int32_t> &order)
+    {
+      std::vector<std::int32_t> rank(order.size());
+      for (std::size_t place = 0; place < order.size(); ++place)
+        rank[static_cast<std::size_t>(order[place])] = static_cast<std::int32_t>(place);
+      return rank;
+    }
+
+    base::Column poses(const Packing &start, const std::vector<std::int32_t> &order)
+    {
+      base::Column pose(record_size * order.size(), 0.0);
+      for (std::size_t i = 0; i < order.size(); ++i)
+        std::copy_n(start.centre[static_cast<std::size_t>(order[i])].data(), 3, &pose[record_size * i]);
+      return pose;
+    }
+
+    LinearContactNumbers<double> law_of(const FrictionalAssemblyParameters &p)
+    {
+      return {reference / area, reference / area * p.shear_ratio, p.friction};
+    }
+
+    /** Branch of eight pairs, and the sum of the turns of their ends in the last step. */
+    struct Ends
+    {
+      Vec<Pack, 3> branch, turns;
+
+      Ends(const SpherePairs &pairs, const base::Column &pose, const Cell &cell, const std::size_t line)
+      {
+        const Pack signs = load(difference_and_sum);
+        Pack       ends[8];
+        for (int lane = 0; lane < pack_size; ++lane)
+          {
+            const auto J = record_size * static_cast<std::size_t>(pairs.first[line + lane]),
+                       K = record_size * static_cast<std::size_t>(pairs.second[line + lane]),
+                       k = record_size * static_cast<std::size_t>(pairs.image[line + lane]);
+            ends[lane]   = load(&pose[K]) + signs * load(&pose[J]) + load(&cell.offset[k]);
+          }
+        transpose(ends);
+        branch = {{ends[0], ends[1], ends[2]}};
+        turns  = {{ends[3], ends[4], ends[5]}};
+      }
+    };
+
+    /** Read a vector of eight lines from its columns and put another in its place. */
+    BRECCIA_KERNEL Vec<Pack, 3> read(const std::array<base::Column, 3> &columns, const std::size_t line)
+    {
+      return {{load(&columns[0][line]), load(&columns[1][line]), load(&columns[2][line])}};
+    }
+    BRECCIA_KERNEL void write(std::array<base::Column, 3> &columns, const std::size_t line, const Vec<Pack, 3> &vector)
+    {
+      for (int d = 0; d < 3; ++d)
+        store(vector[d], &columns[d][line]);
+    }
+
+    /** Local damping: forces that drive a motion are lessened, those that brake it raised. */
+    BRECCIA_KERNEL Pack damped(const Pack &acceleration, const Pack &velocity, const double step, const double damping)
+    {
+      const Pack ahead = acceleration * (velocity + Pack(0.5 * step) * acceleration), zero(0.0);
+      return acceleration *
+             (Pack(1.0) - select(ahead > zero, Pack(damping), select(ahead < zero, Pack(-damping), zero)));
+    }
   } // namespace
 
-  FrictionalAssembly::FrictionalAssembly(const Packing &start, const FrictionalAssemblyParameters &p)
-    : specimen(start, specimen_parameters(p), contacts(p))
+  FrictionalAssembly::FrictionalAssembly(const Packing &start, const FrictionalAssemblyParameters &parameters)
+    : material(parameters)
     , spheres(start.size())
+    , order(hilbert_order(start.centre))
+    , rank(inverse(order))
+    , cell(loose_cell(start), 3)
+    , pose(poses(start, order))
+    , velocity(record_size * spheres, 0.0)
+    , pairs(spheres, pose, cell)
   {
-    specimen.set_time_step(std::min(p.time_step, specimen.longest_step()));
+    find_forces();
   }
 
   void
-  FrictionalAssembly::set_motion(const std::size_t sphere, const Eigen::Vector3d &velocity, const Eigen::Vector3d &spin)
+  FrictionalAssembly::set_motion(const std::size_t sphere, const Eigen::Vector3d &moves, const Eigen::Vector3d &spins)
   {
-    specimen.set_velocity(sphere, velocity, spin);
+    double *record = &velocity[record_size * static_cast<std::size_t>(rank[sphere])];
+    std::copy_n(moves.data(), 3, record);
+    std::copy_n(spins.data(), 3, record + 3);
   }
 
-  Eigen::Vector3d FrictionalAssembly::spin(const std::size_t sphere) const { return specimen.particle(sphere).spin; }
+  Eigen::Vector3d FrictionalAssembly::spin(const std::size_t sphere) const
+  {
+    return Eigen::Vector3d(&velocity[record_size * static_cast<std::size_t>(rank[sphere]) + 3]);
+  }
 
   void FrictionalAssembly::advance(const std::int64_t steps, const std::function<double(double)> &strain)
   {
-    const auto grow = [&] {
-      specimen.set_velocity_gradient(strain(pressure_of(specimen)) / specimen.time_step() *
-                                     Eigen::Matrix3d::Identity());
-      return true;
-    };
-    grow();
-    specimen.advance(steps, grow);
+    for (std::int64_t step = 0; step < steps; ++step)
+      {
+        move(strain(pressure));
+        find_forces();
+      }
   }
 
-  Eigen::Vector3d FrictionalAssembly::edges() const
+  void FrictionalAssembly::find_forces()
   {
-    const CellState cell = specimen.cell();
-    return cell.base.diagonal().cwiseProduct(
-      cell.deformation_at_forces.diagonal().cwiseQuotient(cell.deformation.diagonal()));
+    force.resize(record_size * pairs.lines());
+    std::vector<double> pushed(blocks_of(pairs.lines(), lines_in_block));
+#pragma omp parallel for schedule(static) if (spheres > worth_threads)
+    for (std::size_t b = 0; b < pushed.size(); ++b)
+      pushed[b] = block_forces(b);
+    double sum = 0;
+    for (const double of_block : pushed)
+      sum += of_block;
+    pressure = sum / (3 * cell.volume());
+  }
+
+  double FrictionalAssembly::block_forces(const std::size_t block)
+  {
+    const LinearContactNumbers<double> law = law_of(material);
+    const std::size_t begin = block * lines_in_block, end = std::min(begin + lines_in_block, pairs.lines());
+    Pack              pushed(0.0);
+    for (std::size_t l = begin; l < end; l += pack_size)
+      {
+        const Ends         ends(pairs, pose, cell, l);
+        const Pack         length    = square_root(dot(ends.branch, ends.branch));
+        const Vec<Pack, 3> direction = (Pack(1.0) / length) * ends.branch, arm = Pack(0.5) * ends.branch;
+        const Vec<Pack, 3> slip  = (ends.branch - read(pairs.branch, l)) - cross(ends.turns, arm);
+        Vec<Pack, 3>       shear = across(direction, read(pairs.shear, l) + Pack(1 / reference) * slip);
+        LinkWork<Pack>     unasked;
+        const auto answer = linear_contact_force(law, Pack(1 / reference) * (length - Pack(reference)), Pack(area),
+                                                 Pack(reference), slip, shear, unasked);
+        write(pairs.branch, l, ends.branch);
+        write(pairs.shear, l, shear);
+        pushed                  = pushed - answer.normal * length;
+        const Vec<Pack, 3> pull = answer.normal * direction + answer.shear, couple = cross(arm, answer.shear);
+        Pack records[8] = {pull[0], pull[1], pull[2], couple[0], couple[1], couple[2], Pack(0.0), Pack(0.0)};
+        transpose(records);
+        for (std::size_t lane = 0; lane < pack_size; ++lane)
+          store(records[lane], &force[record_size * (l + lane)]);
+      }
+    return sum_of(pushed);
+  }
+
+  void FrictionalAssembly::move(const double strain)
+  {
+    std::vector<double> largest(blocks_of(spheres, spheres_in_block));
+#pragma omp parallel for schedule(static) if (spheres > worth_threads)
+    for (std::size_t b = 0; b < largest.size(); ++b)
+      largest[b] = block_motion(b, 1 + strain);
+    cell.set_gradient(strain / material.time_step * Eigen::Matrix3d::Identity());
+    cell.advance(material.time_step);
+    pairs.follow(pose, cell, 1 + strain, std::sqrt(*std::max_element(largest.begin(), largest.end())));
+  }
+
+  double FrictionalAssembly::block_motion(const std::size_t block, const double growth)
+  {
+    const Pack        signs = load(difference_and_sum), masses = load(inverse_inertias), centre = load(of_centre);
+    const Pack        kept = Pack(growth) * centre, step(material.time_step);
+    Pack              largest(0.0);
+    const std::size_t begin = block * spheres_in_block, end = std::min(begin + spheres_in_block, spheres);
+    for (std::size_t i = begin; i < end; ++i)
+      {
+        Pack sum(0.0);
+        for (std::int32_t l = pairs.own_begin[i]; l < pairs.own_begin[i + 1]; ++l)
+          sum = sum + load(&force[record_size * static_cast<std::size_t>(l)]);
+        for (std::int32_t o = pairs.other_begin[i]; o < pairs.other_begin[i + 1]; ++o)
+          sum = sum + signs * load(&force[record_size * static_cast<std::size_t>(pairs.others[o])]);
+        const std::size_t at   = record_size * i;
+        const Pack        now  = load(&velocity[at]);
+        const Pack        next = now + step * damped(sum * masses, now, material.time_step, material.damping),
+                   moved       = step * next;
+        store(next, &velocity[at]);
+        store(kept * load(&pose[at]) + moved, &pose[at]);
+        largest = maximum(largest, moved * moved * centre);
+      }
+    return 3 * largest_of(largest);
   }
 
   AssemblyMeasures FrictionalAssembly::measures() const
   {
-    return {pressure_of(specimen), specimen.unbalanced_ratio(), static_cast<std::int64_t>(specimen.counts().contacts)};
+    std::vector<Eigen::Vector3d> unbalanced(spheres, Eigen::Vector3d::Zero());
+    double                       pushing  = 0;
+    std::int64_t                 contacts = 0;
+    for (std::size_t l = 0; l < pairs.size(); ++l)
+      {
+        const Eigen::Vector3d pull(&force[record_size * l]);
+        const double          size = pull.norm();
+        if (size == 0)
+          continue;
+        ++contacts;
+        pushing += size;
+        unbalanced[static_cast<std::size_t>(pairs.first[l])] += pull;
+        unbalanced[static_cast<std::size_t>(pairs.second[l])] -= pull;
+      }
+    double sum = 0;
+    for (const Eigen::Vector3d &of_sphere : unbalanced)
+      sum += of_sphere.norm();
+    const double ratio = contacts == 0 ? std::numeric_limits<double>::infinity() :
+                                         sum / static_cast<double>(spheres) / (pushing / static_cast<double>(contacts));
+    return {pressure, ratio, contacts};
   }
 
   double FrictionalAssembly::mean_overlap() const
   {
-    const LinkOutput contacts = specimen.links();
-    double           sum      = 0;
-    for (const double strain : contacts.normal_strain)
-      sum -= 2 * strain; // of the sum of two radii
-    return contacts.normal_strain.empty() ? 0.0 : sum / static_cast<double>(contacts.normal_strain.size());
+    double       sum      = 0;
+    std::int64_t contacts = 0;
+    for (std::size_t l = 0; l < pairs.size(); ++l)
+      {
+        const double overlap = 2 - Eigen::Vector3d(pairs.branch[0][l], pairs.branch[1][l], pairs.branch[2][l]).norm();
+        if (overlap <= 0)
+          continue;
+        ++contacts;
+        sum += overlap;
+      }
+    return contacts == 0 ? 0.0 : sum / static_cast<double>(contacts);
   }
 
   std::vector<Eigen::Vector3d> FrictionalAssembly::centres() const
   {
-    const Eigen::Vector3d        cell = edges();
+    const Eigen::Vector3d        box = edges();
     std::vector<Eigen::Vector3d> result(spheres);
     for (std::size_t i = 0; i < spheres; ++i)
       {
-        const ParticleState   sphere = specimen.particle(i);
-        const Eigen::Vector3d x      = sphere.position - sphere.moved;
+        const Eigen::Vector3d x(&pose[record_size * i]);
         for (int d = 0; d < 3; ++d)
-          result[i][d] = x[d] - cell[d] * std::floor(x[d] / cell[d]);
+          result[static_cast<std::size_t>(order[i])][d] = x[d] - box[d] * std::floor(x[d] / box[d]);
       }
     return result;
   }

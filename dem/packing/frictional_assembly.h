@@ -1,7 +1,9 @@
 #pragma once
 
+#include "base/column.h"
+#include "dem/model/cell.h"
 #include "dem/model/packing.h"
-#include "dem/specimen/specimen.h"
+#include "dem/packing/sphere_pairs.h"
 
 #include <cstdint>
 #include <functional>
@@ -15,7 +17,7 @@ namespace dem
     double friction;    ///< coefficient mu = tan phi [-], >= 0
     double shear_ratio; ///< k_s/k_n [-], >= 0
     double damping;     ///< local (Cundall) damping D [-], in [0, 1)
-    double time_step;   ///< in sqrt(mass/k_n); shorter where the contacts' stiffness demands it
+    double time_step;   ///< in sqrt(mass/k_n); stability is the caller's (doc/theory/packing.md, 1)
   };
 
   /** What the compaction steers by. */
@@ -27,11 +29,16 @@ namespace dem
   };
 
   /**
-   * Equal spheres in a rectangular periodic cell, pushing at each other by linear contacts with Coulomb friction (LinearContactLaw),
-   * advanced as a Specimen is, with local damping, while the cell shrinks or grows alike in all directions.
+   * Equal spheres in a rectangular periodic cell, pushing at each other by linear contacts with Coulomb friction
+   * (dem/laws/linear_contact.h), advanced by leap-frog steps with local damping, while the cell shrinks or grows alike in all
+   * directions.
    *
    * Everything is in the units radius = 1, normal stiffness k_n = 1, mass of a sphere = 1: such a packing depends on no other
-   * scale.
+   * scale. A specimen does the same for bodies of all kinds; here are equal spheres only, shear follows the contact to
+   * first order in the step, and nothing is accounted for, which makes a step a third of the work
+   * (doc/theory/packing.md, 1).
+   *
+   * The same to the last bit for any number of threads.
    */
   class FrictionalAssembly
   {
@@ -43,18 +50,29 @@ namespace dem
     void            set_motion(std::size_t sphere, const Eigen::Vector3d &velocity, const Eigen::Vector3d &spin);
     Eigen::Vector3d spin(std::size_t sphere) const; ///< half a step before now [1/sqrt(mass/k_n)]
 
-    /** Steps, in each of which every length of the cell grows by the factor 1 + strain(pressure at the last step). */
+    /** Steps, in each of which every length of the cell grows by the factor 1 + strain(pressure at its start). */
     void advance(std::int64_t steps, const std::function<double(double)> &strain);
 
-    // All that follows where the forces of the last step were found, before its motion.
-    Eigen::Vector3d  edges() const;
+    Eigen::Vector3d  edges() const { return cell.base().diagonal(); }
     AssemblyMeasures measures() const;
     double           mean_overlap() const; ///< of the contacts, in radii
     /** Centres brought into the cell. */
     std::vector<Eigen::Vector3d> centres() const;
 
   private:
-    Specimen    specimen;
-    std::size_t spheres;
+    void   find_forces();
+    double block_forces(std::size_t block); ///< @return sum of force times distance
+    void   move(double strain);
+    double block_motion(std::size_t block, double growth); ///< @return square of the largest displacement
+
+    FrictionalAssemblyParameters material;
+    std::size_t                  spheres;
+    std::vector<std::int32_t>    order, rank; ///< spheres lie along a curve that fills space: neighbours near in memory
+    Cell                         cell;
+    base::Column                 pose;     ///< records: centre (3), turn of the last step (3), - -
+    base::Column                 velocity; ///< records: of the centre (3), spin (3), - -
+    SpherePairs                  pairs;
+    base::Column force; ///< records of lines: on the first sphere (3), couple on either about its centre (3), - -
+    double       pressure = 0;
   };
 } // namespace dem

@@ -1,7 +1,13 @@
+#include "dem/laws/linear_contact.h"
 #include "dem/packing/frictional_assembly.h"
+#include "dem/packing/sequential_placement.h"
+#include "dem/specimen/specimen.h"
 
 #include <catch2/catch.hpp>
 
+#include <omp.h>
+
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -10,6 +16,30 @@ namespace
 
   /** The cell does not change. */
   double still(double) { return 0; }
+
+  dem::Packing loose(const std::size_t count)
+  {
+    return dem::place_sequentially(count, 1.0, Eigen::Vector3d::Constant(2.4 * std::cbrt(static_cast<double>(count))),
+                                   5);
+  }
+
+  /** The same spheres as a specimen in general, the yardstick. */
+  dem::Specimen specimen_of(const dem::Packing &packing, const dem::FrictionalAssemblyParameters &p)
+  {
+    dem::SpecimenParameters general;
+    general.physics.damage    = false;
+    general.physics.periodic  = true;
+    general.density           = 3.0 / (4.0 * pi);
+    general.interaction_ratio = 1;
+    general.damping           = p.damping;
+    dem::LinearContactParameters contact;
+    contact.effective_modulus    = 2.0 / pi;
+    contact.stiffness_ratio      = 1 / p.shear_ratio;
+    contact.friction_coefficient = p.friction;
+    dem::Specimen specimen(packing, general, contact);
+    specimen.set_time_step(p.time_step);
+    return specimen;
+  }
 }
 
 TEST_CASE("two spheres pressed together part with the energy that was stored", "[dem][packing]")
@@ -76,4 +106,45 @@ TEST_CASE("two spheres that spin alike brake each other by the closed form of a 
     REQUIRE((assembly.spin(0) / spin - axis).norm() < 1e-7);
     REQUIRE((assembly.spin(1) / spin + axis).norm() < 1e-7);
   }
+}
+
+TEST_CASE("an assembly under compression moves as a specimen of the same contacts does", "[dem][packing]")
+{
+  // From a loose start to a pressure of 0.05 k_n/r, with sliding, and lists made anew many times. Shear here follows contacts to
+  // first order in the step, there exactly: paths part slowly, and pressures are compared before they have.
+  const dem::FrictionalAssemblyParameters material{0.5, 0.3, 0.4, 0.02};
+  const double                            strain = -1e-4;
+  const dem::Packing                      start  = loose(120);
+  dem::FrictionalAssembly                 assembly(start, material);
+  dem::Specimen                           specimen = specimen_of(start, material);
+  specimen.set_velocity_gradient(strain / material.time_step * Eigen::Matrix3d::Identity());
+  double highest = 0;
+  for (int look = 0; look < 26; ++look)
+    {
+      assembly.advance(100, [&](double) { return strain; });
+      specimen.advance(look == 0 ? 101 : 100); // whose forces are those before the motion of its last step
+      const double pressure = -specimen.cell().stress.trace() / 3;
+      highest               = std::max(highest, pressure);
+      INFO("look " << look << ", pressure " << pressure);
+      REQUIRE(assembly.measures().pressure == Approx(pressure).epsilon(0.02).margin(1e-5));
+    }
+  REQUIRE(highest > 0.02);
+}
+
+TEST_CASE("an assembly large enough for several threads is the same to the last bit for any number of them",
+          "[dem][packing]")
+{
+  const dem::Packing start = loose(5000);
+  const auto         after = [&](const int threads) {
+    const int before = omp_get_max_threads();
+    omp_set_num_threads(threads);
+    dem::FrictionalAssembly assembly(start, {0.5, 0.3, 0.4, 0.4});
+    assembly.advance(150, [](double) { return -1e-3; });
+    omp_set_num_threads(before);
+    return assembly;
+  };
+  const dem::FrictionalAssembly one = after(1), three = after(3);
+  REQUIRE(one.measures().contacts > 5000);
+  REQUIRE(one.measures().pressure == three.measures().pressure);
+  REQUIRE(one.centres() == three.centres());
 }

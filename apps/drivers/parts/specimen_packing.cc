@@ -1,6 +1,7 @@
 #include "apps/drivers/parts/specimen_packing.h"
 
 #include "apps/drivers/parts/genesis_work.h"
+#include "apps/drivers/parts/packing_cache.h"
 #include "apps/process/interrupt.h"
 #include "apps/process/progress.h"
 #include "base/errors.h"
@@ -58,13 +59,20 @@ namespace apps
 
   dem::CompactionResult compact_with_progress(const dem::CompactionParameters &parameters)
   {
+    const std::optional<PackingCache> cache = packing_cache();
+    if (cache)
+      if (std::optional<dem::CompactionResult> kept = cache->find(parameters))
+        return std::move(*kept);
     Progress   progress("packing");
     const auto show = [&](const dem::CompactionProgress &now) {
       progress.update(fmt::format("stage {} of 2, step {}, packing fraction {:.3f}, pressure {:.2f} of its target",
                                   now.stage, now.steps, now.packing_fraction, now.pressure));
       return !interrupted();
     };
-    return dem::compact(parameters, show);
+    dem::CompactionResult made = dem::compact(parameters, show);
+    if (cache)
+      cache->keep(parameters, made);
+    return made;
   }
 
   dem::Packing cropped(const dem::Packing &packing, const Eigen::Vector3d &box)

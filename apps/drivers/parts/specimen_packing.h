@@ -29,7 +29,7 @@ namespace apps
   /** Where these come from, for messages. */
   std::string origin_of(const SpecimenSection &specimen);
 
-  /** dem::compact() with progress on the standard error, ended by an interrupt. */
+  /** dem::compact() with progress on the standard error, ended by an interrupt; or what packing_cache() has kept of it. */
   dem::CompactionResult compact_with_progress(const dem::CompactionParameters &parameters);
 
   /** Those particles of a packing that are kept, by number; one body, which repeats nowhere. */

@@ -1,5 +1,6 @@
 #include "apps/drivers/transmission/wave_bar.h"
 
+#include "apps/drivers/parts/specimen_packing.h"
 #include "apps/drivers/transmission/wave_course.h"
 #include "apps/drivers/transmission/wave_handshake.h"
 #include "apps/process/stopwatch.h"
@@ -40,7 +41,7 @@ namespace apps
         p.proportions = {longer, 1, 1};
         p.friction    = 0; // the densest that has no order scatters least
         p.count       = dem::count_to_fill({longer * width, width, width}, p.radius, p.friction);
-        cell          = dem::compact(p).packing;
+        cell          = compact_with_progress(p).packing;
         dem::NetworkParameters links;
         links.interaction_ratio = neighbours_within;
         links.normal_modulus    = wave.medium.modulus;
