@@ -1,6 +1,7 @@
 #include "apps/drivers/parts/specimen_packing.h"
 
 #include "apps/drivers/parts/genesis_work.h"
+#include "apps/drivers/parts/packing_file.h"
 #include "apps/process/interrupt.h"
 #include "apps/process/progress.h"
 #include "base/errors.h"
@@ -81,7 +82,7 @@ namespace apps
     {
       if (specimen.source == SpecimenSection::Source::generator)
         return compact_with_progress(specimen.compaction()).packing;
-      dem::Packing packing = postprocess::read_packing(specimen.file);
+      dem::Packing packing = packing_in_file(specimen.file, specimen.length_unit);
       if (!packing.periodic_cell)
         throw base::InputError(specimen.file + ": the packing is not periodic, and there is no cell without it.");
       return packing;
@@ -140,7 +141,7 @@ namespace apps
         return make_cell(specimen);
       dem::Packing packing = specimen.source == SpecimenSection::Source::generator ?
                                compact_with_progress(specimen.compaction()).packing :
-                               postprocess::read_packing(specimen.file);
+                               packing_in_file(specimen.file, specimen.length_unit);
       if (cell && packing.periodic_cell)
         *cell = packing;
       if (specimen.has_box())
