@@ -129,7 +129,7 @@ namespace apps
         return expected("a number", range.text());
       if (const Magnitudes *limits = magnitudes_of(unit); !limits->contain(*number))
         return expected("a number", range.text()) + limits->text();
-      const std::string question = written.unit_named ? "" : question_about(entry, unit, *number);
+      const std::string question = written.unit_named ? "" : question_about(entry, unit, *number, written.text);
       if (question.empty())
         member = *number;
       return question;
@@ -192,7 +192,7 @@ namespace apps
       if (!std::all_of(values.begin(), values.end(), [&](const double value) { return limits->contain(value); }))
         return expected("three numbers \"x, y, z\"", limits->text());
       for (const double value : values)
-        if (const std::string question = written.unit_named ? "" : question_about(entry, unit, value);
+        if (const std::string question = written.unit_named ? "" : question_about(entry, unit, value, written.text);
             !question.empty())
           return question;
       member = values;
@@ -235,8 +235,9 @@ namespace apps
       if (!std::filesystem::is_regular_file(file))
         return "expected a table of time and value: there is no file " +
                std::filesystem::absolute(file).lexically_normal().string();
-      const auto        table    = std::make_shared<const TimeTable>(file.string(), named.column, unit);
-      const std::string question = table->unit_named() ? "" : question_about(entry, unit, table->largest());
+      const auto        table = std::make_shared<const TimeTable>(file.string(), named.column, unit);
+      const std::string question =
+        table->unit_named() ? "" : question_about(entry, unit, table->largest(), fmt::format("{:g}", table->largest()));
       if (!question.empty())
         return question + ", in the table behind the name of its column, in brackets";
       member = Expression(table);
@@ -267,7 +268,7 @@ namespace apps
       if (!formula.varies_in_time() && !formula.varies_in_space())
         try
           {
-            const std::string question = question_about(entry, unit, formula(0, 0, 0, 0));
+            const std::string question = question_about(entry, unit, formula(0, 0, 0, 0), text);
             if (!written.unit_named && !question.empty())
               return question;
           }

@@ -99,14 +99,15 @@ namespace apps
     }
   } // namespace
 
-  std::string question_about(const std::string &entry, const std::string &unit, const double value)
+  std::string
+  question_about(const std::string &entry, const std::string &unit, const double value, const std::string &written)
   {
     const double size = std::abs(value);
     for (const Doubt &doubt : doubts)
       if (unit == doubt.unit && size > doubt.above && size < doubt.below)
         for (const char *words : doubt.words)
           if (has_words(entry, words))
-            return fmt::format("{}. If it is meant, name the unit: {} {}", doubt.question, value, unit);
+            return fmt::format("{}. If it is meant, name the unit: {} {}", doubt.question, written, unit);
     return "";
   }
 } // namespace apps

@@ -9,6 +9,9 @@ namespace apps
    * "38" for a coefficient of friction. "" for nothing; 0, where it is allowed, is a word: none, or that of something else.
    *
    * Whoever means the number names the unit behind it: "3 Pa", or "38 -" for a pure number.
+   *
+   * @param written the whole value of the entry, which may be more than the number
    */
-  std::string question_about(const std::string &entry, const std::string &unit, double value);
+  std::string
+  question_about(const std::string &entry, const std::string &unit, double value, const std::string &written);
 } // namespace apps
