@@ -122,7 +122,8 @@ namespace apps
       .means("Each halves every edge")
       .only_if(built, "Mesh/Source is not file");
 
-    Section &box = s.section("Box", "From the origin; boundaries left, right (x), bottom, top (y), back, front (z)");
+    Section &box = s.section("Box", "From the origin; boundaries left, right, or x min, x max; bottom, top, or y min, "
+                                    "y max; back, front, or z min, z max");
     box.only_if(from(Source::box), "Mesh/Source = box");
     box.vector("Size", box_size, "m", Range::at_least(0), Need::required)
       .means("Edges; the third is not used in two dimensions");
@@ -148,7 +149,7 @@ namespace apps
     const char *when   = "Mesh/Source = bodies";
     Section &some = mesh.section("Boxes", "One sub-section per box: bodies that share no node, even where they touch. "
                                           "Boundaries are those of a box with the body's name before: NAME left, "
-                                          "NAME front");
+                                          "NAME front, or NAME x min, NAME z max");
     some.only_if(bodies, when);
     some.named_sections("BODY",
                         [this, &dimension](Section &opened) { boxes.emplace_back().declare(opened, dimension); });

@@ -7,6 +7,14 @@
 
 namespace apps
 {
+  std::string extent_line(const Eigen::Vector3d &lower, const Eigen::Vector3d &upper, const int dimension)
+  {
+    std::string text = "  extents      ";
+    for (int d = 0; d < dimension; ++d)
+      text += fmt::format("{}{} {:.4g} to {:.4g} m", d == 0 ? "" : ", ", "xyz"[d], lower[d], upper[d]);
+    return text + "\n";
+  }
+
   std::string extent_lines(const dem::Packing &packing, const int dimension)
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -17,12 +25,9 @@ namespace apps
         lower                       = lower.cwiseMin(packing.centre[i] - reach);
         upper                       = upper.cwiseMax(packing.centre[i] + reach);
       }
-    std::string text = "  extents      ";
-    for (int d = 0; d < dimension; ++d)
-      text += fmt::format("{}{} {:.4g} to {:.4g} m", d == 0 ? "" : ", ", "xyz"[d], lower[d], upper[d]);
     const auto [smallest, largest] = std::minmax_element(packing.radius.begin(), packing.radius.end());
-    text += *smallest == *largest ? fmt::format("\n  radius       {:.4g} m\n", *smallest) :
-                                    fmt::format("\n  radii        {:.4g} to {:.4g} m\n", *smallest, *largest);
-    return text;
+    return extent_line(lower, upper, dimension) +
+           (*smallest == *largest ? fmt::format("  radius       {:.4g} m\n", *smallest) :
+                                    fmt::format("  radii        {:.4g} to {:.4g} m\n", *smallest, *largest));
   }
 } // namespace apps
