@@ -40,7 +40,8 @@ namespace apps
       if (model.mesh.source != MeshSection::Source::file)
         return "";
       static constexpr const char *kinds[4] = {"Point", "Curve", "Surface", "Volume"};
-      for (const auto &[dimension, groups] : fem::read_gmsh_file(model.mesh.file, model.solid.dimension).groups)
+      const fem::GmshFile content = fem::read_gmsh_file(model.mesh.file, model.solid.dimension);
+      for (const auto &[dimension, groups] : content.groups)
         for (const auto &group : groups)
           if (group.second == name && dimension != wanted)
             return fmt::format(
