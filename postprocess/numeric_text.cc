@@ -137,20 +137,21 @@ namespace postprocess::numeric_text
 
   std::vector<ColumnName> column_names(std::string_view line)
   {
-    const bool              commas = line.find(',') != std::string_view::npos;
-    std::vector<ColumnName> names;
+    constexpr std::string_view opening = "[(", closing = "])";
+    const bool                 commas = line.find(',') != std::string_view::npos;
+    std::vector<ColumnName>    names;
     while (!(line = trimmed(line)).empty())
       {
-        std::size_t end = commas ? line.find(',') : line.find_first_of(" \t[");
+        std::size_t end = commas ? line.find(',') : line.find_first_of(" \t[(");
         // `name [unit]` without commas: the bracket belongs to the name before it.
         if (!commas && end != std::string_view::npos)
           if (const std::size_t next = line.find_first_not_of(" \t", end);
-              next != std::string_view::npos && line[next] == '[')
-            end = std::min(line.find(']', next), line.size() - 1) + 1;
+              next != std::string_view::npos && opening.find(line[next]) != std::string_view::npos)
+            end = std::min(line.find(closing[opening.find(line[next])], next), line.size() - 1) + 1;
         const std::string_view field = trimmed(line.substr(0, end));
         line.remove_prefix(std::min(end == std::string_view::npos ? end : end + commas, line.size()));
 
-        const std::size_t open = field.find('['), close = field.rfind(']');
+        const std::size_t open = field.find_first_of(opening), close = field.find_last_of(closing);
         if (open == std::string_view::npos || close == std::string_view::npos || close < open)
           names.push_back({std::string(field), ""});
         else

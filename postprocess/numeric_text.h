@@ -51,7 +51,7 @@ namespace postprocess::numeric_text
 
   struct ColumnName
   {
-    std::string name, unit; ///< `name [unit]`; unit is empty when there are no brackets
+    std::string name, unit; ///< `name [unit]` or `name (unit)`; unit is empty when there are no brackets
   };
 
   /** Column names between commas or, where the line has none, between blanks. */

@@ -135,6 +135,19 @@ namespace postprocess
     return {std::move(packing), std::move(metadata)};
   }
 
+  std::optional<base::LengthUnit> unit_of_packing_hdf5(const std::filesystem::path &path)
+  {
+    const hdf5::InputFile file(path);
+    if (!file.has("units"))
+      return std::nullopt;
+    const std::string text = file.read_text("units");
+    const auto        unit = base::length_unit(text);
+    if (!unit)
+      throw base::InputError(path.string() + ": \"units\" is \"" + text + "\": lengths may be in " +
+                             base::length_unit_names() + ".");
+    return unit;
+  }
+
   void write_packing_hdf5(const dem::Packing &packing, const std::filesystem::path &path, const Metadata &metadata)
   {
     hdf5::OutputFile file(path);

@@ -19,33 +19,68 @@ namespace postprocess
       return path.extension() == ".h5" || path.extension() == ".hdf5";
     }
 
-    std::pair<dem::Packing, Metadata> read(const std::filesystem::path &path)
+    void convert_to_metres(dem::Packing &packing, const base::LengthUnit &unit, const std::string &origin)
+    {
+      if (!packing.bodies.empty() && unit != base::LengthUnit())
+        throw base::InputError(origin +
+                               ": has rigid bodies, whose volume and inertia are in metres. Write all of it in m.");
+      for (Eigen::Vector3d &centre : packing.centre)
+        centre /= unit.in_a_metre;
+      for (double &radius : packing.radius)
+        radius = unit.metres(radius);
+      if (packing.periodic_cell)
+        *packing.periodic_cell /= unit.in_a_metre;
+    }
+
+    std::pair<dem::Packing, Metadata> read(const std::filesystem::path           &path,
+                                           const std::optional<base::LengthUnit> &unit)
     {
       if (!std::filesystem::exists(path))
         throw base::InputError(path.string() + ": no such file. Give a packing: HDF5 (.h5) or text (x y z radius).");
-      return hdf5::is_hdf5(path) || is_named_hdf5(path) ? read_packing_hdf5(path) : read_packing_text(path);
+      if (!hdf5::is_hdf5(path) && !is_named_hdf5(path))
+        return read_packing_text(path, unit);
+      auto       found = read_packing_hdf5(path);
+      const auto said  = unit_of_packing_hdf5(path);
+      if (unit && said && *unit != *said)
+        throw base::InputError(path.string() + ": says that lengths are in " + said->symbol +
+                               ", and Length unit that they are in " + unit->symbol +
+                               ". Leave it out, or correct the file.");
+      convert_to_metres(found.first, said ? *said : unit.value_or(base::LengthUnit()), path.string());
+      return found;
     }
 
     void check_metadata(const Metadata &metadata)
     {
-      const auto allowed = [](const unsigned char c) { return std::isalnum(c) || c == '_' || c == '-' || c == ' '; };
       for (const auto &[key, value] : metadata)
-        if (key.empty() || key == "periodic_cell" || key == "materials" ||
-            !std::all_of(key.begin(), key.end(), allowed) || value.find_first_of("\r\n") != std::string::npos)
+        if (!is_metadata_key(key) || value.find_first_of("\r\n") != std::string::npos)
           throw std::invalid_argument("write_packing: metadata \"" + key +
                                       "\": a key is made of letters, digits, blanks, _ " +
                                       "and -, it is not periodic_cell or materials, and its value has no line break");
     }
   } // namespace
 
-  dem::Packing read_packing(const std::filesystem::path &path)
+  bool is_metadata_key(const std::string &key)
   {
-    dem::Packing packing = read(path).first;
+    const auto allowed = [](const unsigned char c) { return std::isalnum(c) || c == '_' || c == '-' || c == ' '; };
+    return !key.empty() && key != "periodic_cell" && key != "materials" && std::all_of(key.begin(), key.end(), allowed);
+  }
+
+  dem::Packing read_packing(const std::filesystem::path &path, const std::optional<base::LengthUnit> &unit)
+  {
+    dem::Packing packing = read(path, unit).first;
     dem::check_packing(packing, path.string());
     return packing;
   }
 
-  Metadata read_packing_metadata(const std::filesystem::path &path) { return read(path).second; }
+  bool says_length_unit(const std::filesystem::path &path)
+  {
+    return hdf5::is_hdf5(path) ? unit_of_packing_hdf5(path).has_value() : packing_text_says_unit(path);
+  }
+
+  Metadata read_packing_metadata(const std::filesystem::path &path, const std::optional<base::LengthUnit> &unit)
+  {
+    return read(path, unit).second;
+  }
 
   void write_packing(const dem::Packing &packing, const std::filesystem::path &path, const Metadata &metadata)
   {

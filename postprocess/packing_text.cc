@@ -2,6 +2,8 @@
 
 #include "base/errors.h"
 #include "postprocess/numeric_text.h"
+#include "postprocess/packing_header.h"
+#include "postprocess/stated_unit.h"
 
 #include <algorithm>
 #include <array>
@@ -15,46 +17,27 @@ namespace postprocess
 
   namespace
   {
-    constexpr std::size_t quantities   = 4;  // x, y, z, radius
     constexpr std::size_t body_numbers = 10; // volume, centre, inertia
 
-    /** Where x, y, z and radius stand in a row. */
-    struct RowLayout
+    /** A comment above or among the particles. */
+    struct CommentLine
     {
-      std::array<std::size_t, quantities> place = {0, 1, 2, 3};
-      std::optional<std::size_t>          material, clump;
-      std::size_t                         columns = quantities;
-      bool                                named   = false; ///< taken from a header
+      std::string_view text;
+      std::size_t      number = 0;
+      bool             plain  = true; ///< not one of the lines that have a meaning of their own
     };
-
-    std::string lower_case(std::string name)
-    {
-      std::transform(name.begin(), name.end(), name.begin(), [](const unsigned char c) { return std::tolower(c); });
-      return name;
-    }
-
-    bool names_quantity(const ColumnName &column, const std::size_t quantity)
-    {
-      static constexpr std::array<std::string_view, quantities> letters = {"x", "y", "z", "r"};
-      const std::string                                         name    = lower_case(column.name);
-      return name == letters[quantity] || (quantity == 3 && name == "radius");
-    }
-
-    bool names_all_quantities(const std::vector<ColumnName> &names)
-    {
-      for (std::size_t quantity = 0; quantity < quantities; ++quantity)
-        if (std::none_of(names.begin(), names.end(), [&](const auto &name) { return names_quantity(name, quantity); }))
-          return false;
-      return true;
-    }
 
     /** Reads a text line by line; its members are what it has understood so far. */
     class PackingParser
     {
     public:
-      PackingParser(const std::string &origin_, const std::string_view text)
+      /** @param text must outlive the parser @param asked unit that the reader expects; empty: as the file says */
+      PackingParser(const std::string                     &origin_,
+                    const std::string_view                 text,
+                    const std::optional<base::LengthUnit> &asked_)
         : origin(origin_)
         , lines(text)
+        , asked(asked_)
       {
       }
 
@@ -68,18 +51,26 @@ namespace postprocess
             if (line[0] == '#')
               read_comment(trimmed(line.substr(1)));
             else if (packing.size() == 0 && !layout.named && is_header(line))
-              use_header(column_names(line));
+              use_header(packing_column_names(line), lines.number());
             else
               read_particle(line);
           }
         if (packing.size() == 0)
           throw base::InputError(origin + ": holds no particle. Give lines of x y z radius [m].");
+        convert_to_metres();
         if (layout.material)
           packing.material_names.resize(numbers.size());
         for (const auto &[name, value] : numbers)
           if (layout.material)
             packing.material_names[static_cast<std::size_t>(value)] = name;
         return {std::move(packing), std::move(metadata)};
+      }
+
+      /** Once the text is parsed. */
+      bool says_unit() const
+      {
+        return layout.unit[0].has_value() ||
+               std::any_of(comments.begin(), comments.end(), [](const auto &one) { return states_unit(one.text); });
       }
 
     private:
@@ -93,6 +84,7 @@ namespace postprocess
       void read_comment(const std::string_view line)
       {
         split(line, fields);
+        comments.push_back({line, lines.number(), false});
         if (!fields.empty() && (fields[0] == "periodic_cell" || fields[0] == "periodic_cell:"))
           read_periodic_cell();
         else if (packing.size() == 0 && !fields.empty() && fields[0] == "body" && fields.size() == 1 + body_numbers)
@@ -102,15 +94,25 @@ namespace postprocess
             announced.assign(fields.begin() + 1, fields.end());
             announced_in = lines.number();
           }
-        else if (const auto names = column_names(line); packing.size() == 0 && names_all_quantities(names))
-          commented_names = names;
-        else if (const std::size_t colon = line.find(':'); colon != std::string_view::npos)
-          metadata[std::string(trimmed(line.substr(0, colon)))] = trimmed(line.substr(colon + 1));
+        else
+          {
+            comments.back().plain = true;
+            // What is said of the unit is used up with the reading: the packing is in metres from now on.
+            if (const std::size_t colon = line.find(':'); colon != std::string_view::npos && !states_unit(line))
+              if (const std::string key(trimmed(line.substr(0, colon))); is_metadata_key(key))
+                metadata[key] = trimmed(line.substr(colon + 1));
+          }
       }
 
       void read_periodic_cell()
       {
-        if (fields.size() != 4)
+        const bool with_unit = fields.size() == 5;
+        if (with_unit)
+          {
+            const auto bare = fields[4].substr(0, fields[4].find_last_not_of(")]") + 1);
+            cell_unit       = base::length_unit(bare.substr(std::min(bare.size(), bare.find_first_not_of("[("))));
+          }
+        if (fields.size() != 4 && !cell_unit)
           refuse_line("periodic_cell has " + std::to_string(fields.size() - 1) +
                       " edge lengths, expected 3: LX LY LZ [m].");
         if (packing.periodic_cell)
@@ -167,47 +169,49 @@ namespace postprocess
         return numbers.emplace(name, numbers.size()).first->second;
       }
 
-      void use_header(const std::vector<ColumnName> &names)
+      void use_header(const std::vector<ColumnName> &names, const std::size_t line)
       {
-        for (std::size_t quantity = 0; quantity < quantities; ++quantity)
-          {
-            const auto is_wanted = [&](const ColumnName &name) { return names_quantity(name, quantity); };
-            if (std::count_if(names.begin(), names.end(), is_wanted) != 1)
-              refuse_line("the header must name each of the columns x, y, z and radius once.");
-            const auto found       = std::find_if(names.begin(), names.end(), is_wanted);
-            layout.place[quantity] = found - names.begin();
-            if (!found->unit.empty() && found->unit != "m")
-              refuse_line("the column " + found->name + " is in [" + found->unit + "]: lengths must be in [m].");
-          }
-        for (std::size_t i = 0; i < names.size(); ++i)
-          if (lower_case(names[i].name) == "material")
-            {
-              if (layout.material)
-                refuse_line("the header names the column material twice.");
-              layout.material = i;
-            }
-        for (std::size_t i = 0; i < names.size(); ++i)
-          if (lower_case(names[i].name) == "clump")
-            layout.clump = i;
-        layout.columns = names.size();
-        layout.named   = true;
+        layout    = packing_columns(names, origin, line);
+        header_in = line;
+      }
+
+      /** The last comment that names the columns, if any, is their header; one that seems to must be understood. */
+      void look_for_header_in_comments(const std::size_t columns)
+      {
+        std::optional<std::size_t> in_doubt;
+        for (const CommentLine &comment : comments)
+          if (const CommentedNames found = names_in_comment(comment.text, columns); !comment.plain)
+            continue;
+          else if (!found.names.empty())
+            use_header(found.names, comment.number);
+          else if (found.in_doubt)
+            in_doubt = comment.number;
+        if (layout.named)
+          return;
+        if (!in_doubt && !comments.empty() && comments.back().plain && !states_unit(comments.back().text) &&
+            looks_like_names(comments.back().text, columns))
+          in_doubt = comments.back().number;
+        if (in_doubt)
+          refuse(
+            origin, *in_doubt,
+            "seems to name the " + std::to_string(columns) +
+              " columns below, and not each of x, y, z and radius (or diameter) once. Name them so, e.g. \"# x y z "
+              "radius\", or reword the comment.");
       }
 
       void read_particle(const std::string_view line)
       {
         split(line, fields);
-        // A comment with the four names was the header if it has as many names as there are columns; otherwise it was
-        // prose.
-        if (packing.size() == 0 && !layout.named && commented_names.size() == fields.size())
-          use_header(commented_names);
-        if (fields.size() != layout.columns)
-          refuse_line("found " + std::to_string(fields.size()) + " columns, expected " +
-                      std::to_string(layout.columns) + (layout.named ? " as in the header." : ": x y z radius."));
+        if (packing.size() == 0 && !layout.named)
+          look_for_header_in_comments(fields.size());
+        if (fields.size() != layout.count)
+          refuse_line("found " + std::to_string(fields.size()) + " columns, expected " + std::to_string(layout.count) +
+                      (layout.named ? " as in the header." : ": x y z radius."));
         Eigen::Vector3d centre;
         for (int d = 0; d < 3; ++d)
           centre[d] = finite_number(fields[layout.place[d]], origin, lines.number());
         packing.centre.push_back(centre);
-        packing.radius.push_back(positive("radius", fields[layout.place[3]]));
+        packing.radius.push_back(positive(layout.diameter ? "diameter" : "radius", fields[layout.place[3]]));
         if (layout.material)
           packing.material.push_back(material_in(fields[*layout.material]));
         if (layout.clump)
@@ -218,17 +222,69 @@ namespace postprocess
       {
         const double value = finite_number(field, origin, lines.number());
         if (!(value > 0))
-          refuse_line(what + " = " + std::string(field) + " m: must be above 0.");
+          refuse_line(what + " = " + std::string(field) + ": must be above 0.");
         return value;
+      }
+
+      /** The one that the file states, or else the one that the reader asks for. Both are the same, or one is wrong. */
+      std::optional<base::LengthUnit> unit_of_file() const
+      {
+        StatedUnit stated(origin);
+        for (const CommentLine &comment : comments)
+          if (comment.plain)
+            stated.read(comment.text, comment.number, comment.number == header_in);
+        const bool columns_say =
+          std::all_of(layout.unit.begin(), layout.unit.end(), [](const auto &unit) { return unit.has_value(); });
+        if (!asked && !columns_say)
+          stated.require_no_doubt();
+        if (asked && stated.unit() && *asked != *stated.unit())
+          refuse(origin, stated.line(),
+                 std::string("says that lengths are in ") + stated.unit()->symbol +
+                   ", and Length unit that they are in " + asked->symbol + ". Leave it out, or correct the file.");
+        return stated.unit() ? stated.unit() : asked;
+      }
+
+      base::LengthUnit unit_of(const std::size_t quantity, const std::optional<base::LengthUnit> &of_file) const
+      {
+        const std::optional<base::LengthUnit> &own = layout.unit[quantity];
+        if (own && of_file && *own != *of_file)
+          refuse(origin, header_in,
+                 std::string("a column is in [") + own->symbol + "], and lengths of the file are said to be in " +
+                   of_file->symbol + ". Keep one of the two.");
+        const bool some = std::any_of(layout.unit.begin(), layout.unit.end(),
+                                      [](const auto &unit) { return unit && *unit != base::LengthUnit(); });
+        if (!own && !of_file && some)
+          refuse(origin, header_in,
+                 "some of the columns x, y, z and radius (or diameter) have a unit and others none: name it for each.");
+        return own ? *own : of_file.value_or(base::LengthUnit());
+      }
+
+      void convert_to_metres()
+      {
+        const std::optional<base::LengthUnit> of_file = unit_of_file();
+        const base::LengthUnit                places = unit_of(0, of_file), sizes = unit_of(3, of_file);
+        if (unit_of(1, of_file) != places || unit_of(2, of_file) != places)
+          refuse(origin, header_in, "x, y and z are not in one unit.");
+        if (!packing.bodies.empty() && places != base::LengthUnit())
+          throw base::InputError(origin + ": the lines \"# body\" are in m, and the places of particles in " +
+                                 places.symbol + ". Write both in m.");
+        for (Eigen::Vector3d &centre : packing.centre)
+          centre /= places.in_a_metre;
+        for (double &size : packing.radius)
+          size = sizes.metres(layout.diameter ? 0.5 * size : size);
+        if (packing.periodic_cell)
+          *packing.periodic_cell /= cell_unit.value_or(places).in_a_metre;
       }
 
       [[noreturn]] void refuse_line(const std::string &message) const { refuse(origin, lines.number(), message); }
 
       std::string                         origin;
       Lines                               lines;
-      RowLayout                           layout;
+      std::optional<base::LengthUnit>     asked, cell_unit;
+      PackingColumns                      layout;
       std::vector<std::string_view>       fields;
-      std::vector<ColumnName>             commented_names;
+      std::vector<CommentLine>            comments;
+      std::size_t                         header_in = 0;    ///< number of its line
       std::map<std::string, std::int32_t> numbers;          ///< of materials
       std::vector<std::string>            announced;        ///< materials of the line "# materials"
       std::size_t                         announced_in = 0; ///< its number
@@ -237,10 +293,19 @@ namespace postprocess
     };
   } // namespace
 
-  std::pair<dem::Packing, Metadata> read_packing_text(const std::filesystem::path &path)
+  std::pair<dem::Packing, Metadata> read_packing_text(const std::filesystem::path           &path,
+                                                      const std::optional<base::LengthUnit> &unit)
   {
     const std::string text = read_text(path);
-    return PackingParser(path.string(), text).parse();
+    return PackingParser(path.string(), text, unit).parse();
+  }
+
+  bool packing_text_says_unit(const std::filesystem::path &path)
+  {
+    const std::string text = read_text(path);
+    PackingParser     parser(path.string(), text, {});
+    parser.parse();
+    return parser.says_unit();
   }
 
   namespace

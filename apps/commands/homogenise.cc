@@ -1,4 +1,5 @@
 #include "apps/commands/command.h"
+#include "apps/commands/length_unit_option.h"
 #include "apps/commands/link_law_named.h"
 #include "apps/commands/scene_options.h"
 #include "apps/drivers/homogenisation/report.h"
@@ -23,6 +24,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <optional>
 
 namespace apps
 {
@@ -30,16 +32,17 @@ namespace apps
   {
     struct HomogeniseOptions
     {
-      std::string              packing, folder, law, materials;
-      std::vector<std::string> constants;
-      HomogenisationQuestion   question;
-      int                      seeds = 1, threads = 0;
+      std::string                     packing, folder, law, materials;
+      std::vector<std::string>        constants;
+      std::optional<base::LengthUnit> length_unit; ///< of the packing
+      HomogenisationQuestion          question;
+      int                             seeds = 1, threads = 0;
     };
 
     /** The friction a packing was compacted with, where its file says so. */
-    double friction_of(const std::string &file)
+    double friction_of(const HomogeniseOptions &options)
     {
-      const postprocess::Metadata metadata = postprocess::read_packing_metadata(file);
+      const postprocess::Metadata metadata = postprocess::read_packing_metadata(options.packing, options.length_unit);
       const auto                  found    = metadata.find("friction");
       return found == metadata.end() ? dem::CompactionParameters().friction :
                                        number_in(found->second).value_or(dem::CompactionParameters().friction);
@@ -88,7 +91,7 @@ namespace apps
 
     std::vector<HomogenisationAnswer> answers_of(HomogeniseOptions &options)
     {
-      dem::Packing packing = postprocess::read_packing(options.packing);
+      dem::Packing packing = postprocess::read_packing(options.packing, options.length_unit);
       choose_links(options, packing);
       std::vector<HomogenisationAnswer> answers = {homogenise(packing, options.question, options.packing)};
       if (options.seeds > 1 && options.question.materials && options.question.materials->several())
@@ -99,7 +102,7 @@ namespace apps
           "command line: --seeds makes packings of spheres; homogenise packings of discs one by one.");
       for (int seed = 2; seed <= options.seeds; ++seed)
         answers.push_back(homogenise(
-          packing_like(packing, friction_of(options.packing), static_cast<std::uint64_t>(1000 + seed), options.packing),
+          packing_like(packing, friction_of(options), static_cast<std::uint64_t>(1000 + seed), options.packing),
           options.question, fmt::format("packing of seed {}", 1000 + seed)));
       return answers;
     }
@@ -144,6 +147,7 @@ namespace apps
     CLI::App  &command = *program.add_subcommand(
        "homogenise", "Macroscopic stiffness of a periodic packing: from link statistics, affine bound, and relaxed");
     command.add_option("packing", options->packing, "Periodic packing, text or HDF5")->required()->type_name("PACKING");
+    add_length_unit(command, options->length_unit);
     command
       .add_option("--interaction-ratio", links.interaction_ratio,
                   "Links up to this times the sum of radii, from 1 to 10")

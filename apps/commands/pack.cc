@@ -1,4 +1,5 @@
 #include "apps/commands/command.h"
+#include "apps/commands/length_unit_option.h"
 #include "apps/commands/scene_options.h"
 #include "apps/drivers/parts/specimen_packing.h"
 #include "apps/process/exit_status.h"
@@ -13,6 +14,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 
 namespace apps
 {
@@ -20,11 +22,12 @@ namespace apps
   {
     struct PackOptions
     {
-      dem::CompactionParameters generator;
-      std::string               from, box, output;
-      bool                      periodic = false;
-      bool                      counted  = false; ///< the user says how many spheres the cell has
-      int                       threads  = 0;
+      dem::CompactionParameters       generator;
+      std::string                     from, box, output;
+      std::optional<base::LengthUnit> length_unit; ///< of `from`
+      bool                            periodic = false;
+      bool                            counted  = false; ///< the user says how many spheres the cell has
+      int                             threads  = 0;
     };
 
     Eigen::Vector3d box_edges(const std::string &text)
@@ -65,8 +68,8 @@ namespace apps
     {
       if (!options.from.empty())
         {
-          metadata = postprocess::read_packing_metadata(options.from);
-          return postprocess::read_packing(options.from);
+          metadata = postprocess::read_packing_metadata(options.from, options.length_unit);
+          return postprocess::read_packing(options.from, options.length_unit);
         }
       const bool            cut_out = !options.box.empty() && !options.counted;
       dem::CompactionResult result =
@@ -139,6 +142,7 @@ namespace apps
                   with_default("Of the contacts in which the packing is left, p 2r/k_n, below 0.1", make.low_pressure))
       ->type_name("P");
     command.add_option("--from", options->from, "Take this packing instead of making one")->type_name("FILE");
+    add_length_unit(command, options->length_unit);
     CLI::Option *box =
       command.add_option("--box", options->box, "Repeat the cell to fill this box, and crop to it [m]")
         ->type_name("LX,LY,LZ");

@@ -7,6 +7,7 @@
 #include "apps/scene/parameter_file.h"
 #include "apps/scene/reader.h"
 #include "apps/scene/same_name.h"
+#include "apps/scene/time_table.h"
 #include "apps/scene/value_text.h"
 #include "postprocess/digest.h"
 
@@ -75,6 +76,8 @@ namespace apps
       std::vector<std::filesystem::path> files;
       if (entry.type == "file")
         files.push_back((std::filesystem::path(entry.place.file).parent_path() / entry.value).lexically_normal());
+      if (const auto table = entry.type == "formula" ? table_in(entry.value) : std::nullopt)
+        files.push_back((std::filesystem::path(entry.place.file).parent_path() / table->file).lexically_normal());
       if (entry.type == "list of files")
         for (const std::string &name : comma_separated(entry.value))
           files.emplace_back(name);

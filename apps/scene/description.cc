@@ -1,10 +1,13 @@
 #include "apps/scene/description.h"
 
+#include "apps/scene/time_table.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 namespace apps
 {
@@ -55,21 +58,35 @@ namespace apps
       return text;
     }
 
+    std::optional<TableName> table_of(const Entry &entry)
+    {
+      return entry.type == "formula" ? table_in(entry.value) : std::nullopt;
+    }
+
     /** A file name stays valid when the completed scene stands in another folder. */
     std::string portable_value(const Entry &entry)
     {
-      if (entry.type != "file")
-        return entry.value;
-      return std::filesystem::absolute(std::filesystem::path(entry.place.file).parent_path() / entry.value)
-        .lexically_normal()
-        .string();
+      const auto from_scene = [&](const std::string &file) {
+        return std::filesystem::absolute(std::filesystem::path(entry.place.file).parent_path() / file)
+          .lexically_normal()
+          .string();
+      };
+      if (entry.type == "file")
+        return from_scene(entry.value);
+      if (const auto table = table_of(entry))
+        return "table " + from_scene(table->file) + (table->column.empty() ? "" : ": " + table->column);
+      return entry.value;
     }
 
     std::string completed_line(const Entry &entry, const Completed what)
     {
       // Files decide by their content, which is compared apart, and not by their names.
-      const bool        by_content = what == Completed::what_decides_results && entry.type == "file";
-      const std::string line       = "set " + entry.name + " = " + (by_content ? "(content)" : portable_value(entry));
+      const bool        shortened = what == Completed::what_decides_results;
+      const auto        table     = table_of(entry);
+      const std::string value     = shortened && entry.type == "file" ? "(content)" :
+                                    shortened && table                ? "table (content): " + table->column :
+                                                                        portable_value(entry);
+      const std::string line      = "set " + entry.name + " = " + value;
       return what == Completed::everything ?
                fmt::format("{:<48} # {}{}\n", line, entry.meaning, unit_in_brackets(entry)) :
                line + "\n";

@@ -1,5 +1,6 @@
 #include "apps/scene/expression.h"
 
+#include "apps/scene/time_table.h"
 #include "base/errors.h"
 
 #include <fmt/format.h>
@@ -31,6 +32,11 @@ namespace apps
     : parser(std::make_shared<Parser>(text))
   {
     parser->name = name + " = " + text;
+  }
+
+  Expression::Expression(std::shared_ptr<const TimeTable> by_time)
+    : table(std::move(by_time))
+  {
   }
 
   namespace
@@ -70,11 +76,14 @@ namespace apps
       }
   }
 
-  bool Expression::varies_in_time() const { return given() && parser->formula.GetUsedVar().count("t") > 0; }
+  bool Expression::varies_in_time() const
+  {
+    return table != nullptr || (given() && parser->formula.GetUsedVar().count("t") > 0);
+  }
 
   bool Expression::varies_in_space() const
   {
-    if (!given())
+    if (parser == nullptr)
       return false;
     const auto used = parser->formula.GetUsedVar();
     return used.count("x") + used.count("y") + used.count("z") > 0;
@@ -82,6 +91,8 @@ namespace apps
 
   double Expression::operator()(const double x, const double y, const double z, const double t) const
   {
+    if (table != nullptr)
+      return (*table)(t);
     parser->x          = x;
     parser->y          = y;
     parser->z          = z;

@@ -5,7 +5,9 @@
 
 namespace apps
 {
-  /** A formula of place [m] and time [s], as a scene writes it, e.g. "-1e-3*t*(1 - x/0.2)". */
+  class TimeTable;
+
+  /** A formula of place [m] and time [s], as a scene writes it, e.g. "-1e-3*t*(1 - x/0.2)"; or a table by time. */
   class Expression
   {
   public:
@@ -19,10 +21,13 @@ namespace apps
      */
     Expression(const std::string &text, const std::string &name);
 
+    /** By time alone. */
+    explicit Expression(std::shared_ptr<const TimeTable> by_time);
+
     /** What is wrong with a formula, "" if nothing. */
     static std::string fault(const std::string &text);
 
-    bool given() const { return parser != nullptr; }
+    bool given() const { return parser != nullptr || table != nullptr; }
 
     /** Whether t occurs in it; a formula that is not given does not vary. */
     bool varies_in_time() const;
@@ -35,6 +40,7 @@ namespace apps
 
   private:
     struct Parser;
-    std::shared_ptr<Parser> parser; // copies of an expression share it
+    std::shared_ptr<Parser>          parser; // copies of an expression share it
+    std::shared_ptr<const TimeTable> table;
   };
 } // namespace apps

@@ -7,7 +7,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <limits>
 
 namespace apps
 {
@@ -53,12 +56,40 @@ namespace apps
     return p;
   }
 
-  void AggregatesSection::validate(const Section &genesis, const int dimension) const
+  namespace
+  {
+    /** The vessel with all edges so much longer, each rounded up to four digits, as a message can tell it. */
+    dem::Vessel enlarged(dem::Vessel vessel, const double factor)
+    {
+      for (int d = 0; d < vessel.dimension; ++d)
+        {
+          const double edge   = factor * vessel.size[d];
+          const double digits = std::pow(10.0, 3 - std::floor(std::log10(edge)));
+          vessel.size[d]      = std::ceil(edge * digits * (1 - 1e-12)) / digits;
+        }
+      return vessel;
+    }
+
+    /** Edges of the smallest vessel of this shape in which whole particles come near enough. @param misfit in so much space */
+    std::string
+    large_enough(const dem::Vessel &vessel, const std::function<double(double)> &misfit, const double tolerance)
+    {
+      const dem::Vessel found =
+        enlarged(vessel, dem::least_enlargement(
+                           [&](const double factor) { return misfit(enlarged(vessel, factor).space()); }, tolerance));
+      std::string edges;
+      for (int d = 0; d < vessel.dimension; ++d)
+        edges += fmt::format("{}{:g}", d == 0 ? "" : ", ", found.size[d]);
+      return edges;
+    }
+  } // namespace
+
+  void AggregatesSection::validate(const Section &genesis, const dem::Vessel &vessel, const double tolerance) const
   {
     if (!given())
       return;
     const Section &section = *genesis.find_section("Aggregates");
-    if (dimension != 2)
+    if (vessel.dimension != 2)
       section.refuse("Content", "aggregates are polygons in the plane, and Physics/Dimension is 3.");
     if (most_corners < fewest_corners)
       section.refuse("Most corners", fmt::format("must not be below Fewest corners = {}.", fewest_corners));
@@ -69,7 +100,13 @@ namespace apps
         section.refuse(entry, dem::material_name_rule() + std::string("."));
     try
       {
-        dem::aggregate_counts(content, parameters(1).bounds, 1.0);
+        const std::vector<double> classes = parameters(1).bounds;
+        const auto misfit = [&](const double area) { return dem::largest_aggregate_misfit(content, classes, area); };
+        if (const double now = misfit(vessel.space()); now > tolerance)
+          throw base::InputError(
+            fmt::format("whole aggregates miss the grading by {:.2g} of the section, and Size tolerance is {}. The "
+                        "smallest window of this shape that would do is {} m.",
+                        now, tolerance, large_enough(vessel, misfit, tolerance)));
       }
     catch (const base::InputError &refused)
       {
@@ -97,14 +134,21 @@ namespace apps
                "space of volume) sum up to 1")
         .only_if(of_kind(GenesisSection::Sizes::classes), "Specimen/Genesis/Sizes = classes");
       section.file("Size file", of.file)
-        .means("Table with the columns diameter and fraction; or smallest, largest and fraction; or of a sieve curve "
-               "size and passing, ascending. Lengths in [m], or [mm] where its header says so")
+        .means(
+          "Table with the columns diameter and fraction; or smallest, largest and fraction; or of a sieve curve "
+          "size and passing (finer than the sieve), or size and retained (on the sieve, passing the next larger "
+          "one), rows in any order; parts of 1, [%] or masses [g]. Lengths in m, or the unit in the header: size [mm]")
         .only_if(of_kind(GenesisSection::Sizes::file), "Specimen/Genesis/Sizes = file");
       section.number("Size factor", of.size_factor, "-", Range::positive(), Need::optional)
         .means("All diameters of classes or file times this: the scale of the particles");
       section.number("Mean radius", of.mean_radius, "m", Range::positive(), Need::required)
         .means("Of uniform sizes; decides how many particles there are")
         .only_if(of_kind(GenesisSection::Sizes::uniform), "Specimen/Genesis/Sizes = uniform");
+      section
+        .number("Size tolerance", of.size_tolerance, "-", {std::numeric_limits<double>::min(), 1, false},
+                Need::optional)
+        .means("Part of the solid (of aggregates: of the section) by which a class may miss its fraction, because "
+               "particles are whole; beyond it the vessel is too small for the sizes");
       section.number("Radius ratio", of.radius_ratio, "-", Range::at_least(1), Need::optional)
         .means("Largest over smallest radius of uniform sizes");
     }
@@ -205,6 +249,45 @@ namespace apps
     return dem::class_counts(size_classes(), space, porosity, dimension);
   }
 
+  std::string text_of(const dem::SizeClass &size)
+  {
+    return size.smallest == size.largest ? fmt::format("{:g}", size.largest) :
+                                           fmt::format("{:g} to {:g}", size.smallest, size.largest);
+  }
+
+  std::vector<ClassInVessel> GenesisSection::classes_in_vessel(const int dimension) const
+  {
+    std::vector<ClassInVessel> found;
+    if (sizes == Sizes::uniform)
+      return found;
+    const std::vector<dem::SizeClass> all    = size_classes();
+    const double                      space  = vessel(dimension).space();
+    const std::vector<std::size_t>    number = dem::class_counts(all, space, porosity, dimension);
+    for (std::size_t k = 0; k < all.size(); ++k)
+      found.push_back({all[k], number[k], dem::part_of_solid(all[k], number[k], space, porosity, dimension)});
+    return found;
+  }
+
+  void GenesisSection::require_enough_room(const Section &genesis, const int dimension, const char *sizes_from) const
+  {
+    const dem::Vessel room = vessel(dimension);
+    const auto        one  = classes_in_vessel(dimension);
+    const auto worst = std::max_element(one.begin(), one.end(), [](const ClassInVessel &a, const ClassInVessel &b) {
+      return std::abs(a.part - a.size.fraction) < std::abs(b.part - b.size.fraction);
+    });
+    if (worst == one.end() || std::abs(worst->part - worst->size.fraction) <= size_tolerance)
+      return;
+    const auto classes_of_sizes = size_classes();
+    const auto misfit           = [&](const double space) {
+      return dem::largest_misfit(classes_of_sizes, space, porosity, dimension);
+    };
+    genesis.refuse(sizes_from,
+                   fmt::format("{} whole particles of diameter {} m are {:.2g} of the solid and not {:g}, and Size "
+                               "tolerance is {}. The smallest vessel of this shape that would do is {} m.",
+                               worst->count, text_of(worst->size), worst->part, worst->size.fraction, size_tolerance,
+                               large_enough(room, misfit, size_tolerance)));
+  }
+
   dem::GenesisParameters GenesisSection::parameters(const int dimension, const double thickness) const
   {
     dem::GenesisParameters p = growth;
@@ -236,7 +319,6 @@ namespace apps
   void GenesisSection::validate(const Section &specimen, const int dimension) const
   {
     const Section &section = *specimen.find_section("Genesis");
-    aggregates.validate(section, dimension);
     if (sizes == Sizes::file && !std::filesystem::is_regular_file(file))
       section.refuse("Size file",
                      "there is no such file (" + std::filesystem::absolute(file).lexically_normal().string() + ").");
@@ -249,6 +331,7 @@ namespace apps
       {
         section.refuse("Size", refused.what());
       }
+    aggregates.validate(section, vessel(dimension), size_tolerance);
     std::size_t all = 0;
     try
       {
@@ -265,6 +348,7 @@ namespace apps
     if (all > most)
       section.refuse(sizes_from,
                      fmt::format("that would be {:.1e} particles. Check the units: metres.", static_cast<double>(all)));
+    require_enough_room(section, dimension, sizes_from);
     if (!(growth.stress < growth.material.contact.effective_modulus))
       section.refuse("Stress", "must be far below the modulus of the contacts.");
   }

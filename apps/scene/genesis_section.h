@@ -20,11 +20,23 @@ namespace apps
     bool         middle_sizes = true;
     std::string  mortar = "mortar", aggregate = "aggregate";
 
-    void                     declare(Section &genesis);
-    void                     validate(const Section &genesis, int dimension) const;
+    void declare(Section &genesis);
+    /** @param vessel that they lie in, valid @param tolerance part of it by which a class may miss what the grading gives */
+    void                     validate(const Section &genesis, const dem::Vessel &vessel, double tolerance) const;
     bool                     given() const { return content > 0; }
     dem::AggregateParameters parameters(std::uint64_t seed) const;
   };
+
+  /** A class of sizes in a vessel: what was asked, and how many whole particles it has. */
+  struct ClassInVessel
+  {
+    dem::SizeClass size;
+    std::size_t    count = 0;
+    double         part  = 0; ///< of the solid [-]
+  };
+
+  /** Its diameters [m] in words: "0.001", "0.001 to 0.002". */
+  std::string text_of(const dem::SizeClass &size);
 
   /** Sub-section "Genesis" of "Specimen": particles grown into a vessel (doc/theory/genesis.md). */
   struct GenesisSection
@@ -42,8 +54,9 @@ namespace apps
     std::string            classes, file;
     double                 size_factor = 1;
     double                 mean_radius = 0, radius_ratio = 1; ///< [m], largest over smallest
-    double                 porosity = 0.1;
-    std::int64_t           seed     = 1;
+    double                 porosity       = 0.1;
+    double                 size_tolerance = 0.05; ///< part of the solid by which whole particles may miss a fraction
+    std::int64_t           seed           = 1;
     AggregatesSection      aggregates;
 
     /** @param chosen whether the scene asks for it */
@@ -55,9 +68,14 @@ namespace apps
     std::vector<dem::SizeClass> size_classes() const;
     /** Particles of each class; of uniform radii one number. */
     std::vector<std::size_t> counts(int dimension) const;
+    /** Each class with its count; of uniform radii none. @throws base::InputError as size_classes() */
+    std::vector<ClassInVessel> classes_in_vessel(int dimension) const;
     /** Everything. @param thickness of discs [m] @throws base::InputError */
     dem::GenesisParameters parameters(int dimension, double thickness) const;
     /** What becomes of the grown packing: aggregates, where there are some. @throws base::InputError */
     void finish(dem::Packing &packing) const;
+
+  private:
+    void require_enough_room(const Section &genesis, int dimension, const char *sizes_from) const;
   };
 } // namespace apps

@@ -1,6 +1,8 @@
 #include "apps/scene/section.h"
 
 #include "apps/scene/same_name.h"
+#include "apps/scene/time_table.h"
+#include "apps/scene/usual_sizes.h"
 #include "apps/scene/value_text.h"
 
 #include <fmt/format.h>
@@ -60,36 +62,26 @@ namespace apps
       return std::find_if(known.begin(), known.end() - 1, [&](const Magnitudes &m) { return unit == m.unit; });
     }
 
-    /** A number, and whether its unit was written behind it: "25e9 Pa". */
-    struct NumberWithUnit
+    /** A text without the unit behind it, and whether one was written: "25e9 Pa". */
+    struct WithoutUnit
     {
-      std::optional<double> value;
-      bool                  unit_named = false;
+      std::string text;
+      bool        unit_named = false;
     };
 
-    NumberWithUnit number_with_unit(const std::string &text, const std::string &unit)
+    WithoutUnit without_unit(const std::string &text, const std::string &unit)
     {
       const std::string ending = " " + unit;
       if (unit.empty() || text.size() <= ending.size() ||
           text.compare(text.size() - ending.size(), ending.size(), ending) != 0)
-        return {same_name(trimmed(text), "inf") ? std::numeric_limits<double>::infinity() : number_in(text), false};
-      return {number_in(trimmed(text.substr(0, text.size() - ending.size()))), true};
+        return {text, false};
+      return {trimmed(text.substr(0, text.size() - ending.size())), true};
     }
 
-    /**
-     * What to ask about a modulus that no solid has ("25" for 25 GPa): soft rubber has 1e6 Pa, diamond 1.2e12 Pa. Whoever means it
-     * names the unit. "" for nothing. 0, where it is allowed, is a word: none, or that of something else.
-     */
-    std::string question_about(const std::string &entry, const std::string &unit, const NumberWithUnit &number)
+    /** "inf" is a number where the range says so, for what has no limit. */
+    std::optional<double> number_or_infinity(const std::string &text)
     {
-      constexpr double softest = 1e6, stiffest = 1e13;
-      const bool       is_modulus = unit == "Pa" && entry.find("modulus") != std::string::npos;
-      if (!is_modulus || number.unit_named || *number.value == 0 ||
-          (*number.value >= softest && *number.value <= stiffest))
-        return "";
-      return fmt::format("no solid is so {}. In GPa or MPa? Write it in Pa, e.g. 25e9. If it is meant, name the unit: "
-                         "{} Pa",
-                         *number.value < softest ? "soft" : "stiff", *number.value);
+      return same_name(trimmed(text), "inf") ? std::numeric_limits<double>::infinity() : number_in(text);
     }
   } // namespace
 
@@ -137,14 +129,15 @@ namespace apps
     added.unit    = unit;
     added.allowed = range.text();
     added.store   = [&member, range, unit, entry](const std::string &text, const Place &) -> std::string {
-      const NumberWithUnit number = number_with_unit(text, unit);
-      if (!number.value || !range.contains(*number.value))
+      const WithoutUnit written = without_unit(text, unit);
+      const auto        number  = number_or_infinity(written.text);
+      if (!number || !range.contains(*number))
         return expected("a number", range.text());
-      if (const Magnitudes *limits = magnitudes_of(unit); !limits->contain(*number.value))
+      if (const Magnitudes *limits = magnitudes_of(unit); !limits->contain(*number))
         return expected("a number", range.text()) + limits->text();
-      const std::string question = question_about(entry, unit, number);
+      const std::string question = written.unit_named ? "" : question_about(entry, unit, *number, written.text);
       if (question.empty())
-        member = *number.value;
+        member = *number;
       return question;
     };
     return added;
@@ -188,8 +181,9 @@ namespace apps
     Entry &added  = add(entry, "three numbers", need, vector_text(member));
     added.unit    = unit;
     added.allowed = range.text().empty() ? "" : "each " + range.text();
-    added.store   = [&member, range, unit](const std::string &text, const Place &) -> std::string {
-      const std::vector<std::string> parts = comma_separated(text);
+    added.store   = [&member, range, unit, entry](const std::string &text, const Place &) -> std::string {
+      const WithoutUnit              written = without_unit(text, unit);
+      const std::vector<std::string> parts   = comma_separated(written.text);
       std::array<double, 3>          values{};
       bool                           valid = parts.size() == 3;
       for (std::size_t i = 0; valid && i < 3; ++i)
@@ -203,6 +197,10 @@ namespace apps
       const Magnitudes *limits = magnitudes_of(unit);
       if (!std::all_of(values.begin(), values.end(), [&](const double value) { return limits->contain(value); }))
         return expected("three numbers \"x, y, z\"", limits->text());
+      for (const double value : values)
+        if (const std::string question = written.unit_named ? "" : question_about(entry, unit, value, written.text);
+            !question.empty())
+          return question;
       member = values;
       return "";
     };
@@ -233,12 +231,37 @@ namespace apps
     return added;
   }
 
+  namespace
+  {
+    /** @return what is wrong with it, "" if nothing */
+    std::string store_table(
+      const TableName &named, const Place &from, const std::string &entry, const std::string &unit, Expression &member)
+    {
+      const std::filesystem::path file = std::filesystem::path(from.file).parent_path() / named.file;
+      if (!std::filesystem::is_regular_file(file))
+        return "expected a table of time and value: there is no file " +
+               std::filesystem::absolute(file).lexically_normal().string();
+      const auto        table = std::make_shared<const TimeTable>(file.string(), named.column, unit);
+      const std::string question =
+        table->unit_named() ? "" : question_about(entry, unit, table->largest(), fmt::format("{:g}", table->largest()));
+      if (!question.empty())
+        return question + ", in the table behind the name of its column, in brackets";
+      member = Expression(table);
+      return "";
+    }
+  } // namespace
+
   Entry &Section::expression(const std::string &entry, Expression &member, const std::string &unit)
   {
     Entry &added  = add(entry, "formula", Need::optional, "");
     added.unit    = unit;
-    added.allowed = "in x, y, z [m] and t [s], or empty";
-    added.store   = [&member, name = path_of(entry)](const std::string &text, const Place &from) -> std::string {
+    added.allowed = "in x, y, z [m] and t [s], or table FILE.csv, or empty";
+    added.store   = [&member, unit, entry, name = path_of(entry)](const std::string &whole,
+                                                                const Place       &from) -> std::string {
+      if (const auto named = table_in(whole))
+        return store_table(*named, from, entry, unit, member);
+      const WithoutUnit  written = without_unit(whole, unit);
+      const std::string &text    = written.text;
       if (text.empty())
         {
           member = Expression();
@@ -247,7 +270,19 @@ namespace apps
       const std::string wrong = Expression::fault(text);
       if (!wrong.empty())
         return "expected a formula in x, y, z and t: " + wrong;
-      member = Expression(text, from.text() + ": " + name);
+      const Expression formula(text, from.text() + ": " + name);
+      if (!formula.varies_in_time() && !formula.varies_in_space())
+        try
+          {
+            const std::string question = question_about(entry, unit, formula(0, 0, 0, 0), text);
+            if (!written.unit_named && !question.empty())
+              return question;
+          }
+        catch (const base::NumericalError &)
+          {
+            return "expected a formula in x, y, z and t: its value is not a finite number";
+          }
+      member = formula;
       return "";
     };
     return added;

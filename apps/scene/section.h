@@ -64,7 +64,7 @@ namespace apps
       const std::string &entry, std::array<double, 3> &member, const std::string &unit, const Range &range, Need need);
     Entry &file(const std::string &entry, std::string &member); ///< relative to the place it is written in; "" if unset
     Entry &text(const std::string &entry, std::string &member, Need need);
-    /** A formula in x, y, z [m] and t [s]; nothing, or an empty text, leaves it unset. */
+    /** A formula in x, y, z [m] and t [s], or a table by time; nothing, or an empty text, leaves it unset. */
     Entry &expression(const std::string &entry, Expression &member, const std::string &unit);
 
     template <typename Value>

@@ -12,7 +12,8 @@ namespace apps
 
   /**
    * Classes of a table: columns `diameter` and `fraction`; `smallest`, `largest` and `fraction`; or, of a sieve curve, `size` and
-   * `passing` (part that is finer, ascending from 0 to 1): a class between each two sieves. Lengths in [m], or [mm] where the name says so.
+   * `passing` (part that is finer), or `size` and `retained` (part that lies on the sieve and has passed the next coarser one): a class
+   * between each two sieves. Rows in any order, parts of 1, percent, or masses; lengths in m, or the unit of the name.
    * @throws base::InputError naming file and what is missing
    */
   std::vector<dem::SizeClass> size_classes_in_file(const std::string &file);

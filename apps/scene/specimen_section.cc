@@ -1,5 +1,6 @@
 #include "apps/scene/specimen_section.h"
 
+#include "apps/scene/length_unit_entry.h"
 #include "dem/packing/box_cell.h"
 
 #include <fmt/format.h>
@@ -77,8 +78,11 @@ namespace apps
       section.choice("Source", source, {{"generator", Source::generator}, {"file", Source::file}}, Need::required)
         .means("generator: compact a random packing, tile and crop it; file: read a packing");
     section.file("File", file)
-      .means("Packing: HDF5, or text with a line \"x y z radius\" [m] per particle; from the scene's folder")
+      .means(
+        "Packing: HDF5, or text with a line \"x y z radius\" [m] per particle; a header may name other columns and "
+        "units, x [mm], diameter. From the scene's folder")
       .only_if(read, "Specimen/Source = file");
+    declare_packing_unit(section, length_unit).only_if(read, "Specimen/Source = file");
     if (use.box && use.cell)
       section.choice("Body", body, {{"box", Body::box}, {"cell", Body::cell}}, Need::optional)
         .means("box: a specimen with ends, gripped; cell: the periodic cell of the packing");

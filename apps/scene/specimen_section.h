@@ -2,9 +2,11 @@
 
 #include "apps/scene/genesis_section.h"
 #include "apps/scene/section.h"
+#include "base/length_unit.h"
 #include "dem/packing/compaction.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace apps
@@ -58,6 +60,7 @@ namespace apps
     Source                              source = Source::generator;
     Body                                body   = Body::box;
     std::string                         file;
+    std::optional<base::LengthUnit>     length_unit; ///< of the file; empty: as it says itself
     Generator                           generator;
     GenesisSection                      genesis;
     std::shared_ptr<const dem::Packing> grown; ///< what a genesis has come to already; empty: it is still to do

@@ -1,6 +1,5 @@
 #include "apps/scene/time_section.h"
 
-#include "apps/scene/formula_variables.h"
 #include "base/errors.h"
 
 #include <fmt/format.h>
@@ -27,7 +26,7 @@ namespace apps
   void TimeSection::validate_by_time(const Section &root) const
   {
     const Section &section = *root.find_section("Time");
-    if (varies_in_space(section.find_entry("Damping in time")->value))
+    if (damping_in_time.varies_in_space())
       section.refuse("Damping in time", "all particles have the same damping: a formula of t alone.");
     damping_at(0);
   }

@@ -1,6 +1,7 @@
 #include "dem/facets/facet_mesh.h"
 
 #include "base/errors.h"
+#include "dem/facets/slivers.h"
 
 #include <Eigen/Geometry>
 
@@ -25,6 +26,13 @@ namespace dem
     /** Facets thinner than this part of their length are none: round-off decides where their normal points. */
     constexpr double thinnest = 1e-10;
 
+    bool has_area(const std::array<Eigen::Vector3d, 3> &x)
+    {
+      const Eigen::Vector3d a = x[1] - x[0], b = x[2] - x[0];
+      const double          longest = std::max({a.norm(), b.norm(), (x[2] - x[1]).norm()});
+      return a.cross(b).norm() > thinnest * longest * longest;
+    }
+
     [[noreturn]] void refuse(const std::string &name, const std::string &why)
     {
       throw base::InputError("wall " + name + ": " + why);
@@ -44,11 +52,7 @@ namespace dem
         }
       if (mesh.corners == 2 && !((x[1] - x[0]).norm() > 0))
         refuse(name, numbered + " has zero length: both its ends lie at one place. Take it out.");
-      if (mesh.corners != 3)
-        return;
-      const Eigen::Vector3d a = x[1] - x[0], b = x[2] - x[0];
-      const double          longest = std::max({a.norm(), b.norm(), (x[2] - x[1]).norm()});
-      if (a.cross(b).norm() > thinnest * longest * longest)
+      if (mesh.corners != 3 || has_area(x))
         return;
       std::ostringstream message;
       message << numbered << " has zero area: its corners (" << x[0].transpose() << "), (" << x[1].transpose() << "), ("
@@ -67,6 +71,19 @@ namespace dem
           refuse(name, "in two dimensions it must lie in the plane z = 0.");
     }
   } // namespace
+
+  std::size_t drop_slivers(FacetMesh &mesh)
+  {
+    const auto first   = std::remove_if(mesh.facet.begin(), mesh.facet.end(), [&](const auto &facet) {
+      std::array<Eigen::Vector3d, 3> corner;
+      for (std::size_t c = 0; c < 3; ++c)
+        corner[c] = mesh.vertex.at(static_cast<std::size_t>(facet[c]));
+      return !has_area(corner);
+    });
+    const auto dropped = static_cast<std::size_t>(mesh.facet.end() - first);
+    mesh.facet.erase(first, mesh.facet.end());
+    return dropped;
+  }
 
   void check_facets(const FacetMesh &mesh, const std::string &name, const int dimension)
   {

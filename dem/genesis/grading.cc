@@ -3,6 +3,7 @@
 #include "base/errors.h"
 #include "base/number_text.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace dem
@@ -13,6 +14,8 @@ namespace dem
     return content * (1.065 * std::sqrt(x) - 0.053 * std::pow(x, 4) - 0.012 * std::pow(x, 6) - 0.0045 * std::pow(x, 8) +
                       0.0025 * std::pow(x, 10));
   }
+
+  double AggregateClass::middle_area() const { return M_PI / 4 * middle() * middle(); }
 
   std::vector<AggregateClass>
   aggregate_counts(const double content, const std::vector<double> &bounds, const double area)
@@ -32,10 +35,18 @@ namespace dem
                                  base::number_text(one.largest) + " m: they must ascend from above 0.");
         const double part = plane_section_grading(content, one.largest, bounds.back()) -
                             plane_section_grading(content, one.smallest, bounds.back());
-        one.exact = part * area / (M_PI / 4 * one.middle() * one.middle());
+        one.exact = part * area / one.middle_area();
         one.count = static_cast<std::size_t>(std::round(one.exact));
         classes.push_back(one);
       }
     return classes;
+  }
+
+  double largest_aggregate_misfit(const double content, const std::vector<double> &bounds, const double area)
+  {
+    double misfit = 0;
+    for (const AggregateClass &one : aggregate_counts(content, bounds, area))
+      misfit = std::max(misfit, std::abs(static_cast<double>(one.count) - one.exact) * one.middle_area() / area);
+    return misfit;
   }
 } // namespace dem

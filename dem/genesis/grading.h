@@ -22,6 +22,7 @@ namespace dem
     std::size_t count = 0;                 ///< the same, rounded
 
     double middle() const { return 0.5 * (smallest + largest); }
+    double middle_area() const; ///< of a circle of the middle size [m^2]
   };
 
   /**
@@ -31,4 +32,7 @@ namespace dem
    * @throws base::InputError for bounds that do not ascend from above zero, or a content outside (0, 1]
    */
   std::vector<AggregateClass> aggregate_counts(double content, const std::vector<double> &bounds, double area);
+
+  /** By how much of the section a class's whole aggregates differ at most from what the grading gives [-]. Throws likewise */
+  double largest_aggregate_misfit(double content, const std::vector<double> &bounds, double area);
 } // namespace dem

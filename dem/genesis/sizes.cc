@@ -48,6 +48,33 @@ namespace dem
     return counts;
   }
 
+  double part_of_solid(
+    const SizeClass &size, const std::size_t count, const double space, const double porosity, const int dimension)
+  {
+    return static_cast<double>(count) * mean_solid(size, dimension) / (space * (1 - porosity));
+  }
+
+  double
+  largest_misfit(const std::vector<SizeClass> &classes, const double space, const double porosity, const int dimension)
+  {
+    const std::vector<std::size_t> counts = class_counts(classes, space, porosity, dimension);
+    double                         misfit = 0;
+    for (std::size_t k = 0; k < classes.size(); ++k)
+      misfit = std::max(
+        misfit, std::abs(part_of_solid(classes[k], counts[k], space, porosity, dimension) - classes[k].fraction));
+    return misfit;
+  }
+
+  double least_enlargement(const std::function<double(double)> &misfit, const double tolerance)
+  {
+    // By steps, because the misfit goes up and down: a particle more, and it is small again.
+    constexpr double step   = 1.001;
+    double           factor = 1;
+    while (!(misfit(factor) <= tolerance))
+      factor *= step;
+    return factor;
+  }
+
   std::vector<double>
   draw_radii(const std::vector<SizeClass> &classes, const std::vector<std::size_t> &counts, const std::uint64_t seed)
   {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace dem
@@ -26,6 +27,19 @@ namespace dem
    */
   std::vector<std::size_t>
   class_counts(const std::vector<SizeClass> &classes, double space, double porosity, int dimension);
+
+  /** Part of the solid of a vessel that a class's particles have. @param space, porosity as for class_counts() */
+  double part_of_solid(const SizeClass &size, std::size_t count, double space, double porosity, int dimension);
+
+  /** By how much the parts of the classes differ from their fractions at most, because particles are whole [-]. */
+  double largest_misfit(const std::vector<SizeClass> &classes, double space, double porosity, int dimension);
+
+  /**
+   * The least factor, to a thousandth, by which a vessel grows until the misfit of whole particles is within a tolerance; 1: it is.
+   *
+   * @param misfit of the vessel grown by a factor; it vanishes in the end @param tolerance > 0
+   */
+  double least_enlargement(const std::function<double(double)> &misfit, double tolerance);
 
   /** Radii of so many particles of each class [m], largest class first, the same for the same seed. */
   std::vector<double>

@@ -1,6 +1,7 @@
 #include "base/errors.h"
 #include "fem/mesh/ball_mesh.h"
 #include "fem/mesh/shapes.h"
+#include "fem/mesh/sides.h"
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
@@ -17,8 +18,6 @@ namespace fem
   namespace
   {
     using Names = std::vector<std::string>;
-
-    constexpr const char *side_names[6] = {"left", "right", "bottom", "top", "back", "front"};
 
     void check(const NamedBox &box, const unsigned int dim)
     {
@@ -175,7 +174,7 @@ namespace fem
         make_box(box, part);
         Names sides;
         for (unsigned int side = 0; side < 2 * dim; ++side)
-          sides.push_back(box.name + " " + side_names[side]);
+          sides.push_back(box.name + " " + side_names.at(side).word);
         add(part, box.material, sides);
       }
     for (const NamedBall &ball : shape.balls)
@@ -190,7 +189,8 @@ namespace fem
       mesh.copy_triangulation(whole);
       mesh.refine_global(options.refinements);
     };
-    Mesh<dim> mesh  = make_mesh<dim>(build, options.family, options.communicator, Bodies::several);
+    Mesh<dim> mesh = make_mesh<dim>(build, options.family, options.communicator, Bodies::several);
+    name_by_axis(boundaries);
     mesh.boundaries = boundaries;
     mesh.materials  = materials;
     return mesh;

@@ -95,18 +95,21 @@ namespace fem
   }
 
   template <int dim>
-  Mesh<dim> read_gmsh(const std::string &file, const MPI_Comm communicator, const Bodies bodies)
+  Mesh<dim> read_gmsh(const std::string &file, const MPI_Comm communicator, const GmshReading &how)
   {
-    GmshFile   content = read_gmsh_file(file, dim);
+    GmshFile content = read_gmsh_file(file, dim);
+    for (auto &point : content.points)
+      for (double &coordinate : point)
+        coordinate = how.unit.metres(coordinate);
     const auto inside = content.groups[dim], surface = content.groups[dim - 1];
     const auto materials = numbered(inside), boundaries = numbered(surface);
     try
       {
-        const GmshBody     body = body_of(std::move(content), dim);
+        const GmshBody     body = body_of(std::move(content), dim, how.doubled);
         Triangulation<dim> serial;
         build(serial, body, inside, materials);
         name_surface(serial, body, surface, boundaries);
-        Mesh<dim> mesh = distribute_mesh(serial, communicator, bodies);
+        Mesh<dim> mesh = distribute_mesh(serial, communicator, how.bodies);
         give_names(mesh.boundaries, boundaries);
         give_names(mesh.materials, materials);
         return mesh;
@@ -117,6 +120,6 @@ namespace fem
       }
   }
 
-  template Mesh<2> read_gmsh(const std::string &, MPI_Comm, Bodies);
-  template Mesh<3> read_gmsh(const std::string &, MPI_Comm, Bodies);
+  template Mesh<2> read_gmsh(const std::string &, MPI_Comm, const GmshReading &);
+  template Mesh<3> read_gmsh(const std::string &, MPI_Comm, const GmshReading &);
 }

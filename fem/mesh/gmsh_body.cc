@@ -87,9 +87,10 @@ namespace fem
     class Maker
     {
     public:
-      Maker(GmshFile &&file_, const int dimension_)
+      Maker(GmshFile &&file_, const int dimension_, const DoubledNodes doubled_)
         : file(std::move(file_))
         , dimension(dimension_)
+        , doubled(doubled_)
       {
       }
 
@@ -100,7 +101,8 @@ namespace fem
           refuse_out_of_plane();
         for (GmshElement &cell : body.cells)
           orient(cell);
-        refuse_coincident_nodes();
+        if (doubled == DoubledNodes::refuse)
+          refuse_coincident_nodes();
         meet();
         take_groups();
         renumber();
@@ -161,14 +163,30 @@ namespace fem
           if (file.groups[dimension].count(cell.group) == 0)
             refuse("some elements have no named group. Give every element a named physical group: it selects the "
                    "material. One of them is element " +
-                   std::to_string(cell.number) + ".");
+                   std::to_string(cell.number) + "." + groups_of_other_dimensions());
       }
 
+      /// Named groups where there is none of the model's dimension: the name has gone to the wrong place.
+      std::string groups_of_other_dimensions() const
+      {
+        std::string text;
+        for (const auto &[of, names] : file.groups)
+          for (const auto &group : names)
+            {
+              if (of == dimension)
+                return "";
+              text += (text.empty() ? "" : ", ") + ('"' + group.second + '"') + " of dimension " + std::to_string(of);
+            }
+        return text.empty() ? "" : " The named groups are of other dimensions: " + text + ".";
+      }
+
+      /// Rounding by whoever made the mesh is no step out of the plane.
       void refuse_out_of_plane() const
       {
+        const double       noise = 1e-9 * largest_extent(2);
         const unsigned int first = body.cells.front().nodes[0];
         for (std::size_t i = 0; i < used.size(); ++i)
-          if (used[i] && file.points[i][2] != file.points[first][2])
+          if (used[i] && !(std::fabs(file.points[i][2] - file.points[first][2]) <= noise))
             {
               std::ostringstream text;
               text << "a plane model lies in a plane of equal z, but node " << file.node_numbers[i]
@@ -176,6 +194,30 @@ namespace fem
                    << " has z = " << file.points[first][2] << '.';
               refuse(text.str());
             }
+      }
+
+      /// Corners of least and of most coordinates of all nodes that a cell has.
+      std::array<std::array<double, 3>, 2> box() const
+      {
+        std::array<double, 3> low, high;
+        low.fill(std::numeric_limits<double>::max());
+        high.fill(-std::numeric_limits<double>::max());
+        for (std::size_t i = 0; i < used.size(); ++i)
+          for (std::size_t d = 0; used[i] && d < 3; ++d)
+            {
+              low[d]  = std::fmin(low[d], file.points[i][d]);
+              high[d] = std::fmax(high[d], file.points[i][d]);
+            }
+        return {low, high};
+      }
+
+      double largest_extent(const std::size_t axes) const
+      {
+        const auto [low, high] = box();
+        double largest         = 0;
+        for (std::size_t d = 0; d < axes; ++d)
+          largest = std::fmax(largest, high[d] - low[d]);
+        return largest;
       }
 
       double corner_volume(const GmshElement &cell, const std::array<unsigned int, 4> &corner) const
@@ -208,18 +250,8 @@ namespace fem
       /// Two nodes at one place look like one in every picture, but the elements around them do not hold together.
       void refuse_coincident_nodes() const
       {
-        std::array<double, 3> low, high;
-        low.fill(std::numeric_limits<double>::max());
-        high.fill(-std::numeric_limits<double>::max());
-        for (std::size_t i = 0; i < used.size(); ++i)
-          for (std::size_t d = 0; used[i] && d < 3; ++d)
-            {
-              low[d]  = std::fmin(low[d], file.points[i][d]);
-              high[d] = std::fmax(high[d], file.points[i][d]);
-            }
-        double largest = 0;
-        for (std::size_t d = 0; d < 3; ++d)
-          largest = std::fmax(largest, high[d] - low[d]);
+        const std::array<double, 3> low     = box()[0];
+        const double                largest = largest_extent(3);
 
         using Rounded = std::pair<std::array<std::int64_t, 3>, unsigned int>;
         std::vector<Rounded> places;
@@ -236,7 +268,7 @@ namespace fem
         if (pair != places.end())
           refuse("mesh: the nodes " + node(pair->second) + " and " + node((pair + 1)->second) +
                  " are at one place, so the elements around them do not hold together. Merge them (in Gmsh: Coherence "
-                 "Mesh).");
+                 "Mesh); for a notch without width set Mesh/Doubled nodes = notch.");
       }
 
       struct Meeting
@@ -362,6 +394,7 @@ namespace fem
 
       GmshFile             file;
       int                  dimension;
+      DoubledNodes         doubled;
       GmshBody             body;
       std::vector<bool>    used;    // by a cell
       std::vector<SideKey> surface; // sides of one cell only, in rising order
@@ -375,5 +408,8 @@ namespace fem
     return nodes;
   }
 
-  GmshBody body_of(GmshFile &&file, const int dimension) { return Maker(std::move(file), dimension).make(); }
+  GmshBody body_of(GmshFile &&file, const int dimension, const DoubledNodes doubled)
+  {
+    return Maker(std::move(file), dimension, doubled).make();
+  }
 }

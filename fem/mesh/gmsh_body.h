@@ -9,6 +9,13 @@ namespace fem
 
   SideKey side_key(std::array<unsigned int, 4> nodes, unsigned int n_nodes);
 
+  /// What several nodes at one place are.
+  enum class DoubledNodes
+  {
+    refuse, ///< nodes that were not merged by mistake
+    notch   ///< both faces of a notch without width
+  };
+
   /// A body that hangs together: what a mesh is made of, and the names of parts of its surface.
   struct GmshBody
   {
@@ -22,7 +29,7 @@ namespace fem
    *
    * @throws base::InputError, naming elements and nodes by their numbers in the file: no cells; a node twice in an
    *         element; a plane model out of its plane; an inverted, flat or repeated element; elements that lie over each other or
-   *         share a twisted side; nodes at one place; a named side that no element has or that lies inside the body.
+   *         share a twisted side; nodes at one place, unless they are those of a notch; a named side that no element has or that lies inside the body.
    */
-  GmshBody body_of(GmshFile &&file, int dimension);
+  GmshBody body_of(GmshFile &&file, int dimension, DoubledNodes doubled = DoubledNodes::refuse);
 }

@@ -1,6 +1,7 @@
 #include "fem/mesh/shapes.h"
 
 #include "base/errors.h"
+#include "fem/mesh/sides.h"
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
@@ -26,7 +27,15 @@ namespace fem
 
     using Names = std::vector<std::string>; // boundary id -> name
 
-    const Names box_names = {"left", "right", "bottom", "top", "back", "front"};
+    Names names_of_sides()
+    {
+      Names names;
+      for (const SideName &side : side_names)
+        names.emplace_back(side.word);
+      return names;
+    }
+
+    const Names box_names = names_of_sides();
 
     /// Builds, refines and spreads; `colour` gives the place in `names` of every boundary face, by its centre.
     template <int dim>
@@ -52,6 +61,7 @@ namespace fem
       std::map<std::string, types::boundary_id> named;
       for (const auto &entry : mesh.boundaries)
         named[names.at(entry.second)] = entry.second;
+      name_by_axis(named);
       mesh.boundaries = named;
       mesh.materials  = {{"solid", 0}};
       return mesh;
@@ -236,8 +246,9 @@ namespace fem
       bent[1]             = x[1] == 0 ? 0 : (1 - part) * s.radius * std::sin(angle) + part * edge_y;
       return bent;
     };
-    const Names names = {"left", "right", "bottom", "top", "back", "front", "hole"};
-    Point<dim>  corner;
+    Names names = box_names;
+    names.emplace_back("hole");
+    Point<dim> corner;
     corner[0] = s.half_width;
     corner[1] = s.half_height;
     if constexpr (dim == 3)

@@ -75,6 +75,18 @@ TEST_CASE("Names that the mesh does not have are refused with the nearest one", 
           "", "Materials: the group \"mortar\" of the mesh has no law. Add subsection Materials/mortar.");
 }
 
+TEST_CASE("A boundary or material that names a physical group of another dimension is told so", "[apps][S14]")
+{
+  refused(
+    "subsection right\n", "subsection stone\n",
+    "Boundary conditions/stone: the mesh has no boundary of this name. The physical group of this name is a Physical "
+    "Surface, of dimension 2; a Physical Curve is wanted here.");
+  refused(
+    "subsection mortar\n", "subsection right\n",
+    "Materials/right: the mesh has no group of elements of this name. The physical group of this name is a Physical "
+    "Curve, of dimension 1; a Physical Surface is wanted here.");
+}
+
 TEST_CASE("A mesh without named boundaries is refused with the way to name them", "[apps][S14]")
 {
   const std::string bare =

@@ -226,8 +226,58 @@ TEST_CASE("Sizes are read from a table: diameters, ranges or a sieve curve", "[a
   CHECK_THAT(forecast("diameter [mm],fraction\n1,0.5\n3.2,0.5\n"), Contains("378, to be grown: 344 34"));
   CHECK_THAT(forecast("smallest [m],largest [m],fraction\n0.001,0.001,0.5\n0.0032,0.0032,0.5\n"),
              Contains("378, to be grown: 344 34"));
-  CHECK_THAT(forecast("size [mm],passing\n1,0\n2,0.5\n4,1\n"), Contains("to be grown: 147 37"));
+  const std::vector<std::string> curves = {"size [mm],passing\n1,0\n2,0.5\n4,1\n",
+                                           "size [mm],passing\n4,1\n2,0.5\n1,0\n",
+                                           "Size (mm),Passing (%)\n1,0\n2,50\n4,100\n",
+                                           "size [m],passing\n0.004,100\n0.002,50\n0.001,0\n",
+                                           "size [mm],retained\n1,0.5\n2,0.5\n4,0\n",
+                                           "size [mm],retained [%]\n4,0\n2,50\n1,50\n0,0\n",
+                                           "size [mm],retained [g]\n4,0\n2,312.5\n1,312.5\n",
+                                           "size [um],retained\n4000,0\n2000,50\n1000,50\n"};
+  for (const std::string &curve : curves)
+    CHECK_THAT(forecast(curve), Contains("to be grown: 147 37") &&
+                                  Contains("sizes        0.001 to 0.002 m: 147, 0.499 of the solid for 0.5"));
   folder.file("sizes.csv", "size [mm],passing\n1,0\n2,0.5\n");
   is_refused(folder, "mortar.prm", {"Specimen/Genesis/Sizes=file", "Specimen/Genesis/Size file=sizes.csv"},
-             "goes from 0");
+             "0.5 passes the largest sieve; it must be 1");
+  for (const auto &[table, fault] : std::vector<std::pair<std::string, std::string>>{
+         {"size [mm],passing\n1,0.02\n2,0.5\n4,1\n", "0.02 of the solid is finer than the smallest sieve of 0.001 m"},
+         {"size [mm],passing\n1,0\n2,0.5\n3,0.4\n4,1\n", "row 3: less passes than the finer sieve of row 2"},
+         {"size [mm],retained\n1,0.5\n2,0.4\n4,0.1\n", "row 3: 0.1 of the solid lies on the largest sieve"},
+         {"size [mm],retained\n1,0.5\n2,0.4\n4,0\n", "sums up to 0.9"},
+         {"size [mm],retained [%]\n0,3\n1,50\n2,47\n4,0\n", "0.03 of the solid is finer than the smallest sieve"},
+         {"size,passing\n1,0\n2,0.5\n4,1\n", "a particle of 4 m. In mm? Name the unit: size [mm]"},
+         {"size [mesh],passing\n1,0\n2,1\n", "is in [mesh]: expected one of m, cm, mm, um"},
+         {"size [mm],passing\n1,0\n1,1\n", "the same size as row 1"}})
+    {
+      folder.file("sizes.csv", table);
+      is_refused(folder, "mortar.prm", {"Specimen/Genesis/Sizes=file", "Specimen/Genesis/Size file=sizes.csv"}, fault);
+    }
+}
+
+TEST_CASE("A vessel too small for its sizes is refused with the smallest that would do, which does", "[apps][genesis]")
+{
+  const ScratchFolder folder;
+  folder.file("mortar.prm", mortar);
+  const std::string              of    = "Specimen/Genesis/";
+  const std::vector<std::string> asked = {of + "Classes=1e-3: 0.75, 8e-3: 0.25", of + "Porosity=0.15"};
+  const auto                     with  = [&](const std::vector<std::string> &more) {
+    std::vector<std::string> all = asked;
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  const Outcome refused = outcome_of(folder, "check", "mortar.prm", with({of + "Size=0.01, 0.01, 0"}));
+  CHECK(refused.status == 2);
+  CHECK_THAT(refused.err, Contains("0 whole particles of diameter 0.008 m are 0 of the solid and not 0.25") &&
+                            Contains("Size tolerance is 0.05"));
+  // One particle of 8 mm is 0.3 of the solid where that is pi/4 (8 mm)^2/0.3/0.85: 14.04 mm wide.
+  CHECK_THAT(refused.err, Contains("smallest vessel of this shape that would do is 0.01405, 0.01405 m"));
+  const auto found = outcome_of(folder, "check", "mortar.prm", with({of + "Size=0.01405, 0.01405, 0"}));
+  CHECK(found.status == 0);
+  CHECK_THAT(found.out, Contains("sizes        0.008 m: 1, 0.3 of the solid for 0.25"));
+  is_refused(folder, "mortar.prm", with({of + "Size=0.01403, 0.01403, 0"}), "smallest vessel");
+  CHECK(
+    outcome_of(folder, "check", "mortar.prm", with({of + "Size=0.01, 0.01, 0", of + "Size tolerance=0.3"})).status ==
+    0);
+  is_refused(folder, concrete, small_piece({of + "Size tolerance=1e-3"}), "whole aggregates miss the grading by");
 }

@@ -29,7 +29,7 @@ namespace
       set Normal modulus       = )" +
            modulus + R"(
       set Shear ratio          = 0.2
-      set Limit elastic strain = 1
+      set Limit elastic strain = 1 -
       set Relative ductility   = 30
       set Cohesion             = 3e6
       set Friction coefficient = 0.8

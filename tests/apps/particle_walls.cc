@@ -128,6 +128,33 @@ $EndElements
     CHECK(height == Approx(heights.front()).epsilon(1e-9));
 }
 
+TEST_CASE("STL as programs write it is read: capital letters, a byte-order mark, a facet without area",
+          "[apps][particles][walls]")
+{
+  const ScratchFolder folder;
+  folder.file("x.prm", above_wall);
+  const std::string file = "\xEF\xBB\xBFSOLID FLOOR\r\n"
+                           "  FACET NORMAL 0 0 1\r\n    OUTER LOOP\r\n      VERTEX -1 -1 0\r\n      VERTEX 1 -1 0\r\n"
+                           "      VERTEX 1 1 0\r\n    ENDLOOP\r\n  ENDFACET\r\n"
+                           "  FACET NORMAL 0 0 1\r\n    OUTER LOOP\r\n      VERTEX -1 -1 0\r\n      VERTEX 0 0 0\r\n"
+                           "      VERTEX 1 1 0\r\n    ENDLOOP\r\n  ENDFACET\r\n"
+                           "  FACET NORMAL 0 0 1\r\n    OUTER LOOP\r\n      VERTEX -1 -1 0\r\n      VERTEX 1 1 0\r\n"
+                           "      VERTEX -1 1 0\r\n    ENDLOOP\r\n  ENDFACET\r\nENDSOLID FLOOR\r\n";
+  folder.file("floor.stl", file);
+  const std::vector<std::string> with = {"Walls/floor/Shape=file", "Walls/floor/File=floor.stl"};
+  const Outcome                  told = outcome_of(folder, "check", "x.prm", with);
+  INFO(told.err);
+  CHECK(told.status == 0);
+  CHECK_THAT(told.out, Contains("walls        floor (2 facets)"));
+  CHECK_THAT(told.err, Contains("floor.stl: 1 of 3 facets have no area and are left out."));
+  const Results found = results_of(folder, "x.prm", with);
+  CHECK(found.figure("height", "least") < 0.01);
+  CHECK(found.balance_error() < 1e-3);
+  folder.file("floor.stl", "solid flat\nvertex 0 0 0\nvertex 1 1 0\nvertex 2 2 0\nendloop\n");
+  std::filesystem::remove_all(folder / "results");
+  is_refused(folder, "x.prm", with, "floor.stl: none of its triangles has an area", {"check"});
+}
+
 TEST_CASE("A wall moves as its formula says, and a force by formula pushes", "[apps][particles][walls]")
 {
   const ScratchFolder folder;

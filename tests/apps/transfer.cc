@@ -332,7 +332,7 @@ TEST_CASE("Mesh, length, area and columns that do not belong to the particles ar
     Contains("along z the specimen") && Contains("to 0.04 m"));
   // One message that says what is wrong with a strength in MPa.
   CHECK_THAT(refusal("check", {"Continuum/Materials/solid/damage-plastic concrete/Tensile strength=3"}),
-             Contains("Tensile strength [Pa] = 3: no concrete is as weak"));
+             Contains("Tensile strength = 3: no solid is so weak. In MPa?"));
 }
 
 TEST_CASE("A saved state is held against the mesh too, and one with stresses in another unit is refused",

@@ -50,6 +50,21 @@ TEST_CASE("particles counted by their mean radius, and grown by what the porosit
   CHECK(dem::expansion_factor(0.4, 1 - 0.6 / 8, 3) == Approx(2).epsilon(1e-12));
 }
 
+TEST_CASE("a vessel is enlarged until whole particles have their parts, and no further", "[dem][genesis]")
+{
+  const std::vector<dem::SizeClass> classes = {{0.75, 1e-3, 1e-3}, {0.25, 8e-3, 8e-3}};
+  const auto                        misfit  = [&](const double factor) {
+    return dem::largest_misfit(classes, 1e-4 * factor * factor, 0.15, 2);
+  };
+  CHECK(misfit(1) == Approx(0.25)); // not one of 8 mm
+  const double factor = dem::least_enlargement(misfit, 0.05);
+  // One of 8 mm is 0.3 of the solid, no more, from here on.
+  CHECK(factor == Approx(std::sqrt(M_PI / 4 * 64e-6 / 0.3 / 0.85) / 1e-2).epsilon(1.1e-3));
+  CHECK(misfit(factor) <= 0.05);
+  CHECK(misfit(factor / 1.002) > 0.05);
+  CHECK(dem::least_enlargement(misfit, 0.3) == 1);
+}
+
 TEST_CASE("radii drawn from a class spread evenly, the same for a seed, and have its mean area")
 {
   const std::vector<SizeClass> classes = {{1.0, 2e-3, 5e-3}};

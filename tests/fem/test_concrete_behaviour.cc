@@ -211,9 +211,6 @@ TEST_CASE("concrete refuses parameters that make no model, by name", "[fem]")
   CHECK_THAT(refusal([](P &p) { p.fracture_energy = 100; }),
              Catch::Contains("either the crack opening or the fracture energy"));
   CHECK_THAT(refusal([](P &p) { p.crack_opening = 0; }), Catch::Contains("Fracture energy [J/m^2] = 0: is needed"));
-  CHECK_THAT(refusal([](P &p) { p.young_modulus = 25; }), Catch::Contains("25 GPa are 25e9"));
-  CHECK_THAT(refusal([](P &p) { p.tensile_strength = 3; }),
-             Catch::Contains("Tensile strength [Pa] = 3: no concrete is as weak. Is it in Pa? 3 MPa are 3e6."));
   CHECK_THAT(refusal([](P &p) { p.dilation = -0.4; }), Catch::Contains("Dilation = -0.4"));
   CHECK_THAT(refusal([](P &p) { p.element_size = 3.5; }), Catch::Contains("element size [m] = 3.5"));
   CHECK_THAT(refusal([](P &) {}), Catch::Contains("accepted"));

@@ -220,7 +220,49 @@ TEST_CASE("Gmsh: nodes at one place are refused, for the body would be cracked t
   std::string text = gmsh_samples::box(Elements::quadrilaterals, false);
   text             = replaced(text, "$Nodes\n9\n", "$Nodes\n10\n10 0.5 0 0\n");
   text             = replaced(text, "6 3 2 7 1 2 3 6 5", "6 3 2 7 1 10 3 6 5");
-  CHECK_THAT(message_of(text, 2), Catch::Contains("mesh: the nodes 10 (0.5 0) and 2 (0.5 0) are at one place"));
+  CHECK_THAT(message_of(text, 2), Catch::Contains("mesh: the nodes 10 (0.5 0) and 2 (0.5 0) are at one place") &&
+                                    Catch::Contains("for a notch without width set Mesh/Doubled nodes = notch"));
+
+  // Asked for, they are a notch up to the middle: two faces more of half a unit each, and nothing lost.
+  const auto file = std::filesystem::temp_directory_path() / ("breccia_notch_" + std::to_string(getpid()) + ".msh");
+  std::ofstream(file, std::ios::binary) << text;
+  fem::GmshReading how;
+  how.doubled             = fem::DoubledNodes::notch;
+  const fem::Mesh<2> mesh = fem::read_gmsh<2>(file.string(), MPI_COMM_SELF, how);
+  std::filesystem::remove(file);
+  CHECK(volume_of(mesh) == Approx(1).epsilon(1e-14));
+  double length = 0;
+  for (const auto &face : mesh.triangulation->active_face_iterators())
+    length += face->at_boundary() ? face->measure() : 0;
+  CHECK(length == Approx(4 + 2 * 0.5).epsilon(1e-14));
+}
+
+TEST_CASE("Gmsh: rounding of z in a plane mesh is no step out of its plane", "[fem]")
+{
+  const std::string text = gmsh_samples::box(Elements::quadrilaterals, false);
+  CHECK(message_of(replaced(text, "\n2 0.5 0 0\n", "\n2 0.5 0 1e-17\n"), 2).empty());
+  CHECK_THAT(message_of(replaced(text, "\n2 0.5 0 0\n", "\n2 0.5 0 1e-6\n"), 2),
+             Catch::Contains("a plane model lies in a plane of equal z, but node 2 has z = 1e-06"));
+}
+
+TEST_CASE("Gmsh: names that stand at groups of another dimension are told as such", "[fem][S14]")
+{
+  const std::string text = gmsh_samples::box(Elements::quadrilaterals, false);
+  CHECK_THAT(message_of(replaced(text, "2 7 \"body\"", "1 7 \"body\""), 2),
+             Catch::Contains("some elements have no named group") &&
+               Catch::Contains("The named groups are of other dimensions: ") &&
+               Catch::Contains("\"body\" of dimension 1"));
+}
+
+TEST_CASE("Gmsh: lengths of a file are in the unit that is said", "[fem]")
+{
+  const auto file = std::filesystem::temp_directory_path() / ("breccia_unit_" + std::to_string(getpid()) + ".msh");
+  std::ofstream(file, std::ios::binary) << gmsh_samples::box(Elements::hexahedra, true);
+  fem::GmshReading how;
+  how.unit        = *base::length_unit("mm");
+  const auto mesh = fem::read_gmsh<3>(file.string(), MPI_COMM_SELF, how);
+  std::filesystem::remove(file);
+  CHECK(volume_of(mesh) == Approx(1e-9).epsilon(1e-14));
 }
 
 TEST_CASE("Gmsh: 800 damaged meshes of all formats and shapes are refused in one line each, or are sound", "[fem][S14]")

@@ -56,7 +56,7 @@ TEST_CASE("boxes are bodies of their own, with their materials and the names of 
       options.refinements  = 1;
       options.communicator = MPI_COMM_SELF;
       const auto mesh      = fem::make_shape<3>(shape, options);
-      CHECK(mesh.boundaries.size() == 18);
+      CHECK(mesh.boundaries.size() == 2 * 18); // each by word and by axis
       std::map<dealii::types::boundary_id, double> area;
       std::map<dealii::types::material_id, double> volume;
       for (const auto &cell : mesh.triangulation->active_cell_iterators())

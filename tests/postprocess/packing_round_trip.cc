@@ -1,4 +1,5 @@
 #include "base/errors.h"
+#include "postprocess/hdf5_file.h"
 #include "postprocess/packing_io.h"
 #include "scratch_folder.h"
 
@@ -126,6 +127,93 @@ TEST_CASE("packings written by other programs are understood", "[postprocess]")
   REQUIRE(packing.centre[1] == Eigen::Vector3d(4, 5, 6.25));
   REQUIRE(packing.radius == std::vector<double>{0.5, 0.25});
   REQUIRE_FALSE(packing.periodic_cell.has_value());
+}
+
+TEST_CASE("columns are used as a header says, commented or not: diameter in place of radius, and the unit of each",
+          "[postprocess]")
+{
+  const ScratchFolder folder;
+  // (1, 2, 3) mm with radius 0.5 mm and (4, 5, 6.25) mm with radius 0.25 mm, in a cell of 8 mm.
+  const std::string columns = GENERATE(
+    as<std::string>{}, // in millimetres, with diameters
+    "x [mm] y [mm] z [mm] diameter [mm]\n", "x(mm) y(mm) z(mm) d(mm)\n", "X_mm,Y_mm,Z_mm,Diameter_mm\n",
+    "x (mm) y (mm) z (mm) diam (mm)\n", "# all lengths in millimetres\nx y z diameter\n",
+    "# x y z diameter, all in mm\n", "# units: mm\n# columns: x y z d\n",
+    "# centre (x, y, z), diameter\n# coordinates and sizes [mm]\n", "# format x_y_z_d\n# length unit = Millimeters\n");
+  const std::string rows =
+    columns.find(',') == std::string::npos || columns[0] == '#' ? "1 2 3 1\n4 5 6.25 0.5\n" : "1,2,3,1\n4,5,6.25,0.5\n";
+  const bool        commented = GENERATE(false, true);
+  const std::string header    = commented && columns[0] != '#' ? "# " + columns : columns;
+  CAPTURE(header);
+  const dem::Packing read = read_packing(folder.file("p.txt", "# periodic_cell 8 8 8\n" + header + rows));
+  REQUIRE(read.size() == 2);
+  CHECK(read.centre[0] == Eigen::Vector3d(1e-3, 2e-3, 3e-3)); // the very numbers that a file in metres holds
+  CHECK(read.centre[1] == Eigen::Vector3d(4e-3, 5e-3, 6.25e-3));
+  CHECK(read.radius == std::vector<double>{0.5e-3, 0.25e-3});
+  CHECK(*read.periodic_cell == Eigen::Vector3d(8e-3, 8e-3, 8e-3));
+}
+
+TEST_CASE("a unit said at the end of a file, one of the cell alone, and sizes in prose are understood", "[postprocess]")
+{
+  const ScratchFolder folder;
+  CHECK(read_packing(folder.file("a.txt", "1 2 3 0.5\n# lengths in cm\n")).radius.front() == 0.5e-2);
+  const auto own_cell = read_packing(folder.file("b.txt", "# periodic_cell 8 8 8 [mm]\n1e-3 2e-3 3e-3 0.5e-3\n"));
+  CHECK(*own_cell.periodic_cell == Eigen::Vector3d(8e-3, 8e-3, 8e-3));
+  CHECK(own_cell.radius.front() == 0.5e-3);
+  const auto micro = read_packing(folder.file("c.txt", "# x [mm] y [mm] z [mm] r [um]\n1 2 3 500\n"));
+  CHECK(micro.centre.front() == Eigen::Vector3d(1e-3, 2e-3, 3e-3));
+  CHECK(micro.radius.front() == 500e-6);
+  CHECK(read_packing(folder.file("d.txt", "# spheres of 4 to 5.5 mm in a box of 20 mm x 20 mm\n1 2 3 0.5\n"))
+          .radius.front() == 0.5);
+}
+
+TEST_CASE("the reader's length unit holds for files that say none, of text and of HDF5, and must not contradict one",
+          "[postprocess]")
+{
+  const ScratchFolder folder;
+  const auto          mm = base::length_unit("mm");
+  CHECK(read_packing(folder.file("a.txt", "1 2 3 0.5\n"), mm).centre.front() == Eigen::Vector3d(1e-3, 2e-3, 3e-3));
+  // In doubt, the reader decides.
+  CHECK(read_packing(folder.file("b.txt", "# exported from CAD (mm)\n1 2 3 0.5\n"), base::length_unit("m"))
+          .radius.front() == 0.5);
+  REQUIRE_THROWS_WITH(
+    read_packing(folder.file("c.txt", "# lengths in m\n1 2 3 0.5\n"), mm),
+    Catch::Matchers::Contains("c.txt, line 1: says that lengths are in m, and Length unit that they are in mm"));
+  REQUIRE_THROWS_WITH(read_packing(folder.file("d.txt", "x[m] y[m] z[m] r[m]\n1 2 3 0.5\n"), mm),
+                      Catch::Matchers::Contains("d.txt, line 1: a column is in [m]"));
+  const double centre[3] = {1, 2, 3}, radius[1] = {0.5}, cell[3] = {8, 8, 8};
+  for (const char *units : {"", "mm", "px"})
+    {
+      hdf5::OutputFile file(folder / (std::string("e") + units + ".h5"));
+      file.write("centre", centre, {1, 3});
+      file.write("radius", radius, {1});
+      file.write("periodic_cell", cell, {3});
+      if (*units != 0)
+        file.write_text("units", units);
+      file.commit();
+    }
+  CHECK(read_packing(folder / "emm.h5").radius.front() == 0.5e-3);
+  CHECK(says_length_unit(folder / "emm.h5"));
+  CHECK_FALSE(says_length_unit(folder / "e.h5"));
+  REQUIRE_THROWS_WITH(read_packing(folder / "emm.h5", base::length_unit("m")),
+                      Catch::Matchers::Contains("says that lengths are in mm"));
+  REQUIRE_THROWS_WITH(read_packing(folder / "epx.h5"), Catch::Matchers::Contains("\"units\" is \"px\""));
+  const dem::Packing read = read_packing(folder / "e.h5", mm);
+  CHECK(read.centre.front() == Eigen::Vector3d(1e-3, 2e-3, 3e-3));
+  CHECK(read.radius.front() == 0.5e-3);
+  CHECK(*read.periodic_cell == Eigen::Vector3d(8e-3, 8e-3, 8e-3));
+}
+
+TEST_CASE("what a comment says besides key and value does not hinder a packing from being written again",
+          "[postprocess]")
+{
+  const ScratchFolder folder;
+  const auto     path = folder.file("p.txt", "# Discs of 0.35 to 0.7 mm, at rest; two dimensions: x y z radius [m]\n"
+                                                 "# length unit: m\n# seed: 7\n1 2 0 0.5\n");
+  const Metadata read = read_packing_metadata(path);
+  CHECK(read == Metadata{{"seed", "7"}});
+  write_packing(read_packing(path), folder / "again.txt", read);
+  require_same_bits(read_packing(path), read_packing(folder / "again.txt"));
 }
 
 TEST_CASE("materials are words in a named column, numbered as they come; without names HDF5 has numbers alone",

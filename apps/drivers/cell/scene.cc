@@ -3,6 +3,7 @@
 #include "apps/drivers/cell/run.h"
 #include "apps/drivers/parts/duration.h"
 #include "apps/drivers/parts/material_counts.h"
+#include "apps/drivers/parts/packing_extents.h"
 #include "apps/drivers/parts/specimen_packing.h"
 #include "apps/scene/physics_section.h"
 #include "apps/scene/value_text.h"
@@ -137,6 +138,7 @@ namespace apps
     std::string text;
     text += fmt::format("  particles    {}\n", body.counts().particles);
     text += fmt::format("  links        {}\n", body.counts().links);
+    text += extent_lines(packing, physics.dimension);
     text += MaterialCounts(packing.material_names, body).text();
     if (!test.holds_together())
       text += "  joined       not against every strain: stresses are reached only once particles touch\n";

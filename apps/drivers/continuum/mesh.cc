@@ -1,7 +1,12 @@
 #include "apps/drivers/continuum/mesh.h"
 
+#include "apps/scene/length_unit_entry.h"
+#include "base/errors.h"
+#include "fem/mesh/extent.h"
 #include "fem/mesh/gmsh.h"
 #include "fem/mesh/shapes.h"
+
+#include <fmt/format.h>
 
 #include <filesystem>
 
@@ -102,6 +107,12 @@ namespace apps
     s.flag("Several bodies", several_bodies)
       .means("The mesh may fall into parts that share no node; off: that is refused, as nodes not merged by mistake")
       .only_if(from(Source::file), "Mesh/Source = file");
+    s.choice("Doubled nodes", notch, {{"refuse", false}, {"notch", true}}, Need::optional)
+      .means("Of a file: several nodes at one place. refuse: as nodes not merged by mistake; notch: both faces of a "
+             "notch or "
+             "crack without width, which do not hold each other and may pass through each other where it closes")
+      .only_if(from(Source::file), "Mesh/Source = file");
+    declare_mesh_unit(s, length_unit).only_if(from(Source::file), "Mesh/Source = file");
     s.choice("Elements", family,
              {{"blocks", fem::ElementFamily::hypercube}, {"simplices", fem::ElementFamily::simplex}}, Need::optional)
       .means("blocks: quadrilaterals or hexahedra; simplices: 8 triangles in place of each quadrilateral, 24 "
@@ -111,7 +122,8 @@ namespace apps
       .means("Each halves every edge")
       .only_if(built, "Mesh/Source is not file");
 
-    Section &box = s.section("Box", "From the origin; boundaries left, right (x), bottom, top (y), back, front (z)");
+    Section &box = s.section("Box", "From the origin; boundaries left, right, or x min, x max; bottom, top, or y min, "
+                                    "y max; back, front, or z min, z max");
     box.only_if(from(Source::box), "Mesh/Source = box");
     box.vector("Size", box_size, "m", Range::at_least(0), Need::required)
       .means("Edges; the third is not used in two dimensions");
@@ -137,7 +149,7 @@ namespace apps
     const char *when   = "Mesh/Source = bodies";
     Section &some = mesh.section("Boxes", "One sub-section per box: bodies that share no node, even where they touch. "
                                           "Boundaries are those of a box with the body's name before: NAME left, "
-                                          "NAME front");
+                                          "NAME front, or NAME x min, NAME z max");
     some.only_if(bodies, when);
     some.named_sections("BODY",
                         [this, &dimension](Section &opened) { boxes.emplace_back().declare(opened, dimension); });
@@ -214,6 +226,28 @@ namespace apps
         mesh.find_section("Balls")->find_section(ball.name)->refuse("Divisions", "must be even.");
   }
 
+  namespace
+  {
+    template <int dim>
+    fem::Mesh<dim> mesh_in_file(const MeshSection &section, const MPI_Comm communicator)
+    {
+      fem::GmshReading how;
+      how.bodies              = section.several_bodies ? fem::Bodies::several : fem::Bodies::one;
+      how.doubled             = section.notch ? fem::DoubledNodes::notch : fem::DoubledNodes::refuse;
+      how.unit                = section.length_unit.value_or(base::LengthUnit());
+      fem::Mesh<dim>   mesh   = fem::read_gmsh<dim>(section.file, communicator, how);
+      constexpr double large  = 30; // [m], without a word on the unit
+      const auto       extent = fem::extent_of(mesh);
+      for (int d = 0; d < dim; ++d)
+        if (const double length = extent.high[d] - extent.low[d]; length > large && !section.length_unit)
+          throw base::InputError(
+            fmt::format("{}: the mesh is {:g} m long along {}. In mm? Set Mesh/Length unit = mm; if metres "
+                        "are meant, m.",
+                        section.file, length, "xyz"[d]));
+      return mesh;
+    }
+  } // namespace
+
   template <int dim>
   fem::Mesh<dim> make_mesh(const MeshSection &mesh, const MPI_Comm communicator)
   {
@@ -225,8 +259,7 @@ namespace apps
       {
       case MeshSection::Source::file:
         {
-          return fem::read_gmsh<dim>(mesh.file, communicator,
-                                     mesh.several_bodies ? fem::Bodies::several : fem::Bodies::one);
+          return mesh_in_file<dim>(mesh, communicator);
         }
       case MeshSection::Source::box:
         {

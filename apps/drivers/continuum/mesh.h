@@ -1,11 +1,13 @@
 #pragma once
 
 #include "apps/scene/section.h"
+#include "base/length_unit.h"
 #include "fem/mesh/shape_sizes.h"
 
 #include <mpi.h>
 
 #include <list>
+#include <optional>
 
 namespace fem
 {
@@ -51,22 +53,24 @@ namespace apps
       cylinder
     };
 
-    Source                      source = Source::file;
-    std::string                 file;
-    bool                        several_bodies = false;
-    fem::ElementFamily          family         = fem::ElementFamily::hypercube;
-    std::int64_t                refinements    = 0;
-    std::array<double, 3>       box_size{};
-    std::array<std::int64_t, 3> box_divisions{1, 1, 1};
-    std::array<double, 3>       box_growth{1, 1, 1};
-    std::list<BoxSection>       boxes;
-    std::list<BallSection>      balls;
-    fem::NotchedBeamShape       beam;
-    std::int64_t                beam_width_divisions = 4;
-    fem::PlateWithHoleShape     plate;
-    std::int64_t                radial_divisions = 16, angular_divisions = 16, depth_divisions = 1;
-    fem::CylinderShape          cylinder;
-    std::int64_t                axial_divisions = 8;
+    Source                          source = Source::file;
+    std::string                     file;
+    bool                            several_bodies = false;
+    bool                            notch          = false; ///< doubled nodes are its faces
+    std::optional<base::LengthUnit> length_unit;            ///< of the file; empty: nobody has said
+    fem::ElementFamily              family      = fem::ElementFamily::hypercube;
+    std::int64_t                    refinements = 0;
+    std::array<double, 3>           box_size{};
+    std::array<std::int64_t, 3>     box_divisions{1, 1, 1};
+    std::array<double, 3>           box_growth{1, 1, 1};
+    std::list<BoxSection>           boxes;
+    std::list<BallSection>          balls;
+    fem::NotchedBeamShape           beam;
+    std::int64_t                    beam_width_divisions = 4;
+    fem::PlateWithHoleShape         plate;
+    std::int64_t                    radial_divisions = 16, angular_divisions = 16, depth_divisions = 1;
+    fem::CylinderShape              cylinder;
+    std::int64_t                    axial_divisions = 8;
 
     void declare(Section &root, const int &dimension);
     void validate(const Section &root, int dimension) const;

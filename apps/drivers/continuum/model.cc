@@ -1,6 +1,7 @@
 #include "apps/drivers/continuum/model.h"
 
 #include "apps/drivers/continuum/cells.h"
+#include "apps/drivers/continuum/upright.h"
 #include "apps/scene/nearest_name.h"
 
 #include <algorithm>
@@ -211,6 +212,7 @@ namespace apps
     if (is_static())
       refuse_moving_cells(root, materials);
     loads.validate(root, solid.dimension);
+    require_upright_names(*this, body_force_at_once(*this));
     contacts.validate(root);
   }
 
@@ -225,6 +227,7 @@ namespace apps
     materials.validate(root, solid.large_displacement);
     refuse_moving_cells(root, materials);
     loads.validate(root, solid.dimension);
+    require_upright_names(*this, body_force_at_once(*this));
   }
 
   MPI_Comm ContinuumModel::ranks_of_mesh() const

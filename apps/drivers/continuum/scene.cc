@@ -5,8 +5,10 @@
 #include "apps/drivers/continuum/run.h"
 #include "apps/drivers/continuum/solid.h"
 #include "apps/drivers/parts/duration.h"
+#include "apps/drivers/parts/packing_extents.h"
 #include "apps/drivers/parts/run_forecast.h"
 #include "apps/process/mpi_session.h"
+#include "fem/mesh/extent.h"
 
 #include <fmt/format.h>
 
@@ -16,6 +18,19 @@ namespace apps
 {
   namespace
   {
+    template <int dim>
+    std::string extent_line_of(const fem::Mesh<dim> &mesh)
+    {
+      const fem::Extent<dim> extent = fem::extent_of(mesh);
+      Eigen::Vector3d        low = Eigen::Vector3d::Zero(), high = low;
+      for (int d = 0; d < dim; ++d)
+        {
+          low[d]  = extent.low[static_cast<unsigned int>(d)];
+          high[d] = extent.high[static_cast<unsigned int>(d)];
+        }
+      return extent_line(low, high, dim);
+    }
+
     template <int dim>
     std::string forecast_of(const ContinuumModel &model)
     {
@@ -27,6 +42,7 @@ namespace apps
         text += fmt::format("  warning      {}\n", warning);
       text += fmt::format("  elements     {}\n", run.body().mesh().triangulation->n_global_active_cells());
       text += fmt::format("  unknowns     {}\n", run.body().dofs().n_dofs());
+      text += extent_line_of(run.body().mesh());
       const auto &groups = model.materials.groups;
       for (const auto &group : groups)
         if (const CellsConstants *cells = group->cells())

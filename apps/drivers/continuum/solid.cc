@@ -2,6 +2,7 @@
 
 #include "apps/scene/nearest_name.h"
 #include "fem/materials/least_extent.h"
+#include "fem/mesh/gmsh_file.h"
 #include "fem/mesh/removal.h"
 
 #include <deal.II/base/mpi.h>
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace apps
@@ -32,17 +34,35 @@ namespace apps
       return text.empty() ? "none" : text;
     }
 
-    void refuse_unknown(const std::string              &name,
-                        const std::vector<std::string> &known,
-                        const Place                    &place,
-                        const std::string              &section,
-                        const std::string              &what,
-                        const std::string              &hint)
+    /** What a physical group of the mesh file is, if there is one of this name and another dimension; "" otherwise. */
+    std::string group_of_other_dimension(const ContinuumModel &model, const std::string &name, const int wanted)
     {
-      if (std::find(known.begin(), known.end(), name) == known.end())
-        throw base::InputError(place.text() + ": " + section + "/" + name + ": the mesh has no " + what +
-                               " of this name." + (known.empty() ? " " + hint : " " + did_you_mean(name, known)) +
-                               " It has: " + listed(known) + ".");
+      if (model.mesh.source != MeshSection::Source::file)
+        return "";
+      static constexpr const char *kinds[4] = {"Point", "Curve", "Surface", "Volume"};
+      const fem::GmshFile content = fem::read_gmsh_file(model.mesh.file, model.solid.dimension);
+      for (const auto &[dimension, groups] : content.groups)
+        for (const auto &group : groups)
+          if (group.second == name && dimension != wanted)
+            return fmt::format(
+              " The physical group of this name is a Physical {}, of dimension {}; a Physical {} is wanted here.",
+              kinds[dimension], dimension, kinds[wanted]);
+      return "";
+    }
+
+    void refuse_unknown(const std::string                  &name,
+                        const std::vector<std::string>     &known,
+                        const Place                        &place,
+                        const std::string                  &section,
+                        const std::string                  &what,
+                        const std::function<std::string()> &hint)
+    {
+      if (std::find(known.begin(), known.end(), name) != known.end())
+        return;
+      const std::string nearest = did_you_mean(name, known);
+      throw base::InputError(place.text() + ": " + section + "/" + name + ": the mesh has no " + what +
+                             " of this name." + hint() + (nearest.empty() ? "" : " " + nearest) +
+                             " It has: " + listed(known) + ".");
     }
 
     template <int dim>
@@ -50,13 +70,19 @@ namespace apps
     {
       const auto groups = names_of(mesh.materials), boundaries = names_of(mesh.boundaries);
       for (const auto &group : model.materials.groups)
-        refuse_unknown(group->group, groups, group->place, "Materials", "group of elements",
-                       "Give all elements a named physical group.");
+        refuse_unknown(group->group, groups, group->place, "Materials", "group of elements", [&] {
+          return group_of_other_dimension(model, group->group, dim) +
+                 (groups.empty() ? " Give all elements a named physical group." : "");
+        });
       for (const auto &boundary : model.loads.boundaries)
-        refuse_unknown(boundary->name, boundaries, boundary->place, "Boundary conditions", "boundary",
-                       fmt::format("Put its {} into a physical group in Gmsh, Physical {}(\"{}\"), and save the mesh "
-                                   "with it.",
-                                   dim == 3 ? "faces" : "edges", dim == 3 ? "Surface" : "Curve", boundary->name));
+        refuse_unknown(boundary->name, boundaries, boundary->place, "Boundary conditions", "boundary", [&] {
+          const std::string other = group_of_other_dimension(model, boundary->name, dim - 1);
+          if (!other.empty() || !boundaries.empty())
+            return other;
+          return fmt::format(
+            " Put its {} into a physical group in Gmsh, Physical {}(\"{}\"), and save the mesh with it.",
+            dim == 3 ? "faces" : "edges", dim == 3 ? "Surface" : "Curve", boundary->name);
+        });
       for (const std::string &name : groups)
         if (std::none_of(model.materials.groups.begin(), model.materials.groups.end(),
                          [&](const auto &group) { return group->group == name; }))

@@ -12,7 +12,7 @@ namespace apps
   {
     name = s.name();
     s.text("Boundary", boundary, Need::optional)
-      .means("Names of parts of the solid's boundary, separated by commas; empty: all of it");
+      .means("Names of parts of the solid's boundary, separated by commas, z max as well as front; empty: all of it");
     s.text("Groups", group, Need::optional)
       .means("Names of groups of particles (sections Groups and More particles), separated by commas; empty: all");
     s.choice("Contact", pressure, {{"point", false}, {"pressure", true}}, Need::optional)

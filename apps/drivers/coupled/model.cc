@@ -1,5 +1,6 @@
 #include "apps/drivers/coupled/model.h"
 
+#include "apps/drivers/continuum/upright.h"
 #include "apps/drivers/parts/drawn_curve.h"
 
 #include <algorithm>
@@ -43,10 +44,23 @@ namespace apps
     particles.gravity.validate(scene, dimension());
     couplings.validate(scene, groups, continuum.contacts.empty() && handshakes.empty());
     handshakes.validate(scene, dimension());
+    validate_sides(scene);
     laboratory.validate(scene, couplings, continuum.loads, dimension());
     for (const CouplingSection &coupling : couplings.couplings)
       if (particles.walls.knows(coupling.name))
         throw base::InputError("Couplings/" + coupling.name + ": there is a wall of this name. Take another.");
+  }
+
+  void CoupledModel::validate_sides(const Section &scene) const
+  {
+    const Eigen::Vector3d weight = particles.gravity.vector();
+    require_upright_names(continuum, weight);
+    if (continuum.mesh.source == MeshSection::Source::file)
+      return;
+    for (const CouplingSection &coupling : couplings.couplings)
+      for (const std::string &boundary : coupling.boundaries())
+        if (const std::string fault = fault_of_side(boundary, weight); !fault.empty())
+          scene.find_section("Couplings")->find_section(coupling.name)->refuse("Boundary", fault);
   }
 
   dem::Packing CoupledModel::packing(std::optional<dem::Packing> *const cell) const

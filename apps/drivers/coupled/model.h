@@ -40,5 +40,9 @@ namespace apps
     ParticleMedia media(const std::optional<dem::Packing> &cell) const;
 
     int dimension() const { return particles.physics.dimension; }
+
+  private:
+    /** @throws base::InputError for a side that "top" or "bottom" does not tell, where there is weight */
+    void validate_sides(const Section &root) const;
   };
 } // namespace apps

@@ -1,10 +1,12 @@
 #include "apps/drivers/coupled/scene.h"
 
+#include "apps/drivers/coupled/out_of_reach.h"
 #include "apps/drivers/coupled/run.h"
 #include "apps/drivers/particles/damped_fall.h"
 #include "apps/drivers/particles/piled_up.h"
 #include "apps/drivers/parts/duration.h"
 #include "apps/drivers/parts/material_counts.h"
+#include "apps/drivers/parts/packing_extents.h"
 #include "apps/drivers/parts/run_forecast.h"
 #include "apps/drivers/parts/specimen_snapshots.h"
 #include "apps/process/mpi_session.h"
@@ -73,6 +75,7 @@ namespace apps
     std::string        text;
     text += fmt::format("  elements     {}\n  unknowns     {}\n", body->elements(), body->unknowns());
     text += fmt::format("  particles    {}\n  links        {}\n", specimen.counts().particles, specimen.counts().links);
+    text += extent_lines(packing, specimen.parameters().physics.dimension);
     text += MaterialCounts(packing.material_names, specimen).text();
     text += fmt::format("  groups       {}\n", text_of(model.particles.groups_in(packing)));
     if (!model.particles.walls.walls.empty())
@@ -81,6 +84,7 @@ namespace apps
       text += fmt::format("  coupling     {}: {} on {}\n", coupling.name,
                           coupling.group.empty() ? "all particles" : coupling.group,
                           coupling.boundary.empty() ? "all of the boundary" : coupling.boundary);
+    text += couplings_out_of_reach(model, specimen, body->particles().all_groups());
     text += body->text_of_handshakes();
     text += fmt::format("  steps        solid {:.4g} s, particles {:.4g} s: ratio {:.3g}\n", steps.solid,
                         steps.particles, steps.solid / steps.particles);

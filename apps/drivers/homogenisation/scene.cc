@@ -2,6 +2,7 @@
 
 #include "apps/drivers/homogenisation/report.h"
 #include "apps/drivers/parts/duration.h"
+#include "apps/drivers/parts/packing_extents.h"
 #include "apps/drivers/parts/specimen_packing.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
@@ -9,6 +10,7 @@
 #include "apps/results/result_folder.h"
 #include "apps/results/result_listing.h"
 #include "apps/results/warning.h"
+#include "apps/scene/length_unit_entry.h"
 #include "apps/scene/value_text.h"
 #include "postprocess/atomic_file.h"
 #include "postprocess/packing_io.h"
@@ -147,6 +149,8 @@ namespace apps
     s.file("File", file)
       .means("Periodic packing")
       .only_if([this] { return source == SpecimenSection::Source::file; }, "Source = file");
+    declare_packing_unit(s, length_unit)
+      .only_if([this] { return source == SpecimenSection::Source::file; }, "Source = file");
     s.number("Particle radius", radius, "m", Range::positive(), Need::optional)
       .means("Of the spheres of made packings");
     s.integer("Particles", particles, "-", Range::between(8, 1e6), Need::optional)
@@ -178,7 +182,7 @@ namespace apps
   std::vector<dem::Packing> HomogenisationScene::packings() const
   {
     if (source == SpecimenSection::Source::file)
-      return {postprocess::read_packing(file)};
+      return {postprocess::read_packing(file, length_unit)};
     std::vector<dem::Packing> made;
     for (std::int64_t seed = 1; seed <= seeds; ++seed)
       made.push_back(made_packing(seed));
@@ -214,7 +218,7 @@ namespace apps
     const bool         made               = source == SpecimenSection::Source::generator;
     const auto         count              = static_cast<double>(made ? seeds : 1);
     const Stopwatch    making;
-    const dem::Packing first          = made ? made_packing(1) : postprocess::read_packing(file);
+    const dem::Packing first          = made ? made_packing(1) : postprocess::read_packing(file, length_unit);
     const double       making_seconds = making.seconds();
     double             solving        = 0; // of all cases of the first packing, one solved for each interaction ratio
     for (const double ratio : interaction)
@@ -223,8 +227,10 @@ namespace apps
         homogenise(first, question(ratio, shear.front()), made ? "generator" : file);
         solving += watch.seconds() * static_cast<double>(shear.size());
       }
-    return fmt::format("  packings     {:.0f}, of {} particles\n  solutions    {:.0f}, of six load cases each\n", count,
-                       first.size(), count * static_cast<double>(interaction.size() * shear.size())) +
+    return fmt::format("  packings     {:.0f}, of {} particles\n", count, first.size()) +
+           extent_lines(first, thickness > 0 ? 2 : 3) +
+           fmt::format("  solutions    {:.0f}, of six load cases each\n",
+                       count * static_cast<double>(interaction.size() * shear.size())) +
            duration_line(count * (making_seconds + solving));
   }
 

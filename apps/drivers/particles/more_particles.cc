@@ -1,10 +1,11 @@
 #include "apps/drivers/particles/more_particles.h"
 
+#include "apps/drivers/parts/packing_file.h"
 #include "apps/drivers/parts/specimen_packing.h"
 #include "apps/scene/corner_list.h"
+#include "apps/scene/length_unit_entry.h"
 #include "apps/scene/nearest_name.h"
 #include "dem/packing/overlaps.h"
-#include "postprocess/packing_io.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -20,6 +21,7 @@ namespace apps
       .means("sphere: one, in two dimensions a disc; file: all of another packing; body: a rigid convex polyhedron, in "
              "two dimensions a polygon, filled with pebbles");
     s.file("File", file).means("Packing, as Specimen/File").only_if(is(Source::file), "Source = file");
+    declare_packing_unit(s, length_unit).only_if(is(Source::file), "Source = file");
     s.vector("Centre", centre, "m", Range(), Need::optional)
       .means("Of the sphere; of a file and of corners, what is added to the places there");
     s.number("Radius", radius, "m", Range::positive(), Need::required)
@@ -70,7 +72,7 @@ namespace apps
           corner += place;
         return dem::filled_with_pebbles(dem::ConvexBody(at, dimension), radius, filling);
       }
-    dem::Packing packing = postprocess::read_packing(file);
+    dem::Packing packing = packing_in_file(file, length_unit);
     packing.periodic_cell.reset(); // one body of it, as it is
     for (Eigen::Vector3d &each : packing.centre)
       each += place;

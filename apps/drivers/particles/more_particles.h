@@ -3,10 +3,12 @@
 #include "apps/drivers/particles/groups.h"
 #include "apps/scene/material_section.h"
 #include "apps/scene/specimen_section.h"
+#include "base/length_unit.h"
 #include "dem/genesis/convex_body.h"
 
 #include <functional>
 #include <list>
+#include <optional>
 #include <string>
 
 namespace apps
@@ -21,13 +23,14 @@ namespace apps
       body ///< rigid, filled with pebbles
     };
 
-    std::string           name;
-    Source                source = Source::sphere;
-    std::string           file;
-    std::string           corners; ///< of a body
-    dem::Filling          filling = dem::Filling::close;
-    std::array<double, 3> centre  = {
-       0, 0, 0};            ///< of the sphere, or what is added to the places of the file and to corners [m]
+    std::string                     name;
+    Source                          source = Source::sphere;
+    std::string                     file;
+    std::optional<base::LengthUnit> length_unit; ///< of the file
+    std::string                     corners;     ///< of a body
+    dem::Filling                    filling = dem::Filling::close;
+    std::array<double, 3>           centre  = {
+                 0, 0, 0};  ///< of the sphere, or what is added to the places of the file and to corners [m]
     double      radius = 0; ///< of the sphere, or of each pebble [m]
     bool        bonded = false;
     std::string material; ///< "": as Regions and file say

@@ -6,6 +6,7 @@
 #include "apps/drivers/parts/duration.h"
 #include "apps/drivers/parts/genesis_work.h"
 #include "apps/drivers/parts/material_counts.h"
+#include "apps/drivers/parts/packing_extents.h"
 #include "apps/drivers/parts/run_forecast.h"
 #include "apps/drivers/parts/specimen_snapshots.h"
 #include "apps/process/progress.h"
@@ -39,7 +40,14 @@ namespace apps
       std::string      text = fmt::format("  particles    {}, to be grown:", work.particles());
       for (const std::size_t count : model.source.genesis.counts(model.physics.dimension))
         text += fmt::format(" {}", count);
-      text += fmt::format("\n  genesis      roughly {} on one core\n",
+      text += "\n";
+      for (const ClassInVessel &one : model.source.genesis.classes_in_vessel(model.physics.dimension))
+        text += fmt::format("  sizes        {} m: {}, {:.3g} of the solid for {:g}\n", text_of(one.size), one.count,
+                            one.part, one.size.fraction);
+      const dem::Vessel vessel = model.source.genesis.vessel(model.physics.dimension);
+      text += fmt::format("  vessel       {:g} x {:g}{} m\n", vessel.size[0], vessel.size[1],
+                          vessel.dimension == 2 ? "" : fmt::format(" x {:g}", vessel.size[2]));
+      text += fmt::format("  genesis      roughly {} on one core\n",
                           duration_text(usual_steps * n / particle_steps_a_second));
       return text + "  motion       known only when the particles have grown\n";
     }
@@ -60,6 +68,7 @@ namespace apps
     std::string        text;
     text += fmt::format("  particles    {}\n", specimen.counts().particles);
     text += fmt::format("  links        {}\n", specimen.counts().links);
+    text += extent_lines(packing, model.physics.dimension);
     text += MaterialCounts(packing.material_names, specimen).text();
     text += fmt::format("  groups       {}\n", text_of(model.groups_in(packing)));
     if (!model.walls.walls.empty())

@@ -1,10 +1,14 @@
 #include "apps/drivers/particles/wall_files.h"
 
 #include "base/errors.h"
+#include "dem/facets/slivers.h"
 #include "fem/mesh/gmsh_file.h"
+#include "postprocess/numeric_text.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
@@ -59,20 +63,24 @@ namespace apps
 
     dem::FacetMesh text_triangles(const std::string &file, const std::string &text)
     {
+      using namespace postprocess::numeric_text;
       dem::FacetMesh                 mesh;
-      std::istringstream             lines(text);
-      std::string                    line;
       std::array<Eigen::Vector3d, 3> corner;
       std::size_t                    corners = 0;
-      for (std::size_t number = 1; std::getline(lines, line); ++number)
+      bool                           begun   = false;
+      for (Lines lines(text); lines.next();)
         {
+          const std::string  line(lines.text());
+          const std::size_t  number = lines.number();
           std::istringstream words(line);
           std::string        word;
           if (!(words >> word))
             continue;
-          if (number == 1 && word != "solid")
+          std::transform(word.begin(), word.end(), word.begin(), [](const unsigned char c) { return std::tolower(c); });
+          if (!begun && word != "solid")
             throw base::InputError(file + ": is no STL file: it neither begins with \"solid\" nor has the length of a "
                                           "binary one.");
+          begun = true;
           if (word == "vertex")
             {
               double x, y, z;
@@ -126,6 +134,11 @@ namespace apps
       std::filesystem::path(file).extension() == ".msh" ? gmsh_triangles(file) : stl_triangles(file);
     if (mesh.facet.empty())
       throw base::InputError(file + ": there is no triangle in it.");
+    if (const std::size_t dropped = dem::drop_slivers(mesh); dropped > 0)
+      fmt::print(stderr, "breccia: note: {}: {} of {} facets have no area and are left out.\n", file, dropped,
+                 dropped + mesh.facet.size());
+    if (mesh.facet.empty())
+      throw base::InputError(file + ": none of its triangles has an area.");
     for (Eigen::Vector3d &x : mesh.vertex)
       x *= scale;
     return mesh;

@@ -2,7 +2,6 @@
 
 #include "apps/drivers/particles/contact_entries.h"
 #include "apps/drivers/particles/wall_files.h"
-#include "apps/scene/formula_variables.h"
 #include "apps/scene/same_name.h"
 #include "dem/facets/shapes.h"
 
@@ -150,13 +149,13 @@ namespace apps
           section.refuse("Force", "is not set. Say how hard the wall presses.");
         if (!(vector(direction).norm() > 0))
           section.refuse("Direction", "has no length.");
-        if (varies_in_space(section.find_entry("Force")->value))
+        if (force.varies_in_space())
           section.refuse("Force", "a wall is pressed as a whole: a formula of t alone.");
         return;
       }
-    for (const char *entry : motion_names)
-      if (varies_in_space(section.find_entry(entry)->value))
-        section.refuse(entry, "a wall moves as a rigid body: a formula of t alone.");
+    for (std::size_t i = 0; i < 6; ++i)
+      if ((i < 3 ? velocity[i] : spin[i - 3]).varies_in_space())
+        section.refuse(motion_names[i], "a wall moves as a rigid body: a formula of t alone.");
     if (shape == Shape::plane && any_given(spin))
       section.refuse("Spin x", "an unbounded plane does not spin. Take a plate.");
   }

@@ -58,11 +58,17 @@ namespace apps
     all["particles"]             = n;
     all["inserted_with_overlap"] = genesis.inserted_with_overlap();
     all["aggregates"]            = packing.bodies.size();
-    all["bonds"]                 = {{"installation_gap_m", specimen.installation_gap},
-                                    {"count", bonds.pairs},
-                                    {"per_particle", static_cast<double>(bonds.pairs) / static_cast<double>(n)},
-                                    {"half_area_m2", bonds.half_area},
-                                    {"area_m2", bonds.area}};
+    for (const ClassInVessel &one : specimen.genesis.classes_in_vessel(dimension))
+      all["sizes"].push_back({{"smallest_m", one.size.smallest},
+                              {"largest_m", one.size.largest},
+                              {"particles", one.count},
+                              {"part_of_solid", one.part},
+                              {"part_asked_for", one.size.fraction}});
+    all["bonds"]    = {{"installation_gap_m", specimen.installation_gap},
+                       {"count", bonds.pairs},
+                       {"per_particle", static_cast<double>(bonds.pairs) / static_cast<double>(n)},
+                       {"half_area_m2", bonds.half_area},
+                       {"area_m2", bonds.area}};
     all["energy_J"] = {{"growth", energy.growth}, {"stored", energy.stored},     {"kinetic", energy.kinetic},
                        {"damped", energy.damped}, {"friction", energy.friction}, {"stopped", energy.stopped},
                        {"error", energy.error()}};

@@ -2,6 +2,7 @@
 
 #include "apps/drivers/parts/genesis_work.h"
 #include "apps/drivers/parts/packing_cache.h"
+#include "apps/drivers/parts/packing_file.h"
 #include "apps/process/interrupt.h"
 #include "apps/process/progress.h"
 #include "base/errors.h"
@@ -89,7 +90,7 @@ namespace apps
     {
       if (specimen.source == SpecimenSection::Source::generator)
         return compact_with_progress(specimen.compaction()).packing;
-      dem::Packing packing = postprocess::read_packing(specimen.file);
+      dem::Packing packing = packing_in_file(specimen.file, specimen.length_unit);
       if (!packing.periodic_cell)
         throw base::InputError(specimen.file + ": the packing is not periodic, and there is no cell without it.");
       return packing;
@@ -148,7 +149,7 @@ namespace apps
         return make_cell(specimen);
       dem::Packing packing = specimen.source == SpecimenSection::Source::generator ?
                                compact_with_progress(specimen.compaction()).packing :
-                               postprocess::read_packing(specimen.file);
+                               packing_in_file(specimen.file, specimen.length_unit);
       if (cell && packing.periodic_cell)
         *cell = packing;
       if (specimen.has_box())

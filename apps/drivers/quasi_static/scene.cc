@@ -2,6 +2,7 @@
 
 #include "apps/drivers/parts/duration.h"
 #include "apps/drivers/parts/lab_run.h"
+#include "apps/drivers/parts/packing_extents.h"
 #include "apps/drivers/parts/path_forecast.h"
 #include "apps/drivers/parts/specimen_packing.h"
 #include "apps/drivers/quasi_static/report.h"
@@ -154,6 +155,7 @@ namespace apps
     std::string             text;
     text += fmt::format("  particles    {}\n", loaded.network.particles());
     text += fmt::format("  links        {}\n", loaded.network.links.size());
+    text += extent_lines(packing, loaded.network.dimension);
     text += materials_in(loaded.network, packing.material_names).text();
     if (!model.is_cell())
       text += fmt::format("  basis        {}\n", text_of(model.grip_layers(packing), model.grips.parameters()));

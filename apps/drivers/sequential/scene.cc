@@ -2,6 +2,7 @@
 
 #include "apps/drivers/continuum/expected_duration.h"
 #include "apps/drivers/parts/duration.h"
+#include "apps/drivers/parts/packing_extents.h"
 #include "apps/drivers/sequential/law_identification.h"
 #include "apps/drivers/sequential/outline.h"
 #include "apps/drivers/sequential/particle_case.h"
@@ -171,6 +172,8 @@ namespace apps
     if (const dem::Specimen *body = first->body())
       text += fmt::format("  particles    {}\n  links        {}\n  time step    {:.4g} s\n", body->counts().particles,
                           body->counts().links, body->time_step());
+    if (ground.packing.size() > 0)
+      text += extent_lines(ground.packing, model.particles.physics.dimension);
     if (const StaticStart start = first->settle())
       text += fmt::format("  start        {}\n", text_of(*start));
     for (const std::string &doubt : ground.doubts)

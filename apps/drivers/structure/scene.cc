@@ -1,6 +1,7 @@
 #include "apps/drivers/structure/scene.h"
 
 #include "apps/drivers/parts/duration.h"
+#include "apps/drivers/parts/packing_extents.h"
 #include "apps/drivers/parts/path_forecast.h"
 #include "apps/drivers/structure/promotion.h"
 #include "apps/drivers/structure/run.h"
@@ -23,6 +24,7 @@ namespace apps
     std::string                 text;
     text += fmt::format("  particles    {}\n  links        {}\n", structure.network().network.particles(),
                         structure.network().network.links.size());
+    text += extent_lines(packing, structure.network().network.dimension);
     text += structure.material_counts().text();
     text += fmt::format("  groups       {}\n", text_of(structure.members()));
     if (const StructureSolid *solid = structure.surrounding())

@@ -4,6 +4,7 @@
 #include "apps/drivers/parts/lab_run.h"
 #include "apps/drivers/parts/link_failure.h"
 #include "apps/drivers/parts/material_counts.h"
+#include "apps/drivers/parts/packing_extents.h"
 #include "apps/drivers/parts/run_forecast.h"
 #include "apps/drivers/parts/specimen_packing.h"
 #include "apps/drivers/parts/specimen_snapshots.h"
@@ -104,6 +105,7 @@ namespace apps
     std::string         text;
     text += fmt::format("  particles    {}\n", body.counts().particles);
     text += fmt::format("  links        {}\n", body.counts().links);
+    text += extent_lines(packing, asked.specimen.physics.dimension);
     text += MaterialCounts(packing.material_names, body).text();
     text += fmt::format("  time step    {:.4g} s = {} of the bound of its particles\n", body.time_step(),
                         asked.specimen.step_factor);

@@ -15,13 +15,6 @@ namespace fem
       rule << "must lie in [" << lower << ", " << upper << "].";
       demand(value >= lower && value <= upper, name, value, rule.str());
     });
-    // Far below any concrete, mortar or rock: a number in another unit.
-    demand(young_modulus >= 1e6, "Young modulus [Pa]", young_modulus,
-           "no concrete is as soft. Is it in Pa? 25 GPa are 25e9.");
-    demand(compressive_strength >= 1e4, "Compressive strength [Pa]", compressive_strength,
-           "no concrete is as weak. Is it in Pa? 30 MPa are 30e6.");
-    demand(tensile_strength >= 1e3, "Tensile strength [Pa]", tensile_strength,
-           "no concrete is as weak. Is it in Pa? 3 MPa are 3e6.");
     demand(tensile_strength < compressive_strength, "Tensile strength", tensile_strength,
            "must be below the compressive strength.");
     demand(crack_opening > 0 || fracture_energy > 0, "Fracture energy [J/m^2]", fracture_energy,

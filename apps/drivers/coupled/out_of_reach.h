@@ -1,0 +1,17 @@
+#pragma once
+
+#include "apps/drivers/coupled/model.h"
+#include "apps/drivers/particles/groups.h"
+#include "dem/specimen/specimen.h"
+
+#include <string>
+
+namespace apps
+{
+  /**
+   * Lines of a forecast, a warning for each coupling that nothing leads its particles to: neither weight nor a velocity of the start
+   * points from any of them to a face of the boundary. None where anything else drives particles or solid.
+   */
+  std::string
+  couplings_out_of_reach(const CoupledModel &model, const dem::Specimen &specimen, const ParticleGroups &groups);
+} // namespace apps

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "dem/model/packing.h"
+
+#include <string>
+
+namespace apps
+{
+  /** The line of a forecast that tells from where to where a body reaches. */
+  std::string extent_line(const Eigen::Vector3d &lower, const Eigen::Vector3d &upper, int dimension);
+
+  /** The lines of a forecast that tell from where to where particles reach, surfaces included, and their radii: a file in millimetres shows. */
+  std::string extent_lines(const dem::Packing &packing, int dimension);
+} // namespace apps

@@ -1,0 +1,113 @@
+#include "apps/scene/usual_sizes.h"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+
+namespace apps
+{
+  namespace
+  {
+    constexpr double beyond = std::numeric_limits<double>::infinity();
+
+    /** Numbers that an entry of this unit, whose name has one of these words, hardly means. */
+    struct Doubt
+    {
+      const char                         *unit;
+      std::initializer_list<const char *> words;
+      double                              above, below; ///< magnitudes between the two are in doubt
+      const char                         *question;
+    };
+
+    // The first that holds is asked. Bounds are generous: soft rubber has a modulus of 1e6 Pa, diamond one of 1.2e12 Pa. A strength or
+    // limit that is far beyond all solids is a word, too: it never breaks.
+    const std::initializer_list<Doubt> doubts = {
+      {"Pa", {"modulus"}, 0, 1e6, "no solid is so soft. In GPa or MPa? Write it in Pa, e.g. 25e9"},
+      {"Pa", {"modulus"}, 1e13, beyond, "no solid is so stiff. In GPa or MPa? Write it in Pa, e.g. 25e9"},
+      {"Pa", {"strength", "cohesion"}, 0, 1e3, "no solid is so weak. In MPa? Write it in Pa, e.g. 3e6"},
+      {"Pa",
+       {"stress", "pressure", "traction"},
+       0,
+       1e3,
+       "a solid hardly feels so small a load. In MPa or kPa? Write it in Pa, e.g. 5e6"},
+      {"Pa", {"stress", "pressure", "traction"}, 1e12, beyond, "no solid bears so much. Write it in Pa, e.g. 5e6"},
+      {"kg/m^3", {"density"}, 0, 10, "no solid is so light. In t/m^3 or g/cm^3? Write it in kg/m^3, e.g. 2400"},
+      {"kg/m^3", {"density"}, 3e4, beyond, "no solid is so heavy. Write it in kg/m^3, e.g. 2400"},
+      {"-",
+       {"friction"},
+       9,
+       90.001,
+       "no two solids rub so hard. An angle in degrees? Write its tangent, e.g. 0.78 for 38 degrees"},
+      {"degrees", {"angle"}, 0, 1.6, "that is a small angle. In radians? Write it in degrees, e.g. 38"},
+      {"-",
+       {"elastic strain"},
+       0.1,
+       1e3,
+       "nothing that breaks stays elastic so far. In per mille or per cent? Write it as a pure number, e.g. 1e-4"},
+      {"-",
+       {"largest strain", "furthest strain"},
+       0.5,
+       beyond,
+       "few tests go so far. In per cent? Write it as a pure number, e.g. 0.02"},
+      {"m",
+       {"particle radius", "mean radius", "gap"},
+       0.4,
+       beyond,
+       "that is large for a particle. In mm? Write it in m, e.g. 1e-3"},
+      {"m",
+       {"clearance", "crack opening", "notch width", "skin thickness", "membrane ball", "grip thickness",
+        "smoothing depth", "roller radius", "striker radius", "support width", "glued layer", "fine size",
+        "coarse size", "nonlocal length"},
+       1,
+       beyond,
+       "that is large. In mm? Write it in m, e.g. 5e-3"},
+      {"m",
+       {"length", "height", "width", "span", "depth", "thickness", "size", "half width", "half height"},
+       30,
+       beyond,
+       "that is large. In mm? Write it in m, e.g. 0.1"},
+      {"m/s", {"speed"}, 10, beyond, "no press is so fast. In mm/s? Write it in m/s, e.g. 0.02"},
+      {"m/s^2",
+       {"acceleration"},
+       5e3,
+       2e4,
+       "that is a thousand times the weight. In mm/s^2? Write it in m/s^2, e.g. 9.81"},
+      {"m^2", {"area"}, 100, beyond, "that is large. In mm^2? Write it in m^2, e.g. 2.5e-3"},
+      {"J/m^2", {"fracture energy"}, 0, 1, "about 100 is usual. In N/mm? Write it in J/m^2, e.g. 110 for 0.11 N/mm"},
+      {"J/m^2", {"fracture energy"}, 1e7, beyond, "about 100 is usual. Write it in J/m^2"},
+      {"N/m^3", {"x", "y", "z"}, 0, 100, "nothing is so light. In kN/m^3? Write it in N/m^3, e.g. 24e3"},
+      {"N/m^3", {"stiffness"}, 0, 1e5, "nothing is so soft. In MPa/mm? Write it in N/m^3, e.g. 1e12 for 1000 MPa/mm"}};
+
+    /** Whether these words stand in a name, as whole words, capital letters or not. */
+    bool has_words(const std::string &name, const std::string &words)
+    {
+      const auto letter = [&](const std::size_t i) {
+        return i < name.size() && std::isalnum(static_cast<unsigned char>(name[i]));
+      };
+      for (std::size_t at = 0; at + words.size() <= name.size(); ++at)
+        {
+          std::size_t same = 0;
+          while (same < words.size() && std::tolower(static_cast<unsigned char>(name[at + same])) == words[same])
+            ++same;
+          if (same == words.size() && (at == 0 || !letter(at - 1)) && !letter(at + same))
+            return true;
+        }
+      return false;
+    }
+  } // namespace
+
+  std::string
+  question_about(const std::string &entry, const std::string &unit, const double value, const std::string &written)
+  {
+    const double size = std::abs(value);
+    for (const Doubt &doubt : doubts)
+      if (unit == doubt.unit && size > doubt.above && size < doubt.below)
+        for (const char *words : doubt.words)
+          if (has_words(entry, words))
+            return fmt::format("{}. If it is meant, name the unit: {} {}", doubt.question, written, unit);
+    return "";
+  }
+} // namespace apps

@@ -1,0 +1,146 @@
+// Numbers in another unit: asked about, and taken when the unit is named; the unit of lengths in files; what check tells of extents.
+#include "tests/apps/continuum_scenes.h"
+#include "tests/apps/scene_runs.h"
+#include "tests/apps/scenes.h"
+#include "tests/apps/scratch_folder.h"
+#include "tests/places.h"
+
+#include <catch2/catch.hpp>
+
+#include <string>
+#include <vector>
+
+using namespace apps_tests;
+using Catch::Contains;
+
+namespace
+{
+  struct OddNumber
+  {
+    std::string scene, entry, value, unit, question;
+  };
+
+  std::string shipped(const std::string &scene) { return places::sources() + "/apps/scenes/" + scene; }
+} // namespace
+
+TEST_CASE("A number of another unit is asked about in every dimension, and taken with its unit named", "[apps]")
+{
+  const auto odd = GENERATE(
+    OddNumber{"quick_uniaxial.prm", "Material/CPM/Cohesion", "3", "Pa", "no solid is so weak. In MPa?"},
+    OddNumber{"quick_uniaxial.prm", "Material/CPM/Limit elastic strain", "1", "-", "a pure number, e.g. 1e-4"},
+    OddNumber{"quick_uniaxial.prm", "Material/CPM/Friction coefficient", "38", "-", "0.78 for 38 degrees"},
+    OddNumber{"quick_uniaxial.prm", "Specimen/Density", "2.4", "kg/m^3", "In t/m^3 or g/cm^3?"},
+    OddNumber{"rock_triaxial.prm", "Laboratory/Confining pressure", "5", "Pa", "In MPa or kPa?"},
+    OddNumber{"mortar_window.prm", "Material/flat-joint/Tensile strength", "6", "Pa", "no solid is so weak"},
+    OddNumber{"rock_triaxial.prm", "Material/parallel-bond/Friction angle", "0.5", "degrees", "In radians?"},
+    OddNumber{"plate_with_hole.prm", "Boundary conditions/right/Traction x", "1", "Pa", "In MPa or kPa?"},
+    OddNumber{"notched_beam.prm", "Materials/solid/damage-plastic concrete/Fracture energy", "0.11", "J/m^2",
+              "about 100 is usual. In N/mm?"},
+    OddNumber{"notched_beam.prm", "Materials/solid/damage-plastic concrete/Young modulus", "30000", "Pa", "so soft"},
+    OddNumber{"notched_beam.prm", "Mesh/Notched beam/Length", "450", "m", "In mm?"},
+    OddNumber{"bouncing_sphere.prm", "Gravity/Acceleration", "0, 0, -9810", "m/s^2", "In mm/s^2?"},
+    OddNumber{"quick_uniaxial.prm", "Specimen/Generator/Particle radius", "1.5", "m", "In mm?"});
+  const ScratchFolder folder;
+  INFO(odd.scene << ": " << odd.entry << " = " << odd.value);
+  const auto check = [&](const std::string &value) {
+    // A later entry that nothing takes ends the reading.
+    return run(folder.path(),
+               {"check", shipped(odd.scene), "-s", odd.entry + "=" + value, "-s", "Output/Samples=none"});
+  };
+  const Outcome asked = check(odd.value);
+  CHECK(asked.status == 2);
+  CHECK_THAT(asked.err, Contains(odd.entry + " = " + odd.value + ": ") && Contains(odd.question) &&
+                          Contains("If it is meant, name the unit: " + odd.value + " " + odd.unit));
+  CHECK_THAT(check(odd.value + " " + odd.unit).err, Contains("Output/Samples = none: expected a whole number"));
+}
+
+TEST_CASE("A soft concrete is taken as its own hint says", "[apps]")
+{
+  const ScratchFolder folder;
+  const std::string   law   = "Materials/solid/damage-plastic concrete/";
+  const auto          check = [&](const std::string &modulus, const std::string &strength) {
+    return run(folder.path(), {"check", shipped("notched_beam.prm"), "-s", law + "Young modulus=" + modulus, "-s",
+                               law + "Tensile strength=" + strength, "-s", "Mesh/Notched beam/Fine size=0.02"});
+  };
+  CHECK_THAT(check("5e5", "3e6").err, Contains("name the unit: 5e5 Pa"));
+  CHECK_THAT(check("5e5 Pa", "900").err, Contains("name the unit: 900 Pa"));
+  const Outcome meant = check("5e5 Pa", "900 Pa");
+  INFO(meant.err);
+  CHECK(meant.status == 0);
+}
+
+TEST_CASE("A packing in millimetres is asked about where nothing says its unit, and read with it", "[apps]")
+{
+  const ScratchFolder folder;
+  folder.file("x.prm", scene_with_file());
+  std::string millimetres;
+  for (const char *place : {"0 0 0", "0 0 2", "0 0 4", "0 2 0", "0 2 2", "0 2 4", "2 0 0", "2 0 2", "2 0 4"})
+    millimetres += std::string(place) + " 1\n";
+  folder.file("packing.txt", millimetres);
+  is_refused(folder, "x.prm", {}, "a particle of radius 1 m, and nothing says the unit. In mm?");
+  const std::vector<std::string> quick = {"Loading/Tests=tension", "Loading/Tension/Strain rate=1e-4"};
+  const auto extents = Contains("extents      x -0.001 to 0.003 m, y -0.001 to 0.003 m, z -0.001 to 0.005 m") &&
+                       Contains("radius       0.001 m");
+  auto with = quick;
+  with.emplace_back("Specimen/Length unit=mm");
+  const Outcome by_scene = outcome_of(folder, "check", "x.prm", with);
+  CHECK(by_scene.status == 0);
+  CHECK_THAT(by_scene.out, extents);
+  folder.file("packing.txt", "# lengths in mm\n" + millimetres);
+  CHECK_THAT(outcome_of(folder, "check", "x.prm", quick).out, extents);
+  is_refused(folder, "x.prm", {"Specimen/Length unit=m"}, "packing.txt, line 1: says that lengths are in mm");
+}
+
+TEST_CASE("A commented header of diameters gives the stiffness of the cell that it is", "[apps]")
+{
+  const ScratchFolder folder;
+  const auto          homogenise = [&](const std::string &packing, const std::vector<std::string> &more = {}) {
+    folder.file("cell.txt", packing);
+    std::vector<std::string> words = {"homogenise",       "cell.txt", "--interaction-ratio", "1.05",
+                                      "--normal-modulus", "25e9",     "--shear-ratio",       "0.2"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run(folder.path(), words);
+  };
+  const auto stiffness = [](const Outcome &outcome) {
+    INFO(outcome.err);
+    CHECK(outcome.status == 0);
+    return outcome.out.substr(0, outcome.out.find("  solved "));
+  };
+  const std::string cell = "# periodic_cell 0.004 0.004 0.004\n", by_radius = cell + "0.002 0.002 0.002 0.002\n";
+  const std::string right = stiffness(homogenise(by_radius));
+  CHECK_THAT(right, Contains("1 particles, 3 links"));
+  CHECK(stiffness(homogenise(cell + "# x y z diameter\n0.002 0.002 0.002 0.004\n")) == right);
+  CHECK(stiffness(homogenise("# periodic_cell 4 4 4\n2 2 2 2\n", {"--length-unit", "mm"})) == right);
+  CHECK(homogenise(cell + "# x y z size\n0.002 0.002 0.002 0.004\n").status == 2);
+  CHECK_THAT(homogenise(by_radius, {"--length-unit", "furlong"}).err,
+             Contains("furlong: expected one of m, cm, mm, um"));
+}
+
+TEST_CASE("check tells the extents of the particles, whatever the kind of scene", "[apps][slow]")
+{
+  const ScratchFolder folder;
+  for (const char *scene :
+       {"own_packing.prm", "quasi_static.prm", "bonded_beam.prm", "periodic_cell.prm", "homogenisation_sweep.prm",
+        "bending_with_core.prm", "beam_and_spheres.prm", "transfer_compression.prm"})
+    {
+      const Outcome found = run(folder.path(), {"check", shipped(scene)});
+      INFO(scene << "\n" << found.out << found.err);
+      CHECK_THAT(found.out, Contains("\n  extents      x "));
+      CHECK_THAT(found.out, Contains("\n  radius       ") || Contains("\n  radii        "));
+    }
+}
+
+TEST_CASE("A mesh in millimetres is asked about, and read with its unit", "[apps]")
+{
+  const ScratchFolder folder;
+  std::string         large = two_squares_mesh();
+  for (const auto &[from, to] : std::vector<std::pair<std::string, std::string>>{
+         {"2 1 0 0\n3 2 0 0\n4 0 1 0\n5 1 1 0\n6 2 1 0\n",
+          "2 1000 0 0\n3 2000 0 0\n4 0 1000 0\n5 1000 1000 0\n6 2000 1000 0\n"}})
+    large = replaced(large, from, to);
+  folder.file("two.msh", large);
+  folder.file("x.prm", two_squares_scene());
+  is_refused(folder, "x.prm", {}, "two.msh: the mesh is 2000 m long along x. In mm? Set Mesh/Length unit = mm");
+  const Results found = results_of(folder, "x.prm", {"Mesh/Length unit=mm"});
+  CHECK(found.summary["figures"]["final_displacement_end_x"]["value"].get<double>() == Approx(1.5e-4).epsilon(1e-9));
+}
