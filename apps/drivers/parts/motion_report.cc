@@ -22,6 +22,7 @@ namespace apps
     for (const std::string &doubt : {overlap_warning(counts.deepest_overlap), turn_warning(counts.largest_turn)})
       if (!doubt.empty())
         all.push_back(doubt);
+    all.insert(all.end(), warnings.begin(), warnings.end());
     return all;
   }
 
