@@ -59,7 +59,7 @@ TEST_CASE("forces of a spread contact are the slope of its energy in any dent of
       CHECK(contact.overlap > 0);
       CHECK(contact.overlap == Approx(radius - (contact.place - centre).norm()).epsilon(1e-9));
       // Of overlaps; to the square of the dent over the radius. With the plane at the nearest point it is to the first power.
-      const double h = 1e-7, small = 4 * std::pow(depth / radius, 2);
+      const double h = 1e-7, small = 8 * std::pow(depth / radius, 2);
       double       worst = 0;
       for (int d = 0; d < 3; ++d)
         {
