@@ -38,23 +38,30 @@ namespace coupling
   const VolumeCoupling<dim> &ConcurrentMotion<dim>::add_volume(const VolumeCouplingParameters &parameters)
   {
     handshakes.push_back(std::make_unique<VolumeCoupling<dim>>(specimen, solid, motion, participant, parameters));
-    std::vector<std::size_t> sorted;
-    for (const auto &h : handshakes)
-      sorted.insert(sorted.end(), h->particles().begin(), h->particles().end());
-    std::sort(sorted.begin(), sorted.end());
-    const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
-    if (twice != sorted.end())
-      throw base::InputError("coupling " + parameters.name + ": particle " + std::to_string(*twice + 1) +
-                             " takes part in another one already. Move them further apart.");
+    const auto refuse_shared = [&](const char *what, const auto &of) {
+      std::vector<std::size_t> sorted;
+      for (const auto &h : handshakes)
+        {
+          const std::vector<std::size_t> some = of(*h);
+          sorted.insert(sorted.end(), some.begin(), some.end());
+        }
+      std::sort(sorted.begin(), sorted.end());
+      if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end())
+        throw base::InputError("Handshakes/" + parameters.name + ": " + what + " " + std::to_string(*twice + 1) +
+                               " takes part in another one already. Move them further apart.");
+    };
+    refuse_shared("particle", [](const VolumeCoupling<dim> &h) { return h.particles(); });
+    // Each would undo what the other does to it.
+    refuse_shared("node", [](const VolumeCoupling<dim> &h) { return h.node_carriers(); });
     return *handshakes.back();
   }
 
   template <int dim>
   double ConcurrentMotion<dim>::solid_step() const
   {
-    double slaves = 0;
+    double slaves = 0; // no node is of two handshakes
     for (const auto &h : handshakes)
-      slaves += h->added_eigenvalue();
+      slaves = std::max(slaves, h->added_eigenvalue());
     return step_with_contacts(motion, stiffest + slaves + body_contacts.stiffest());
   }
 

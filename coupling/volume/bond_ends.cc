@@ -1,5 +1,7 @@
 #include "coupling/volume/bond_ends.h"
 
+#include <Eigen/Geometry>
+
 #include <utility>
 
 namespace coupling
@@ -51,5 +53,24 @@ namespace coupling
                           link.turning / part});
       }
     return ends;
+  }
+
+  EndPulls pulls_of(const BondEnd &end, const EndNow &now)
+  {
+    // Slip and relative rotation are those of stiffness_of(), of ends that have turned; stiffness turns with the slave.
+    const Vector3d whole = end.to - end.from, arm = end.arm * whole.normalized(), of_slave = now.turn_to * arm,
+                   of_entry = now.turn_from * (whole - arm), slip = now.to - now.from - of_slave - of_entry;
+    // Twice the vector part of the quaternion, whose rate by a spin w is s w + w x q for the scalar part s.
+    const Eigen::Quaterniond q(Eigen::Matrix3d(now.turn_from.transpose() * now.turn_to));
+    const double             sign = q.w() < 0 ? -2 : 2;
+    const Vector3d           bent = sign * q.vec();
+    EndPulls                 pulls;
+    pulls.force            = now.turn_to * (end.stiffness * (now.turn_to.transpose() * slip));
+    const Vector3d moment  = end.turning * bent,
+                   between = now.turn_from * (0.5 * sign * q.w() * moment + 0.5 * bent.cross(moment));
+    pulls.couple_to        = between - of_slave.cross(pulls.force) - slip.cross(pulls.force);
+    pulls.couple_from      = -between - of_entry.cross(pulls.force);
+    pulls.energy           = 0.5 * slip.dot(pulls.force) + 0.5 * bent.dot(moment);
+    return pulls;
   }
 } // namespace coupling

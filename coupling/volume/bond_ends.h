@@ -1,6 +1,7 @@
 #pragma once
 
 #include "coupling/volume/overlap.h"
+#include "coupling/volume/turning.h"
 #include "dem/statics/elastic_network.h"
 
 #include <Eigen/Core>
@@ -77,5 +78,45 @@ namespace coupling
     slip.setFromTriplets(by_nodes.begin(), by_nodes.end());
     own.setFromTriplets(of_ends.begin(), of_ends.end());
     return Eigen::SparseMatrix<double>(slip.transpose() * own * slip);
+  }
+
+  /** The ends of a bond's part: where it enters the elements, and the slave, as they are now. */
+  struct EndNow
+  {
+    Eigen::Vector3d from, to; ///< places [m]
+    Eigen::Matrix3d turn_from, turn_to;
+  };
+
+  /** Slopes of the energy of a part with the places and the turns of its ends. */
+  struct EndPulls
+  {
+    Eigen::Vector3d force; ///< with the place of the slave; with the other end's it is the opposite [N]
+    Eigen::Vector3d couple_from, couple_to; ///< [N m]
+    double          energy = 0;             ///< [J]
+  };
+
+  /** Of a link whose ends turn as far as they like: none of a motion as a whole; of small ones those of stiffness_of(). */
+  EndPulls pulls_of(const BondEnd &end, const EndNow &now);
+
+  /** Slopes of the energy of all ends with the places of nodes [N]. @param nodes where they are now [m] */
+  template <typename Entries>
+  CarrierRows
+  slopes_of(const std::vector<BondEnd> &ends, const Entries &entries, const CarrierRows &nodes, const int dimension)
+  {
+    const PlacesNow       now = places_now(entries, 2 * ends.size(), nodes, dimension);
+    std::vector<EndPulls> pulls;
+    for (std::size_t k = 0; k < ends.size(); ++k)
+      pulls.push_back(pulls_of(
+        ends[k], {now.place[2 * k], now.place[2 * k + 1], now.turn[2 * k].rotation, now.turn[2 * k + 1].rotation}));
+    CarrierRows slopes = CarrierRows::Zero(nodes.rows(), 3);
+    for (const auto &e : entries)
+      {
+        const EndPulls       &pull   = pulls[e.row / 2];
+        const bool            enters = e.row % 2 == 0;
+        const Eigen::Vector3d force  = (enters ? -e.weight : e.weight) * pull.force,
+                              turns  = now.turn[e.row].force_of(enters ? pull.couple_from : pull.couple_to, e.gradient);
+        slopes.row(static_cast<Eigen::Index>(e.node)) += (force + turns).transpose();
+      }
+    return slopes;
   }
 } // namespace coupling

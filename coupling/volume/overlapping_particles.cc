@@ -2,6 +2,7 @@
 
 #include "base/errors.h"
 
+#include <algorithm>
 #include <string>
 
 namespace coupling
@@ -10,13 +11,26 @@ namespace coupling
                                                  const VolumeCouplingParameters                     &coupling,
                                                  const std::function<bool(const Eigen::Vector3d &)> &in_solid)
   {
+    const auto of_another = [&coupling](const Eigen::Vector3d &place) {
+      return std::find_if(coupling.others.begin(), coupling.others.end(), [&place](const auto &other) {
+        return other.second.contains(place) || other.second.distance(place) <= 0;
+      });
+    };
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < places.size(); ++i)
       {
-        const auto refuse = [&](const char *why) {
-          throw base::InputError("coupling " + coupling.name + ": particle " + std::to_string(i + 1) + " " + why);
+        const auto refuse = [&](const std::string &why) {
+          throw base::InputError("Handshakes/" + coupling.name + ": particle " + std::to_string(i + 1) + " " + why);
         };
         const double distance = coupling.overlap.distance(places[i]);
+        const bool   in_reach = coupling.overlap.contains(places[i]) || distance <= 0;
+        if (const auto other = of_another(places[i]); other != coupling.others.end())
+          {
+            if (in_reach)
+              refuse("lies in the region or overlap of Handshakes/" + other->first +
+                     " as well. Move them further apart, or make one region of them.");
+            continue;
+          }
         if (coupling.overlap.contains(places[i]))
           {
             if (!in_solid(places[i]))
@@ -30,7 +44,7 @@ namespace coupling
                  "elements do.");
       }
     if (found.empty())
-      throw base::InputError("coupling " + coupling.name + ": no particle lies in the overlap.");
+      throw base::InputError("Handshakes/" + coupling.name + ": no particle lies in the overlap.");
     return found;
   }
 } // namespace coupling

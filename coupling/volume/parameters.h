@@ -3,6 +3,8 @@
 #include "coupling/volume/overlap.h"
 
 #include <string>
+#include <utility>
+#include <vector>
 
 /** What a handshake is made with: without any mesh, so that a scene can hold it. */
 namespace coupling
@@ -24,8 +26,10 @@ namespace coupling
 
   struct VolumeCouplingParameters
   {
-    std::string   name; ///< for messages
-    Overlap       overlap;
+    std::string name; ///< for messages
+    Overlap     overlap;
+    std::vector<std::pair<std::string, Overlap>>
+                  others; ///< of the same scene, by name: what lies in them is not its own
     VolumeMethod  method        = VolumeMethod::multipliers;
     Compatibility compatibility = Compatibility::coarse;
     bool          lumped        = false; ///< multipliers with the sums of their rows

@@ -2,6 +2,7 @@
 
 #include "base/errors.h"
 #include "coupling/volume/bond_shares.h"
+#include "coupling/volume/gaps.h"
 #include "coupling/volume/overlapping_particles.h"
 #include "fem/solid/point_search.h"
 
@@ -40,10 +41,11 @@ namespace coupling
       {
         in_overlap.push_back(overlapping_particles(loaded.network.centre, h,
                                                    [this](const Vector3d &place) { return lies_in_solid(place); }));
+        refuse_gaps(solid, bonded_particles(loaded.network), h);
         for (const std::size_t i : in_overlap.back())
           if (!loaded.carried[i].isZero(0))
             throw base::InputError(
-              "coupling " + h.name + ": particle " + std::to_string(i + 1) +
+              "Handshakes/" + h.name + ": particle " + std::to_string(i + 1) +
               " lies in the overlap, and a support leads it. Lead particles of the region, or the solid.");
         std::vector<Vector3d> places;
         for (const std::size_t i : in_overlap.back())

@@ -1,8 +1,8 @@
 #include "coupling/volume/volume_coupling.h"
 
 #include "base/errors.h"
-#include "coupling/volume/bond_ends.h"
 #include "coupling/volume/bond_shares.h"
+#include "coupling/volume/gaps.h"
 #include "coupling/volume/overlapping_particles.h"
 #include "dem/model/particles.h"
 #include "fem/solid/point_search.h"
@@ -29,6 +29,7 @@ namespace coupling
     , participant(participant_)
     , own(parameters)
     , node_map(solid_, participant_)
+    , turns(solid_.options().large_displacement && parameters.method != VolumeMethod::multipliers)
     , predicted(solid_.make_vector())
   {
     find_particles();
@@ -76,6 +77,7 @@ namespace coupling
          overlapping_particles({all.begin(), all.begin() + static_cast<std::ptrdiff_t>(bonded)}, own,
                                [this](const Vector3d &place) { return lies_in_solid(place); }))
       inside[i] = true;
+    refuse_gaps(solid, bonded_particles(specimen), own);
     std::vector<std::size_t>
       beside; // in the absorber's layer; at its start nothing is damped, and one-sided averages do not matter
     // In the specimen's own order: neighbours are next to each other in memory.
@@ -147,16 +149,16 @@ namespace coupling
   template <int dim>
   std::vector<double> VolumeCoupling<dim>::find_bond_ends()
   {
-    const dem::ElasticNetwork  network = specimen.network();
-    const std::vector<BondEnd> ends =
-      bond_ends(network, watched, own.overlap, [this](const Vector3d &place) { return lies_in_solid(place); });
+    const dem::ElasticNetwork network = specimen.network();
+    ends = bond_ends(network, watched, own.overlap, [this](const Vector3d &place) { return lies_in_solid(place); });
     for (const BondEnd &end : ends)
       {
         node_map.enter(end.from);
         node_map.enter(end.to);
       }
-    const std::vector<Entry> at_ends = node_map.take();
-    of_bond_ends = stiffness_of(ends, at_ends, node_map.nodes().size(), [](const Entry &e) { return e.node; });
+    at_ends = node_map.take();
+    if (!turns)
+      of_bond_ends = stiffness_of(ends, at_ends, node_map.nodes().size(), [](const Entry &e) { return e.node; });
 
     // Mass goes with the bonds, half of each to its slave: beyond what lies in elements, which have it already.
     const std::vector<BondShare> made = bond_shares(bonded_particles(specimen), own.overlap);
@@ -208,6 +210,10 @@ namespace coupling
   void VolumeCoupling<dim>::find_stiffness_of_slaves()
   {
     weigh_nodes();
+    slaves_now.turn.resize(overlapping);
+    undeformed = CarrierRows::Zero(node_mass.rows(), 3);
+    for (std::size_t k = 0; k < node_map.nodes().size(); ++k)
+      undeformed.row(static_cast<Index>(k)) = participant.place(node_map.nodes()[k]);
     Eigen::VectorXd seen = Eigen::VectorXd::Zero(node_mass.rows());
     for (const Entry &e : at_particles)
       seen[static_cast<Index>(e.node)] += e.weight * specimen.stiffness_around(watched[e.row]);
@@ -234,7 +240,7 @@ namespace coupling
     to       = of_nodes(predicted);
     velocity = from;
     path     = CarrierRows::Zero(from.rows(), 3);
-    if (of_bond_ends.nonZeros() > 0)
+    if (turns || of_bond_ends.nonZeros() > 0)
       displaced = of_nodes(motion.displacement());
     gone             = 0;
     impulse_together = impulse_absorber = impulse_twice = CarrierRows::Zero(from.rows(), 3);
@@ -327,10 +333,10 @@ namespace coupling
   }
 
   template <int dim>
-  void VolumeCoupling<dim>::lead(dem::StepCorrection &correction, const std::size_t first)
+  std::vector<const double *>
+  VolumeCoupling<dim>::push_nodes(const dem::StepCorrection &correction, const std::size_t first, const double kick)
   {
-    const double kick    = correction.half_before + correction.half_after;
-    CarrierRows  impulse = CarrierRows::Zero(velocity.rows(), 3);
+    CarrierRows impulse = CarrierRows::Zero(velocity.rows(), 3);
     // Most slaves lie deeper in the elements than bonds to free particles reach, and nothing pulls at them.
     std::vector<const double *> pulls(overlapping, nullptr);
     for (std::size_t k = 0; k < overlapping; ++k)
@@ -341,28 +347,59 @@ namespace coupling
       if (const double *pull = pulls[e.row])
         {
           const Vector3d force(pull), couple(pull + 3);
-          impulse.row(static_cast<Index>(e.node)) += kick * (e.weight * force + 0.5 * couple.cross(e.gradient));
+          impulse.row(static_cast<Index>(e.node)) +=
+            kick * (e.weight * force + slaves_now.turn[e.row].force_of(couple, e.gradient));
         }
+    CarrierRows again = CarrierRows::Zero(impulse.rows(), 3); // what bonds bear in elements
     if (of_bond_ends.nonZeros() > 0)
       {
         const CarrierRows now             = displaced + path;
-        CarrierRows       again           = CarrierRows::Zero(now.rows(), 3);
         again.reshaped<Eigen::RowMajor>() = kick * (of_bond_ends * now.reshaped<Eigen::RowMajor>());
-        impulse += again;
-        impulse_twice += again;
       }
+    else if (turns && !ends.empty())
+      again = kick * slopes_of(ends, at_ends, nodes_now(), dim);
+    impulse += again;
+    impulse_twice += again;
     impulse_together += impulse;
     velocity += inverse_node_mass.cwiseProduct(impulse);
+    if (turns)
+      {
+        const CarrierRows now = nodes_now();
+        for (Index k = 0; k < now.rows(); ++k)
+          exchanged.turn_to_solid += Vector3d(now.row(k)).cross(Vector3d(impulse.row(k)));
+      }
+    return pulls;
+  }
+
+  template <int dim>
+  void VolumeCoupling<dim>::move_slaves(dem::StepCorrection &correction, const std::size_t first)
+  {
+    const auto rates = [&](const std::size_t k) { return &correction.velocity[axes * (first + k)]; };
     for (std::size_t k = 0; k < overlapping; ++k)
-      std::fill_n(&correction.velocity[axes * (first + k)], axes, 0.0);
+      std::fill_n(rates(k), axes, 0.0);
     for (const Entry &e : at_particles)
       {
-        double        *rate = &correction.velocity[axes * (first + e.row)];
-        const Vector3d v = velocity.row(static_cast<Index>(e.node)), spin = 0.5 * e.gradient.cross(v);
-        Eigen::Map<Vector3d>{rate} += e.weight * v;
-        Eigen::Map<Vector3d>{rate + 3} += spin;
+        const Vector3d v = velocity.row(static_cast<Index>(e.node));
+        Eigen::Map<Vector3d>{rates(e.row)} += e.weight * v;
+        if (!turns)
+          Eigen::Map<Vector3d>{rates(e.row) + 3} += 0.5 * e.gradient.cross(v);
       }
-    const auto rate_of = [first](const base::Column &column, const std::size_t k, const std::size_t part) {
+    if (!turns)
+      return;
+    // As far as elements will have turned at the end of the step: particles then have turned with them, however far.
+    const double    step = 2 * correction.half_after;
+    const PlacesNow then = places_now(at_particles, overlapping, nodes_now() + step * velocity, dim);
+    for (std::size_t k = 0; k < overlapping; ++k)
+      Eigen::Map<Vector3d>{rates(k) + 3} = rotation_between(slaves_now.turn[k].rotation, then.turn[k].rotation) / step;
+  }
+
+  template <int dim>
+  void VolumeCoupling<dim>::keep_account_of_slaves(const dem::StepCorrection         &correction,
+                                                   const std::size_t                  first,
+                                                   const std::vector<const double *> &pulls)
+  {
+    const double kick    = correction.half_before + correction.half_after;
+    const auto   rate_of = [first](const base::Column &column, const std::size_t k, const std::size_t part) {
       return Vector3d(&column[axes * (first + k) + part]);
     };
     for (std::size_t k = 0; k < overlapping; ++k)
@@ -375,8 +412,18 @@ namespace coupling
                                            .dot(correction.half_before * rate_of(correction.before, k, part) +
                                                 correction.half_after * rate_of(correction.velocity, k, part));
         exchanged.to_particles += given;
-        exchanged.turn_to_particles += places[k].cross(given) - kick * couple;
+        exchanged.turn_to_particles += (turns ? slaves_now.place[k] : places[k]).cross(given) - kick * couple;
       }
+  }
+
+  template <int dim>
+  void VolumeCoupling<dim>::lead(dem::StepCorrection &correction, const std::size_t first)
+  {
+    if (turns)
+      slaves_now = places_now(at_particles, overlapping, nodes_now(), dim);
+    const auto pulls = push_nodes(correction, first, correction.half_before + correction.half_after);
+    move_slaves(correction, first);
+    keep_account_of_slaves(correction, first, pulls);
   }
 
   template <int dim>
@@ -405,7 +452,8 @@ namespace coupling
         for (int c = 0; c < dim && apart; ++c)
           motion.carry(participant.displacements(nodes[k])[static_cast<std::size_t>(c)], path(row, c));
         exchanged.to_solid += given;
-        exchanged.turn_to_solid += participant.place(nodes[k]).cross(given);
+        if (!turns)
+          exchanged.turn_to_solid += participant.place(nodes[k]).cross(given);
       }
   }
 

@@ -3,6 +3,7 @@
 #include "base/state.h"
 #include "coupling/participants/solid_participant.h"
 #include "coupling/volume/absorber.h"
+#include "coupling/volume/bond_ends.h"
 #include "coupling/volume/multipliers.h"
 #include "coupling/volume/node_map.h"
 #include "coupling/volume/parameters.h"
@@ -18,11 +19,11 @@ namespace coupling
   struct VolumeBalance
   {
     Eigen::Vector3d to_particles = Eigen::Vector3d::Zero(), to_solid = Eigen::Vector3d::Zero(); ///< momentum [N s]
-    Eigen::Vector3d turn_to_particles = Eigen::Vector3d::Zero(),
-                    turn_to_solid = Eigen::Vector3d::Zero(); ///< angular momentum about the origin, undeformed [N m s]
-    double work_on_particles = 0, work_on_solid = 0;         ///< of what keeps them together [J]
-    double absorbed = 0;                                     ///< by the absorber, from both [J]
-    double twice    = 0; ///< stored in bonds of slaves and in elements as well, where both are: it is there once [J]
+    /** Angular momentum about the origin, undeformed, unless slaves turn with a solid of large displacements [N m s] */
+    Eigen::Vector3d turn_to_particles = Eigen::Vector3d::Zero(), turn_to_solid = Eigen::Vector3d::Zero();
+    double          work_on_particles = 0, work_on_solid = 0; ///< of what keeps them together [J]
+    double          absorbed = 0;                             ///< by the absorber, from both [J]
+    double twice = 0; ///< stored in bonds of slaves and in elements as well, where both are: it is there once [J]
 
     /** Made by the transfer itself, zero but for rounding (lumped and sub-cycled: lost) [J]. */
     double made() const { return work_on_particles + work_on_solid - twice; }
@@ -53,6 +54,8 @@ namespace coupling
     /** How many of them lie in the overlap: the first. */
     std::size_t in_overlap() const { return overlapping; }
     std::size_t nodes() const { return node_map.nodes().size(); }
+    /** The same as carriers of the solid's participant. */
+    const std::vector<std::size_t> &node_carriers() const { return node_map.nodes(); }
 
     /** The solid is about to go through a window [s]; forces on it by others are known. */
     void begin(double window);
@@ -101,7 +104,15 @@ namespace coupling
     void         enter_points(AbsorberCarriers &all);
     unsigned int points_per_axis() const; ///< of an element
     CarrierRows  of_nodes(const fem::Vector &field) const;
-    void         lead(dem::StepCorrection &correction, std::size_t first);
+    /** Where nodes are in the window now [m]. */
+    CarrierRows nodes_now() const { return undeformed + displaced + path; }
+    void        lead(dem::StepCorrection &correction, std::size_t first);
+    /** Its parts: what slaves and the ends of their bonds give to nodes, and how slaves move with these. @return forces on slaves, nullptr: none */
+    std::vector<const double *> push_nodes(const dem::StepCorrection &correction, std::size_t first, double kick);
+    void                        move_slaves(dem::StepCorrection &correction, std::size_t first);
+    void                        keep_account_of_slaves(const dem::StepCorrection         &correction,
+                                                       std::size_t                        first,
+                                                       const std::vector<const double *> &pulls);
     /** @param before velocities of the nodes before the step */
     void keep_together(dem::StepCorrection &correction, std::size_t first, const CarrierRows &before);
     /** Its parts. @param together what multipliers change of particles is added */
@@ -119,6 +130,9 @@ namespace coupling
     std::vector<Entry>        at_particles; ///< weights at the particles of the overlap
     Eigen::SparseMatrix<double>
       of_bond_ends; ///< stiffness that bonds of slaves have in elements, three motions of each node [N/m]
+    std::vector<BondEnd>         ends;          ///< where they turn, in place of that
+    std::vector<Entry>           at_ends;       ///< likewise: weights of nodes at the ends, two of each
+    bool                         turns = false; ///< slaves, as far as the solid does
     std::vector<std::size_t>     watched;
     std::vector<Eigen::Vector3d> places; ///< of the watched, undeformed [m]
     std::size_t                  overlapping = 0;
@@ -141,6 +155,8 @@ namespace coupling
     CarrierRows   from, to, velocity; ///< of the nodes: at its start, as predicted for its end, now [m/s]
     CarrierRows   path;               ///< of the nodes in it so far [m]
     CarrierRows   displaced;          ///< of slaves' nodes at its start [m]
+    CarrierRows   undeformed;         ///< places of the same [m]
+    PlacesNow     slaves_now;         ///< where they turn
     double        gone = 0;           ///< of it so far [s]
     CarrierRows   impulse_together, impulse_absorber; ///< on the nodes in it [N s]
     CarrierRows   impulse_twice; ///< of the first that part which takes off what bonds bear in elements

@@ -121,7 +121,12 @@ namespace dem
     void particles_moved(const double largest_particle) { moved(largest_particle, 0), found = false; }
 
     /** Enter the work of surfaces on particles over the half step that led here in their accounts. @return its sum [J] */
-    double          add_work_of_last_motion();
+    double add_work_of_last_motion();
+    /**
+     * Vertices of a surface are elsewhere at the end of the step that led here than they went in it: that was a part of their motion, and
+     * works as such. @return the work of that half of it over which the forces that are known pushed [J]
+     */
+    double          put_on(std::size_t number, const std::vector<Eigen::Vector3d> &by);
     double          stored(const ParticleShape &shape, const Particles &particles) const; ///< in contacts [J]
     SurfaceEnergies energies(const ParticleShape &shape, const Particles &particles) const;
 

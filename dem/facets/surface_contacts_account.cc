@@ -49,6 +49,28 @@ namespace dem
     return work;
   }
 
+  double SurfaceContacts::put_on(const std::size_t number, const std::vector<Eigen::Vector3d> &by)
+  {
+    Surface &surface = all[number];
+    double   work    = 0;
+    for (const SurfaceContact &contact : contacts)
+      for_parts(contact, [&](const Surface &of, const std::size_t vertex, const VertexPart &part) {
+        if (&of == &surface)
+          work -= 0.5 * part.force.dot(by[vertex]);
+      });
+    for (const SurfaceBonds &glue : glues)
+      if (static_cast<std::size_t>(glue.surface()) == number)
+        for (const VertexPart &part : glue.parts())
+          work -= 0.5 * part.force.dot(by[static_cast<std::size_t>(part.vertex)]);
+    surface.work += work;
+    for (std::size_t v = 0; v < by.size(); ++v)
+      {
+        surface.place[v] += by[v];
+        surface.motion[v] += by[v];
+      }
+    return work;
+  }
+
   double
   SurfaceContacts::stored(const SurfaceContact &contact, const ParticleShape &shape, const Particles &particles) const
   {

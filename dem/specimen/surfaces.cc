@@ -210,10 +210,15 @@ namespace dem
     if (place.size() != surface.place.size())
       throw base::InputError("wall " + surface.name + " of " + std::to_string(surface.place.size()) +
                              " vertices: places of " + std::to_string(place.size()) + " were given.");
-    double furthest = 0;
+    double                       furthest = 0;
+    std::vector<Eigen::Vector3d> by(place.size());
     for (std::size_t v = 0; v < place.size(); ++v)
-      furthest = std::max(furthest, (place[v] - surface.place[v]).norm());
-    surface.place = place;
+      {
+        by[v]    = place[v] - surface.place[v];
+        furthest = std::max(furthest, by[v].norm());
+      }
+    self->work_after += self->surfaces.put_on(number, by);
+    surface.place = place; // to the last bit
     self->surfaces.moved(0, furthest);
   }
 

@@ -67,7 +67,7 @@ namespace fem
                                                                                                 std::vector<double>{};
     }
 
-    /// Where only a part of the element counts: sums over the rows of the consistent mass, which keep its centre.
+    /// Where only a part of the element counts: sums over the rows of the consistent mass, which keep its centre. Positive of linear elements.
     template <int dim>
     void mass_of_shares(const FEValues<dim>       &values,
                         const double               density,
@@ -91,11 +91,12 @@ namespace fem
                       const SharedMass           shared,
                       std::vector<double>       &mass)
     {
-      if (!shares.empty() && shared == SharedMass::rows)
+      // Rows of quadratic elements have sums of nothing and less, where their share varies.
+      const auto &fe = values.get_fe();
+      if (!shares.empty() && shared == SharedMass::rows && fe.degree == 1)
         return mass_of_shares(values, density, shares, mass);
-      const auto &fe         = values.get_fe();
-      const auto  density_at = [&](const unsigned int q) { return shares.empty() ? density : shares[q] * density; };
-      double      whole = 0, diagonal = 0;
+      const auto density_at = [&](const unsigned int q) { return shares.empty() ? density : shares[q] * density; };
+      double     whole = 0, diagonal = 0;
       for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
         whole += density_at(q) * values.JxW(q);
       for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
@@ -290,6 +291,8 @@ namespace fem
       weight.local_element(i) *= 1 + mass / lumped.local_element(i);
     lumped.local_element(i) += mass;
     lumped.update_ghost_values();
+    if (!started) // it moves as the displacement does, from the start
+      outside.start += 0.5 * mass * v.local_element(i) * v.local_element(i);
   }
 
   template <int dim>

@@ -9,7 +9,7 @@ namespace fem
   /// Which part of an element a node has where the element's share varies (SolidOptions::share).
   enum class SharedMass
   {
-    rows,   ///< sum over a row of the consistent mass: all together have the element's centre
+    rows, ///< sum over a row of the consistent mass: all together have the element's centre; of linear elements, others as `nearest`
     nearest ///< what lies nearest to it: a half, quarter or eighth of a linear element
   };
 

@@ -1,5 +1,6 @@
 #include "fem/solid/block_builder.h"
 
+#include "fem/materials/mixed_control.h"
 #include "fem/solid/solid.h"
 
 namespace fem
@@ -29,13 +30,19 @@ namespace fem
     if (fresh)
       {
         ElementBlocksOf<Number> e;
-        const base::Stiffness  &d = material.elastic_stiffness();
-        e.geometry                = geometry;
-        e.dim                     = dim;
-        e.n_nodes                 = nodes;
-        e.n_points                = n_points;
+        const base::Stiffness  &d      = material.elastic_stiffness();
+        const base::Stiffness   acting = dim == 2 && options.plane == Plane::stress ?
+                                           mixed_control::condensed(d, {false, false, true, true, true, false}) :
+                                           d;
+        e.geometry                     = geometry;
+        e.dim                          = dim;
+        e.n_nodes                      = nodes;
+        e.n_points                     = n_points;
         for (int i = 0; i < 36; ++i)
-          e.stiffness[i] = static_cast<Number>(d(i / 6, i % 6));
+          e.stiffness[i] = static_cast<Number>(acting(i / 6, i % 6));
+        if (dim == 2)
+          e.stiffness[21] =
+            static_cast<Number>(d(3, 3)); // the one shear modulus that the kernel of isotropic ones looks at
         const double bulk = (d(0, 0) + 2 * d(0, 1)) / 3;
         e.isotropic       = (d - base::isotropic_stiffness(bulk, d(3, 3))).norm() <= 1e-14 * bulk;
         blocks.push_back(std::move(e));

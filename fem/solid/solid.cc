@@ -202,7 +202,7 @@ namespace fem
   template <int dim>
   bool Solid<dim>::has_blocks() const
   {
-    return linear() && !settings.mean_dilatation && !(dim == 2 && settings.plane == Plane::stress);
+    return linear() && !settings.mean_dilatation;
   }
 
   template <int dim>

@@ -106,7 +106,7 @@ namespace fem
     /// @throws MaterialFailure
     void internal_force(const Vector &displacement, Vector &force);
 
-    /// Whether the elements of this solid fit the fast kernel: linear elastic, small strain, no plane stress, no mean dilatation.
+    /// Whether the elements of this solid fit the fast kernel: linear elastic, small strain, no mean dilatation.
     bool has_blocks() const;
 
     /// The locally owned elements for the fast kernel, with positions in a make_vector(); made when first asked for.

@@ -259,7 +259,7 @@ namespace fem
   {
     const auto &mesh = *solid.mesh().triangulation;
     if (!solid.has_blocks())
-      obstacle = "the solid is not linear elastic at small strain, or in plane stress or with mean dilatation";
+      obstacle = "the solid is not linear elastic at small strain, or with mean dilatation";
     else if (solid.mesh().family != ElementFamily::hypercube)
       obstacle = "triangles and tetrahedra have no refinement levels";
     else if (mesh.n_global_levels() < 2)

@@ -395,7 +395,8 @@ TEST_CASE("What cannot be coupled is refused by name", "[apps][coupled]")
   const auto refused = [&folder](const std::vector<std::string> &changes, const char *words) {
     is_refused(folder, "x.prm", changes, words);
   };
-  refused({"Couplings/block/Boundary=lid"}, "lid");
+  refused({"Couplings/block/Boundary=lid"}, "Couplings/block/Boundary = lid: the mesh has no boundary");
+  refused({"Couplings/block/Bond/Within=1e-3"}, "Couplings/block/Bond/Law");
   refused({"Time/Damping in time=0.1*x"}, "a formula of t alone");
   refused({"Time/Damping in time=1 - t"}, "damping lies in [0, 1)");
   refused({"Continuum/Model/Analysis=static"}, "Analysis");
@@ -415,7 +416,8 @@ TEST_CASE("A coupling that makes more energy than it may stops the run and says 
   const Outcome outcome = outcome_of(
     folder, "run", "x.prm", {"Time/Largest ratio=20", "Time/Step factor=0.01", "Couplings/block/Energy limit=1e-6"});
   CHECK(outcome.status != 0);
-  CHECK_THAT(outcome.err, Contains("Couplings/block") && Contains("Energy limit"));
+  CHECK_THAT(outcome.err,
+             Contains("Couplings/block") && Contains("Energy limit") && Contains("Set Time/Largest ratio = "));
 }
 
 TEST_CASE("An interface that nobody ever touches is said", "[apps][coupled]")
@@ -425,6 +427,7 @@ TEST_CASE("An interface that nobody ever touches is said", "[apps][coupled]")
   const Outcome outcome = outcome_of(folder, "run", "x.prm", {"Particles/More particles/ball/Centre=0.03, 0.062, 0.3"});
   CHECK(outcome.status == 0);
   CHECK_THAT(outcome.out, Contains("nothing has ever touched the solid"));
+  CHECK_THAT(content_of(folder / "results/summary.json"), Contains("nothing has ever touched the solid"));
 }
 
 TEST_CASE("A test in the press is refused where its couplings, points or axis are not there, by name",

@@ -113,6 +113,43 @@ TEST_CASE("What cannot shake hands is refused by name", "[apps][coupled][volume]
   CHECK_THAT(broken.err, Contains("Handshakes/core") && Contains("larger region"));
 }
 
+TEST_CASE("Two regions of particles in one beam work by every method, and overlapping ones are refused by name",
+          "[apps][coupled][volume][slow]")
+{
+  const ScratchFolder folder;
+  std::string         scene = content_of(shipped("beam_with_core.prm"));
+  const auto          put   = [&scene](const std::string &what, const std::string &by) {
+    const auto at = scene.find(what);
+    REQUIRE(at != std::string::npos);
+    scene.replace(at, what.size(), by);
+  };
+  put("../../meshes/hexagonal_beam.txt", places::sources() + "/meshes/hexagonal_beam.txt");
+  put("../../meshes/impactor.txt", places::sources() + "/meshes/impactor.txt");
+  put("    set Low     = -0.1, -1, -1\n    set High    = 0.1, 1, 1\n",
+      "    set Low     = -0.06, -1, -1\n    set High    = 0.1, 1, 1\n");
+  put("subsection Handshakes\n",
+      "subsection Handshakes\n  subsection left\n    set Low     = -0.34, -1, -1\n    set High    "
+      "= -0.18, 1, 1\n    set Overlap = 0.0285\n    set Method  = slaved\n  end\n");
+  folder.file("two.prm", scene);
+  for (const char *method : {"multipliers", "slaved", "legacy"})
+    {
+      INFO(method);
+      std::vector<std::string> changes = {"Particles/Materials/concrete/CPM/Limit elastic strain=1", "Time/Damping=0",
+                                          "Time/End time=6e-4"};
+      for (const char *name : {"left", "core"})
+        changes.insert(changes.end(), {std::string("Handshakes/") + name + "/Method=" + method,
+                                       std::string("Handshakes/") + name + "/Damage limit=1"});
+      if (std::string(method) == "multipliers")
+        changes.insert(changes.end(), {"Handshakes/left/Absorber=false", "Handshakes/core/Absorber=false"});
+      const Results found  = results_of(folder, (folder / "two.prm").string(), changes);
+      const double  energy = found.series.column("energy_particles_initial").back();
+      CHECK(std::fabs(found.series.column("energy_residual").back()) < 0.01 * energy);
+      CHECK(std::fabs(found.series.column("left_work").back()) > 0);
+      std::filesystem::remove_all(folder / "results");
+    }
+  is_refused(folder, (folder / "two.prm").string(), {"Handshakes/left/High=-0.06, 1, 1"}, "Handshakes/core as well");
+}
+
 TEST_CASE("An interrupted or killed run of particles inside a solid goes on to the same bits",
           "[apps][coupled][volume][slow][S13]")
 {

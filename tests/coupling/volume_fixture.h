@@ -28,12 +28,16 @@ namespace volume
   struct BarOptions
   {
     double                         step_factor       = 0.8;
-    int                            largest_ratio     = 1;   ///< steps of particles in one of the solid
-    double                         softer            = 1;   ///< the solid than the particles
-    double                         interaction_ratio = 1.5; ///< diagonals too: a square alone has no shear stiffness
-    std::optional<dem::Packing>    packing;                 ///< bonded; else a lattice
-    std::optional<base::Stiffness> stiffness;               ///< of the solid [Pa]; else isotropic
-    std::function<void(Bar<dim, width> &)> hold;            ///< before both are coupled
+    int                            largest_ratio     = 1;     ///< steps of particles in one of the solid
+    double                         softer            = 1;     ///< the solid than the particles
+    double                         interaction_ratio = 1.5;   ///< diagonals too: a square alone has no shear stiffness
+    std::optional<dem::Packing>    packing;                   ///< bonded; else a lattice
+    std::optional<base::Stiffness> stiffness;                 ///< of the solid [Pa]; else isotropic
+    std::function<void(Bar<dim, width> &)>    hold;           ///< before both are coupled
+    bool                                      turns  = false; ///< displacements of the solid are large
+    unsigned int                              degree = 1;     ///< of its elements
+    std::function<Vector3d(const Vector3d &)> velocity = {};       ///< of all from the start, before both are coupled [m/s]
+    Vector3d                                  spin = Vector3d::Zero(); ///< of particles, likewise [rad/s]
   };
 
   /**
@@ -73,7 +77,8 @@ namespace volume
       return dem::Specimen(options.packing ? *options.packing : packing(), p, dem::elastic_links(modulus, 0.3));
     }
 
-    static fem::Solid<dim> elements(const coupling::Overlap &overlap, const bool shared)
+    static fem::Solid<dim>
+    elements(const coupling::Overlap &overlap, const bool shared, const BarOptions<dim, width> &options_)
     {
       dealii::Point<dim>        low, high;
       std::vector<unsigned int> divisions(dim, across / 2);
@@ -83,7 +88,9 @@ namespace volume
       for (int d = 1; d < dim; ++d)
         high[d] = across * spacing;
       fem::SolidOptions options;
-      options.thickness = spacing;
+      options.thickness          = spacing;
+      options.large_displacement = options_.turns;
+      options.degree             = options_.degree;
       if (shared)
         options.share = [overlap](const std::array<double, 3> &place) {
           return overlap.of_solid(Vector3d(place.data()));
@@ -94,7 +101,7 @@ namespace volume
 
     explicit Bar(coupling::VolumeCouplingParameters p, const BarOptions<dim, width> &options = {})
       : particles(specimen(options))
-      , solid(elements(overlap(), p.method == coupling::VolumeMethod::multipliers))
+      , solid(elements(overlap(), p.method == coupling::VolumeMethod::multipliers, options))
     {
       if (options.stiffness)
         solid.assign("0", fem::make_points(fem::AnisotropicElastic(*options.stiffness), fem::Plane::strain));
@@ -111,6 +118,8 @@ namespace volume
       both->set_largest_ratio(options.largest_ratio);
       p.name    = "bar";
       p.overlap = overlap();
+      if (options.velocity)
+        set_velocity(options.velocity, options.spin);
       if (options.hold)
         options.hold(*this);
       if (p.absorbs)
@@ -154,6 +163,18 @@ namespace volume
     {
       return coupling::momentum_of(coupling::ParticleParticipant(const_cast<dem::Specimen &>(particles))).linear +
              coupling::momentum_of(*participant).linear;
+    }
+
+    /** About the origin. */
+    Vector3d angular_momentum() const
+    {
+      Vector3d sum = coupling::momentum_of(*participant).angular;
+      for (std::size_t i = 0; i < particles.counts().particles; ++i)
+        {
+          const dem::ParticleState p = particles.particle(i);
+          sum += p.position.cross(p.mass * p.velocity) + p.inertia * p.spin;
+        }
+      return sum;
     }
 
     void advance(const int windows)

@@ -107,10 +107,11 @@ namespace apps
       {
         const double made = contact->balance().made();
         if (std::fabs(made) > limit->energy_limit * largest)
-          throw StoppedShort(fmt::format("Contacts/{}: at {:.6g} s the contact has made {:.3g} J by itself, more than "
-                                         "Energy limit = {} of the largest energy, {:.3g} J. Lower Motion/Safety, or "
-                                         "take Form = potential.",
-                                         limit->name, time, made, limit->energy_limit, largest));
+          throw StoppedShort(fmt::format(
+            "Contacts/{}: at {:.6g} s the contact has made {:.3g} J by itself, more than "
+            "Energy limit = {} of the largest energy, {:.3g} J. Lower Motion/Safety{}",
+            limit->name, time, made, limit->energy_limit, largest,
+            limit->law.form == dem::BodyContactForm::potential ? " or the stiffness." : ", or take Form = potential."));
         ++limit;
       }
   }

@@ -12,6 +12,7 @@
 #include "apps/results/run_work.h"
 #include "apps/scene/name_list.h"
 #include "coupling/concurrent/concurrent_motion.h"
+#include "coupling/volume/overlap_medium.h"
 #include "dem/facets/surface.h"
 #include "postprocess/specimen_picture.h"
 
@@ -46,6 +47,11 @@ namespace apps
       return circles;
     }
 
+    /** Energy that different media reflect, beyond which a scene is doubted. */
+    constexpr double largest_mismatch = 0.01;
+    /** Of what an overlap should be wide, likewise: rounding apart. */
+    constexpr double narrowest = 0.99;
+
     template <int dim>
     class Body : public CoupledBody
     {
@@ -71,6 +77,10 @@ namespace apps
         both.set_largest_ratio(static_cast<int>(what.largest_ratio));
         for (const HandshakeSection &handshake : model.handshakes.handshakes)
           add(handshake);
+        std::vector<std::string> boundaries;
+        for (const auto &boundary : solid->mesh().boundaries)
+          boundaries.push_back(boundary.first);
+        model.refuse_unknown_boundaries(boundaries);
         for (const CouplingSection &coupling : model.couplings.couplings)
           both.add_surface({coupling.name,
                             coupling.boundaries(),
@@ -225,13 +235,14 @@ namespace apps
             if (std::fabs(made) > coupling->energy_limit * largest_energy)
               throw StoppedShort(fmt::format("Couplings/{}: at {:.6g} s the coupling has made {:.3g} J by itself, more "
                                              "than Energy limit = {} of the "
-                                             "largest energy, {:.3g} J. Lower Time/Largest ratio.",
-                                             coupling->name, time(), made, coupling->energy_limit, largest_energy));
+                                             "largest energy, {:.3g} J. {}",
+                                             coupling->name, time(), made, coupling->energy_limit, largest_energy,
+                                             remedy(made, coupling->energy_limit)));
             ++coupling;
           }
         auto handshake = model.handshakes.handshakes.begin();
         for (const auto &volume : both.volumes())
-          watch(*handshake++, *volume);
+          watch(*handshake++, *volume, std::min(p.elastic, e.internal));
       }
 
       ParticlesBody &particles() override { return body; }
@@ -272,9 +283,13 @@ namespace apps
         if (!media.empty())
           text += fmt::format("  medium       {}\n", text_of_mismatch());
         auto handshake = model.handshakes.handshakes.begin();
+        auto mismatch  = mismatches.begin();
         for (const auto &volume : both.volumes())
-          text += fmt::format("  handshake    {}: {} particles and {} bonds in the overlap, {} nodes\n",
-                              (handshake++)->name, volume->in_overlap(), volume->bonds(), volume->nodes());
+          text += fmt::format("  handshake    {}: {} particles and {} bonds in the overlap, {} nodes; {}\n",
+                              (handshake++)->name, volume->in_overlap(), volume->bonds(), volume->nodes(),
+                              text_of(*mismatch++));
+        for (const std::string &doubt : doubtful)
+          text += fmt::format("  warning      {}\n", doubt);
         return text;
       }
 
@@ -286,8 +301,9 @@ namespace apps
         return apps::write_solid(*solid, motion->displacement(), reaction, {folder / "solid", "solid", number, time()});
       }
 
-      std::vector<std::string> notes() const override { return solid->notes(); }
-      std::string              end_of_validity() const override { return solid->end_of_validity(); }
+      std::vector<std::string>        notes() const override { return solid->notes(); }
+      const std::vector<std::string> &doubts() const override { return doubtful; }
+      std::string                     end_of_validity() const override { return solid->end_of_validity(); }
 
       std::string draw_promotion(const std::filesystem::path &file, const std::string &title) override
       {
@@ -395,17 +411,14 @@ namespace apps
       {
         // Of the elements whose centre lies in the overlap or within; where it is narrower than they are, of those that reach into it.
         double                  volume = 0, fastest = 0;
-        std::size_t             count    = 0;
-        const coupling::Overlap overlap  = handshake.overlap();
-        const auto              in_space = [](const dealii::Point<dim> &place) {
-          return Vector3d(place[0], place[1], dim == 3 ? place[dim - 1] : 0.0);
-        };
-        const auto enter = [&](const auto &cell) {
+        std::size_t             count   = 0;
+        const coupling::Overlap overlap = handshake.overlap();
+        const auto              enter   = [&](const auto &cell) {
           volume += cell->measure();
           ++count;
           const auto &d = solid->material(cell->material_id()).elastic_stiffness();
-          fastest       = std::max(fastest, std::sqrt(d.template topLeftCorner<3, 3>().diagonal().maxCoeff() /
-                                                      motion->density(cell->material_id())));
+          fastest = std::max(fastest, std::sqrt(d.template topLeftCorner<3, 3>().diagonal().maxCoeff() /
+                                                               motion->density(cell->material_id())));
         };
         for (const auto &cell : solid->mesh().triangulation->active_cell_iterators())
           if (overlap.distance(in_space(cell->center())) <= overlap.width)
@@ -419,18 +432,91 @@ namespace apps
         if (count == 0)
           throw base::InputError("Handshakes/" + handshake.name +
                                  ": no element of the solid lies in the overlap. Widen it, or look where the mesh is.");
-        both.add_volume(handshake.parameters(std::pow(volume / static_cast<double>(count), 1.0 / dim), fastest));
+        const double element = std::pow(volume / static_cast<double>(count), 1.0 / dim);
+        look_at(handshake, overlap, element);
+        coupling::VolumeCouplingParameters made = handshake.parameters(element, fastest);
+        made.others                             = model.handshakes.others_of(handshake);
+        both.add_volume(made);
       }
 
-      void watch(const HandshakeSection &said, const coupling::VolumeCoupling<dim> &volume) const
+      /** What makes less: it is in proportion to the longer of both steps. */
+      std::string remedy(const double made, const double limit) const
+      {
+        if (model.largest_ratio == 1)
+          return "Lower Continuum/Motion/Safety or Time/Step factor.";
+        const double part = limit * largest_energy / std::fabs(made);
+        return fmt::format("Set Time/Largest ratio = {:.0f}.",
+                           std::max(1.0, std::floor(part * static_cast<double>(model.largest_ratio))));
+      }
+
+      /** Doubts about a handshake, before its particles share. @param element size of the solid's elements there [m] */
+      void look_at(const HandshakeSection &said, const coupling::Overlap &overlap, const double element)
+      {
+        std::vector<double> masses;
+        for (std::size_t i = 0; i < body.specimen().counts().particles; ++i)
+          masses.push_back(body.specimen().particle(i).mass);
+        const coupling::OverlapMedium found =
+          coupling::medium_in_overlap(body.specimen().network(), masses, *solid, overlap);
+        const std::string name  = "Handshakes/" + said.name;
+        const bool        tied  = said.method == coupling::VolumeMethod::multipliers;
+        const double      needs = tied ? element : found.longest_bond;
+        if (found.density > 0 && said.width < narrowest * needs)
+          doubtful.push_back(fmt::format("{}: Overlap = {:g} m is narrower than {}, {:.3g} m", name, said.width,
+                                         tied ? "an element there" : "the bonds of its particles are long", needs));
+        Mismatch worst;
+        for (const auto &[group, number] : solid->mesh().materials)
+          if (const ParticleMedium *known = media.of(group); reaches(number, overlap) && (known || found.density > 0))
+            {
+              const ParticleMedium medium = known ? *known : ParticleMedium{found.stiffness, found.density};
+              const Mismatch       here   = reflected_by_mismatch(medium, solid->material(number).elastic_stiffness(),
+                                                                  motion->density(number), model.continuum.solid);
+              worst.compression           = std::max(worst.compression, here.compression);
+              worst.shear                 = std::max(worst.shear, here.shear);
+            }
+        mismatches.push_back(worst);
+        if (std::max(worst.compression, worst.shear) > largest_mismatch)
+          doubtful.push_back(fmt::format("{}: the solid's stiffness or density is not that of the particles in the "
+                                         "overlap: {}",
+                                         name, text_of(worst)));
+      }
+
+      static std::string text_of(const Mismatch &mismatch)
+      {
+        return fmt::format("impedances reflect about {:.2g} of the energy of waves of compression, {:.2g} of shear",
+                           mismatch.compression, mismatch.shear);
+      }
+
+      bool reaches(const dealii::types::material_id number, const coupling::Overlap &overlap) const
+      {
+        for (const auto &cell : solid->mesh().triangulation->active_cell_iterators())
+          if (cell->material_id() == number &&
+              overlap.distance(in_space(cell->center())) <= overlap.width + cell->diameter())
+            return true;
+        return false;
+      }
+
+      static Vector3d in_space(const dealii::Point<dim> &place)
+      {
+        return {place[0], place[1], dim == 3 ? place[dim - 1] : 0.0};
+      }
+
+      /** @param of_both the less of what either side stores [J] */
+      void watch(const HandshakeSection &said, const coupling::VolumeCoupling<dim> &volume, const double of_both) const
       {
         const double      made    = volume.balance().made();
         const std::size_t damaged = volume.damaged_bonds();
         if (std::fabs(made) > said.energy_limit * largest_energy)
           throw StoppedShort(
             fmt::format("Handshakes/{}: at {:.6g} s the handshake has made {:.3g} J by itself, more than "
-                        "Energy limit = {} of the largest energy, {:.3g} J. Lower Time/Largest ratio.",
-                        said.name, time(), made, said.energy_limit, largest_energy));
+                        "Energy limit = {} of the largest energy, {:.3g} J. {}",
+                        said.name, time(), made, said.energy_limit, largest_energy, remedy(made, said.energy_limit)));
+        // What would be there twice and is in neither is a gain that is booked.
+        if (volume.balance().twice > of_both + said.energy_limit * largest_energy)
+          throw StoppedShort(fmt::format(
+            "Handshakes/{}: at {:.6g} s bonds of slaves would have stored {:.3g} J in elements, of the {:.3g} "
+            "J that both sides store: the body turns further than small displacements. Set "
+            "Continuum/Model/Large displacement = true, or take Method = multipliers.",
+            said.name, time(), volume.balance().twice, of_both));
         if (static_cast<double>(damaged) > said.damage_limit * static_cast<double>(volume.bonds()))
           throw StoppedShort(
             fmt::format("Handshakes/{}: at {:.6g} s {} of the {} bonds in the overlap are damaged, more than "
@@ -495,6 +581,8 @@ namespace apps
       ObservedContacts<dim>                     touching; ///< between bodies of the solid
       ContinuumGauges<dim>                      gauges;
       ContactFigures                            figures;
+      std::vector<std::string>                  doubtful;           ///< of handshakes
+      std::vector<Mismatch>                     mismatches;         ///< likewise
       double                                    largest_energy = 0; ///< whenever it was watched, so far [J]
       std::int64_t                              window_count   = 0;
     };

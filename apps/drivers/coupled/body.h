@@ -61,6 +61,8 @@ namespace apps
 
     /** What a user should know of the solid's points, one sentence each. */
     virtual std::vector<std::string> notes() const = 0;
+    /** What a user should doubt of how particles lie inside the solid, likewise. */
+    virtual const std::vector<std::string> &doubts() const = 0;
     /** Why no state after this one is worth anything; "": none. */
     virtual std::string end_of_validity() const = 0;
 

@@ -218,6 +218,15 @@ namespace apps
     });
   }
 
+  std::vector<std::pair<std::string, coupling::Overlap>> HandshakesSection::others_of(const HandshakeSection &one) const
+  {
+    std::vector<std::pair<std::string, coupling::Overlap>> others;
+    for (const HandshakeSection &h : handshakes)
+      if (&h != &one)
+        others.emplace_back(h.name, h.overlap());
+    return others;
+  }
+
   bool HandshakesSection::promote() const
   {
     return std::any_of(handshakes.begin(), handshakes.end(), [](const HandshakeSection &h) { return h.promotes(); });

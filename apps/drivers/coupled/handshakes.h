@@ -10,6 +10,8 @@
 #include <functional>
 #include <list>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace apps
 {
@@ -85,6 +87,8 @@ namespace apps
     bool may_hold(const Eigen::Vector3d &place) const;
     /** The same once elements have become particles as far as they may. */
     bool may_come_to_hold(const Eigen::Vector3d &place) const;
+    /** Of all but this one, by name. */
+    std::vector<std::pair<std::string, coupling::Overlap>> others_of(const HandshakeSection &one) const;
     bool promote() const; ///< whether elements may become particles at all
   };
 } // namespace apps

@@ -2,6 +2,10 @@
 
 #include "apps/drivers/continuum/upright.h"
 #include "apps/drivers/parts/drawn_curve.h"
+#include "apps/scene/nearest_name.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -47,8 +51,30 @@ namespace apps
     validate_sides(scene);
     laboratory.validate(scene, couplings, continuum.loads, dimension());
     for (const CouplingSection &coupling : couplings.couplings)
-      if (particles.walls.knows(coupling.name))
-        throw base::InputError("Couplings/" + coupling.name + ": there is a wall of this name. Take another.");
+      {
+        if (particles.walls.knows(coupling.name))
+          throw base::InputError("Couplings/" + coupling.name + ": there is a wall of this name. Take another.");
+        if (!coupling.bond.given())
+          continue;
+        const auto links = coupling.bond.links(particles.physics);
+        if (!(links ? links->bonds() : particles.bonded()))
+          section_of(coupling).find_section("Bond")->refuse(
+            "Law", "links of this law carry no tension: nothing could be glued. Take one that bonds.");
+      }
+  }
+
+  const Section &CoupledModel::section_of(const CouplingSection &coupling) const
+  {
+    return *root->find_section("Couplings")->find_section(coupling.name);
+  }
+
+  void CoupledModel::refuse_unknown_boundaries(const std::vector<std::string> &known) const
+  {
+    for (const CouplingSection &coupling : couplings.couplings)
+      for (const std::string &name : coupling.boundaries())
+        if (std::find(known.begin(), known.end(), name) == known.end())
+          section_of(coupling).refuse("Boundary", fmt::format("the mesh has no boundary \"{}\". {} It has: {}.", name,
+                                                              did_you_mean(name, known), fmt::join(known, ", ")));
   }
 
   void CoupledModel::validate_sides(const Section &scene) const

@@ -26,6 +26,9 @@ namespace apps
     void declare(Section &root);
     /** @throws base::InputError. */
     void validate(const Section &root) const;
+    /** Of couplings. @param known of the mesh @throws base::InputError */
+    void           refuse_unknown_boundaries(const std::vector<std::string> &known) const;
+    const Section &section_of(const CouplingSection &coupling) const;
 
     /** What can be said once the solid is made. @throws base::InputError for a stop or a curve of a column that there is not */
     void validate_columns(const std::vector<postprocess::SeriesColumn> &columns,

@@ -26,7 +26,16 @@ namespace apps
             series,
             not_in_balance,
             body.particles().specimen(),
-            body.notes()};
+            body.notes(),
+            warnings()};
+  }
+
+  std::vector<std::string> CoupledReport::warnings() const
+  {
+    std::vector<std::string> all = body.doubts();
+    if (!body.interface().touched() && model.handshakes.empty())
+      all.emplace_back("nothing has ever touched the solid");
+    return all;
   }
 
   nlohmann::json CoupledReport::figures() const
@@ -111,8 +120,6 @@ namespace apps
       text += fmt::format("{:<12} {}\n", "medium", mismatch);
     if (body.interface().touched())
       text += body.interface().text();
-    else if (model.handshakes.empty())
-      text += "warning      nothing has ever touched the solid\n";
     if (model.laboratory.given())
       text += text_of(notes());
     if (model.particles.bonded())

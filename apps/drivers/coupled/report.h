@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace apps
 {
@@ -29,10 +30,11 @@ namespace apps
     std::string text() const;
 
   private:
-    MotionReport   common() const;
-    LabNotes       notes() const; ///< @pre there is a laboratory test
-    nlohmann::json figures() const;
-    nlohmann::json energy() const;
-    nlohmann::json cost() const;
+    MotionReport             common() const;
+    LabNotes                 notes() const; ///< @pre there is a laboratory test
+    std::vector<std::string> warnings() const;
+    nlohmann::json           figures() const;
+    nlohmann::json           energy() const;
+    nlohmann::json           cost() const;
   };
 } // namespace apps

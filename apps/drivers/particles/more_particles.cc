@@ -7,6 +7,8 @@
 #include "apps/scene/nearest_name.h"
 #include "dem/packing/overlaps.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <numeric>
@@ -153,6 +155,26 @@ namespace apps
     return order;
   }
 
+  namespace
+  {
+    dem::Packing kept_of(const dem::Packing &all, const std::function<bool(const Eigen::Vector3d &)> &keeps)
+    {
+      const dem::Packing kept = particles_where(all, [&](const std::size_t i) { return keeps(all.centre[i]); });
+      if (kept.size() > 0 || all.size() == 0)
+        return kept;
+      Eigen::Vector3d low = all.centre.front(), high = low;
+      for (const Eigen::Vector3d &centre : all.centre)
+        {
+          low  = low.cwiseMin(centre);
+          high = high.cwiseMax(centre);
+        }
+      throw base::InputError(fmt::format(
+        "Handshakes: no particle of the specimen lies in a region or its overlap: they are between ({:g}, {:g}, "
+        "{:g}) and ({:g}, {:g}, {:g}) m. Move the regions to where particles are.",
+        low.x(), low.y(), low.z(), high.x(), high.y(), high.z()));
+    }
+  } // namespace
+
   dem::Packing MoreParticlesSection::compose(const SpecimenSection                              &specimen,
                                              const MaterialSection                              &materials,
                                              const int                                           dimension,
@@ -165,7 +187,7 @@ namespace apps
       {
         whole = specimen_particles(specimen, dimension, cell);
         if (keeps)
-          whole = particles_where(whole, [&](const std::size_t i) { return keeps(whole.centre[i]); });
+          whole = kept_of(whole, keeps);
         materials.number(whole, dimension, origin_of(specimen));
       }
     for (const AddedParticles *one : in_order())

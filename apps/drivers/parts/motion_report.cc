@@ -18,7 +18,7 @@ namespace apps
   std::vector<std::string> MotionReport::doubts() const
   {
     const dem::Counts        counts = specimen.counts();
-    std::vector<std::string> all    = found_doubtful;
+    std::vector<std::string> all    = warnings;
     for (const std::string &doubt : {overlap_warning(counts.deepest_overlap), turn_warning(counts.largest_turn)})
       if (!doubt.empty())
         all.push_back(doubt);

@@ -24,11 +24,11 @@ namespace apps
     double                       end_time; ///< [s]
     const MaterialCounts        &materials;
     const StaticStart           &start;
-    const postprocess::CsvTable &series;              ///< complete
-    const std::string           &not_in_balance;      ///< see left_out_of_balance()
-    const dem::Specimen         &specimen;            ///< as it is at the end
-    std::vector<std::string>     notes          = {}; ///< what else a user should know, one sentence each
-    std::vector<std::string>     found_doubtful = {}; ///< by who measured, one sentence each: warnings of the summary
+    const postprocess::CsvTable &series;         ///< complete
+    const std::string           &not_in_balance; ///< see left_out_of_balance()
+    const dem::Specimen         &specimen;       ///< as it is at the end
+    std::vector<std::string>     notes    = {};  ///< what else a user should know, one sentence each
+    std::vector<std::string>     warnings = {};  ///< what else a user should doubt, likewise
 
     /**
      * summary.json and, where columns are given, curve.png.
@@ -44,7 +44,7 @@ namespace apps
     std::string text() const;
 
   private:
-    std::vector<std::string> doubts() const; ///< besides, what is large that laws take for small
+    std::vector<std::string> doubts() const; ///< what is large that laws take for small, and the warnings
     double                   balance_error() const;
   };
 } // namespace apps

@@ -180,7 +180,10 @@ namespace apps
       {
         std::vector<coupling::VolumeCouplingParameters> all;
         for (const HandshakeSection &handshake : handshakes.handshakes)
-          all.push_back(handshake.parameters(0, 0)); // nothing is absorbed
+          {
+            all.push_back(handshake.parameters(0, 0)); // nothing is absorbed
+            all.back().others = handshakes.others_of(handshake);
+          }
         return all;
       }
 
