@@ -31,16 +31,6 @@ namespace dem
       return (count + in_block - 1) / in_block;
     }
 
-    double sum_of(const Pack &pack)
-    {
-      alignas(64) Record lanes;
-      store(pack, lanes);
-      double sum = 0;
-      for (const double lane : lanes)
-        sum += lane;
-      return sum;
-    }
-
     double largest_of(const Pack &pack)
     {
       alignas(64) Record lanes;
@@ -76,7 +66,7 @@ namespace dem
     {
       Vec<Pack, 3> branch, turns;
 
-      Ends(const SpherePairs &pairs, const base::Column &pose, const Cell &cell, const std::size_t line)
+      BRECCIA_KERNEL Ends(const SpherePairs &pairs, const base::Column &pose, const Cell &cell, const std::size_t line)
       {
         const Pack signs = load(difference_and_sum);
         Pack       ends[8];
@@ -85,7 +75,7 @@ namespace dem
             const auto J = record_size * static_cast<std::size_t>(pairs.first[line + lane]),
                        K = record_size * static_cast<std::size_t>(pairs.second[line + lane]),
                        k = record_size * static_cast<std::size_t>(pairs.image[line + lane]);
-            ends[lane]   = load(&pose[K]) + signs * load(&pose[J]) + load(&cell.offset[k]);
+            ends[lane]   = multiply_add(signs, load(&pose[J]), load(&pose[K])) + load(&cell.offset[k]);
           }
         transpose(ends);
         branch = {{ends[0], ends[1], ends[2]}};
@@ -107,7 +97,7 @@ namespace dem
     /** Local damping: forces that drive a motion are lessened, those that brake it raised. */
     BRECCIA_KERNEL Pack damped(const Pack &acceleration, const Pack &velocity, const double step, const double damping)
     {
-      const Pack ahead = acceleration * (velocity + Pack(0.5 * step) * acceleration), zero(0.0);
+      const Pack ahead = acceleration * multiply_add(Pack(0.5 * step), acceleration, velocity), zero(0.0);
       return acceleration *
              (Pack(1.0) - select(ahead > zero, Pack(damping), select(ahead < zero, Pack(-damping), zero)));
     }
@@ -172,15 +162,16 @@ namespace dem
         const Pack         length    = square_root(dot(ends.branch, ends.branch));
         const Vec<Pack, 3> direction = (Pack(1.0) / length) * ends.branch, arm = Pack(0.5) * ends.branch;
         const Vec<Pack, 3> slip  = (ends.branch - read(pairs.branch, l)) - cross(ends.turns, arm);
-        Vec<Pack, 3>       shear = across(direction, read(pairs.shear, l) + Pack(1 / reference) * slip);
+        Vec<Pack, 3>       shear = across(direction, multiply_add(Pack(1 / reference), slip, read(pairs.shear, l)));
         LinkWork<Pack>     unasked;
         const auto answer = linear_contact_force(law, Pack(1 / reference) * (length - Pack(reference)), Pack(area),
                                                  Pack(reference), slip, shear, unasked);
         write(pairs.branch, l, ends.branch);
         write(pairs.shear, l, shear);
-        pushed                  = pushed - answer.normal * length;
-        const Vec<Pack, 3> pull = answer.normal * direction + answer.shear, couple = cross(arm, answer.shear);
-        Pack records[8] = {pull[0], pull[1], pull[2], couple[0], couple[1], couple[2], Pack(0.0), Pack(0.0)};
+        pushed                    = negative_multiply_add(answer.normal, length, pushed);
+        const Vec<Pack, 3> pull   = multiply_add(answer.normal, direction, answer.shear),
+                           couple = cross(arm, answer.shear);
+        Pack records[8]           = {pull[0], pull[1], pull[2], couple[0], couple[1], couple[2], Pack(0.0), Pack(0.0)};
         transpose(records);
         for (std::size_t lane = 0; lane < pack_size; ++lane)
           store(records[lane], &force[record_size * (l + lane)]);
@@ -211,7 +202,7 @@ namespace dem
         for (std::int32_t l = pairs.own_begin[i]; l < pairs.own_begin[i + 1]; ++l)
           sum = sum + load(&force[record_size * static_cast<std::size_t>(l)]);
         for (std::int32_t o = pairs.other_begin[i]; o < pairs.other_begin[i + 1]; ++o)
-          sum = sum + signs * load(&force[record_size * static_cast<std::size_t>(pairs.others[o])]);
+          sum = multiply_add(signs, load(&force[record_size * static_cast<std::size_t>(pairs.others[o])]), sum);
         const std::size_t at   = record_size * i;
         const Pack        now  = load(&velocity[at]);
         const Pack        next = now + step * damped(sum * masses, now, material.time_step, material.damping),

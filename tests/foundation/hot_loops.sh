@@ -10,7 +10,7 @@ set -euo pipefail
 
 objdump=$1
 shift
-kernels='(link_update::update_block<|dem::.*particle_pass<)'
+kernels='(link_update::update_block<|dem::.*particle_pass<|FrictionalAssembly::block_)'
 allowed='replace_large_rotations<|::damage_at<|advance_elements<|exact_rotation_coefficients|^(sin|cos|sincos)(@|-|\+|$)|omp_get_|GOMP_|__stack_chk_fail|update_block<'
 
 "$objdump" --disassemble --reloc --demangle --no-show-raw-insn "$@" | awk -v kernels="$kernels" -v allowed="$allowed" '
