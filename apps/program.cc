@@ -5,6 +5,7 @@
 #include "apps/process/mpi_session.h"
 #include "apps/process/progress.h"
 #include "apps/process/version.h"
+#include "apps/scene/absent.h"
 #include "apps/scene/nearest_name.h"
 #include "base/errors.h"
 #include "dem/core/floating_point_traps.h"
@@ -15,6 +16,7 @@
 #include <CLI/Formatter.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <csignal>
 #include <system_error>
 
@@ -30,17 +32,44 @@ namespace apps
       return names;
     }
 
-    /** A wrong command line in one message, with the nearest command where a command was meant. */
-    int refuse_command_line(const CLI::App &program, const CLI::ParseError &error, const char *first_word)
+    bool is_command(const CLI::App &program, const std::string &word)
     {
-      const auto        typed   = program.get_subcommands();
-      const std::string command = typed.empty() ? "" : " " + typed.front()->get_name();
-      std::string       message = error.what();
-      if (typed.empty() && first_word && first_word[0] != '-')
-        message =
-          fmt::format("\"{}\" is not a command. {}", first_word, did_you_mean(first_word, command_names(program)));
+      const auto names = command_names(program);
+      return std::find(names.begin(), names.end(), word) != names.end();
+    }
+
+    int refuse_command_line(const std::string &command, const std::string &message)
+    {
       fmt::print(stderr, "breccia{}: {}\nRun \"breccia{} --help\" for what is possible.\n", command, message, command);
       return exit_bad_input;
+    }
+
+    int refuse_command(const CLI::App &program, const std::string &word)
+    {
+      const std::string answer = absent(word);
+      return refuse_command_line("", fmt::format("\"{}\" is not a command. {}", word,
+                                                 answer.empty() ? did_you_mean(word, command_names(program)) : answer));
+    }
+
+    /** A wrong command line in one message, with the nearest command where a command was meant. */
+    int refuse_words(const CLI::App &program, const CLI::ParseError &error, const std::string &first_word)
+    {
+      const auto typed = program.get_subcommands();
+      if (typed.empty() && !first_word.empty() && first_word[0] != '-')
+        return refuse_command(program, first_word);
+      return refuse_command_line(typed.empty() ? "" : " " + typed.front()->get_name(), error.what());
+    }
+
+    /** "help" and "help run" are "--help" and "run --help". */
+    std::vector<std::string> words_of(const int argc, char *argv[])
+    {
+      std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+      if (!words.empty() && words.front() == "help")
+        {
+          words.erase(words.begin());
+          words.emplace_back("--help");
+        }
+      return words;
     }
 
     int complain(const std::string &message, const int status)
@@ -103,15 +132,19 @@ namespace apps
     Action chosen;
     for (const AddCommand add : all_commands())
       add(program, chosen);
+    const std::vector<std::string> words      = words_of(argc, argv);
+    const std::string              first_word = words.empty() ? "" : words.front();
+    if (words.size() == 2 && words.back() == "--help" && !is_command(program, first_word) && first_word[0] != '-')
+      return refuse_command(program, first_word);
     try
       {
-        program.parse(argc, argv);
+        program.parse(std::vector<std::string>(words.rbegin(), words.rend())); // CLI takes them from the back
       }
     catch (const CLI::ParseError &error)
       {
         if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) // --help, --version
           return program.exit(error);
-        return refuse_command_line(program, error, argc > 1 ? argv[1] : nullptr);
+        return refuse_words(program, error, first_word);
       }
     const int status = perform(chosen, program.get_subcommands().front()->get_name());
     finish_mpi();

@@ -160,7 +160,8 @@ namespace postprocess::vtk_file
       writer.SetInputDataObject(data);
       writer.SetDataModeToAppended();
       writer.EncodeAppendedDataOff();
-      writer.SetCompressorTypeToLZ4();
+      writer.SetCompressorTypeToZLib(); // what readers other than VTK's know, too
+      writer.SetCompressionLevel(1);    // fast: higher ones hardly shrink random digits
       writer.SetHeaderTypeToUInt64();
       if (writer.Write() == 0 || writer.GetErrorCode() != vtkErrorCode::NoError)
         throw OutputError(path.string() +

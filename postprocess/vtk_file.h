@@ -69,7 +69,7 @@ namespace postprocess::vtk_file
   /** Refuse columns of unequal length. @throws std::invalid_argument naming the caller and the column. */
   void check_length(const char *caller, const char *column, std::size_t length, std::size_t expected);
 
-  /** Write as .vtp or .vtu (binary, compressed by LZ4) with its time [s]. @throws OutputError. */
+  /** Write as .vtp or .vtu (binary, compressed by zlib) with its time [s]. @throws OutputError. */
   void write(const std::filesystem::path &path, vtkPolyData *data, double time);
   void write(const std::filesystem::path &path, vtkUnstructuredGrid *data, double time);
 } // namespace postprocess::vtk_file

@@ -2,6 +2,7 @@
 #include "apps/drivers/all.h"
 #include "apps/drivers/read_scene.h"
 #include "apps/process/exit_status.h"
+#include "apps/scene/absent.h"
 #include "apps/scene/description.h"
 #include "apps/scene/nearest_name.h"
 
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <cctype>
 #include <memory>
+#include <optional>
 
 namespace apps
 {
@@ -55,6 +57,43 @@ namespace apps
             found.push_back({&section, entry.get()});
       for (const auto &subsection : section.sections())
         collect(*subsection, is_wanted ? "" : wanted, found);
+    }
+
+    bool mentions(const std::string &text, const std::string &wanted)
+    {
+      return in_lower_case(text).find(in_lower_case(wanted)) != std::string::npos;
+    }
+
+    /** Where a word may stand that is no name, best first. */
+    enum class Mention
+    {
+      in_name,
+      in_value,
+      in_meaning
+    };
+
+    constexpr Mention mentions_by_rank[] = {Mention::in_name, Mention::in_value, Mention::in_meaning};
+
+    /** The best place at which an entry has the word. */
+    std::optional<Mention> mention_in(const Entry &entry, const std::string &wanted)
+    {
+      if (mentions(entry.name, wanted))
+        return Mention::in_name;
+      if (mentions(entry.value, wanted) || mentions(entry.allowed, wanted))
+        return Mention::in_value;
+      if (mentions(entry.meaning, wanted))
+        return Mention::in_meaning;
+      return {};
+    }
+
+    void
+    collect_mentions(const Section &section, const std::string &wanted, const Mention where, std::vector<Match> &found)
+    {
+      for (const auto &entry : section.entries())
+        if (mention_in(*entry, wanted) == where)
+          found.push_back({&section, entry.get()});
+      for (const auto &subsection : section.sections())
+        collect_mentions(*subsection, wanted, where, found);
     }
 
     void collect_names(const Section &section, std::vector<std::string> &names)
@@ -138,41 +177,79 @@ namespace apps
       return kept;
     }
 
+    /** What is found, in the words of each format. */
+    struct Found
+    {
+      std::vector<Passage>        passages;
+      std::vector<nlohmann::json> objects;
+    };
+
+    void add(Found &all, const std::vector<Match> &matches, const std::string &kind, const std::string &format)
+    {
+      if (format == "md")
+        for (const Match &match : matches)
+          add(all.passages, in_markdown(match, kind));
+      else
+        for (const Match &match : outermost(matches))
+          {
+            add(all.passages, {match.section->path(), description_as_prm(*match.section, match.entry), kind});
+            all.objects.push_back(description_as_json(*match.section, match.entry));
+            all.objects.back()["kind"] = kind;
+          }
+    }
+
+    /** Sections and entries of the name that is wanted; if none has it, entries that speak of it, the best first. */
+    Found find(const std::vector<CheckedScene> &scenes, const DescribeOptions &options)
+    {
+      Found all;
+      for (const CheckedScene &scene : scenes)
+        {
+          std::vector<Match> matches;
+          collect(*scene.root, options.wanted, matches);
+          add(all, matches, scene.kind, options.format);
+        }
+      if (!all.passages.empty() || !absent(options.wanted).empty())
+        return all;
+      for (const Mention where : mentions_by_rank)
+        for (const CheckedScene &scene : scenes)
+          {
+            std::vector<Match> matches;
+            collect_mentions(*scene.root, options.wanted, where, matches);
+            add(all, matches, scene.kind, options.format);
+          }
+      return all;
+    }
+
+    [[noreturn]] void refuse_unknown(const std::vector<CheckedScene> &scenes, const std::string &wanted)
+    {
+      std::vector<std::string> names;
+      for (const CheckedScene &scene : scenes)
+        collect_names(*scene.root, names);
+      const std::string answer = absent(wanted), nearest = did_you_mean(wanted, names);
+      throw base::InputError("command line: there is no section or entry \"" + wanted + "\"" +
+                             (!answer.empty() ? ". " + answer :
+                              nearest.empty() ? ", and none speaks of it." :
+                                                ". " + nearest));
+    }
+
     /** Sections and entries of all kinds, or of the one asked for. */
     int describe(const DescribeOptions &options)
     {
-      std::vector<std::string>    names;
-      std::vector<Passage>        passages;
-      std::vector<nlohmann::json> objects;
+      std::vector<CheckedScene> scenes;
       for (const SceneKind &kind : scene_kinds())
-        {
-          if (!options.kind.empty() && kind.name != options.kind)
-            continue;
-          const CheckedScene scene = declare_scene(kind.name);
-          std::vector<Match> found;
-          collect(*scene.root, options.wanted, found);
-          collect_names(*scene.root, names);
-          if (options.format == "md")
-            for (const Match &match : found)
-              add(passages, in_markdown(match, kind.name));
-          else
-            for (const Match &match : outermost(found))
-              {
-                add(passages, {match.section->path(), description_as_prm(*match.section, match.entry), kind.name});
-                objects.push_back(description_as_json(*match.section, match.entry));
-                objects.back()["kind"] = kind.name;
-              }
-        }
-      if (passages.empty())
-        throw base::InputError("command line: there is no section or entry \"" + options.wanted + "\". " +
-                               did_you_mean(options.wanted, names));
+        if (options.kind.empty() || kind.name == options.kind)
+          scenes.push_back(declare_scene(kind.name));
+      const Found found = find(scenes, options);
+      if (found.passages.empty())
+        refuse_unknown(scenes, options.wanted);
       if (options.format == "json")
-        fmt::print("{}\n",
-                   (objects.size() == 1 && !options.kind.empty() ? objects.front() : nlohmann::json(objects)).dump(2));
+        fmt::print("{}\n", (found.objects.size() == 1 && !options.kind.empty() ? found.objects.front() :
+                                                                                 nlohmann::json(found.objects))
+                             .dump(2));
       else if (options.format == "md")
-        print_markdown(passages, options.wanted.empty() && options.kind.empty());
+        print_markdown(found.passages, options.wanted.empty() && options.kind.empty());
       else
-        print_prm(passages);
+        print_prm(found.passages);
       return exit_success;
     }
   } // namespace
@@ -183,9 +260,9 @@ namespace apps
     CLI::App  &command = *program.add_subcommand(
        "describe", "Every parameter of a scene, or those of a section, or one: meaning, unit, default, range");
     command
-      .add_option(
-        "name", options->wanted,
-        "Section or entry by its name or the end of its path, e.g. Damping, Tension, Loading/Tension; default: all")
+      .add_option("name", options->wanted,
+                  "Section or entry by its name or the end of its path, e.g. Damping, Tension, Loading/Tension; a word "
+                  "that is no name is looked for in names, values and texts, e.g. triaxial; default: all")
       ->type_name("NAME");
     std::vector<std::string> kinds;
     for (const SceneKind &kind : scene_kinds())

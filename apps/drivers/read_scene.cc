@@ -70,6 +70,36 @@ namespace apps
       read.scene->declare(*read.root);
     }
 
+    /** The kinds, but for this one, that have a section of this name. */
+    std::string kinds_with(const std::string &section, const std::string &but)
+    {
+      std::string kinds;
+      for (const SceneKind &kind : scene_kinds())
+        if (kind.name != but)
+          {
+            CheckedScene other = declared(kind);
+            declare_all(other);
+            if (other.root->find_section(section))
+              kinds += (kinds.empty() ? "" : ", ") + kind.name;
+          }
+      return kinds;
+    }
+
+    /** A section of other kinds is no misspelt one of this. */
+    void refuse_of_other_kinds(const CheckedScene &read, const std::vector<Assignment> &assignments)
+    {
+      for (const Assignment &assignment : assignments)
+        {
+          if (assignment.sections.empty() || read.root->find_section(assignment.sections.front()))
+            continue;
+          const std::string &name  = assignment.sections.front();
+          const std::string  kinds = kinds_with(name, read.kind);
+          if (!kinds.empty())
+            throw base::InputError(assignment.place.text() + ": section \"" + name + "\" is not in scenes of kind " +
+                                   read.kind + ", only in those of kind " + kinds + ".");
+        }
+    }
+
     /** The files that an entry names, from the current folder. */
     std::vector<std::filesystem::path> files_of(const Entry &entry)
     {
@@ -120,6 +150,7 @@ namespace apps
     read.overrides     = overrides;
     read.output_folder = "output/" + std::filesystem::path(file).stem().string();
     declare_all(read);
+    refuse_of_other_kinds(read, assignments);
     assign(*read.root, assignments, file);
     read.scene->validate(*read.root);
     return read;

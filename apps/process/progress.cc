@@ -93,6 +93,7 @@ namespace apps
     , silent(!is_first_rank() || (terminal && shown == Shown::in_logs))
     , start(Clock::now())
     , last_shown(start)
+    , last_reported(start)
   {
     ProgressBoard::only().add(this);
   }
@@ -114,24 +115,45 @@ namespace apps
 
   bool Progress::is_due() const { return !silent && Clock::now() - last_shown >= interval; }
 
+  void Progress::report(const double done, const std::string &details)
+  {
+    last_done     = done;
+    last_details  = details;
+    last_reported = Clock::now();
+    if (is_due())
+      show(news());
+  }
+
   void Progress::update(const double done, const std::string &details)
   {
     const std::lock_guard<std::mutex> lock(ProgressBoard::only().mutex);
     if (done_at_start < 0)
       done_at_start = done;
-    if (!is_due())
-      return;
-    const double elapsed = std::chrono::duration<double>(Clock::now() - start).count();
-    const double gained  = done - done_at_start;
-    show(fmt::format("{:.0f} %{}{}{}", 100 * done, details.empty() ? "" : ", ", details,
-                     gained > 0 ? ", at most " + duration_text(elapsed * (1 - done) / gained) + " left" : ""));
+    report(done, details);
   }
 
   void Progress::update(const std::string &details)
   {
     const std::lock_guard<std::mutex> lock(ProgressBoard::only().mutex);
-    if (is_due())
-      show(details);
+    report(-1, details);
+  }
+
+  std::string Progress::how_far() const
+  {
+    if (last_done < 0)
+      return last_details;
+    return fmt::format("{:.0f} %{}{}", 100 * last_done, last_details.empty() ? "" : ", ", last_details);
+  }
+
+  std::string Progress::news() const
+  {
+    const double gained = last_done - done_at_start;
+    if (last_done < 0 || gained <= 0)
+      return how_far();
+    const double elapsed = std::chrono::duration<double>(last_reported - start).count();
+    const double since   = std::chrono::duration<double>(Clock::now() - last_reported).count();
+    return how_far() + ", at most " + duration_text(std::max(0.0, elapsed * (1 - last_done) / gained - since)) +
+           " left";
   }
 
   void Progress::speak_up()
@@ -139,15 +161,15 @@ namespace apps
     const auto now = Clock::now();
     if (silent || now - last_shown < (terminal ? Clock::duration(terminal_silence) : interval))
       return;
-    const std::string told   = last_text;
+    if (last_reported > last_shown) // too early for the last line, and the next one may take long
+      return show(news());
+    // An estimate of long ago would be stale.
     const std::string so_far = duration_text(std::chrono::duration<double>(now - start).count()) + " so far";
-    show(told.empty() ? so_far : told + "; " + so_far);
-    last_text = told;
+    show(last_reported == start ? so_far : how_far() + "; " + so_far);
   }
 
   void Progress::show(const std::string &text)
   {
-    last_text  = text;
     last_shown = Clock::now();
     cleared    = false;
     fmt::print(stderr, "{}{}: {}{}", terminal ? "\r" : "", title, text, terminal ? "\033[K" : "\n");

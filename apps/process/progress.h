@@ -47,18 +47,22 @@ namespace apps
   private:
     friend class ProgressBoard;
 
-    bool is_due() const;
-    void show(const std::string &text);
-    void speak_up(); ///< nobody has said anything for long
+    bool        is_due() const;
+    void        report(double done, const std::string &details);
+    std::string how_far() const; ///< what was reported last
+    std::string news() const;    ///< the same with the time left
+    void        show(const std::string &text);
+    void        speak_up(); ///< nothing was shown for long
 
     std::string       title;
     bool              terminal;
     Clock::duration   interval;
     double            done_at_start = -1; ///< a resumed run starts late
-    std::string       last_text;
-    bool              cleared = true; ///< nothing stands on the terminal
-    bool              silent;         ///< never speaks
-    Clock::time_point start, last_shown;
+    double            last_done     = -1; ///< < 0: its end is not known, or nothing was reported
+    std::string       last_details;
+    bool              cleared = true;                   ///< nothing stands on the terminal
+    bool              silent;                           ///< never speaks
+    Clock::time_point start, last_shown, last_reported; ///< reported may be shown later
   };
 
   /** Seconds as "42 s", "3:07 min" or "5:02 h". */

@@ -7,18 +7,31 @@ namespace apps
 {
   namespace
   {
-    constexpr std::size_t a_word = 3; ///< letters; fewer stand in too many names
+    constexpr std::size_t a_word       = 3;  ///< letters; fewer stand in too many names
+    constexpr std::size_t a_short_list = 20; ///< names that a message may list
 
     bool same(const char a, const char b)
     {
       return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
     }
 
-    /** Whether a word is a part of the name, case ignored. */
+    bool is_letter(const char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
+
+    /** Whether a word of the name begins with what was typed, case ignored: "MPI" is nothing of "Damping". */
     bool contains(const std::string &name, const std::string &word)
     {
-      return word.size() >= a_word &&
-             std::search(name.begin(), name.end(), word.begin(), word.end(), same) != name.end();
+      if (word.size() < a_word)
+        return false;
+      auto at = std::search(name.begin(), name.end(), word.begin(), word.end(), same);
+      while (at != name.end() && at != name.begin() && is_letter(*(at - 1)))
+        at = std::search(at + 1, name.end(), word.begin(), word.end(), same);
+      return at != name.end();
+    }
+
+    /** Whether one may be meant by the other: a third of the letters may be wrong. */
+    bool is_like(const std::string &typed, const std::string &name)
+    {
+      return contains(name, typed) || edit_distance(typed, name) <= (std::max(typed.size(), name.size()) + 2) / 3;
     }
   } // namespace
 
@@ -51,12 +64,19 @@ namespace apps
       return missed(a) != missed(b) ? missed(b) : edit_distance(typed, a) < edit_distance(typed, b);
     };
     const auto nearest = std::min_element(candidates.begin(), candidates.end(), nearer);
-    return nearest == candidates.end() ? std::string() : *nearest;
+    return nearest == candidates.end() || !is_like(typed, *nearest) ? std::string() : *nearest;
   }
 
   std::string did_you_mean(const std::string &typed, const std::vector<std::string> &candidates)
   {
     const std::string name = nearest_name(typed, candidates);
-    return name.empty() ? std::string() : "Did you mean \"" + name + "\"?";
+    if (!name.empty())
+      return "Did you mean \"" + name + "\"?";
+    if (candidates.empty() || candidates.size() > a_short_list)
+      return {};
+    std::string all;
+    for (const std::string &candidate : candidates)
+      all += (all.empty() ? "Known: " : ", ") + candidate;
+    return all + ".";
   }
 } // namespace apps

@@ -13,10 +13,10 @@ namespace apps
 
   /**
    * The candidate with the smallest edit distance, the first of equals, of those that contain what was typed if any does (three
-   * letters at least); empty if there is no candidate.
+   * letters at least, from the beginning of a word); empty if none is like it.
    */
   std::string nearest_name(const std::string &typed, const std::vector<std::string> &candidates);
 
-  /** "Did you mean "X"?", or "" if there is no candidate. */
+  /** "Did you mean "X"?"; if none is like it "Known: X, Y.", or "" where these are too many to list. */
   std::string did_you_mean(const std::string &typed, const std::vector<std::string> &candidates);
 } // namespace apps

@@ -1,5 +1,6 @@
 #include "apps/scene/reader.h"
 
+#include "apps/scene/absent.h"
 #include "apps/scene/nearest_name.h"
 
 #include <algorithm>
@@ -44,7 +45,9 @@ namespace apps
       std::string              message = assignment.place.text() + ": \"" + assignment.path() + "\" is not known. ";
       std::vector<std::string> elsewhere;
       collect_paths(root, assignment.entry, elsewhere);
-      if (!elsewhere.empty())
+      if (const std::string answer = absent(assignment.entry); !answer.empty() && elsewhere.empty())
+        message += answer;
+      else if (!elsewhere.empty())
         message += "Did you mean \"" + elsewhere.front() + "\"?";
       else if (!section.entries().empty())
         message += did_you_mean(assignment.entry, section.entry_names());

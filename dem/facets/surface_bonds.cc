@@ -63,7 +63,7 @@ namespace dem
         if (least < -0.5 * radius)
           {
             std::ostringstream message;
-            message << "wall " << surface.name << ": particle " << particles.number[static_cast<std::size_t>(i)] + 1
+            message << "surface " << surface.name << ": particle " << particles.number[static_cast<std::size_t>(i)] + 1
                     << " is to be glued to it, but lies in it by " << -least << " m; up to half its radius (" << radius
                     << " m) is taken. Move one of the two.";
             throw base::InputError(message.str());

@@ -159,7 +159,7 @@ namespace dem
           if (inside <= 0.5 * radius)
             continue;
           std::ostringstream message;
-          message << "wall " << surface.name << ": particle " << particles.number[i] + 1 << " at ("
+          message << "surface " << surface.name << ": particle " << particles.number[i] + 1 << " at ("
                   << particles.position_of(i).transpose() << ") m lies in it";
           if (surface.mesh.is_plane() && inside > radius)
             message << " or behind it, by " << inside;

@@ -40,6 +40,14 @@ TEST_CASE("An unknown section is refused with file, line and the nearest name", 
           "x.prm:28: section \"Outptu\" is not known. Did you mean \"Output\"?");
 }
 
+TEST_CASE("A section of another kind of scene, and a constant that links do not have, are told as that", "[apps][S14]")
+{
+  refused("subsection Output", "subsection Groups\nend\nsubsection Output",
+          "x.prm:28: section \"Groups\" is not in scenes of kind uniaxial, only in those of kind ");
+  refused("Cohesion             = 3e6", "Poisson ratio = 0.2",
+          "\"Material/CPM/Poisson ratio\" is not known. Links have no Poisson's ratio");
+}
+
 TEST_CASE("A value that is no number, or outside its range, is refused with place, finding and range", "[apps][S14]")
 {
   refused("Cohesion             = 3e6", "Cohesion = three",

@@ -16,6 +16,13 @@ TEST_CASE("Help and version are answered with status 0", "[apps]")
   CHECK(help.status == 0);
   for (const char *command : {"run", "check", "describe", "pack", "link-test", "bench"})
     CHECK_THAT(help.out, Contains(command));
+  for (const char *command : {"run", "describe"})
+    {
+      const Outcome asked = run(folder.path(), {"help", command});
+      CHECK(asked.status == 0);
+      CHECK(asked.out == run(folder.path(), {command, "--help"}).out);
+    }
+  CHECK(run(folder.path(), {"help"}).out == help.out);
   const Outcome version = run(folder.path(), {"--version"});
   CHECK(version.status == 0);
   CHECK_THAT(version.out, Catch::StartsWith("breccia 0."));
@@ -32,6 +39,8 @@ TEST_CASE("A wrong command line is refused with one message and status 2", "[app
   };
   refused({}, "A subcommand is required");
   refused({"rnu", "x.prm"}, "\"rnu\" is not a command. Did you mean \"run\"?");
+  refused({"help", "rnu"}, "\"rnu\" is not a command. Did you mean \"run\"?");
+  refused({"calibrate", "x.prm"}, "\"calibrate\" is not a command. Nothing calibrates constants by itself");
   refused({"run"}, "breccia run: scene is required");
   refused({"run", "x.prm", "--threads", "0"}, "--threads: Value 0 not in range");
   refused({"run", "x.prm", "--wrong"}, "not expected: --wrong");

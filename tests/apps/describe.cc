@@ -127,6 +127,34 @@ TEST_CASE("describe finds entries and sections by name wherever they are, and sa
              Contains("there is no section or entry \"Cohesin\"") && Contains("Did you mean \"Cohesion\"?"));
 }
 
+TEST_CASE("describe looks for a word that is no name in names, values and texts, the best first", "[apps]")
+{
+  const ScratchFolder folder;
+  const Outcome       triaxial = run(folder.path(), {"describe", "triaxial"});
+  REQUIRE(triaxial.status == 0);
+  CHECK_THAT(triaxial.out, Contains("set Test =") && Contains("triaxial compression"));
+  const Outcome ratio = run(folder.path(), {"describe", "ratio", "--kind", "uniaxial"});
+  REQUIRE(ratio.status == 0);
+  const auto named = ratio.out.find("set Interaction ratio"), told = ratio.out.find("set Rotations");
+  CHECK(named != std::string::npos);
+  CHECK((told == std::string::npos || named < told));
+}
+
+TEST_CASE("describe says in a sentence what does not exist, and does not guess", "[apps]")
+{
+  const ScratchFolder folder;
+  for (const auto &[word, answer] :
+       {std::pair{"MPI", "have no MPI"}, std::pair{"Python", "no Python interface"},
+        std::pair{"calibration", "doc/tutorials/constants.md"}, std::pair{"peridynamics", "no peridynamics"}})
+    {
+      const Outcome outcome = run(folder.path(), {"describe", word});
+      CHECK(outcome.status == 2);
+      CHECK_THAT(outcome.err, Contains(answer) && !Contains("Did you mean"));
+    }
+  CHECK_THAT(run(folder.path(), {"describe", "Xylophone"}).err,
+             Contains("none speaks of it") && !Contains("Did you mean"));
+}
+
 TEST_CASE("describe names the unit of an entry once", "[apps]")
 {
   const ScratchFolder folder;

@@ -1,4 +1,5 @@
 // doc/formats.md against what runs write.
+#include "dem/laws/all.h"
 #include "postprocess/csv_table.h"
 #include "postprocess/fields.h"
 #include "tests/apps/continuum_scenes.h"
@@ -125,6 +126,22 @@ TEST_CASE("doc/formats.md lists the fields of all files for ParaView", "[apps]")
 {
   INFO("the chapter \"Files for ParaView\" is to hold, as they are:\n" << postprocess::fields_as_markdown());
   CHECK(formats().find(postprocess::fields_as_markdown()) != std::string::npos);
+}
+
+TEST_CASE("doc/formats.md lists what laws add to the links of ParaView files, with its unit", "[apps]")
+{
+  const auto listed = [](const char *law, const auto &history) {
+    for (const dem::LinkQuantity &quantity : history)
+      if (quantity.shown)
+        {
+          INFO(law << ": " << quantity.name);
+          const std::regex row("\\n\\| `" + quantity.name + "(_0)?`[^|]*\\| " + quantity.unit + " \\| " + law + " \\|");
+          CHECK(std::regex_search(formats(), row));
+        }
+  };
+  listed("contact-bond", dem::ContactBond::history());
+  listed("parallel-bond", dem::ParallelBond::history());
+  listed("flat-joint", dem::FlatJoint::history());
 }
 
 TEST_CASE("A run of particles writes the fields and columns that doc/formats.md lists", "[apps]")

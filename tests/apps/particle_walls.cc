@@ -185,7 +185,7 @@ TEST_CASE("Walls that cannot be are refused with the place and the reason", "[ap
   };
   const std::string wall = "Walls/floor/";
   refused({wall + "Second edge=1, 0, 0"}, "wall floor: facet 1 has zero area");
-  refused({"More particles/ball/Centre=0, 0, 0.004"}, "wall floor: particle 1 at");
+  refused({"More particles/ball/Centre=0, 0, 0.004"}, "surface floor: particle 1 at");
   refused({"Initial velocity/ball/Velocity z=1e5"}, "more than its radius");
   refused({wall + "Velocity x=x"}, "a wall moves as a rigid body");
   refused({wall + "Shape=plane", wall + "Spin x=1"}, "an unbounded plane does not spin");

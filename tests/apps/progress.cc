@@ -59,3 +59,23 @@ TEST_CASE("Work that says nothing is spoken for in a log, the innermost part of 
   CHECK(std::count(log.begin(), log.end(), '\n') >= 6);
   CHECK(log.find("run: ") > log.rfind("factorisation: "));
 }
+
+TEST_CASE("A log tells how far work is now, and no estimate that has grown old", "[apps]")
+{
+  using std::chrono::milliseconds;
+  const ScratchFolder folder;
+  {
+    const CapturedErrors captured(folder / "log");
+    apps::Progress       work("steps", apps::Progress::Shown::everywhere, milliseconds(300));
+    work.update(0.0, "");
+    std::this_thread::sleep_for(milliseconds(100));
+    work.update(0.5, ""); // too early for a line: told with the next one, also if nothing follows
+    std::this_thread::sleep_for(milliseconds(1500));
+  }
+  const std::string log = content_of(folder / "log");
+  INFO(log);
+  const auto told = log.find("steps: 50 %, at most ");
+  REQUIRE(told != std::string::npos);
+  CHECK(log.find("at most", told + 20) == std::string::npos);
+  CHECK_THAT(log, Contains("steps: 50 %; "));
+}

@@ -331,7 +331,7 @@ TEST_CASE("walls that cannot be are refused by name", "[dem][facets][S14]")
   const auto ground = dem::FacetMesh::plane({0, 0, 0}, {0, 0, 1});
   CHECK_NOTHROW(with({0, 0, 0.6 * R}, ground));
   CHECK_THROWS_WITH(with({0, 0, 0.4 * R}, ground),
-                    Contains("wall wall: particle 1 at") && Contains("lies in it by 0.006 m"));
+                    Contains("surface wall: particle 1 at") && Contains("lies in it by 0.006 m"));
   CHECK_THROWS_WITH(with({0, 0, -9 * R}, ground), Contains("or behind it"));
   CHECK_THROWS_WITH(with({0, 0, 0.1 * R}, dem::plate({-1, -1, 0}, {2, 0, 0}, {0, 2, 0})), Contains("lies in it"));
   CHECK_THROWS_WITH(with({0, 0, 5 * R}, ground, {0, 0, 1e4}), Contains("more than its radius"));

@@ -189,6 +189,17 @@ TEST_CASE("concrete measures its element along the crack normal", "[fem]")
                     Catch::Contains("element size [m]") && Catch::Contains("Refine the mesh"));
 }
 
+TEST_CASE("concrete says of an element that is too large which entry gave its size, and of an energy in N/mm its unit",
+          "[fem]")
+{
+  auto p         = material_m1();
+  p.element_size = 1e6;
+  CHECK_THROWS_WITH(fem::DamagePlasticConcrete(p), Catch::Contains("Lower Element size") && !Catch::Contains("Refine"));
+  p.crack_opening   = 0;
+  p.fracture_energy = 0.11;
+  CHECK_THROWS_WITH(fem::DamagePlasticConcrete(p), Catch::Contains("0.11 J/m^2, where about 100 is usual"));
+}
+
 TEST_CASE("concrete refuses parameters that make no model, by name", "[fem]")
 {
   const auto refusal = [](auto change) {

@@ -50,6 +50,13 @@ namespace
   }
 } // namespace
 
+TEST_CASE("files for ParaView are compressed by zlib, which readers other than VTK's know", "[postprocess]")
+{
+  const ScratchFolder folder;
+  write_vtk_particles(folder / "p.vtp", numbered_particles(3), 0.0);
+  CHECK_THAT(content_of(folder / "p.vtp"), Contains("compressor=\"vtkZLibDataCompressor\""));
+}
+
 TEST_CASE("VTK reads back every value of the particles", "[postprocess]")
 {
   const ScratchFolder folder;

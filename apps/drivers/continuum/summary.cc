@@ -31,11 +31,12 @@ namespace apps
       found.push_back("no bodies have ever touched");
     const double error = worst_residual(series);
     if (error > worrying_balance)
-      found.push_back(fmt::format("the energies do not balance by {:.0f} % of the largest: {}", 100 * error,
-                                  is_static ?
-                                    "the steps are too long for the work that they count. Shorten Control/Largest step "
-                                    "until this is small" :
-                                    "the motion is not resolved. Lower Motion/Safety"));
+      found.push_back(
+        fmt::format("the energies do not balance by {:.0f} % of the largest: {}", 100 * error,
+                    is_static ? "the steps are too long for the work that they count. Shorten Control/Largest step; "
+                                "where the load falls at once (snap-back) no step is short enough: set "
+                                "Control/Follow = indirect or arc length" :
+                                "the motion is not resolved. Lower Motion/Safety"));
     return found;
   }
 

@@ -310,7 +310,10 @@ namespace fem
     std::ostringstream rule;
     rule << "must be below E w_f / f_t = " << law.largest_size()
          << " m, or softening would snap back inside the element. "
-         << "Refine the mesh or raise the fracture energy.";
+         << (p.element_size > 0 ? "Lower Element size" : "Refine the mesh") << " or raise the fracture energy";
+    if (p.fracture_energy > 0 && p.fracture_energy < 1) // typed in N/mm
+      rule << ", " << p.fracture_energy << " J/m^2, where about 100 is usual for concrete";
+    rule << ".";
     demand(size < law.largest_size(), "element size [m]", size, rule.str());
   }
 

@@ -1,0 +1,50 @@
+#include "apps/scene/absent.h"
+
+#include "apps/scene/same_name.h"
+
+#include <initializer_list>
+#include <vector>
+
+namespace apps
+{
+  namespace
+  {
+    struct Absent
+    {
+      std::initializer_list<const char *> names;
+      const char                         *answer;
+    };
+
+    const std::vector<Absent> &all_absent()
+    {
+      static const std::vector<Absent> all = {
+        {{"MPI", "mpirun"},
+         "Particles run on the threads of one machine (--threads) and have no MPI; scenes of kind continuum run under "
+         "mpirun."},
+        {{"Python", "pybind", "bindings"},
+         "There is no Python interface: scenes are text files, changed by -s; results are CSV, JSON, HDF5 and VTK, "
+         "which Python reads."},
+        {{"calibration", "calibrate", "optimisation", "optimization", "optimise", "optimize"},
+         "Nothing calibrates constants by itself: doc/tutorials/constants.md says which constant moves which figure."},
+        {{"peridynamics", "peridynamic"},
+         "There is no peridynamics: the laws are those of links and of the continuum."},
+        {{"GPU", "CUDA"}, "Nothing runs on a graphics processor: particles run on threads (--threads)."},
+        {{"Poisson ratio", "Poisson's ratio", "Poissons ratio"},
+         "Links have no Poisson's ratio: that of a specimen follows from \"Shear ratio\" (CPM) or \"Stiffness ratio\" "
+         "(other laws), see doc/tutorials/constants.md."},
+        {{"Young modulus", "Young's modulus", "Youngs modulus"},
+         "Links have no Young's modulus: that of a specimen follows from \"Normal modulus\" (CPM) or \"Effective "
+         "modulus\" (other laws), see doc/tutorials/constants.md."}};
+      return all;
+    }
+  } // namespace
+
+  std::string absent(const std::string &typed)
+  {
+    for (const Absent &one : all_absent())
+      for (const char *name : one.names)
+        if (same_name(typed, name))
+          return one.answer;
+    return {};
+  }
+} // namespace apps

@@ -1,0 +1,9 @@
+#pragma once
+
+#include <string>
+
+namespace apps
+{
+  /** One sentence on what people look for under this name and Breccia does not have, or has in another way; "" for anything else. */
+  std::string absent(const std::string &typed);
+} // namespace apps
