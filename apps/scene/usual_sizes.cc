@@ -4,8 +4,8 @@
 
 #include <cctype>
 #include <cmath>
-#include <initializer_list>
 #include <limits>
+#include <vector>
 
 namespace apps
 {
@@ -16,15 +16,15 @@ namespace apps
     /** Numbers that an entry of this unit, whose name has one of these words, hardly means. */
     struct Doubt
     {
-      const char                         *unit;
-      std::initializer_list<const char *> words;
-      double                              above, below; ///< magnitudes between the two are in doubt
-      const char                         *question;
+      const char              *unit;
+      std::vector<std::string> words;
+      double                   above, below; ///< magnitudes between the two are in doubt
+      const char              *question;
     };
 
     // The first that holds is asked. Bounds are generous: soft rubber has a modulus of 1e6 Pa, diamond one of 1.2e12 Pa. A strength or
     // limit that is far beyond all solids is a word, too: it never breaks.
-    const std::initializer_list<Doubt> doubts = {
+    const std::vector<Doubt> doubts = {
       {"Pa", {"modulus"}, 0, 1e6, "no solid is so soft. In GPa or MPa? Write it in Pa, e.g. 25e9"},
       {"Pa", {"modulus"}, 1e13, beyond, "no solid is so stiff. In GPa or MPa? Write it in Pa, e.g. 25e9"},
       {"Pa", {"strength", "cohesion"}, 0, 1e3, "no solid is so weak. In MPa? Write it in Pa, e.g. 3e6"},
@@ -105,7 +105,7 @@ namespace apps
     const double size = std::abs(value);
     for (const Doubt &doubt : doubts)
       if (unit == doubt.unit && size > doubt.above && size < doubt.below)
-        for (const char *words : doubt.words)
+        for (const std::string &words : doubt.words)
           if (has_words(entry, words))
             return fmt::format("{}. If it is meant, name the unit: {} {}", doubt.question, written, unit);
     return "";

@@ -79,15 +79,15 @@ TEST_CASE("A packing in millimetres is asked about where nothing says its unit, 
   folder.file("packing.txt", millimetres);
   is_refused(folder, "x.prm", {}, "a particle of radius 1 m, and nothing says the unit. In mm?");
   const std::vector<std::string> quick = {"Loading/Tests=tension", "Loading/Tension/Strain rate=1e-4"};
-  const auto extents = Contains("extents      x -0.001 to 0.003 m, y -0.001 to 0.003 m, z -0.001 to 0.005 m") &&
-                       Contains("radius       0.001 m");
-  auto with = quick;
+  const std::string extents            = "extents      x -0.001 to 0.003 m, y -0.001 to 0.003 m, z -0.001 to 0.005 m\n"
+                                         "  radius       0.001 m\n";
+  auto              with               = quick;
   with.emplace_back("Specimen/Length unit=mm");
   const Outcome by_scene = outcome_of(folder, "check", "x.prm", with);
   CHECK(by_scene.status == 0);
-  CHECK_THAT(by_scene.out, extents);
+  CHECK_THAT(by_scene.out, Contains(extents));
   folder.file("packing.txt", "# lengths in mm\n" + millimetres);
-  CHECK_THAT(outcome_of(folder, "check", "x.prm", quick).out, extents);
+  CHECK_THAT(outcome_of(folder, "check", "x.prm", quick).out, Contains(extents));
   is_refused(folder, "x.prm", {"Specimen/Length unit=m"}, "packing.txt, line 1: says that lengths are in mm");
 }
 
