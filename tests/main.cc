@@ -7,7 +7,6 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
-#include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <set>
@@ -47,10 +46,12 @@ namespace
 
   // Fast tests come first. All run side by side on one thread each, which wastes less than several threads in a test; what is of
   // several threads asks for them, and threads that wait sleep: it would otherwise spend its time in barriers. Ranks do not sleep.
+  // Packings are made by the program under test: none comes out of the user's cache.
   std::string properties(const Catch::TestCase &test)
   {
     return std::string(has_tag(test, "slow") ? "LABELS slow COST 1" : "LABELS fast COST 100") + " PROCESSORS " +
-           (has_tag(test, "mpi") ? "2" : "1") + " ENVIRONMENT \"OMP_NUM_THREADS=1;OMP_WAIT_POLICY=passive\"";
+           (has_tag(test, "mpi") ? "2" : "1") +
+           " ENVIRONMENT \"OMP_NUM_THREADS=1;OMP_WAIT_POLICY=passive;XDG_CACHE_HOME=/dev/null\"";
   }
 
   /** Without folder and extension, as Catch2 makes tags of files. */
@@ -99,7 +100,6 @@ int main(int argc, char *argv[])
   Catch::Session session;
   if (argc >= 4 && std::string(argv[1]) == "--write-ctest")
     return write_ctest(argv[0], argv[2], argv[3], argc == 5 && std::string(argv[4]) == "by-file");
-  ::setenv("XDG_CACHE_HOME", "/dev/null", 1); // packings are made by the program under test, not by the one before
   dem::enable_floating_point_traps();
   return session.run(argc, argv);
 }
