@@ -245,53 +245,6 @@ TEST_CASE("spreading: a collision over an edge keeps momenta and power, sub-cycl
     }
 }
 
-namespace
-{
-  /** Largest and last difference of the energy from that of the start, over it, while a stiff ball hits a face off its elements' middles. */
-  std::pair<double, double> lost_on_flat_face(const Vector3d &above, const Vector3d &velocity)
-  {
-    Block<3>                            block(8);
-    dem::Specimen                       specimen = ball(0.02, above, velocity, {0, 0, 0}, 0.05);
-    coupling::ConcurrentMotion<3>       both(specimen, block.solid, *block.motion, *block.participant);
-    coupling::SurfaceCouplingParameters top{"top", {"5"}, rough()};
-    top.spreading                    = coupling::Spreading::automatic;
-    top.contact.effective_modulus    = 5e9;
-    top.contact.friction_coefficient = 0;
-    both.add_surface(top);
-    const auto energy = [&] {
-      const dem::EnergyAccount e = specimen.energy();
-      const auto               s = block.motion->energy();
-      return e.kinetic + e.elastic + e.friction + e.released + s.kinetic + s.internal;
-    };
-    const auto &facets = specimen.surface(both.surfaces().front()->surface());
-    both.advance(1);
-    const double start = energy();
-    double       most = 0, last = 0;
-    bool         met = false;
-    while (!met || facets.touching > 0)
-      {
-        both.advance(1);
-        met  = met || facets.touching > 0;
-        last = (energy() - start) / start;
-        most = std::max(most, std::fabs(last));
-        REQUIRE(specimen.time() < 1e-2);
-      }
-    return {most, last};
-  }
-} // namespace
-
-TEST_CASE("spreading: a ball that hits a flat face anywhere keeps its energy, at the end and on the way", "[coupling]")
-{
-  for (const Vector3d &above : {Vector3d(0.053, 0.041, 0.1201), Vector3d(0.047, 0.0575, 0.1201)})
-    for (const Vector3d &velocity : {Vector3d(0, 0, -2), Vector3d(1, -0.5, -2)})
-      {
-        const auto [most, last] = lost_on_flat_face(above, velocity);
-        INFO("from " << above.transpose() << " at " << velocity.transpose() << ": " << most << ", " << last);
-        CHECK(most < 1e-3);
-        CHECK(std::fabs(last) < 3e-4);
-      }
-}
-
 TEST_CASE("spreading: a ball rolls over small faces of a block with constant force", "[coupling]")
 {
   // Led over the stiff block at one height: the force is that of the height, wherever it is.
