@@ -89,7 +89,7 @@ TEST_CASE("A side by its axis is the side by its word, and holds and couples as 
   CHECK(by_axis.series.columns == by_word.series.columns);
 }
 
-TEST_CASE("\"top\" that is not the upper side is refused where there is weight, with what may be meant",
+TEST_CASE("A side \"top\" that is not the upper side is refused where there is weight, with what may be meant",
           "[apps][coupled]")
 {
   const ScratchFolder folder;
