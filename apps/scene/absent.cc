@@ -2,7 +2,6 @@
 
 #include "apps/scene/same_name.h"
 
-#include <initializer_list>
 #include <vector>
 
 namespace apps
@@ -11,8 +10,8 @@ namespace apps
   {
     struct Absent
     {
-      std::initializer_list<const char *> names;
-      const char                         *answer;
+      std::vector<const char *> names;
+      const char               *answer;
     };
 
     const std::vector<Absent> &all_absent()

@@ -70,10 +70,14 @@ namespace apps
   std::string did_you_mean(const std::string &typed, const std::vector<std::string> &candidates)
   {
     const std::string name = nearest_name(typed, candidates);
-    if (!name.empty())
-      return "Did you mean \"" + name + "\"?";
-    if (candidates.empty() || candidates.size() > a_short_list)
-      return {};
+    return name.empty() ? std::string() : "Did you mean \"" + name + "\"?";
+  }
+
+  std::string did_you_mean_or_known(const std::string &typed, const std::vector<std::string> &candidates)
+  {
+    const std::string meant = did_you_mean(typed, candidates);
+    if (!meant.empty() || candidates.empty() || candidates.size() > a_short_list)
+      return meant;
     std::string all;
     for (const std::string &candidate : candidates)
       all += (all.empty() ? "Known: " : ", ") + candidate;

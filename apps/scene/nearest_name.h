@@ -17,6 +17,9 @@ namespace apps
    */
   std::string nearest_name(const std::string &typed, const std::vector<std::string> &candidates);
 
-  /** "Did you mean "X"?"; if none is like it "Known: X, Y.", or "" where these are too many to list. */
+  /** "Did you mean "X"?", or "" if none is like it. */
   std::string did_you_mean(const std::string &typed, const std::vector<std::string> &candidates);
+
+  /** The same, for messages without a list of their own: where none is like it "Known: X, Y.", or "" if these are too many. */
+  std::string did_you_mean_or_known(const std::string &typed, const std::vector<std::string> &candidates);
 } // namespace apps

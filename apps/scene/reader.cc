@@ -34,7 +34,7 @@ namespace apps
           if (!next)
             throw base::InputError(assignment.place.text() + ": section \"" +
                                    (section->path().empty() ? "" : section->path() + "/") + name + "\" is not known. " +
-                                   did_you_mean(name, section->section_names()));
+                                   did_you_mean_or_known(name, section->section_names()));
           section = next;
         }
       return *section;
@@ -50,10 +50,10 @@ namespace apps
       else if (!elsewhere.empty())
         message += "Did you mean \"" + elsewhere.front() + "\"?";
       else if (!section.entries().empty())
-        message += did_you_mean(assignment.entry, section.entry_names());
+        message += did_you_mean_or_known(assignment.entry, section.entry_names());
       else
-        message +=
-          "There is no entry" + inside(section) + ". " + did_you_mean(assignment.entry, section.section_names());
+        message += "There is no entry" + inside(section) + ". " +
+                   did_you_mean_or_known(assignment.entry, section.section_names());
       throw base::InputError(message);
     }
 
