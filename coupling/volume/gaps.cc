@@ -56,24 +56,30 @@ namespace coupling
         for (std::int64_t k = 0; k < 27; ++k)
           if (const auto box = boxes.find({at[0] + k % 3 - 1, at[1] + k / 3 % 3 - 1, at[2] + k / 9 - 1});
               box != boxes.end() && std::any_of(box->second.begin(), box->second.end(), [&](const std::size_t i) {
-                return (particles.centre[i] - place).norm() <= reach[i];
+                return away(i, place) <= reach[i];
               }))
             return true;
         return false;
       }
 
-      /** To the nearest centre [m]. */
+      /** To the nearest centre, as reach is measured [m]. */
       double distance(const Vector3d &place) const
       {
         double least = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < reach.size(); ++i)
           if (reach[i] > 0)
-            least = std::min(least, (particles.centre[i] - place).norm());
+            least = std::min(least, away(i, place));
         return least;
       }
 
     private:
       using Box = std::array<std::int64_t, 3>;
+
+      /** Along the axis on which it is furthest: in the corner of a box, particles end before its faces on three axes at once. */
+      double away(const std::size_t i, const Vector3d &place) const
+      {
+        return (particles.centre[i] - place).lpNorm<Eigen::Infinity>();
+      }
 
       Box box_of(const Vector3d &place) const
       {

@@ -32,6 +32,7 @@ namespace coupling
     , turns(solid_.options().large_displacement && parameters.method != VolumeMethod::multipliers)
     , predicted(solid_.make_vector())
   {
+    refuse_order_2_where_masses_are_negative();
     find_particles();
     share();
     if (own.method == VolumeMethod::multipliers)
@@ -44,6 +45,18 @@ namespace coupling
     if (own.absorbs)
       make_absorber();
     shared_bonds = count_shared_bonds().first;
+  }
+
+  template <int dim>
+  void VolumeCoupling<dim>::refuse_order_2_where_masses_are_negative() const
+  {
+    const bool by_rows = own.lumped || own.method != VolumeMethod::multipliers;
+    if (by_rows && solid.options().degree > 1)
+      throw base::InputError(
+        "Handshakes/" + own.name +
+        ": elements of order 2 have shape functions that are negative in places. Lumped ties divide by sums of "
+        "them, and slaved particles hand masses on by them, which are not positive then. Take Method = multipliers "
+        "with Ties = coarse or strict, or elements of order 1.");
   }
 
   namespace

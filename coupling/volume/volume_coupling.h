@@ -87,6 +87,7 @@ namespace coupling
     std::pair<std::size_t, std::size_t> count_shared_bonds() const;
 
     bool lies_in_solid(const Eigen::Vector3d &place) const;
+    void refuse_order_2_where_masses_are_negative() const;
     void find_particles();
     void share();
     void leave();

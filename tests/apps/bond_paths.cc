@@ -290,9 +290,13 @@ TEST_CASE("link-test bends a joint without bonds at no normal force until it sta
         for (std::size_t row = 0; row < out.rows(); ++row)
           {
             const double turn = out.column("bending_1")[row], gap = out.column("normal_displacement")[row];
+            INFO("row " << row << ", gap over R turn " << gap / (R * turn));
             // In space elements are closed or open by their centroids, inside the rim.
             REQUIRE(gap <= R * turn * (1 + 1e-12));
-            REQUIRE(gap >= (dimension == 2 ? 1 - 1e-4 : 0.6) * R * turn);
+            // Once its edge is clear, be it by rounding, the joint is gone, and nothing moves the pair any more.
+            const bool gone = row > 0 && gap == out.column("normal_displacement")[row - 1];
+            if (!gone)
+              REQUIRE(gap >= (dimension == 2 ? 1 - 1e-4 : 0.6) * R * turn);
             REQUIRE(std::abs(out.column("normal_force")[row]) < 1e-9 * k_n * R * turn * 2 * R);
           }
       }

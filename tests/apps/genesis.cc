@@ -271,7 +271,7 @@ TEST_CASE("A vessel too small for its sizes is refused with the smallest that wo
   CHECK_THAT(refused.err, Contains("0 whole particles of diameter 0.008 m are 0 of the solid and not 0.25") &&
                             Contains("Size tolerance is 0.05"));
   // One particle of 8 mm is 0.3 of the solid where that is pi/4 (8 mm)^2/0.3/0.85: 14.04 mm wide.
-  CHECK_THAT(refused.err, Contains("smallest vessel of this shape that would do is 0.01405, 0.01405 m"));
+  CHECK_THAT(refused.err, Contains("smallest vessel of this shape that would do is 0.01404, 0.01404 m"));
   const auto found = outcome_of(folder, "check", "mortar.prm", with({of + "Size=0.01405, 0.01405, 0"}));
   CHECK(found.status == 0);
   CHECK_THAT(found.out, Contains("sizes        0.008 m: 1, 0.3 of the solid for 0.25"));

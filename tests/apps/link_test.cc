@@ -95,7 +95,7 @@ TEST_CASE("link-test refuses a bad path or constant with its place", "[apps][S14
   const auto          refused = [&](const std::string &path, const std::string &message) {
     folder.file("path.csv", path);
     const Outcome outcome =
-      run(folder.path(), with_constants({"link-test", "--law", "CPM", "--path", "path.csv"}, "1.5", "1", "0"));
+      run(folder.path(), with_constants({"link-test", "--law", "CPM", "--path", "path.csv"}, "1.5", "1e4", "0"));
     CHECK(outcome.status == 2);
     CHECK_THAT(outcome.err, Contains(message));
     CHECK(outcome.out.empty());

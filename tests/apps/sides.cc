@@ -107,7 +107,7 @@ TEST_CASE("A side \"top\" that is not the upper side is refused where there is w
   CHECK(outcome_of(folder, "check", "held.prm", {"Gravity/Acceleration=0, 0, 0"}).status == 0);
   folder.file("along_y.prm", replaced(replaced(ball_on_block, "z min", "bottom"), "z max", "top"));
   CHECK(outcome_of(folder, "check", "along_y.prm", {"Gravity/Acceleration=0, -9.81, 0"}).status == 0);
-  is_refused(folder, "along_y.prm", {"Gravity/Acceleration=0, 9.81, 0"}, "or \"y min\" for the upper side");
+  is_refused(folder, "along_y.prm", {"Gravity/Acceleration=0, 9.81, 0"}, "or \"y max\" for the lower side");
 }
 
 TEST_CASE("check warns of a coupling that neither weight nor velocity leads its particles to", "[apps][coupled]")

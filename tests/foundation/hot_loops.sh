@@ -5,23 +5,45 @@
 #
 # A kernel is one straight line of arithmetic on registers. Where the compiler stops inlining half-way it passes packs through memory,
 # at a fraction of the speed, and nothing else tells of it. What may be called: branches that are kept out of the line on purpose
-# (BRECCIA_BRANCH, BRECCIA_RARE), and the runtime of OpenMP outside the loops.
+# (BRECCIA_BRANCH, BRECCIA_RARE), and outside the loops the runtime of OpenMP and what sets sums to zero.
 set -euo pipefail
 
 objdump=$1
 shift
 kernels='(link_update::update_block<|dem::.*particle_pass<|FrictionalAssembly::block_)'
-allowed='replace_large_rotations<|::damage_at<|advance_elements<|exact_rotation_coefficients|^(sin|cos|sincos)(@|-|\+|$)|omp_get_|GOMP_|__stack_chk_fail|update_block<'
+allowed='replace_large_rotations<|::damage_at<|advance_elements<|exact_rotation_coefficients|^(sin|cos|sincos)(@|-|\+|$)|omp_get_|GOMP_|__kmpc_|^memset|__stack_chk_fail|update_block<'
 
+# A call of a function that is local to its object is told as a place in its section: four bytes before its first one.
 "$objdump" --disassemble --reloc --demangle --no-show-raw-insn "$@" | awk -v kernels="$kernels" -v allowed="$allowed" '
-  /^[0-9a-f]+ <.*>:$/ { name = $0; sub(/^[0-9a-f]+ </, "", name); sub(/>:$/, "", name); inside = name ~ kernels; found += inside; next }
-  inside && /R_(X86_64|AARCH64)_/ && called { target = $0; sub(/^.*R_[A-Z0-9_]+[ \t]+/, "", target); check() }
-  inside { called = / (call|callq|bl)[ \t]/ }
-  function check() {
-    called = 0
-    if (target !~ allowed) { printf "%s\n  calls %s\n", name, target; bad = 1 }
+  function number(hex,   n, i) { for (i = 1; i <= length(hex); ++i) n = 16 * n + index("0123456789abcdef", substr(hex, i, 1)) - 1; return n }
+  function place(text,   sign) {
+    sub(/^[.]text/, "", text)
+    sign = substr(text, 1, 1) == "-" ? -1 : 1
+    sub(/^[-+]0x/, "", text)
+    return sign * number(text) + 4
   }
+  function check(kernel, target) { if (target !~ allowed) { printf "%s\n  calls %s\n", kernel, target; bad = 1 } }
+  function resolve(   k) {
+    for (k = 1; k <= waiting; ++k) check(caller[k], at_place[local_place[k]])
+    waiting = 0
+    split("", at_place)
+  }
+  /file format/ { resolve() }
+  /^Disassembly of section/ { section = $4 }
+  /^[0-9a-f]+ <.*>:$/ {
+    name = $0; sub(/^[0-9a-f]+ </, "", name); sub(/>:$/, "", name)
+    if (section == ".text:") at_place[number($1)] = name
+    inside = name ~ kernels; found += inside; next
+  }
+  inside && called && /R_(X86_64|AARCH64)_/ {
+    target = $0; sub(/^.*R_[A-Z0-9_]+[ \t]+/, "", target); called = 0
+    if (target ~ /^[.]text[-+]0x[0-9a-f]+$/) { caller[++waiting] = name; local_place[waiting] = place(target) }
+    else check(name, target)
+    next
+  }
+  inside { called = /[ \t](call|callq|bl)[ \t]/ }
   END {
+    resolve()
     if (!found) { print "no kernel found in the objects"; exit 2 }
     printf "%d kernels\n", found
     exit bad

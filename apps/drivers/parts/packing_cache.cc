@@ -35,7 +35,7 @@ namespace apps
                          p.low_pressure, p.time_step_factor, p.step_limit);
     }
 
-    /** An absolute path that a variable of the environment holds; others are to be passed over, says the specification. */
+    /** An absolute path that a variable of the environment holds; others are to be passed over, by the XDG rules for base folders. */
     fs::path folder_in(const char *variable)
     {
       const char *const value = std::getenv(variable);

@@ -39,7 +39,7 @@ namespace apps
   };
 
   /**
-   * The user's: breccia/packings in XDG_CACHE_HOME, or in .cache of HOME (XDG Base Directory Specification).
+   * The user's: breccia/packings in XDG_CACHE_HOME, or in .cache of HOME (the XDG rules for base folders).
    * @return nothing where neither is set to an absolute path, or after do_without_packing_cache().
    */
   std::optional<PackingCache> packing_cache();

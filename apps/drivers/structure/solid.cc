@@ -190,12 +190,12 @@ namespace apps
       /** A beam or a plate is seen from its side. */
       unsigned int thinnest_axis() const
       {
-        const auto   extent = fem::extent_of(solid->mesh());
-        unsigned int found  = dim - 1;
+        const auto   extent   = fem::extent_of(solid->mesh());
+        unsigned int thinnest = dim - 1;
         for (unsigned int c = dim - 1; c-- > 0;)
-          if (extent.high[c] - extent.low[c] < extent.high[found] - extent.low[found])
-            found = c;
-        return dim == 2 ? 2 : found;
+          if (extent.high[c] - extent.low[c] < extent.high[thinnest] - extent.low[thinnest])
+            thinnest = c;
+        return dim == 2 ? 2 : thinnest;
       }
 
       State state(const dem::LoadedMotion &motion) const
