@@ -204,7 +204,7 @@ TEST_CASE("Poured gravel that has come to rest weighs on slab and bin what it we
                 "Continuum/Mesh/Box/Divisions z=2", "Time/End time=2.5", "Time/Damping in time=t < 0.8 ? 0.2 : 0.5"});
   const double on_slab = found.series.column("slab_force_z").back(), on_bin = found.series.column("bin").back();
   CHECK(on_slab < -0.9 * weight);
-  CHECK(on_slab + on_bin == Approx(-weight).epsilon(1e-6));
+  CHECK(on_slab + on_bin == Approx(-weight).epsilon(1e-5)); // a grain or two still roll
   CHECK(found.summary["energy"]["balance_error"].get<double>() < 2e-3);
 }
 
