@@ -1,38 +1,11 @@
 #pragma once
 
-#include "dem/core/inline.h"
-#include "dem/core/multiply_add.h"
+#include "dem/core/mask.h"
 
 #include <cmath>
 #include <cstdint>
 #include <type_traits>
 #include <utility>
-
-#if defined(__SSE2__)
-#include <immintrin.h>
-#elif defined(__aarch64__)
-#include <arm_neon.h>
-#endif
-
-/** Bytes of the vectors that packs are made of: 64 (AVX-512), 32 (AVX) or 16 (SSE2, NEON). */
-#ifndef BRECCIA_VECTOR
-#if defined(__AVX512F__) && defined(__AVX512DQ__)
-#define BRECCIA_VECTOR 64
-#elif defined(__AVX__)
-#define BRECCIA_VECTOR 32
-#else
-#define BRECCIA_VECTOR 16
-#endif
-#endif
-#if BRECCIA_VECTOR != 64 && BRECCIA_VECTOR != 32 && BRECCIA_VECTOR != 16
-#error "BRECCIA_VECTOR is 64, 32 or 16 bytes"
-#elif BRECCIA_VECTOR == 64 && !(defined(__AVX512F__) && defined(__AVX512DQ__))
-#error "BRECCIA_VECTOR=64 needs AVX-512 F and DQ"
-#elif BRECCIA_VECTOR == 32 && !defined(__AVX__)
-#error "BRECCIA_VECTOR=32 needs AVX"
-#endif
-#define BRECCIA_JOIN_WORDS(a, b) a##b
-#define BRECCIA_JOIN(a, b) BRECCIA_JOIN_WORDS(a, b)
 
 /**
  * Eight doubles at a time, and the few functions that let one source serve a single number and a pack of eight.
@@ -46,100 +19,10 @@
  */
 namespace dem
 {
-  constexpr int vector_bytes = BRECCIA_VECTOR;
-  constexpr int pack_size    = 8;
+  constexpr int pack_size = 8;
 
-  // Code of different widths in one program are different functions.
-  inline namespace BRECCIA_JOIN(vectors_of_, BRECCIA_VECTOR)
+  inline namespace BRECCIA_VECTORS
   {
-    /** What a comparison of packs gives: all or no bits of each lane. */
-    template <typename Number, int n, bool native = sizeof(Number) * n <= vector_bytes>
-    struct MaskOf
-    {
-      using Half = MaskOf<Number, n / 2>;
-      Half low, high;
-
-      MaskOf() = default;
-      BRECCIA_KERNEL MaskOf(const Half &first, const Half &second)
-        : low(first)
-        , high(second)
-      {
-      }
-      BRECCIA_KERNEL explicit MaskOf(const bool all)
-        : low(all)
-        , high(all)
-      {
-      }
-      BRECCIA_KERNEL friend MaskOf operator&&(const MaskOf &a, const MaskOf &b)
-      {
-        return {a.low && b.low, a.high && b.high};
-      }
-      BRECCIA_KERNEL friend MaskOf operator||(const MaskOf &a, const MaskOf &b)
-      {
-        return {a.low || b.low, a.high || b.high};
-      }
-      BRECCIA_KERNEL friend MaskOf operator!(const MaskOf &a) { return {!a.low, !a.high}; }
-      BRECCIA_KERNEL friend bool   any(const MaskOf &a) { return any(a.low || a.high); }
-    };
-
-    template <typename Number, int n>
-    struct MaskOf<Number, n, true>
-    {
-      using Integer [[gnu::vector_size(sizeof(Number) * n)]] = std::conditional_t<sizeof(Number) == 8, long long, int>;
-      Integer v;
-
-      MaskOf() = default;
-      BRECCIA_KERNEL MaskOf(const Integer &lanes)
-        : v(lanes)
-      {
-      }
-      BRECCIA_KERNEL explicit MaskOf(const bool all)
-        : v(Integer{} - (all ? 1 : 0))
-      {
-      }
-      BRECCIA_KERNEL friend MaskOf operator&&(const MaskOf &a, const MaskOf &b) { return MaskOf(a.v & b.v); }
-      BRECCIA_KERNEL friend MaskOf operator||(const MaskOf &a, const MaskOf &b) { return MaskOf(a.v | b.v); }
-      BRECCIA_KERNEL friend MaskOf operator!(const MaskOf &a) { return MaskOf(~a.v); }
-      BRECCIA_KERNEL friend bool   any(const MaskOf &a)
-      {
-#if defined(__AVX__)
-        if constexpr (sizeof(Integer) == 32)
-          return _mm256_movemask_pd(reinterpret_cast<__m256d>(a.v)) != 0;
-#endif
-#if defined(__SSE2__)
-        if constexpr (sizeof(Integer) == 16)
-          return _mm_movemask_pd(reinterpret_cast<__m128d>(a.v)) != 0;
-#endif
-        bool found = false;
-        for (int lane = 0; lane < n; ++lane)
-          found = found || a.v[lane] != 0;
-        return found;
-      }
-    };
-
-#if BRECCIA_VECTOR == 64
-    /** AVX-512 has registers of bits for them. */
-    template <>
-    struct MaskOf<double, 8, true>
-    {
-      __mmask8 v;
-
-      MaskOf() = default;
-      BRECCIA_KERNEL MaskOf(const __mmask8 lanes)
-        : v(lanes)
-      {
-      }
-      BRECCIA_KERNEL explicit MaskOf(const bool all)
-        : v(all ? 0xff : 0)
-      {
-      }
-      BRECCIA_KERNEL friend MaskOf operator&&(const MaskOf &a, const MaskOf &b) { return _kand_mask8(a.v, b.v); }
-      BRECCIA_KERNEL friend MaskOf operator||(const MaskOf &a, const MaskOf &b) { return _kor_mask8(a.v, b.v); }
-      BRECCIA_KERNEL friend MaskOf operator!(const MaskOf &a) { return _knot_mask8(a.v); }
-      BRECCIA_KERNEL friend bool   any(const MaskOf &a) { return a.v != 0; }
-    };
-#endif
-
     /** n numbers, of two halves. */
     template <typename Number, int n, bool native = sizeof(Number) * n <= vector_bytes>
     struct PackOf
@@ -237,7 +120,7 @@ namespace dem
       BRECCIA_KERNEL friend PackOf power_of_two(const PackOf &k) { return {power_of_two(k.low), power_of_two(k.high)}; }
     };
 
-    /** n numbers in one vector of the processor; of one number, the end of halving. */
+    /** n numbers in one vector of the processor: the end of halving. */
     template <typename Number, int n>
     struct PackOf<Number, n, true>
     {
@@ -260,24 +143,9 @@ namespace dem
       {
         return Vector(*reinterpret_cast<const Unaligned *>(from));
       }
-      BRECCIA_KERNEL void store(Number *to) const { *reinterpret_cast<Vector *>(to) = v; }
-      BRECCIA_KERNEL void store_unaligned(Number *to) const { *reinterpret_cast<Unaligned *>(to) = v; }
-      BRECCIA_KERNEL void stream(Number *to) const
-      {
-#if BRECCIA_VECTOR == 64
-        if constexpr (sizeof(Vector) == 64)
-          return _mm512_stream_pd(to, v);
-#endif
-#if defined(__AVX__)
-        if constexpr (sizeof(Vector) == 32)
-          return _mm256_stream_pd(to, v);
-#endif
-#if defined(__SSE2__)
-        if constexpr (sizeof(Vector) == 16)
-          return _mm_stream_pd(to, v);
-#endif
-        store(to);
-      }
+      BRECCIA_KERNEL void   store(Number *to) const { *reinterpret_cast<Vector *>(to) = v; }
+      BRECCIA_KERNEL void   store_unaligned(Number *to) const { *reinterpret_cast<Unaligned *>(to) = v; }
+      BRECCIA_KERNEL void   stream(Number *to) const { native::stream(v, to); }
       BRECCIA_KERNEL Number operator[](const int lane) const { return v[lane]; }
 
       BRECCIA_KERNEL friend PackOf operator+(const PackOf &a, const PackOf &b) { return PackOf(a.v + b.v); }
@@ -285,137 +153,38 @@ namespace dem
       BRECCIA_KERNEL friend PackOf operator*(const PackOf &a, const PackOf &b) { return PackOf(a.v * b.v); }
       BRECCIA_KERNEL friend PackOf operator/(const PackOf &a, const PackOf &b) { return PackOf(a.v / b.v); }
       BRECCIA_KERNEL friend PackOf operator-(const PackOf &a) { return PackOf(-a.v); }
-      BRECCIA_KERNEL friend Mask   operator>(const PackOf &a, const PackOf &b)
-      {
-#if BRECCIA_VECTOR == 64
-        if constexpr (sizeof(Vector) == 64)
-          return _mm512_cmp_pd_mask(a.v, b.v, _CMP_GT_OQ);
-        else
-#endif
-          return Mask(a.v > b.v);
-      }
+      BRECCIA_KERNEL friend Mask operator>(const PackOf &a, const PackOf &b) { return Mask(native::greater(a.v, b.v)); }
       BRECCIA_KERNEL friend Mask operator>=(const PackOf &a, const PackOf &b)
       {
-#if BRECCIA_VECTOR == 64
-        if constexpr (sizeof(Vector) == 64)
-          return _mm512_cmp_pd_mask(a.v, b.v, _CMP_GE_OQ);
-        else
-#endif
-          return Mask(a.v >= b.v);
+        return Mask(native::not_less(a.v, b.v));
       }
       BRECCIA_KERNEL friend Mask operator<(const PackOf &a, const PackOf &b) { return b > a; }
       BRECCIA_KERNEL friend Mask operator<=(const PackOf &a, const PackOf &b) { return b >= a; }
 
       BRECCIA_KERNEL friend PackOf select(const Mask &mask, const PackOf &yes, const PackOf &no)
       {
-#if BRECCIA_VECTOR == 64
-        if constexpr (sizeof(Vector) == 64)
-          return PackOf(_mm512_mask_blend_pd(mask.v, no.v, yes.v));
-        else
-#endif
-          return PackOf(mask.v ? yes.v : no.v);
+        return PackOf(native::select(mask.v, yes.v, no.v));
       }
-      /** a > b ? a : b of each lane: the second one where either is not a number, as the scalar function. */
       BRECCIA_KERNEL friend PackOf maximum(const PackOf &a, const PackOf &b)
       {
-#if BRECCIA_VECTOR == 64
-        if constexpr (sizeof(Vector) == 64)
-          return PackOf(_mm512_max_pd(a.v, b.v));
-#endif
-#if defined(__AVX__)
-        if constexpr (sizeof(Vector) == 32)
-          return PackOf(_mm256_max_pd(a.v, b.v));
-#endif
-#if defined(__SSE2__)
-        if constexpr (sizeof(Vector) == 16)
-          return PackOf(_mm_max_pd(a.v, b.v));
-#endif
-        return select(a > b, a, b);
+        return PackOf(native::maximum(a.v, b.v));
       }
       BRECCIA_KERNEL friend PackOf minimum(const PackOf &a, const PackOf &b)
       {
-#if BRECCIA_VECTOR == 64
-        if constexpr (sizeof(Vector) == 64)
-          return PackOf(_mm512_min_pd(a.v, b.v));
-#endif
-#if defined(__AVX__)
-        if constexpr (sizeof(Vector) == 32)
-          return PackOf(_mm256_min_pd(a.v, b.v));
-#endif
-#if defined(__SSE2__)
-        if constexpr (sizeof(Vector) == 16)
-          return PackOf(_mm_min_pd(a.v, b.v));
-#endif
-        return select(a < b, a, b);
+        return PackOf(native::minimum(a.v, b.v));
       }
-      BRECCIA_KERNEL friend PackOf square_root(const PackOf &a)
-      {
-#if BRECCIA_VECTOR == 64
-        if constexpr (sizeof(Vector) == 64)
-          return PackOf(_mm512_sqrt_pd(a.v));
-#endif
-#if defined(__AVX__)
-        if constexpr (sizeof(Vector) == 32)
-          return PackOf(_mm256_sqrt_pd(a.v));
-#endif
-#if defined(__SSE2__)
-        if constexpr (sizeof(Vector) == 16)
-          return PackOf(_mm_sqrt_pd(a.v));
-#elif defined(__aarch64__)
-        if constexpr (sizeof(Vector) == 16)
-          return PackOf(reinterpret_cast<Vector>(vsqrtq_f64(reinterpret_cast<float64x2_t>(a.v))));
-#endif
-        Vector roots;
-        for (int lane = 0; lane < n; ++lane)
-          roots[lane] = std::sqrt(a.v[lane]);
-        return PackOf(roots);
-      }
+      BRECCIA_KERNEL friend PackOf square_root(const PackOf &a) { return PackOf(native::square_root(a.v)); }
       BRECCIA_KERNEL friend PackOf multiply_add(const PackOf &a, const PackOf &b, const PackOf &c)
       {
-#if BRECCIA_VECTOR == 64
-        if constexpr (sizeof(Vector) == 64)
-          return PackOf(_mm512_fmadd_pd(a.v, b.v, c.v));
-#endif
-#if defined(__FMA__)
-        if constexpr (sizeof(Vector) == 32)
-          return PackOf(_mm256_fmadd_pd(a.v, b.v, c.v));
-        if constexpr (sizeof(Vector) == 16)
-          return PackOf(_mm_fmadd_pd(a.v, b.v, c.v));
-#elif defined(__aarch64__)
-        if constexpr (sizeof(Vector) == 16)
-          return PackOf(
-            reinterpret_cast<Vector>(vfmaq_f64(reinterpret_cast<float64x2_t>(c.v), reinterpret_cast<float64x2_t>(a.v),
-                                               reinterpret_cast<float64x2_t>(b.v))));
-#endif
-        return PackOf(multiply_add_in_parts(a.v, b.v, c.v));
+        return PackOf(native::multiply_add(a.v, b.v, c.v));
       }
       BRECCIA_KERNEL friend PackOf multiply_subtract(const PackOf &a, const PackOf &b, const PackOf &c)
       {
-#if BRECCIA_VECTOR == 64
-        if constexpr (sizeof(Vector) == 64)
-          return PackOf(_mm512_fmsub_pd(a.v, b.v, c.v));
-#endif
-#if defined(__FMA__)
-        if constexpr (sizeof(Vector) == 32)
-          return PackOf(_mm256_fmsub_pd(a.v, b.v, c.v));
-        if constexpr (sizeof(Vector) == 16)
-          return PackOf(_mm_fmsub_pd(a.v, b.v, c.v));
-#endif
-        return multiply_add(a, b, -c);
+        return PackOf(native::multiply_subtract(a.v, b.v, c.v));
       }
       BRECCIA_KERNEL friend PackOf negative_multiply_add(const PackOf &a, const PackOf &b, const PackOf &c)
       {
-#if BRECCIA_VECTOR == 64
-        if constexpr (sizeof(Vector) == 64)
-          return PackOf(_mm512_fnmadd_pd(a.v, b.v, c.v));
-#endif
-#if defined(__FMA__)
-        if constexpr (sizeof(Vector) == 32)
-          return PackOf(_mm256_fnmadd_pd(a.v, b.v, c.v));
-        if constexpr (sizeof(Vector) == 16)
-          return PackOf(_mm_fnmadd_pd(a.v, b.v, c.v));
-#endif
-        return multiply_add(-a, b, c);
+        return PackOf(native::negative_multiply_add(a.v, b.v, c.v));
       }
       /** See power_of_two(double) in dem/core/exponential.h. */
       BRECCIA_KERNEL friend PackOf power_of_two(const PackOf &k)
@@ -440,6 +209,7 @@ namespace dem
     {
       return a = a * b;
     }
+
     using Pack     = PackOf<double, pack_size>;
     using PackMask = Pack::Mask;
 
@@ -452,7 +222,7 @@ namespace dem
     Pack multiply_add(const Pack &a, const Pack &b, const Pack &c);
     Pack multiply_subtract(const Pack &a, const Pack &b, const Pack &c);
     Pack negative_multiply_add(const Pack &a, const Pack &b, const Pack &c);
-  } // namespace BRECCIA_JOIN(vectors_of_, BRECCIA_VECTOR)
+  } // namespace BRECCIA_VECTORS
 
   /** Four doubles: a record with room for one vector. */
   constexpr int half_record_size = pack_size / 2;

@@ -1,10 +1,7 @@
 #include "dem/laws/contact_bond.h"
 
-#include "base/errors.h"
 #include "dem/kernels/link_update.h"
-
-#include <cmath>
-#include <sstream>
+#include "dem/laws/requirements.h"
 
 namespace dem
 {
@@ -13,20 +10,7 @@ namespace dem
     /** Of the modulus: stresses below are rounding, and break nothing that has no strength. */
     constexpr double no_stress = 1e-12;
 
-    void require(const bool fulfilled, const char *entry, const double value, const char *rule)
-    {
-      if (fulfilled && std::isfinite(value))
-        return;
-      std::ostringstream message;
-      message << "contact-bond/" << entry << " = " << value << ": " << rule;
-      throw base::InputError(message.str());
-    }
-
-    void require_strength(const char *entry, const double value)
-    {
-      if (!(value >= 0)) // without a limit nothing breaks
-        require(false, entry, value, "must not be negative.");
-    }
+    constexpr Requirements require("contact-bond");
   } // namespace
 
   ContactBondConstants::ContactBondConstants(const ContactBondParameters &p)
@@ -34,8 +18,8 @@ namespace dem
     require(p.effective_modulus > 0, "Effective modulus", p.effective_modulus, "must be above 0 Pa.");
     require(p.stiffness_ratio > 0, "Stiffness ratio", p.stiffness_ratio, "must be above 0.");
     require(p.friction_coefficient >= 0, "Friction coefficient", p.friction_coefficient, "must not be negative.");
-    require_strength("Tensile strength", p.tensile_strength);
-    require_strength("Cohesion", p.cohesion);
+    require.strength("Tensile strength", p.tensile_strength);
+    require.strength("Cohesion", p.cohesion);
     normal           = p.effective_modulus;
     shear            = p.effective_modulus / p.stiffness_ratio;
     friction         = p.friction_coefficient;

@@ -3,23 +3,16 @@
 #include "base/errors.h"
 #include "dem/kernels/first_order_shear.h"
 #include "dem/laws/cpm_links.h"
+#include "dem/laws/requirements.h"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace dem
 {
   namespace
   {
-    void require(const bool fulfilled, const char *entry, const double value, const char *rule)
-    {
-      if (fulfilled && std::isfinite(value))
-        return;
-      std::ostringstream message;
-      message << "CPM/" << entry << " = " << value << ": " << rule;
-      throw base::InputError(message.str());
-    }
+    constexpr Requirements require("CPM");
 
     void check(const CpmParameters &p)
     {

@@ -3,9 +3,9 @@
 #include "base/errors.h"
 #include "dem/core/uniform_random.h"
 #include "dem/laws/flat_joint_update.h"
+#include "dem/laws/requirements.h"
 
 #include <cmath>
-#include <sstream>
 
 namespace dem
 {
@@ -18,20 +18,7 @@ namespace dem
     /** A strength is reached this much below it: a path that ends on it breaks. */
     constexpr double reached = 1 - 1e-12;
 
-    void require(const bool fulfilled, const char *entry, const double value, const char *rule)
-    {
-      if (fulfilled && std::isfinite(value))
-        return;
-      std::ostringstream message;
-      message << "flat-joint/" << entry << " = " << value << ": " << rule;
-      throw base::InputError(message.str());
-    }
-
-    void require_strength(const char *entry, const double value)
-    {
-      if (!(value >= 0)) // without a limit nothing breaks
-        require(false, entry, value, "must not be negative.");
-    }
+    constexpr Requirements require("flat-joint");
 
     bool whole_number(const double value, const double lower, const double upper)
     {
@@ -43,8 +30,8 @@ namespace dem
       require(p.effective_modulus > 0, "Effective modulus", p.effective_modulus, "must be above 0 Pa.");
       require(p.stiffness_ratio > 0, "Stiffness ratio", p.stiffness_ratio, "must be above 0.");
       require(p.friction_coefficient >= 0, "Friction coefficient", p.friction_coefficient, "must not be negative.");
-      require_strength("Tensile strength", p.tensile_strength);
-      require_strength("Cohesion", p.cohesion);
+      require.strength("Tensile strength", p.tensile_strength);
+      require.strength("Cohesion", p.cohesion);
       require(p.friction_angle >= 0 && p.friction_angle < 90, "Friction angle", p.friction_angle,
               "must lie in [0, 90) degrees.");
       require(p.radius_multiplier > 0, "Radius multiplier", p.radius_multiplier, "must be above 0.");

@@ -2,22 +2,13 @@
 
 #include "base/errors.h"
 #include "dem/kernels/link_update.h"
-
-#include <cmath>
-#include <sstream>
+#include "dem/laws/requirements.h"
 
 namespace dem
 {
   namespace
   {
-    void require(const bool fulfilled, const char *entry, const double value, const char *rule)
-    {
-      if (fulfilled && std::isfinite(value))
-        return;
-      std::ostringstream message;
-      message << "linear/" << entry << " = " << value << ": " << rule;
-      throw base::InputError(message.str());
-    }
+    constexpr Requirements require("linear");
   } // namespace
 
   LinearContactConstants::LinearContactConstants(const LinearContactParameters &p)

@@ -1,10 +1,9 @@
 #include "dem/laws/parallel_bond.h"
 
-#include "base/errors.h"
 #include "dem/kernels/link_update.h"
+#include "dem/laws/requirements.h"
 
 #include <cmath>
-#include <sstream>
 
 namespace dem
 {
@@ -15,20 +14,7 @@ namespace dem
     /** Of the modulus: stresses below are rounding, and break nothing that has no strength. */
     constexpr double no_stress = 1e-12;
 
-    void require(const bool fulfilled, const char *entry, const double value, const char *rule)
-    {
-      if (fulfilled && std::isfinite(value))
-        return;
-      std::ostringstream message;
-      message << "parallel-bond/" << entry << " = " << value << ": " << rule;
-      throw base::InputError(message.str());
-    }
-
-    void require_strength(const char *entry, const double value)
-    {
-      if (!(value >= 0)) // without a limit nothing breaks
-        require(false, entry, value, "must not be negative.");
-    }
+    constexpr Requirements require("parallel-bond");
 
     void check(const ParallelBondParameters &p)
     {
@@ -39,8 +25,8 @@ namespace dem
               "must not be negative; 0 stands for that of the contact.");
       require(p.bond_stiffness_ratio >= 0, "Bond stiffness ratio", p.bond_stiffness_ratio,
               "must not be negative; 0 stands for that of the contact.");
-      require_strength("Tensile strength", p.tensile_strength);
-      require_strength("Cohesion", p.cohesion);
+      require.strength("Tensile strength", p.tensile_strength);
+      require.strength("Cohesion", p.cohesion);
       require(p.friction_angle >= 0 && p.friction_angle < 90, "Friction angle", p.friction_angle,
               "must lie in [0, 90) degrees.");
       require(p.radius_multiplier > 0, "Radius multiplier", p.radius_multiplier, "must be above 0.");

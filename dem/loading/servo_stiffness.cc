@@ -1,5 +1,6 @@
 #include "dem/loading/servo_stiffness.h"
 
+#include "dem/core/symmetric_modes.h"
 #include "dem/specimen/specimen.h"
 
 #include <Eigen/Dense>
@@ -24,19 +25,16 @@ namespace dem
     bool resists_every_strain(const base::Matrix6 &stiffness, const std::vector<int> &there)
     {
       constexpr double      least = 1e-3; // of the largest
-      const Eigen::MatrixXd part  = stiffness(there, there);
-      const Eigen::VectorXd modes = part.selfadjointView<Eigen::Lower>().eigenvalues();
+      const Eigen::VectorXd modes = symmetric_modes(stiffness(there, there)).values;
       return modes.minCoeff() > least * modes.maxCoeff();
     }
 
     /** The same with no direction softer than a modulus. */
     base::Matrix6 at_least(const double modulus, const base::Matrix6 &stiffness, const std::vector<int> &there)
     {
-      const Eigen::MatrixXd                                part = stiffness(there, there);
-      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(part);
-      const Eigen::MatrixXd                               &directions = modes.eigenvectors();
-      base::Matrix6                                        result     = base::Matrix6::Zero();
-      result(there, there) = directions * modes.eigenvalues().cwiseMax(modulus).asDiagonal() * directions.transpose();
+      const SymmetricModes modes  = symmetric_modes(stiffness(there, there));
+      base::Matrix6        result = base::Matrix6::Zero();
+      result(there, there) = modes.vectors * modes.values.cwiseMax(modulus).asDiagonal() * modes.vectors.transpose();
       return result;
     }
 

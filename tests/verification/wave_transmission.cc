@@ -493,19 +493,26 @@ TEST_CASE("wave transmission: waves that come at an angle pass where elements ca
 TEST_CASE("wave transmission: in a bar of spheres without order little comes back, and long waves pass",
           "[verification][volume][slow]")
 {
+  constexpr std::int64_t bars = 3; // of the same kind, of which each sends another part back
   for (const double wavelength : {8.0, 16.0, 24.0})
     {
+      double reflected = 0;
+      for (std::int64_t bar = 1; bar <= bars; ++bar)
+        {
+          INFO(wavelength << " diameters, bar " << bar);
+          apps::WaveCase wave = chain("absorber", wavelength);
+          wave.medium.lattice = apps::WaveMedium::Lattice::bar;
+          wave.medium.seed    = bar;
+          wave.element        = 4;
+          const auto answer   = apps::transmit(wave);
+          reflected += answer.reflected / bars;
+          CHECK(answer.left_behind <= answer.left_behind_alone + 0.005);
+          if (wavelength >= 24)
+            CHECK(answer.transmitted >= 0.95 * answer.unhindered);
+        }
       INFO(wavelength << " diameters");
-      apps::WaveCase wave = chain("absorber", wavelength);
-      wave.medium.lattice = apps::WaveMedium::Lattice::bar;
-      wave.element        = 4;
-      const auto answer   = apps::transmit(wave);
       // Particles without order scatter short waves themselves: what is beyond the overlap sends some back too, and then does not.
-      // Bars differ: 0.026 to 0.033 came back at 16 diameters from two of the same kind.
       if (wavelength >= 16)
-        CHECK(answer.reflected <= (wavelength < 24 ? 0.04 : 0.03));
-      CHECK(answer.left_behind <= answer.left_behind_alone + 0.005);
-      if (wavelength >= 24)
-        CHECK(answer.transmitted >= 0.95 * answer.unhindered);
+        CHECK(reflected <= 0.03);
     }
 }
