@@ -101,9 +101,8 @@ namespace dem
     /** The tangential plane: its sides as nearly along the axes as the surface lets them be; in the plane z is one of them. */
     struct Tangents
     {
-      Tangents(const Vector3d &origin_, const Vector3d &across_, const bool in_the_plane)
+      Tangents(const Vector3d &origin_, const Vector3d &across, const bool in_the_plane)
         : origin(origin_)
-        , across(across_)
       {
         Eigen::Index least = 0;
         across.cwiseAbs().minCoeff(&least);
@@ -113,7 +112,7 @@ namespace dem
       }
       Point of(const Vector3d &x) const { return {first.dot(x - origin), second.dot(x - origin)}; }
 
-      Vector3d origin, across, first, second;
+      Vector3d origin, first, second;
     };
 
     /** A facet seen in the tangential plane. In the plane segments become strips as wide as the sphere. */
@@ -148,18 +147,6 @@ namespace dem
       {
         const Vector3d edge = x[1] - x[0];
         return (corners == 3 ? edge.cross(Vector3d(x[2] - x[0])) : Vector3d(-edge.y(), edge.x(), 0)).normalized();
-      }
-
-      /** Rise above the tangential plane along its two axes. */
-      Point slope(const Tangents &tangents) const
-      {
-        const auto height = [&](const std::size_t c) { return tangents.across.dot(x[c] - tangents.origin); };
-        if (corners == 2)
-          return {(height(1) - height(0)) / (corner[1].x() - corner[0].x()), 0};
-        const Point  one = corner[1] - corner[0], other = corner[2] - corner[0];
-        const double rise = height(1) - height(0), rise_of_other = height(2) - height(0);
-        return Point(rise * other.y() - rise_of_other * one.y(), rise_of_other * one.x() - rise * other.x()) /
-               (2 * size);
       }
 
       /** Shape functions there. */
@@ -225,14 +212,17 @@ namespace dem
     }
 
     /** Whatever bounds a cell of this size, the nearest first: others in the ratio of the radii. */
-    std::vector<Bound> bounds_of(const std::vector<StandingSphere> &spheres, const Tangents &tangents, const double out)
+    std::vector<Bound> bounds_of(const std::vector<StandingSphere> &spheres,
+                                 const ContactZone                 &zone,
+                                 const Tangents                    &tangents,
+                                 const double                       out)
     {
       std::vector<Bound>    found;
       const StandingSphere &own = spheres.front();
       for (std::size_t k = 1; k < spheres.size(); ++k)
         {
           const StandingSphere &other  = spheres[k];
-          const double          stands = standing(own, other, tangents.across.dot(tangents.origin - other.centre));
+          const double          stands = standing(own, other, zone.direction.dot(zone.place - other.centre));
           const Point           there  = tangents.of(other.centre);
           const double          apart = there.norm(), between = apart * own.radius / (own.radius + other.radius);
           if (stands > 0 && between > 0 && between < out)
@@ -256,10 +246,13 @@ namespace dem
     }
 
     /** As symmetric about the contact as a layer is about each of its spheres. */
-    Polygon cell_of(const std::vector<StandingSphere> &spheres, const Tangents &tangents, const bool in_the_plane)
+    Polygon cell_of(const std::vector<StandingSphere> &spheres,
+                    const ContactZone                 &zone,
+                    const Tangents                    &tangents,
+                    const bool                         in_the_plane)
     {
       const double             radius = spheres.front().radius, diagonal = widest_cell * radius;
-      const std::vector<Bound> bounds  = bounds_of(spheres, tangents, widest_corner * radius);
+      const std::vector<Bound> bounds  = bounds_of(spheres, zone, tangents, widest_corner * radius);
       double                   crowded = 0;
       for (const Bound &each : bounds)
         crowded += each.crowds;
@@ -323,33 +316,32 @@ namespace dem
     {
       Ground(const FacetMesh                   &mesh_,
              const std::vector<Vector3d>       &place_,
-             const std::vector<StandingSphere> &spheres,
-             const Tangents                    &tangents_,
-             const std::int32_t                 deepest_)
+             const ContactZone                 &zone_,
+             const std::vector<StandingSphere> &spheres)
         : mesh(mesh_)
         , place(place_)
-        , tangents(tangents_)
-        , deepest(deepest_)
+        , zone(zone_)
+        , tangents(zone_.place, zone_.direction, mesh_.corners == 2)
         , half(spheres.front().radius)
-        , cell(cell_of(spheres, tangents, mesh_.corners == 2))
+        , cell(cell_of(spheres, zone, tangents, mesh_.corners == 2))
       {
       }
       Facet  facet(const std::int32_t number) const { return {mesh, place, number, tangents, half}; }
-      double share(const Facet &of) const { return share_of(of, tangents.across); }
+      double share(const Facet &of) const { return share_of(of, zone.direction); }
       double square() const { return 4 * half * half; } ///< around the sphere [m^2]
 
       const FacetMesh             &mesh;
       const std::vector<Vector3d> &place;
+      const ContactZone           &zone;
       Tangents                     tangents;
-      std::int32_t                 deepest; ///< facet
       double                       half;
       Polygon                      cell;
     };
 
-    bool stands_on_one(const Ground &ground, const ContactZone &zone)
+    bool stands_on_one(const Ground &ground)
     {
-      const Facet deepest = ground.facet(ground.deepest);
-      return zone.parts.size() == 1 && ground.share(deepest) == 1 && holds(deepest, ground.cell);
+      const Facet deepest = ground.facet(ground.zone.facet);
+      return ground.zone.parts.size() == 1 && ground.share(deepest) == 1 && holds(deepest, ground.cell);
     }
 
     /**
@@ -360,7 +352,7 @@ namespace dem
     std::vector<Covered> covered(const Ground &ground, const EachAround &each_around)
     {
       std::vector<Covered>      under;
-      std::vector<std::int32_t> seen{ground.deepest}, open{ground.deepest};
+      std::vector<std::int32_t> seen{ground.zone.facet}, open{ground.zone.facet};
       while (!open.empty())
         {
           const Facet facet = ground.facet(open.back());
@@ -372,7 +364,7 @@ namespace dem
           const Area inside = share > 0 ? area_of(part) : Area();
           if (inside.size > 0)
             under.push_back({facet, part, share, inside});
-          else if (facet.number != ground.deepest)
+          else if (facet.number != ground.zone.facet)
             continue;
           each_around(facet.number, [&](const std::int32_t other) {
             const auto at = std::lower_bound(seen.begin(), seen.end(), other);
@@ -404,68 +396,6 @@ namespace dem
         each.counted = {};
       count_symmetric(under);
       return counted_area(under);
-    }
-
-    /** What counts of a cell, and the mean surface over it. */
-    struct Stand
-    {
-      Tangents             tangents;
-      std::vector<Covered> under;
-      double               area = 0; ///< that counts [m^2]
-      double               flat =
-        0; ///< how far the cell is whole and flat in the undeformed surface: less than nine tenths count as not
-      Point slope = Point::Zero(); ///< of the mean surface to the tangential plane
-    };
-
-    bool was_even_with(const FacetMesh &mesh, const std::int32_t one, const std::int32_t other)
-    {
-      constexpr double rounding_of_meshes = 1e-6;
-      const auto       normal             = [&mesh](const std::int32_t facet) {
-        const auto    &corner = mesh.facet[static_cast<std::size_t>(facet)];
-        const auto     at = [&](const std::size_t c) { return mesh.vertex[static_cast<std::size_t>(corner[c])]; };
-        const Vector3d edge = at(1) - at(0);
-        return Vector3d(
-                            (mesh.corners == 3 ? edge.cross(Vector3d(at(2) - at(0))) : Vector3d(-edge.y(), edge.x(), 0)).normalized());
-      };
-      return normal(one).cross(normal(other)).norm() < rounding_of_meshes;
-    }
-
-    template <typename EachAround>
-    Stand stand_on(const Ground &ground, const EachAround &each_around)
-    {
-      Stand        stand{ground.tangents, covered(ground, each_around), 0, 0, Point::Zero()};
-      const double whole = area_of(ground.cell).size;
-      stand.area         = count(stand.under, whole);
-      double even        = 0;
-      for (const Covered &each : stand.under)
-        if (each.counted.size > 0)
-          {
-            stand.slope += each.counted.size / stand.area * each.facet.slope(ground.tangents);
-            if (each.share == 1 && was_even_with(ground.mesh, each.facet.number, ground.deepest))
-              even += each.counted.size;
-          }
-      stand.flat = even >= (1 - rounding) * whole ? 1.0 : faded(even / whole, 1, 0.9);
-      return stand;
-    }
-
-    /**
-     * Where the mean surface is nearest, it is at right angles to the way there, and a contact that slides over its own dent does no
-     * work (doc/theory/facets.md, 7). Each turn leaves of the slope what the dent is deep over the radius.
-     * @param stand across the point of the contact; then across that direction, where the surface was flat @return the direction
-     */
-    template <typename StandAcross>
-    Vector3d direction_of_mean(Stand &stand, const StandAcross &stand_across)
-    {
-      constexpr double level  = 1e-6;
-      constexpr int    most   = 6;
-      Vector3d         across = stand.tangents.across;
-      for (int n = 0; n < most && stand.flat > 0 && stand.slope.norm() > level; ++n)
-        {
-          across =
-            (across - stand.slope.x() * stand.tangents.first - stand.slope.y() * stand.tangents.second).normalized();
-          stand = stand_across(across);
-        }
-      return across;
     }
 
     /** Axes that turn with a facet. */
@@ -556,45 +486,31 @@ namespace dem
                          const std::vector<Vector3d>       &place,
                          const ContactZone                 &zone,
                          const std::vector<StandingSphere> &spheres,
-                         const double                       reaches,
                          SpreadContact                     &found) const
   {
-    const auto each_around = [&](const std::int32_t facet, const auto &use) {
+    const Ground ground(mesh, place, zone, spheres);
+    if (stands_on_one(ground))
+      return false;
+    std::vector<Covered> under = covered(ground, [&](const std::int32_t facet, const auto &use) {
       for (std::size_t c = 0; c < static_cast<std::size_t>(mesh.corners); ++c)
         {
           const auto vertex = static_cast<std::size_t>(mesh.facet[static_cast<std::size_t>(facet)][c]);
           for (std::size_t k = from[vertex]; k < from[vertex + 1]; ++k)
             use(around[k]);
         }
-    };
-    const auto ground_across = [&](const Vector3d &direction) {
-      const Vector3d &centre = spheres.front().centre;
-      const Vector3d  origin =
-        direction == zone.direction ? zone.place : Vector3d(centre + (zone.place - centre).norm() * direction);
-      return Ground(mesh, place, spheres, {origin, direction, mesh.corners == 2}, zone.facet);
-    };
-    const Ground first = ground_across(zone.direction);
-    if (stands_on_one(first, zone))
-      return false;
-    Stand          stand   = stand_on(first, each_around);
-    const double   flat    = stand.flat;
-    const Vector3d nearest = direction_of_mean(
-      stand, [&](const Vector3d &direction) { return stand_on(ground_across(direction), each_around); });
-    if (flat > 0 && flat < 1)
-      stand = stand_on(ground_across(((1 - flat) * zone.direction + flat * nearest).normalized()), each_around);
-    const Vector3d &across = stand.tangents.across;
+    });
+    const double area = count(under, area_of(ground.cell).size),
+                 spread        = std::min(area / (smallest_part * ground.square()), 1.0);
     found.weights.clear();
-    const double spread = std::min(stand.area / (smallest_part * first.square()), 1.0);
-    add_spread(found.weights, mesh, stand.under, spread, stand.area);
+    add_spread(found.weights, mesh, under, spread, area);
     const Vector3d point_then = add_point(found.weights, mesh, zone, spread);
     found.place               = mean(found.weights, place);
     // Heights of the mean surface above the point of the contact: what it was in the undeformed surface is its shape.
     const Vector3d mean_then = mean(found.weights, mesh.vertex);
     const Vector3d across_then =
-      axes_of(mesh, mesh.vertex, zone.facet) * axes_of(mesh, place, zone.facet).transpose() * across;
-    const double shaped = zone.overlap - across.dot(found.place - zone.place) + across_then.dot(mean_then - point_then),
-                 even   = reaches - across.dot(found.place - spheres.front().centre);
-    found.overlap       = flat * even + (1 - flat) * shaped;
+      axes_of(mesh, mesh.vertex, zone.facet) * axes_of(mesh, place, zone.facet).transpose() * zone.direction;
+    found.overlap =
+      zone.overlap - zone.direction.dot(found.place - zone.place) + across_then.dot(mean_then - point_then);
     return true;
   }
 } // namespace dem

@@ -51,14 +51,13 @@ namespace dem
 
     /**
      * @param mesh that it was made from @param place of the vertices now @param spheres first the one that touches in the zone, then
-     * those that may stand beside it @param reaches where its overlap begins, from its centre [m] @param found its room is used again
+     * those that may stand beside it @param found its room is used again
      * @return false where all of the cell lies in one facet: then the contact is what it was
      */
     bool spread(const FacetMesh                    &mesh,
                 const std::vector<Eigen::Vector3d> &place,
                 const ContactZone                  &zone,
                 const std::vector<StandingSphere>  &spheres,
-                double                              reaches,
                 SpreadContact                      &found) const;
 
   private:

@@ -280,8 +280,8 @@ namespace dem
       {
         zone.overlap -= look - radius + block.room->cut;
         const bool spread =
-          surface.footprint.given() && surface.footprint.spread(surface.mesh, surface.place, zone, block.room->standing,
-                                                                radius - block.room->cut, block.room->spread);
+          surface.footprint.given() &&
+          surface.footprint.spread(surface.mesh, surface.place, zone, block.room->standing, block.room->spread);
         if (spread)
           {
             zone.overlap   = block.room->spread.overlap;
