@@ -63,7 +63,7 @@ target_compile_options(breccia_native INTERFACE -fno-math-errno)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   # GCC before 13 takes the deliberately undefined operands of its own AVX-512 header for a mistake, thousands of times
   # (its bug 105593).
-  target_compile_options(breccia_native INTERFACE -Wno-maybe-uninitialized)
+  target_compile_options(breccia_native INTERFACE -Wno-maybe-uninitialized -Wno-uninitialized)
 endif()
 if(BRECCIA_VECTOR)
   # Every width on any machine: the instructions that all processors with such vectors have.
