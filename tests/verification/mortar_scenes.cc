@@ -10,21 +10,30 @@ TEST_CASE("Mortars of one to four sizes with the published constants have the pu
   {
     const char              *scene;
     std::vector<std::string> changes;
+    int                      packings; // strengths are means over them
   };
-  // The last with the modulus that is called that of joints, and settled with friction.
-  for (Case one :
-       {Case{"mortar_one", {}}, Case{"mortar_two", {}}, Case{"mortar_three", {}}, Case{"mortar_four", {}},
+  // The last with the modulus that is called that of joints, and settled with friction, where packings scatter most: +1 to +20 %.
+  for (const Case &one :
+       {Case{"mortar_one", {}, 1}, Case{"mortar_two", {}, 1}, Case{"mortar_three", {}, 1}, Case{"mortar_four", {}, 1},
         Case{"mortar_window",
-             {"Material/flat-joint/Effective modulus=10.38e9", "Specimen/Genesis/Friction coefficient=0.1"}}})
+             {"Material/flat-joint/Effective modulus=10.38e9", "Specimen/Genesis/Friction coefficient=0.1"},
+             3}})
     {
       INFO(one.scene);
-      one.changes.emplace_back("Specimen/Genesis/Size=0.05, 0.10, 0");
-      const SceneResults found = results_of(one.scene, one.changes);
-      const auto        &test  = found.summary["figures"]["laboratory"];
-      // One packing: five seeds of four sizes lie 8 to 16 % above what is published (doc/tutorials/mortar.md).
-      CHECK(test["compressive_strength"]["value"].get<double>() == Approx(2.75e6).epsilon(0.25));
-      CHECK(test["young_modulus"]["value"].get<double>() == Approx(7.994e9).epsilon(0.15));
-      CHECK(found.summary["energy"]["balance_error"].get<double>() < 1e-3);
+      double strength = 0, modulus = 0;
+      for (int seed = 1; seed <= one.packings; ++seed)
+        {
+          std::vector<std::string> changes = one.changes;
+          changes.emplace_back("Specimen/Genesis/Size=0.05, 0.10, 0");
+          changes.emplace_back("Specimen/Genesis/Seed=" + std::to_string(seed));
+          const SceneResults found = results_of(one.scene, changes);
+          const auto        &test  = found.summary["figures"]["laboratory"];
+          strength += test["compressive_strength"]["value"].get<double>() / one.packings;
+          modulus += test["young_modulus"]["value"].get<double>() / one.packings;
+          CHECK(found.summary["energy"]["balance_error"].get<double>() < 1e-3);
+        }
+      CHECK(strength == Approx(2.75e6).epsilon(0.15));
+      CHECK(modulus == Approx(7.994e9).epsilon(0.15));
     }
 }
 
