@@ -65,20 +65,9 @@ namespace
     return {mortar, mortar_ratio, zone, zone_ratio};
   }
 
-  /**
-   * Found is in proportion to published, and grows with it wherever that does by more than a twentieth. The factor is the one packing's:
-   * strengths of packings of this size scatter by 6 % (nine seeds).
-   */
-  void agree(const std::vector<Case> &cases, double Response::*response, const double near)
+  /** Found is within `near` of `factor` times what is published, and grows with it wherever that does by more than a twentieth. */
+  void agree(const std::vector<Case> &cases, const std::vector<double> &found, const double factor, const double near)
   {
-    std::vector<double> found;
-    double              factor = 0;
-    for (const Case &each : cases)
-      {
-        found.push_back(crushed(each.constants).*response);
-        factor += found.back() / each.published / static_cast<double>(cases.size());
-      }
-    CHECK(factor == Approx(1).margin(2 * 0.06));
     for (std::size_t c = 0; c < cases.size(); ++c)
       {
         INFO(found[c] << ", published " << cases[c].published << ", factor " << factor);
@@ -88,32 +77,41 @@ namespace
             CHECK(found[c] > found[before]);
       }
   }
+
+  std::vector<double> found_for(const std::vector<Case> &cases, double Response::*response)
+  {
+    std::vector<double> found;
+    for (const Case &each : cases)
+      found.push_back(crushed(each.constants).*response);
+    return found;
+  }
 } // namespace
 
 TEST_CASE("concrete is as strong as published, and in that order, for weak and strong bonds in tension and in shear",
           "[apps][laboratory][slow]")
 {
   // All of the central composite design, that in the centre the mean of five. One number, how much moments count, was chosen by these.
-  agree({{of_strengths(5.858, 20), 17},
-         {of_strengths(20, 5.858), 18.83},
-         {of_strengths(10, 10), 22.41},
-         {of_strengths(10, 30), 27.85},
-         {of_strengths(30, 10), 30.24},
-         {of_strengths(20, 20), 41.34},
-         {of_strengths(20, 34.142), 50.85},
-         {of_strengths(34.142, 20), 52.2},
-         {of_strengths(30, 30), 62.09}},
-        &Response::strength, 0.08);
+  const std::vector<Case> cases = {
+    {of_strengths(5.858, 20), 17},     {of_strengths(20, 5.858), 18.83}, {of_strengths(10, 10), 22.41},
+    {of_strengths(10, 30), 27.85},     {of_strengths(30, 10), 30.24},    {of_strengths(20, 20), 41.34},
+    {of_strengths(20, 34.142), 50.85}, {of_strengths(34.142, 20), 52.2}, {of_strengths(30, 30), 62.09}};
+  const std::vector<double> found = found_for(cases, &Response::strength);
+  double                    factor =
+    0; // the one packing's: twelve windows as small have 0.93 to 1.19 times the strength in the centre, 1.06 on average
+  for (std::size_t c = 0; c < cases.size(); ++c)
+    factor += found[c] / cases[c].published / static_cast<double>(cases.size());
+  CHECK(factor == Approx(1).margin(0.12));
+  agree(cases, found, factor, 0.08);
 }
 
 TEST_CASE("concrete is as stiff as published, and in that order, as moduli and stiffness ratios of its bonds vary",
           "[apps][laboratory][slow]")
 {
   // Runs 1, 11, the mean of those in the centre, 3 and 8 of the Box-Behnken design.
-  agree({{of_moduli(10, 2.5, 15, 2.5), 18.716},
-         {of_moduli(20, 4, 10, 1), 31.469},
-         {of_moduli(20, 2.5, 10, 2.5), 34.44},
-         {of_moduli(20, 1, 10, 1), 42.465},
-         {of_moduli(30, 2.5, 10, 1), 50.275}},
-        &Response::modulus, 0.2); // a small window of a packing of its own
+  const std::vector<Case> cases = {{of_moduli(10, 2.5, 15, 2.5), 18.716},
+                                   {of_moduli(20, 4, 10, 1), 31.469},
+                                   {of_moduli(20, 2.5, 10, 2.5), 34.44},
+                                   {of_moduli(20, 1, 10, 1), 42.465},
+                                   {of_moduli(30, 2.5, 10, 1), 50.275}};
+  agree(cases, found_for(cases, &Response::modulus), 1, 0.2); // a small window of a packing of its own
 }
