@@ -9,6 +9,7 @@
 #include "apps/scene/nearest_name.h"
 #include "base/errors.h"
 #include "dem/core/floating_point_traps.h"
+#include "dem/core/kernel_vectors.h"
 #include "dem/packing/compaction.h"
 #include "postprocess/errors.h"
 
@@ -127,7 +128,8 @@ namespace apps
     std::signal(SIGPIPE, SIG_IGN); // and so does a reader that went away
     dem::enable_floating_point_traps();
     CLI::App program("Breccia: discrete and finite elements for concrete, mortar and rock", "breccia");
-    program.set_version_flag("--version", "breccia " + version());
+    program.set_version_flag("--version", "breccia " + version() + ", kernels of " +
+                                            std::to_string(8 * dem::bytes_of_kernel_vectors()) + " bits");
     program.require_subcommand(1);
     Action chosen;
     for (const AddCommand add : all_commands())

@@ -4,6 +4,7 @@ set(BRECCIA_KNOWN_ROOMS base dem fem coupling postprocess apps) # in the order o
 set(BRECCIA_ROOMS "${BRECCIA_KNOWN_ROOMS}" CACHE STRING "Rooms to build; `dem` alone needs only Eigen and OpenMP")
 option(BRECCIA_TESTS "Build the tests (needs Catch2)" ON)
 option(BRECCIA_NATIVE "Compile dem for the processor of this machine (-march=native)" ON)
+option(BRECCIA_DISPATCH "Without BRECCIA_NATIVE: dem for x86-64-v2, v3 and v4, of which the loader takes the best" ON)
 set(BRECCIA_VECTOR "" CACHE STRING "Bytes of dem's vectors: 64, 32 or 16, for x86-64-v4, v3 or v2; empty: what the processor has")
 option(BRECCIA_TRAP_FPE "Stop at the first invalid, divide-by-zero or overflow operation" OFF)
 option(BRECCIA_SANITIZE "Address and undefined-behaviour sanitizers" OFF)

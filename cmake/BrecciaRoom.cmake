@@ -28,7 +28,8 @@ endfunction()
 # breccia_room(NAME [SOURCES file...] [LIBRARIES target...] [PRIVATE_LIBRARIES target...] [PRECOMPILED header...] [NATIVE])
 #
 # One library for the room NAME: sources sorted and listed one by one; LIBRARIES are those that its own
-# headers include. A room without a source is header-only. NATIVE: compiled for this processor (BRECCIA_NATIVE).
+# headers include. A room without a source is header-only. NATIVE: compiled for this processor (BRECCIA_NATIVE), or for several
+# levels of processors (BRECCIA_DISPATCH).
 function(breccia_room name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "NATIVE" "" "SOURCES;LIBRARIES;PRIVATE_LIBRARIES;PRECOMPILED")
   if(arg_UNPARSED_ARGUMENTS)
@@ -42,6 +43,11 @@ function(breccia_room name)
   if(NOT arg_SOURCES)
     add_library(${name} INTERFACE)
     target_link_libraries(${name} INTERFACE ${arg_LIBRARIES} ${arg_PRIVATE_LIBRARIES})
+    return()
+  endif()
+  if(arg_NATIVE AND BRECCIA_LEVELS)
+    breccia_room_of_levels(${name} SOURCES ${arg_SOURCES} LIBRARIES ${arg_LIBRARIES}
+                           PRIVATE_LIBRARIES ${arg_PRIVATE_LIBRARIES} PRECOMPILED ${arg_PRECOMPILED})
     return()
   endif()
   add_library(${name} STATIC ${arg_SOURCES})

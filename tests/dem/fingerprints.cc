@@ -1,6 +1,7 @@
 // Four runs whose bits are committed: the same on every processor, for vectors of 64, 32 and 16 bytes (BRECCIA_VECTOR), for GCC and
 // Clang, and for any number of threads. A change of the order of operations changes them; then CHANGELOG says so.
 #include "clusters.h"
+#include "dem/core/kernel_vectors.h"
 #include "dem/facets/shapes.h"
 #include "dem/facets/surface.h"
 #include "dem/laws/flat_joint.h"
@@ -182,7 +183,7 @@ TEST_CASE("four runs end in the committed bits on every processor, with every co
                          Run{"falling grains", falling_grains, 0x34bdd41d2654da7f}})
     for (const int threads : {1, 3})
       {
-        INFO(run.name << ", " << threads << " threads, vectors of " << BRECCIA_VECTOR << " bytes");
+        INFO(run.name << ", " << threads << " threads, vectors of " << dem::bytes_of_kernel_vectors() << " bytes");
         omp_set_num_threads(threads);
         CHECK(fingerprint_of(run.specimen()) == run.committed);
       }

@@ -6,6 +6,7 @@
 //
 // Whole steps of dem::Specimen are timed: link pass, particle pass, accounts, search for contacts. Rotations, damage, friction,
 // contacts and the exactly objective shear update are on.
+#include "dem/core/kernel_vectors.h"
 #include "dem/laws/contact_bond.h"
 #include "dem/laws/cpm.h"
 #include "dem/laws/flat_joint.h"
@@ -265,10 +266,11 @@ namespace
   void print_roofline(const int most_threads, const double links_per_particle)
   {
     const performance::Operations o = performance::count_link_update();
-    std::printf("One link update: %ld operations (%ld + or -, %ld *, %ld /, %ld sqrt, %ld comparisons), %.0f bytes if "
+    std::printf("Kernels of %d bits. One link update: %ld operations (%ld + or -, %ld *, %ld /, %ld sqrt, %ld "
+                "comparisons), %.0f bytes if "
                 "nothing stays in a cache\n\n",
-                o.all(), o.additions, o.multiplications, o.divisions, o.roots, o.comparisons,
-                bytes_per_update(links_per_particle));
+                8 * dem::bytes_of_kernel_vectors(), o.all(), o.additions, o.multiplications, o.divisions, o.roots,
+                o.comparisons, bytes_per_update(links_per_particle));
     std::printf("| threads | triad GB/s | read GB/s | multiply-adds Gop/s | bound by memory M/s | bound by arithmetic "
                 "M/s |\n|---|---|---|---|---|---|\n");
     for (int threads = 1; threads <= most_threads; threads *= 2)
