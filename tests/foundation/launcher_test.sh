@@ -320,8 +320,10 @@ scenario_tests_build_everything_and_pass_the_status_on()
 
 scenario_help_of_the_tests_builds_nothing()
 {
+  local words typed
   for words in "test --help" "test -h" "help test"; do
-    start $words
+    read -r -a typed <<<"$words"
+    start "${typed[@]}"
     is "calls of $words" "$calls" ""
     is "status of $words" "$status" 0
     [[ $out == *"./breccia test --fast"* ]] || is "output of $words" "$out" "... ./breccia test --fast ..."
