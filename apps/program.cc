@@ -48,8 +48,9 @@ namespace apps
     int refuse_command(const CLI::App &program, const std::string &word)
     {
       const std::string answer = absent(word);
-      return refuse_command_line("", fmt::format("\"{}\" is not a command. {}", word,
-                                                 answer.empty() ? did_you_mean(word, command_names(program)) : answer));
+      const std::string words  = answer.empty() ? did_you_mean(word, command_names(program)) : answer;
+      return refuse_command_line("",
+                                 fmt::format("\"{}\" is not a command.{}{}", word, words.empty() ? "" : " ", words));
     }
 
     /** A wrong command line in one message, with the nearest command where a command was meant. */

@@ -29,6 +29,8 @@ namespace postprocess
       std::vector<std::size_t> particle;
       std::vector<double>      radius; ///< [m]
       Eigen::AlignedBox2d      box;
+      double                   middle   = 0; ///< z of the cut [m]
+      bool                     in_space = false;
     };
 
     DiscSections disc_sections(const dem::Packing &packing)
@@ -41,6 +43,8 @@ namespace postprocess
         }
       const double middle = 0.5 * (low + high);
       DiscSections found;
+      found.middle   = middle;
+      found.in_space = high > low;
       for (std::size_t i = 0; i < packing.size(); ++i)
         {
           const double away    = packing.centre[i].z() - middle,
@@ -54,6 +58,12 @@ namespace postprocess
           found.box.extend(x - Eigen::Vector2d::Constant(r)).extend(x + Eigen::Vector2d::Constant(r));
         }
       return found;
+    }
+
+    /** Of spheres, where they are cut; discs are whole. */
+    std::string title_of(const std::string &title, const DiscSections &sections)
+    {
+      return sections.in_space ? title + ": cut at z = " + length_text(sections.middle) : title;
     }
 
     std::string circles_of_packing(const dem::Packing &packing,
@@ -100,7 +110,7 @@ namespace postprocess
         const PictureFrame frame{sections.box, 'x', 'y', 760, 230, 150, 480};
         const double       scale = set_axes(job, frame).per_metre;
         job.data["particles"]    = circles_of_packing(packing, sections, scale, by_material);
-        job.script += "set title " + gnuplot_quoted(title) + " noenhanced\n" +
+        job.script += "set title " + gnuplot_quoted(title_of(title, sections)) + " noenhanced\n" +
                       colours_of_packing(packing, by_material) + (by_material ? "" : colour_bar(job, frame)) +
                       "set style fill solid 1 noborder\nunset key\n"
                       "plot 'particles' using 1:2:3:4 with circles lc palette notitle";

@@ -2,6 +2,7 @@
 
 #include "postprocess/gnuplot.h"
 #include "postprocess/numeric_text.h"
+#include "postprocess/peak_words.h"
 #include "postprocess/picture_axes.h"
 
 #include <algorithm>
@@ -87,11 +88,7 @@ namespace postprocess
         return " notitle";
       std::string text = series.name;
       if (series.mark_peak)
-        {
-          const std::size_t peak = peak_of(panel, series);
-          text +=
-            " (peak " + numeric_text::rounded(series.y[peak]) + " at " + numeric_text::rounded(series.x[peak]) + ")";
-        }
+        text += " (" + peak_words(series.x, series.y, peak_of(panel, series)) + ")";
       return " title " + gnuplot_quoted(text) + " noenhanced";
     }
 
@@ -123,18 +120,25 @@ namespace postprocess
     /** Ticks so far apart that their labels have room; nothing where gnuplot may choose. */
     std::string ticks_of(const PlotPanel &panel)
     {
-      double low = 1e300, high = -1e300;
-      for (const PlotSeries &series : panel.series)
-        for (std::size_t i = 0; i < series.x.size(); ++i)
-          if (is_drawn(panel, series, i))
-            {
-              low  = std::min(low, series.x[i]);
-              high = std::max(high, series.x[i]);
-            }
-      std::string text = "set xtics autofreq\n";
+      const auto [low, high] = drawn_range(panel);
+      std::string text       = "set xtics autofreq\n";
       if (!panel.log_x && !panel.equal_axes && high > low)
         numeric_text::append(text = "set xtics ", horizontal_tick_step(low, high, panel_width - 120));
       return text + "\n";
+    }
+
+    /** A logarithmic axis ends where its points do, not at whole decades, which may be far from these. */
+    std::string range_of(const PlotPanel &panel)
+    {
+      const auto [low, high] = drawn_range(panel);
+      if (!panel.log_x || !(high > low))
+        return "set autoscale x\n";
+      constexpr double room = 1.05;
+      std::string      text = "set xrange [";
+      numeric_text::append(text, low / room);
+      numeric_text::append(text += ':', high * room);
+      // Within one decade only its own number would be named.
+      return text + (high < 30 * low ? "]\nset xtics add (2, 5, 20, 50, 200, 500, 2000, 5000)\n" : "]\n");
     }
 
     std::string axes_of(const PlotPanel &panel)
@@ -145,6 +149,7 @@ namespace postprocess
       text += ticks_of(panel);
       text += panel.equal_axes ? "set size ratio -1\n" : "set size noratio\n";
       text += panel.log_x ? "set logscale x\nset format x '%h'\n" : "unset logscale x\nset format x '%h'\n";
+      text += range_of(panel);
       text += panel.log_y ? "set logscale y\nset format y '%h'\n" : "unset logscale y\nset format y '%h'\n";
       return text;
     }
@@ -191,6 +196,19 @@ namespace postprocess
       return job;
     }
   } // namespace
+
+  std::pair<double, double> drawn_range(const PlotPanel &panel)
+  {
+    double low = 1e300, high = -1e300;
+    for (const PlotSeries &series : panel.series)
+      for (std::size_t i = 0; i < series.x.size(); ++i)
+        if (is_drawn(panel, series, i))
+          {
+            low  = std::min(low, series.x[i]);
+            high = std::max(high, series.x[i]);
+          }
+    return {low, high};
+  }
 
   const char *series_colour(const std::size_t number) { return colours[number % colours.size()]; }
 

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace postprocess
@@ -34,6 +35,9 @@ namespace postprocess
     std::vector<PlotSeries> series;
     bool                    equal_axes = false; ///< the same length for a unit of x and of y
   };
+
+  /** Least and largest abscissa of the points that are drawn; none: the first is larger. */
+  std::pair<double, double> drawn_range(const PlotPanel &panel);
 
   /**
    * Draw panels, up to three in a row, into a PNG file, by gnuplot.

@@ -1,3 +1,4 @@
+#include "apps/commands/asked_number.h"
 #include "apps/commands/command.h"
 #include "apps/commands/length_unit_option.h"
 #include "apps/commands/link_law_named.h"
@@ -153,12 +154,12 @@ namespace apps
                   "Links up to this times the sum of radii, from 1 to 10")
       ->required()
       ->type_name("IOTA");
-    command.add_option("--installation-gap", links.installation_gap, "That much further still [m]; default: 0")
-      ->type_name("GAP")
-      ->check(CLI::Range(0.0, 1e3));
-    auto *modulus =
-      command.add_option("--normal-modulus", links.normal_modulus, "Of the link material along the link [Pa]")
-        ->type_name("E");
+    add_asked_number(command, {"--installation-gap", "gap", "m", Range::between(0, 1e3)}, links.installation_gap,
+                     "That much further still [m]; default: 0")
+      ->type_name("GAP");
+    auto *modulus = add_asked_number(command, {"--normal-modulus", "modulus", "Pa", {}}, links.normal_modulus,
+                                     "Of the link material along the link [Pa]")
+                      ->type_name("E");
     auto *ratio =
       command.add_option("--shear-ratio", links.shear_ratio, "Shear over normal modulus of the link material")
         ->type_name("G/E");
@@ -174,10 +175,9 @@ namespace apps
       ->type_name("SCENE");
     add_overrides(command, options->constants,
                   "Constant of --law, e.g. -s \"Effective modulus=10e9\", or entry of --materials; repeatable");
-    command
-      .add_option("--thickness", links.thickness, "The packing is of discs this thick [m]: stiffness in the plane")
-      ->type_name("T")
-      ->check(CLI::PositiveNumber);
+    add_asked_number(command, {"--thickness", "thickness", "m", Range::positive()}, links.thickness,
+                     "The packing is of discs this thick [m]: stiffness in the plane")
+      ->type_name("T");
     command
       .add_option("--seeds", options->seeds, "Packings in all: the others are compacted like the one given; default: 1")
       ->type_name("N")

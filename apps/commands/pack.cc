@@ -1,3 +1,4 @@
+#include "apps/commands/asked_number.h"
 #include "apps/commands/command.h"
 #include "apps/commands/length_unit_option.h"
 #include "apps/commands/scene_options.h"
@@ -5,6 +6,7 @@
 #include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
 #include "apps/process/version.h"
+#include "apps/scene/usual_sizes.h"
 #include "apps/scene/value_text.h"
 #include "base/errors.h"
 #include "dem/packing/box_cell.h"
@@ -32,7 +34,7 @@ namespace apps
 
     Eigen::Vector3d box_edges(const std::string &text)
     {
-      const std::vector<std::string> parts = comma_separated(text);
+      const std::vector<std::string> parts = comma_separated(list_without_units(text, "m"));
       Eigen::Vector3d                edges = Eigen::Vector3d::Zero();
       bool                           valid = parts.size() == 3;
       for (std::size_t i = 0; valid && i < 3; ++i)
@@ -44,6 +46,8 @@ namespace apps
       if (!valid)
         throw base::InputError("command line: --box " + text +
                                ": expected three edges \"lx,ly,lz\", each from 1e-12 to 1e9 m.");
+      if (const std::string question = question_about_list("size", "m", text); !question.empty())
+        throw base::InputError("command line: --box " + text + ": " + question + ".");
       return edges;
     }
 
@@ -119,7 +123,8 @@ namespace apps
     const auto with_default = [](const std::string &meaning, const auto value) {
       return fmt::format("{}; default: {}", meaning, value);
     };
-    command.add_option("--radius", make.radius, "Of every sphere [m]")->type_name("R");
+    add_asked_number(command, {"--radius", "particle radius", "m", {}}, make.radius, "Of every sphere [m]")
+      ->type_name("R");
     CLI::Option *count =
       command
         .add_option("--count", make.count,

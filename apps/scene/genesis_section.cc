@@ -1,5 +1,6 @@
 #include "apps/scene/genesis_section.h"
 
+#include "apps/scene/number_list.h"
 #include "apps/scene/size_table.h"
 #include "apps/scene/value_text.h"
 #include "base/errors.h"
@@ -24,7 +25,7 @@ namespace apps
     const auto there = [this] { return given(); };
     section.number("Content", content, "-", Range::between(0, 1), Need::optional)
       .means("Part of the volume that is aggregate of any size, for Walraven's grading of a plane section; 0: none");
-    section.text("Sizes", bounds, Need::required)
+    declare_list(section, "Sizes", bounds, "m", Need::required)
       .means("Bounds of the classes of diameters that are modelled, ascending, between commas [m]; the last is the "
              "largest of the grading")
       .only_if(there, "Specimen/Genesis/Aggregates/Content > 0");
@@ -129,7 +130,7 @@ namespace apps
                 Need::optional)
         .means("classes: diameters and fractions of the solid area (volume), listed in the scene; file: a table of "
                "these; uniform: radii evenly spread about a mean one");
-      section.text("Classes", of.classes, Need::required)
+      declare_list(section, "Classes", of.classes, "m", Need::required)
         .means("diameter: fraction, diameter: fraction, ... [m], or smallest-largest: fraction; fractions of area (in "
                "space of volume) sum up to 1")
         .only_if(of_kind(GenesisSection::Sizes::classes), "Specimen/Genesis/Sizes = classes");
@@ -208,10 +209,19 @@ namespace apps
     declare_sizes(section, *this);
     section.number("Porosity", porosity, "-", Range::from_up_to(0, 1), Need::optional)
       .means("At full size, before the stress is set: how many particles there are");
+    section.number("Laboratory porosity", laboratory_porosity, "-", Range::from_up_to(0, 1), Need::optional)
+      .means(
+        "n of the material, in space, in place of Porosity: discs then have 0.42 n^2 + 0.25 n (Wang et al. 2014), e.g. "
+        "0.22: 0.075; 0: Porosity counts");
     section.integer("Seed", seed, "", Range::between(0, 9007199254740992.0), Need::optional)
       .means("Another seed gives another packing; the same seed the same packing");
     declare_growth(section, growth);
     aggregates.declare(section);
+  }
+
+  double GenesisSection::full_porosity() const
+  {
+    return laboratory_porosity > 0 ? dem::porosity_in_plane(laboratory_porosity) : porosity;
   }
 
   dem::Vessel GenesisSection::vessel(const int dimension) const
@@ -245,8 +255,8 @@ namespace apps
   {
     const double space = vessel(dimension).space();
     if (sizes == Sizes::uniform)
-      return {dem::count_by_mean_radius(space, porosity, mean_radius, dimension)};
-    return dem::class_counts(size_classes(), space, porosity, dimension);
+      return {dem::count_by_mean_radius(space, full_porosity(), mean_radius, dimension)};
+    return dem::class_counts(size_classes(), space, full_porosity(), dimension);
   }
 
   std::string text_of(const dem::SizeClass &size)
@@ -262,9 +272,9 @@ namespace apps
       return found;
     const std::vector<dem::SizeClass> all    = size_classes();
     const double                      space  = vessel(dimension).space();
-    const std::vector<std::size_t>    number = dem::class_counts(all, space, porosity, dimension);
+    const std::vector<std::size_t>    number = dem::class_counts(all, space, full_porosity(), dimension);
     for (std::size_t k = 0; k < all.size(); ++k)
-      found.push_back({all[k], number[k], dem::part_of_solid(all[k], number[k], space, porosity, dimension)});
+      found.push_back({all[k], number[k], dem::part_of_solid(all[k], number[k], space, full_porosity(), dimension)});
     return found;
   }
 
@@ -279,7 +289,7 @@ namespace apps
       return;
     const auto classes_of_sizes = size_classes();
     const auto misfit           = [&](const double space) {
-      return dem::largest_misfit(classes_of_sizes, space, porosity, dimension);
+      return dem::largest_misfit(classes_of_sizes, space, full_porosity(), dimension);
     };
     genesis.refuse(sizes_from,
                    fmt::format("{} whole particles of diameter {} m are {:.2g} of the solid and not {:g}, and Size "
@@ -301,7 +311,7 @@ namespace apps
         double solid = 0;
         for (const double r : p.radii)
           solid += dimension == 2 ? M_PI * r * r : 4.0 / 3.0 * M_PI * r * r * r;
-        const double factor = dem::expansion_factor(porosity, 1 - solid / p.vessel.space(), dimension);
+        const double factor = dem::expansion_factor(full_porosity(), 1 - solid / p.vessel.space(), dimension);
         for (double &r : p.radii)
           r *= factor;
       }
@@ -319,6 +329,8 @@ namespace apps
   void GenesisSection::validate(const Section &specimen, const int dimension) const
   {
     const Section &section = *specimen.find_section("Genesis");
+    if (laboratory_porosity > 0 && dimension != 2)
+      section.refuse("Laboratory porosity", "is for discs. In space the porosity is that of the laboratory: Porosity.");
     if (sizes == Sizes::file && !std::filesystem::is_regular_file(file))
       section.refuse("Size file",
                      "there is no such file (" + std::filesystem::absolute(file).lexically_normal().string() + ").");

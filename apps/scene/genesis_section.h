@@ -54,16 +54,17 @@ namespace apps
     std::string            classes, file;
     double                 size_factor = 1;
     double                 mean_radius = 0, radius_ratio = 1; ///< [m], largest over smallest
-    double                 porosity       = 0.1;
-    double                 size_tolerance = 0.05; ///< part of the solid by which whole particles may miss a fraction
-    std::int64_t           seed           = 1;
-    AggregatesSection      aggregates;
+    double       porosity = 0.1, laboratory_porosity = 0;     ///< the latter, where it is given, in place of the former
+    double       size_tolerance = 0.05; ///< part of the solid by which whole particles may miss a fraction
+    std::int64_t seed           = 1;
+    AggregatesSection aggregates;
 
     /** @param chosen whether the scene asks for it */
     void declare(Section &specimen, const int &dimension, const std::function<bool()> &chosen);
     void validate(const Section &specimen, int dimension) const;
 
     dem::Vessel vessel(int dimension) const;
+    double      full_porosity() const; ///< at full size, in the plane or in space
     /** Classes of sizes, the factor included. @throws base::InputError naming file or entry */
     std::vector<dem::SizeClass> size_classes() const;
     /** Particles of each class; of uniform radii one number. */

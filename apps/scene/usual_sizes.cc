@@ -1,5 +1,7 @@
 #include "apps/scene/usual_sizes.h"
 
+#include "apps/scene/value_text.h"
+
 #include <fmt/format.h>
 
 #include <cctype>
@@ -71,6 +73,9 @@ namespace apps
          30,
          beyond,
          "that is large. In mm? Write it in m, e.g. 0.1"},
+        {"m", {"sizes", "classes"}, 0.4, beyond, "that is large for a grain. In mm? Write it in m, e.g. 8e-3"},
+        {"-", {"instants"}, 0.5, beyond, "few tests go so far. In per cent? Write it as a pure number, e.g. -1e-3"},
+        {"m/s", {"velocities"}, 300, beyond, "nothing falls so fast. In mm/s? Write it in m/s, e.g. 2"},
         {"m/s", {"speed"}, 10, beyond, "no press is so fast. In mm/s? Write it in m/s, e.g. 0.02"},
         {"m/s^2",
          {"acceleration"},
@@ -117,5 +122,62 @@ namespace apps
           if (has_words(entry, words))
             return fmt::format("{}. If it is meant, name the unit: {} {}", doubt.question, written, unit);
     return "";
+  }
+
+  namespace
+  {
+    /** The numbers in a part of a list: one, or two between which stands a minus (not that of a number) or an arrow. */
+    std::vector<double> numbers_of(const std::string &part)
+    {
+      for (std::size_t at = 1; at < part.size(); ++at)
+        if (part[at] == '>' || (part[at] == '-' && std::string("eE> ").find(part[at - 1]) == std::string::npos))
+          {
+            const auto one = number_in(trimmed(part.substr(0, at))), other = number_in(trimmed(part.substr(at + 1)));
+            return one && other ? std::vector<double>{*one, *other} : std::vector<double>{};
+          }
+      const auto only = number_in(part);
+      return only ? std::vector<double>{*only} : std::vector<double>{};
+    }
+
+    struct ListPart
+    {
+      std::string numbers, rest; ///< before the colon, without unit; from it on
+      bool        unit_named = false;
+    };
+
+    std::vector<ListPart> parts_of(const std::string &written, const std::string &unit)
+    {
+      const std::string     ending = " " + unit;
+      std::vector<ListPart> parts;
+      for (const std::string &text : comma_separated(written))
+        {
+          const std::size_t colon = text.find(':');
+          ListPart          part{trimmed(text.substr(0, colon)), colon == std::string::npos ? "" : text.substr(colon)};
+          const std::size_t end = part.numbers.size() > ending.size() ? part.numbers.size() - ending.size() : 0;
+          part.unit_named       = end > 0 && part.numbers.compare(end, ending.size(), ending) == 0;
+          if (part.unit_named)
+            part.numbers = trimmed(part.numbers.substr(0, end));
+          parts.push_back(part);
+        }
+      return parts;
+    }
+  } // namespace
+
+  std::string question_about_list(const std::string &entry, const std::string &unit, const std::string &written)
+  {
+    for (const ListPart &part : parts_of(written, unit))
+      if (!part.unit_named)
+        for (const double value : numbers_of(part.numbers))
+          if (std::string question = question_about(entry, unit, value, part.numbers); !question.empty())
+            return question + part.rest;
+    return "";
+  }
+
+  std::string list_without_units(const std::string &written, const std::string &unit)
+  {
+    std::string plain;
+    for (const ListPart &part : parts_of(written, unit))
+      plain += (plain.empty() ? "" : ", ") + part.numbers + part.rest;
+    return plain;
   }
 } // namespace apps

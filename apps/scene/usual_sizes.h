@@ -14,4 +14,13 @@ namespace apps
    */
   std::string
   question_about(const std::string &entry, const std::string &unit, double value, const std::string &written);
+
+  /**
+   * The same for the numbers of a list, "1e-3-2e-3: 0.75, 8e-3: 0.25" or "-1e-3 > -5e-4": those before a colon, each of which may name its
+   * unit.
+   */
+  std::string question_about_list(const std::string &entry, const std::string &unit, const std::string &written);
+
+  /** A list without the units that its numbers name. */
+  std::string list_without_units(const std::string &written, const std::string &unit);
 } // namespace apps

@@ -148,6 +148,23 @@ namespace dem
         account.normal += 0.5 * law.stiffness * sums.first * sums.first / area;
   }
 
+  ContactPatch BodyContacts::patch() const
+  {
+    ContactPatch found;
+    double       count = 0;
+    for (const Pair &pair : touched)
+      {
+        found.area += 0.5 * pair.second.area.norm(); // that of either surface
+        for (const std::int32_t simplex : {pair.first.first, pair.first.second})
+          {
+            found.face += bodies.elements[index(bodies.simplices[index(simplex)].element)].size;
+            count += 1;
+          }
+      }
+    found.face /= std::max(count, 1.0);
+    return found;
+  }
+
   BodyContacts::Holder BodyContacts::holder_of(const Pair &pair) const
   {
     return {bodies.simplices[index(pair.first.first)].element,

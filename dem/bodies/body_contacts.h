@@ -18,6 +18,13 @@ namespace dem
     double dissipated = 0; ///< by friction that slides
   };
 
+  /** Where bodies touch now. */
+  struct ContactPatch
+  {
+    double area = 0; ///< of all places [m^2]
+    double face = 0; ///< of an element that touches, in the mean [m^2]
+  };
+
   /**
    * Contact between deformable bodies, found from their overlaps (doc/theory/body-contact.md): normal forces by overlap_force(), and
    * Coulomb friction with a spring for each element of one body on another body, which remembers where it held.
@@ -46,6 +53,7 @@ namespace dem
     BodyContactEnergy                   energy() const { return account; }
     double                              overlap() const { return volume; } ///< of all [m^3]
     std::size_t                         touching() const { return met; }   ///< pairs of bodies
+    ContactPatch                        patch() const;
 
     /** A reader must hold the same mesh. @param group before all names */
     void visit_state(base::StateVisitor &visitor, const std::string &group);

@@ -61,6 +61,8 @@ namespace fem
       throw MaterialFailure("the unbalanced force is not a number.");
     if (size <= options.tolerance * now)
       return true;
+    if (options.told)
+      options.told(report.iterations, report.residual / options.tolerance);
     report.rounded = size <= rounded && report.residual <= worst_rounding;
     return report.rounded;
   }

@@ -2,6 +2,7 @@
 
 #include "fem/solvers/linear_solver.h"
 
+#include <functional>
 #include <limits>
 #include <optional>
 
@@ -12,6 +13,9 @@ namespace fem
     double       tolerance   = 1e-8; ///< unbalanced force over the largest of load, internal force and reaction
     unsigned int iterations  = 25;
     bool         line_search = true;
+
+    /// Hears of every state that an iteration looks at: its number, and the unbalanced force over what is tolerated. Empty: nobody does.
+    std::function<void(unsigned int iteration, double over_tolerance)> told = {};
   };
 
   /// How the load parameter is found when it is not prescribed.

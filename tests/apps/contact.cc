@@ -2,6 +2,7 @@
 #include "tests/apps/interrupted_runs.h"
 #include "tests/apps/scene_runs.h"
 #include "tests/apps/scenes.h"
+#include "tests/places.h"
 
 #include <catch2/catch.hpp>
 
@@ -235,6 +236,22 @@ TEST_CASE("An interrupted or killed run with contact goes on to the same bits", 
     folder,
     {{"run", "x.prm", "-s", "Motion/Safety=0.02"}, {"solid/solid_000002.vtu", "checkpoint.h5"}, reproducible_part},
     {SIGINT, SIGKILL});
+}
+
+TEST_CASE("A patch of contact smaller than the faces of elements is said, with both areas", "[apps][contact]")
+{
+  const ScratchFolder folder;
+  const std::string   balls = "Mesh/Balls/";
+  const auto          summary =
+    results_of(folder, places::sources() + "/apps/scenes/colliding_balls.prm",
+               {balls + "left/Divisions=2", balls + "right/Divisions=2", balls + "left/Centre=-0.010004, 0, 0",
+                balls + "right/Centre=0.010004, 0, 0", "Contacts/balls/Stiffness=1.57e14", "Output/Snapshots=0"})
+      .summary;
+  INFO(summary.dump(1));
+  const auto &peak = summary["figures"]["peak_force"];
+  CHECK(peak["area_of_contact"].get<double>() < 4 * peak["face_of_element"].get<double>());
+  REQUIRE(summary["warnings"].size() == 1);
+  CHECK_THAT(summary["warnings"][0].get<std::string>(), Contains("where bodies touch at the largest force"));
 }
 
 TEST_CASE("Contacts that cannot be are refused by name", "[apps][contact]")

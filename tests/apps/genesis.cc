@@ -281,3 +281,21 @@ TEST_CASE("A vessel too small for its sizes is refused with the smallest that wo
     0);
   is_refused(folder, concrete, small_piece({of + "Size tolerance=1e-3"}), "whole aggregates miss the grading by");
 }
+
+TEST_CASE("A porosity of the laboratory stands for one in the plane, and for none in space", "[apps]")
+{
+  const ScratchFolder folder;
+  const std::string   scene = folder.file("mortar.prm", mortar);
+  const auto          says  = [&](const std::string &entry) {
+    return outcome_of(folder, "check", scene, {"Specimen/Genesis/" + entry}).out;
+  };
+  const auto        particles = [](const std::string &text) { return text.substr(text.find("particles"), 40); };
+  const std::string in_plane = says("Porosity=0.075328"), laboratory = says("Laboratory porosity=0.22");
+  REQUIRE_THAT(in_plane, Contains("particles"));
+  CHECK(particles(laboratory) == particles(in_plane));
+  is_refused(folder, places::sources() + "/apps/scenes/rock_triaxial.prm",
+             {"Specimen/Source=genesis", "Specimen/Genesis/Size=0.02, 0.02, 0.04", "Specimen/Genesis/Classes=2e-3: 1",
+              "Specimen/Genesis/Effective modulus=1e9", "Specimen/Genesis/Stress=0",
+              "Specimen/Genesis/Laboratory porosity=0.2"},
+             "Laboratory porosity", {"check"});
+}

@@ -21,7 +21,7 @@ namespace
                           "0.10 0.20 0 0.22\n0.55 0.15 0 0.22\n0.30 0.55 0 0.22\n"
                           "0.80 0.60 0 0.22\n0.05 0.85 0 0.22\n0.60 0.90 0 0.22\n";
 
-  const std::vector<std::string> moduli = {"--normal-modulus", "1", "--shear-ratio", "0.2"};
+  const std::vector<std::string> moduli = {"--normal-modulus", "1 Pa", "--shear-ratio", "0.2"};
 
   std::vector<std::string> command(std::vector<std::string> arguments)
   {
@@ -124,9 +124,9 @@ TEST_CASE("homogenise is told once what the links obey", "[apps]")
     CHECK_THAT(outcome.err, Contains(why));
   };
   refused({}, "give one of --normal-modulus with --shear-ratio, --law and --materials");
-  refused({"--normal-modulus", "1"}, "--shear-ratio");
+  refused({"--normal-modulus", "1 Pa"}, "--shear-ratio");
   refused({"--law", "flat-join"}, "Did you mean \"flat-joint\"?");
-  refused({"--law", "CPM", "--normal-modulus", "1", "--shear-ratio", "1"}, "give one of");
+  refused({"--law", "CPM", "--normal-modulus", "1 Pa", "--shear-ratio", "1"}, "give one of");
   refused({"--law", "contact-bond", "-s", "Tensile strength=1e6", "-s", "Cohesion=1e6"}, "Effective modulus");
   refused({"--materials", "none.prm"}, "none.prm");
 }

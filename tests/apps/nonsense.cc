@@ -124,7 +124,7 @@ TEST_CASE("Packings that cannot be made or told apart are refused", "[apps][S14]
   refused(folder, {"pack", "--radius", "1e-3", "--count", "-5", "-o", "out"}, "--count");
   folder.file("cell.txt", "# periodic_cell 1 1 1\n0.2 0.2 0.2 0.2\n1e12 0.6 0.6 0.2\n");
   folder.file("near.txt", "# periodic_cell 1 1 1\n0.2 0.2 0.2 0.2\n0.6 0.6 0.6 0.2\n");
-  const std::vector<std::string> moduli = {"--normal-modulus", "1", "--shear-ratio", "0.2"};
+  const std::vector<std::string> moduli = {"--normal-modulus", "1 Pa", "--shear-ratio", "0.2"};
   const auto homogenise = [&](const std::string &packing, const std::string &ratio, const std::string &message) {
     std::vector<std::string> arguments = {"homogenise", packing, "--interaction-ratio", ratio, "-o", "out"};
     arguments.insert(arguments.end(), moduli.begin(), moduli.end());

@@ -168,6 +168,32 @@ TEST_CASE("A study says how far each continuation came that it compares with the
   CHECK(report.json()[0]["near_reaches"].get<double>() == Approx(1.075));
 }
 
+TEST_CASE("A study warns of continuations that leave the particles, or bear more than these, in words", "[apps]")
+{
+  apps::ParticleOutcome all_particles, early, late;
+  early.name                 = "strain -1e-3";
+  late.name                  = "strain -2e-3";
+  all_particles.curve_strain = {-1e-3, -2e-3, -3e-3, -4e-3};
+  all_particles.curve_stress = {-30e6, -33.8e6, -20e6, -5e6};
+  apps::ContinuationCurve good, strong;
+  good.offset       = -1e-3;
+  good.horizontal   = {0, -1e-3, -2e-3, -3e-3};
+  good.vertical     = {-30e6, -35e6, -20e6, -8e6};
+  strong.offset     = -2e-3;
+  strong.horizontal = {0, -1e-3, -2e-3};
+  strong.vertical   = {-34e6, -42e6, -40e6};
+
+  const std::vector<apps::ParticleOutcome>   particles{early, late};
+  const std::vector<apps::ContinuationCurve> curves{good, strong};
+  const apps::SequentialModel                model;
+  const apps::StudyReport                    report{model, {"-", "Pa"}, particles, &all_particles, curves};
+  const std::vector<std::string>             warnings = report.warnings();
+  REQUIRE(warnings.size() == 2);
+  CHECK_THAT(warnings[0], Contains("strain -2e-3: the continuation leaves the particles by 0.97 of the stress"));
+  CHECK_THAT(warnings[1], Contains("strain -2e-3: the continuum bears 4.2e+07 Pa where the particles bear 3.38e+07"));
+  CHECK_THAT(report.text(), Contains("warning      " + warnings[0]));
+}
+
 TEST_CASE("Handed over at the peak and past it, many elements go on within a quarter of the particles' stress",
           "[apps][slow]")
 {

@@ -54,6 +54,56 @@ TEST_CASE("A number of another unit is asked about in every dimension, and taken
   CHECK_THAT(check(odd.value + " " + odd.unit).err, Contains("Output/Samples = none: expected a whole number"));
 }
 
+TEST_CASE("Numbers in lists are asked about, and taken where each names its unit", "[apps]")
+{
+  const auto odd =
+    GENERATE(OddNumber{"mortar_window.prm", "Specimen/Genesis/Classes", "1: 0.4, 2-3: 0.6", "m", "In mm?"},
+             OddNumber{"concrete_aggregates.prm", "Specimen/Genesis/Aggregates/Sizes", "5, 7, 9", "m", "In mm?"},
+             OddNumber{"transfer_compression.prm", "Particles/Uniaxial/Instants", "-1 > -0.5", "-", "In per cent?"},
+             OddNumber{"impact_beam.prm", "Particles/Impact/Striker velocities", "2000", "m/s", "In mm/s?"});
+  const ScratchFolder folder;
+  INFO(odd.scene << ": " << odd.entry << " = " << odd.value);
+  const auto check = [&](const std::string &value) {
+    // A later entry that nothing takes ends the reading.
+    const std::string last = odd.entry.find("Particles") == 0 ? "Study/Least force=none" : "Output/Samples=none";
+    return run(folder.path(), {"check", shipped(odd.scene), "-s", odd.entry + "=" + value, "-s", last});
+  };
+  const Outcome asked = check(odd.value);
+  CHECK(asked.status == 2);
+  CHECK_THAT(asked.err,
+             Contains(odd.entry + " = ") && Contains(odd.question) && Contains("If it is meant, name the unit: "));
+  std::string       named = odd.value;
+  const std::size_t colon = named.find(':');
+  if (colon == std::string::npos)
+    for (std::size_t comma = named.find(','); comma != std::string::npos; comma = named.find(',', comma + 5))
+      named.insert(comma, " " + odd.unit);
+  else
+    named = "1 m: 0.4, 2-3 m: 0.6";
+  CHECK_THAT(check(colon == std::string::npos ? named + " " + odd.unit : named).err,
+             !Contains(odd.question) && Contains(" = none: expected"));
+}
+
+TEST_CASE("Numbers of the command line are asked about as those of scenes", "[apps]")
+{
+  const ScratchFolder folder;
+  const auto          refused = [&](const std::vector<std::string> &words, const std::string &question) {
+    const Outcome outcome = run(folder.path(), words);
+    CHECK(outcome.status == 2);
+    CHECK_THAT(outcome.err, Contains(question) && Contains("If it is meant, name the unit: "));
+  };
+  refused({"pack", "--radius", "1.5", "--count", "64", "-o", "p.txt"}, "that is large for a particle. In mm?");
+  refused({"pack", "--radius", "1e-3", "--box", "40,40,80", "-o", "p.txt"}, "In mm?");
+  const std::vector<std::string> homogenise = {"homogenise", "p.txt", "--interaction-ratio", "1.5"};
+  const auto                     with       = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), homogenise.begin(), homogenise.end());
+    return more;
+  };
+  refused(with({"--normal-modulus", "25", "--shear-ratio", "0.2"}), "In GPa or MPa?");
+  refused(with({"--normal-modulus", "25e9", "--shear-ratio", "0.2", "--installation-gap", "1"}), "In mm?");
+  CHECK(run(folder.path(), {"pack", "--radius", "1.5 m", "--count", "64", "-o", "p.txt"}).status == 0);
+  CHECK(run(folder.path(), with({"--normal-modulus", "25 Pa", "--shear-ratio", "0.2"})).status == 0);
+}
+
 TEST_CASE("A soft concrete is taken as its own hint says", "[apps]")
 {
   const ScratchFolder folder;

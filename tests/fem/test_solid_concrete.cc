@@ -215,6 +215,21 @@ TEST_CASE("S5: path control follows the snap-back of a bar with one damaging ele
   CHECK(follow_snap_back() < 0.01);
 }
 
+TEST_CASE("an iteration tells how far it is, down to the tolerance", "[fem]")
+{
+  std::vector<std::pair<unsigned int, double>> told;
+  fem::NewtonOptions                           newton;
+  newton.told = [&](const unsigned int iteration, const double over) { told.emplace_back(iteration, over); };
+  WeakBar               bar(4, 0);
+  fem::StaticSolver<2>  solver(bar.solid, newton);
+  const fem::StepReport report = solver.advance_to(1e-6);
+  REQUIRE(report.converged);
+  REQUIRE(told.size() == report.iterations + 1);
+  CHECK(told.front().second > 1);
+  CHECK(told.back() == std::make_pair(report.iterations, report.residual / newton.tolerance));
+  CHECK(told.back().second <= 1);
+}
+
 TEST_CASE("relaxation: a bar that would snap back lets go to the equilibrium beyond, and says what that dissipates",
           "[fem][stability]")
 {

@@ -318,6 +318,18 @@ scenario_tests_build_everything_and_pass_the_status_on()
   is calls "$calls" "ctest --output-on-failure --parallel $(nproc) -L ^fast\$"
 }
 
+scenario_help_of_the_tests_builds_nothing()
+{
+  local words typed
+  for words in "test --help" "test -h" "help test"; do
+    read -r -a typed <<<"$words"
+    start "${typed[@]}"
+    is "calls of $words" "$calls" ""
+    is "status of $words" "$status" 0
+    [[ $out == *"./breccia test --fast"* ]] || is "output of $words" "$out" "... ./breccia test --fast ..."
+  done
+}
+
 for scenario in $(declare -F | sed -n 's/^declare -f scenario_//p'); do
   house="$scratch/a house"
   from=

@@ -2,6 +2,7 @@
 #include "postprocess/break_pictures.h"
 #include "postprocess/drawn_unit.h"
 #include "postprocess/field_picture.h"
+#include "postprocess/peak_words.h"
 #include "postprocess/picture_axes.h"
 #include "postprocess/plot.h"
 #include "postprocess/specimen_picture.h"
@@ -73,6 +74,22 @@ TEST_CASE("a plot of any points is drawn: one, equal, not finite, on logarithmic
   REQUIRE(plot(folder / "curve.png", {panel}) == "");
   REQUIRE(size_of_png(folder / "curve.png").first > 400);
   REQUIRE(files_in(folder.path) == 1);
+}
+
+TEST_CASE("a logarithmic axis ends where its points do", "[postprocess]")
+{
+  PlotPanel panel;
+  panel.log_x  = true;
+  panel.series = {points("one", {8, 0, 40}, {1, 1, 2}), points("two", {16, 64}, {1, std::nan("")})};
+  CHECK(drawn_range(panel) == std::make_pair(8.0, 40.0)); // zero and what is not a number are no points
+  const ScratchFolder folder;
+  CHECK(plot(folder.path() / "a.png", {panel}).empty());
+}
+
+TEST_CASE("a curve that ends at its largest value has no peak", "[postprocess]")
+{
+  CHECK_THAT(peak_words({1, 2, 3}, {1, 4, 2}, 1), Contains("peak 4 at 2"));
+  CHECK_THAT(peak_words({1, 2, 3}, {1, 2, 4}, 2), Contains("largest 4 at 3"));
 }
 
 TEST_CASE("panels stand side by side, three in a row", "[postprocess]")

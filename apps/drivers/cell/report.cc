@@ -4,6 +4,7 @@
 #include "apps/drivers/parts/energy_terms.h"
 #include "apps/drivers/parts/summary_head.h"
 #include "apps/process/progress.h"
+#include "apps/scene/tension_beyond_apex.h"
 #include "base/voigt.h"
 #include "postprocess/plot.h"
 
@@ -62,7 +63,7 @@ namespace apps
 
   std::vector<std::string> CellReport::warnings() const
   {
-    std::vector<std::string> found;
+    std::vector<std::string> found = tension_beyond_apex(model.material);
     for (const dem::StressAtEnd &end : test.stresses_at_ends())
       if (end.inaccurate() && !end.at_limit && !end.missed())
         found.push_back(text_of(end) + ", and more than a tenth off. A longer leg, or more Time/Damping, leaves fewer "

@@ -6,6 +6,7 @@
 #include "apps/drivers/parts/packing_extents.h"
 #include "apps/drivers/parts/specimen_packing.h"
 #include "apps/scene/physics_section.h"
+#include "apps/scene/tension_beyond_apex.h"
 #include "apps/scene/value_text.h"
 #include "base/voigt.h"
 
@@ -139,6 +140,7 @@ namespace apps
     text += fmt::format("  particles    {}\n", body.counts().particles);
     text += fmt::format("  links        {}\n", body.counts().links);
     text += extent_lines(packing, physics.dimension);
+    text += lines_of_tension_beyond_apex(asked.material);
     text += MaterialCounts(packing.material_names, body).text();
     if (!test.holds_together())
       text += "  joined       not against every strain: stresses are reached only once particles touch\n";

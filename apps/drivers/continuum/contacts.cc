@@ -96,7 +96,12 @@ namespace apps
     for (const auto &contact : contacts.all())
       if (contact->contacts().touching() > 0)
         for (const Eigen::Vector3d &force : contact->contacts().on_body())
-          figures.note(time, force.norm());
+          if (figures.note(time, force.norm()))
+            {
+              const dem::ContactPatch patch = contact->contacts().patch();
+              figures.patch                 = patch.area;
+              figures.face                  = patch.face;
+            }
   }
 
   template <int dim>

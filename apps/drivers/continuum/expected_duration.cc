@@ -1,5 +1,7 @@
 #include "apps/drivers/continuum/expected_duration.h"
 
+#include "apps/drivers/continuum/one_step.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -43,7 +45,14 @@ namespace apps
     }
   } // namespace
 
-  double states_of(const ContinuumModel &model) { return std::ceil(model.control.end / model.control.largest()); }
+  template <int dim>
+  double states_of(const fem::Solid<dim> &solid, const ContinuumModel &model)
+  {
+    return one_step_does(solid, model.control) ? 1 : std::ceil(model.control.end / model.control.largest());
+  }
+
+  template double states_of(const fem::Solid<2> &, const ContinuumModel &);
+  template double states_of(const fem::Solid<3> &, const ContinuumModel &);
 
   template <int dim>
   ExpectedRun expected(ContinuumRun<dim> &run, const ContinuumModel &model, const double states)

@@ -7,7 +7,8 @@
 namespace apps
 {
   /** Steps of a static analysis, if none is cut. */
-  double states_of(const ContinuumModel &model);
+  template <int dim>
+  double states_of(const fem::Solid<dim> &solid, const ContinuumModel &model);
 
   /** What is known of a run before it is executed. */
   struct ExpectedRun

@@ -57,7 +57,9 @@ namespace apps
              "vector does");
     s.number("End", end, "s or m", Range::positive(), Need::optional)
       .means("Time, with indirect the opening, with arc length the sum of lengths, at which the analysis ends");
-    s.number("First step", first_step, "s or m", Range::at_least(0), Need::optional).means("0: End / 20");
+    s.number("First step", first_step, "s or m", Range::at_least(0), Need::optional)
+      .means("0: all of End where the solid is linear and its loads and displacements grow in proportion to time (or "
+             "steadily from what they are at its start), End / 20 elsewhere");
     s.number("Largest step", largest_step, "s or m", Range::at_least(0), Need::optional).means("0: the first step");
     s.number("Smallest step", smallest_step, "s or m", Range::at_least(0), Need::optional)
       .means("Where cutting ends; 0: 1e-6 of the first step");

@@ -3,6 +3,7 @@
 #include "apps/drivers/continuum/picture.h"
 #include "apps/drivers/continuum/snapshot.h"
 #include "apps/drivers/continuum/solid.h"
+#include "apps/drivers/continuum/stress_picture.h"
 #include "apps/drivers/continuum/summary.h"
 #include "apps/drivers/parts/drawn_curve.h"
 #include "apps/process/mpi_session.h"
@@ -305,7 +306,12 @@ namespace apps
     const std::string title   = std::filesystem::path(request.scene_file).stem().string();
     const std::string problem = draw_damage(*solid, *analysis->state().displacement, folder / "damage.png", title);
     const std::string unshown = draw_promotion(*solid, *analysis->state().displacement, folder / "promoted.png", title);
-    std::string       undrawn;
+    std::optional<fem::SolidExtremes> extremes;
+    if (model.is_static())
+      extremes = fem::extremes_of(*solid, *analysis->state().displacement);
+    std::string undrawn, unstressed;
+    if (extremes && solid->linear())
+      unstressed = draw_stress(*solid, *analysis->state().displacement, *extremes, folder / "stress.png", title);
     if (!model.contacts.empty()) // on one rank
       undrawn = draw_bodies();
     const std::vector<std::string> notes  = solid->notes();
@@ -314,6 +320,7 @@ namespace apps
     on_first_rank([&] {
       warn_of_missing("damage.png", problem);
       warn_of_missing("bodies.png", undrawn);
+      warn_of_missing("stress.png", unstressed);
       warn_of_missing("promoted.png", unshown);
       const ContinuumReport report{request,
                                    postprocess::read_csv_table(folder / "series.csv", true),
@@ -329,6 +336,8 @@ namespace apps
                                    analysis->contact_figures(),
                                    model.references,
                                    notes,
+                                   extremes,
+                                   solid->linear(),
                                    !invalid.empty() ? "end of validity: " + invalid :
                                    !failure.empty() ? no_equilibrium + failure :
                                    was_stopped      ? "stop fraction" :

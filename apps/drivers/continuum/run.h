@@ -15,8 +15,8 @@ namespace apps
    * The work of a continuum analysis.
    *
    * In the result folder, besides what every run has (life_cycle.h; a row of the series per step or sample): solid.pvd with its
-   * snapshots, and at the end summary.json, curve.png and, where something can be damaged, damage.png, where bodies can touch, bodies.png. Under MPI every rank
-   * calls it; the first one writes.
+   * snapshots, and at the end summary.json, curve.png and, where something can be damaged, damage.png, where bodies can touch, bodies.png,
+   * of a linear solid in equilibrium stress.png. Under MPI every rank calls it; the first one writes.
    */
   template <int dim>
   class ContinuumRun : public RunWork

@@ -51,7 +51,7 @@ namespace apps
       double            states;
       if (model.is_static())
         {
-          states = states_of(model);
+          states = states_of(run.body(), model);
           text +=
             fmt::format("  solver       {}\n  steps        {:.0f}, and more where they are cut\n", solver, states);
         }

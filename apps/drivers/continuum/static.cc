@@ -1,5 +1,7 @@
 #include "apps/drivers/continuum/analysis.h"
+#include "apps/drivers/continuum/one_step.h"
 #include "apps/drivers/continuum/solid.h"
+#include "apps/process/progress.h"
 #include "apps/process/stopwatch.h"
 
 #include <fmt/format.h>
@@ -11,9 +13,11 @@ namespace apps
 {
   namespace
   {
-    fem::NewtonOptions newton_options(const ControlSection &control)
+    /** @param told how far an iteration is */
+    fem::NewtonOptions newton_options(const ControlSection &control, std::function<void(unsigned int, double)> told)
     {
       fem::NewtonOptions options;
+      options.told        = std::move(told);
       options.tolerance   = control.tolerance;
       options.iterations  = static_cast<unsigned int>(control.iterations);
       options.line_search = control.line_search;
@@ -66,8 +70,12 @@ namespace apps
       StaticAnalysis(fem::Solid<dim> &solid_, const ContinuumModel &model)
         : solid(solid_)
         , control(model.control)
-        , solver(solid_, newton_options(model.control), linear_options(model.control))
-        , length(model.control.first())
+        , solver(solid_,
+                 newton_options(model.control,
+                                [this](const unsigned int iteration, const double over) { tell(iteration, over); }),
+                 linear_options(model.control))
+        , first(one_step_does(solid_, model.control) ? model.control.end : model.control.first())
+        , length(first)
       {
         if (control.follow == ControlSection::Follow::indirect)
           path = opening_control(solid, model);
@@ -80,13 +88,14 @@ namespace apps
       bool advance() override
       {
         fem::StepControl steps;
-        steps.first    = control.first();
+        steps.first    = first;
         steps.smallest = control.smallest();
-        steps.largest  = control.largest();
+        steps.largest  = std::max(first, control.largest());
         steps.growth   = control.growth;
         steps.easy     = static_cast<unsigned int>(control.easy_iterations);
         steps.relax    = control.relax;
         const Stopwatch watch;
+        const Speaking  speaking(working);
         const auto      one = [&](const fem::StepReport &report, const double done) {
           ++accepted;
           iterations += report.iterations;
@@ -215,14 +224,41 @@ namespace apps
       }
 
     private:
+      /** While a step is looked for there is somebody to tell. */
+      struct Speaking
+      {
+        explicit Speaking(Progress *&speaker)
+          : told(speaker)
+        {
+          told = &progress;
+        }
+        ~Speaking() { told = nullptr; }
+        Speaking(const Speaking &)            = delete;
+        Speaking &operator=(const Speaking &) = delete;
+
+        Progress   progress{"equilibrium"};
+        Progress *&told;
+      };
+
+      /** A step may take long: how far its iteration is. */
+      void tell(const unsigned int iteration, const double over_tolerance)
+      {
+        if (working)
+          working->update(
+            fmt::format("step {} towards {:.3e} of {:.3e}, iteration {}: unbalanced force {:.2g} times the tolerance",
+                        accepted + 1, coordinate() + length, end(), iteration, over_tolerance));
+      }
+
       fem::Solid<dim>       &solid;
       const ControlSection  &control;
       fem::StaticSolver<dim> solver;
       fem::PathControl       path;
+      const double           first;  ///< step
       double                 length; ///< of the next step
       double                 travelled = 0, seconds = 0;
       std::int64_t           accepted = 0, iterations = 0, rounded = 0, relaxed = 0;
       fem::StepReport        report_of_last;
+      Progress              *working = nullptr; ///< on a step
     };
   } // namespace
 

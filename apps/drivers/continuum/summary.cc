@@ -20,6 +20,19 @@ namespace apps
   namespace
   {
     constexpr double worrying_balance = 0.05;
+
+    /** Where neighbours disagree by more, finer elements find more at their largest stress (doc/tutorials/plate_with_hole.md). */
+    constexpr double worrying_disagreement = 0.05;
+
+    nlohmann::json figure_of(const fem::Extreme &largest, const char *unit)
+    {
+      return {{"value", largest.value}, {"unit", unit}, {"at", largest.place}};
+    }
+
+    std::string text_of(const std::array<double, 3> &place)
+    {
+      return fmt::format("({:.4g}, {:.4g}, {:.4g}) m", place[0], place[1], place[2]);
+    }
   } // namespace
 
   double ContinuumReport::last(const std::string &column) const { return series.column(column).back(); }
@@ -29,6 +42,8 @@ namespace apps
     std::vector<std::string> found;
     if (contact && !contact->touched())
       found.push_back("no bodies have ever touched");
+    if (contact && !contact->doubt().empty())
+      found.push_back(contact->doubt());
     const double error = worst_residual(series);
     if (error > worrying_balance)
       found.push_back(
@@ -37,6 +52,12 @@ namespace apps
                                 "where the load falls at once (snap-back) no step is short enough: set "
                                 "Control/Follow = indirect or arc length" :
                                 "the motion is not resolved. Lower Motion/Safety"));
+    if (extremes && is_linear && extremes->disagreement > worrying_disagreement)
+      found.push_back(fmt::format("the mesh is coarse at the largest stress, {:.4g} Pa (von Mises) at {}: elements "
+                                  "that meet there disagree by {:.0f} % of it. Refine "
+                                  "the mesh there until it stands still; in a sharp corner, and at the end of a "
+                                  "clamped face, it has no largest value",
+                                  extremes->mises.value, text_of(extremes->mises.place), 100 * extremes->disagreement));
     return found;
   }
 
@@ -70,6 +91,14 @@ namespace apps
       found["final_opening"] = quantity(last("opening"), "m");
     if (contact && contact->touched())
       contact->put_into(found, references);
+    if (extremes)
+      {
+        found["largest_principal_stress"]                       = figure_of(extremes->tension, "Pa");
+        found["least_principal_stress"]                         = figure_of(extremes->compression, "Pa");
+        found["largest_mises_stress"]                           = figure_of(extremes->mises, "Pa");
+        found["largest_mises_stress"]["neighbours_disagree_by"] = extremes->disagreement;
+        found["largest_displacement"]                           = figure_of(extremes->displacement, "m");
+      }
     return found;
   }
 
@@ -118,7 +147,9 @@ namespace apps
     std::string          text;
     const nlohmann::json found = figures();
     for (const auto &[name, figure] : found.items())
-      text += fmt::format("{:<40} {:.6g} {}\n", name, figure["value"].get<double>(), figure["unit"].get<std::string>());
+      text +=
+        fmt::format("{:<40} {:.6g} {}{}\n", name, figure["value"].get<double>(), figure["unit"].get<std::string>(),
+                    figure.contains("at") ? " at " + text_of(figure["at"].get<std::array<double, 3>>()) : "");
     if (contact && contact->touched())
       text += contact->text();
     for (const std::string &note : notes)

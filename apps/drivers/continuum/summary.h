@@ -3,11 +3,13 @@
 #include "apps/drivers/continuum/gauge_column.h"
 #include "apps/drivers/parts/contact_figures.h"
 #include "apps/scene/scene.h"
+#include "fem/output/solid_extremes.h"
 #include "postprocess/csv_table.h"
 
 #include <nlohmann/json_fwd.hpp>
 
 #include <map>
+#include <optional>
 
 namespace apps
 {
@@ -26,19 +28,21 @@ namespace apps
   /** What a continuum run found and took: summary.json, curve.png and the words for the terminal. */
   struct ContinuumReport
   {
-    RunRequest                    request;
-    postprocess::CsvTable         series;
-    std::vector<GaugeColumn>      gauges; ///< of the solid, among the columns of the series
-    ContinuumSize                 size;
-    std::map<std::string, double> cost;
-    std::string                   linear_solver;
-    double                        wall_seconds;
-    std::string                   horizontal, vertical; ///< columns of the curve
-    bool                          is_static;
-    bool                          from_rest; ///< the state before the first row of the series is nothing at all
-    const ContactFigures         *contact;   ///< nullptr: nothing can touch
-    ReferencesSection             references;
-    std::vector<std::string>      notes; ///< of the materials
+    RunRequest                        request;
+    postprocess::CsvTable             series;
+    std::vector<GaugeColumn>          gauges; ///< of the solid, among the columns of the series
+    ContinuumSize                     size;
+    std::map<std::string, double>     cost;
+    std::string                       linear_solver;
+    double                            wall_seconds;
+    std::string                       horizontal, vertical; ///< columns of the curve
+    bool                              is_static;
+    bool                              from_rest; ///< the state before the first row of the series is nothing at all
+    const ContactFigures             *contact;   ///< nullptr: nothing can touch
+    ReferencesSection                 references;
+    std::vector<std::string>          notes;     ///< of the materials
+    std::optional<fem::SolidExtremes> extremes;  ///< of the last state; not told of solids in motion
+    bool                              is_linear; ///< a finer mesh has an answer to come closer to
     std::string
       ended_by; ///< "end", "stop fraction", "steps at most", softened, no_equilibrium and why, or "end of validity: " and why
 

@@ -310,6 +310,11 @@ namespace apps
         return apps::draw_promotion(*solid, motion->displacement(), file, title);
       }
 
+      std::string draw_damage(const std::filesystem::path &file, const std::string &title) override
+      {
+        return apps::draw_damage(*solid, motion->displacement(), file, title);
+      }
+
       std::string draw(const std::filesystem::path &file, const std::string &title) const override
       {
         const dem::ParticleOutput               particles = body.specimen().particles();

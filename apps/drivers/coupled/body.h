@@ -69,6 +69,9 @@ namespace apps
     /** Draw which cells of particles behind points of the solid have taken over, and when. @return as draw() */
     virtual std::string draw_promotion(const std::filesystem::path &file, const std::string &title) = 0;
 
+    /** Draw the damage of the solid, where its materials can be damaged. @return as draw() */
+    virtual std::string draw_damage(const std::filesystem::path &file, const std::string &title) = 0;
+
     /** Draw a cut through both, as they are now. @return what went wrong, "" if nothing */
     virtual std::string draw(const std::filesystem::path &file, const std::string &title) const = 0;
 

@@ -4,12 +4,14 @@
 #include "apps/drivers/particles/break_results.h"
 #include "apps/drivers/parts/series_figures.h"
 #include "apps/process/progress.h"
+#include "apps/scene/tension_beyond_apex.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <omp.h>
 
+#include <algorithm>
 #include <cstdint>
 
 namespace apps
@@ -33,8 +35,12 @@ namespace apps
   std::vector<std::string> CoupledReport::warnings() const
   {
     std::vector<std::string> all = body.doubts();
+    for (const std::string &doubt : tension_beyond_apex(model.particles.material))
+      all.push_back(doubt);
     if (!body.interface().touched() && model.handshakes.empty())
       all.emplace_back("nothing has ever touched the solid");
+    if (const std::string doubt = body.interface().doubt(); !doubt.empty())
+      all.push_back(doubt);
     return all;
   }
 
@@ -111,7 +117,12 @@ namespace apps
   {
     std::string text;
     for (const postprocess::SeriesColumn &column : body.told())
-      text += fmt::format("{:<40} {:.6g} {}\n", column.name, series.column(column.name).back(), column.unit);
+      {
+        const std::vector<double> &values = series.column(column.name);
+        const auto [least, largest]       = std::minmax_element(values.begin(), values.end());
+        text += fmt::format("{:<40} {:.6g} {} at the end, from {:.6g} to {:.6g} in all\n", column.name, values.back(),
+                            column.unit, *least, *largest);
+      }
     for (const HandshakeSection &handshake : model.handshakes.handshakes)
       text += fmt::format("{:<12} {} damaged bonds in the overlap, {:.4g} J absorbed\n", "handshake",
                           series.column(column_name(handshake.name) + "_damaged").back(),

@@ -10,6 +10,7 @@
 #include "apps/drivers/parts/run_forecast.h"
 #include "apps/drivers/parts/specimen_snapshots.h"
 #include "apps/process/mpi_session.h"
+#include "apps/scene/tension_beyond_apex.h"
 #include "postprocess/pvd.h"
 
 #include <fmt/format.h>
@@ -76,6 +77,7 @@ namespace apps
     text += fmt::format("  elements     {}\n  unknowns     {}\n", body->elements(), body->unknowns());
     text += fmt::format("  particles    {}\n  links        {}\n", specimen.counts().particles, specimen.counts().links);
     text += extent_lines(packing, specimen.parameters().physics.dimension);
+    text += lines_of_tension_beyond_apex(model.particles.material);
     text += MaterialCounts(packing.material_names, specimen).text();
     text += fmt::format("  groups       {}\n", text_of(model.particles.groups_in(packing)));
     if (!model.particles.walls.walls.empty())

@@ -38,8 +38,9 @@ namespace apps
     warn_of_missing("breaks.png",
                     postprocess::picture_of_breaks(folder / "breaks.png", particles, breaks,
                                                    plane ? specimen.parameters().thickness : 0.0, "What broke", slab));
-    warn_of_missing("directions.png", postprocess::picture_of_directions(folder / "directions.png", breaks, slab.axis,
-                                                                         "Directions of what broke, part of its area"));
+    warn_of_missing("directions.png", postprocess::picture_of_directions(
+                                        folder / "directions.png", breaks, slab.axis,
+                                        "Directions in which cracks lie (not across them), part of their area"));
   }
 
   std::string BreakResults::text() const

@@ -5,20 +5,24 @@
 #include "apps/drivers/parts/energy_terms.h"
 #include "apps/drivers/parts/series_figures.h"
 #include "apps/process/progress.h"
+#include "apps/scene/tension_beyond_apex.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <omp.h>
 
+#include <algorithm>
+
 namespace apps
 {
   MotionReport ParticlesReport::common() const
   {
     const std::string        by_stop = model.stops.what_ended(series);
-    std::vector<std::string> doubts;
+    std::vector<std::string> doubts  = tension_beyond_apex(model.material);
     if (body.test())
-      doubts = LaboratoryReport{model.laboratory, *body.test(), slower}.warnings();
+      for (const std::string &warning : LaboratoryReport{model.laboratory, *body.test(), slower}.warnings())
+        doubts.push_back(warning);
     return {request,
             "particles",
             body.test_is_over() ? "test" : by_stop,
@@ -61,7 +65,12 @@ namespace apps
   {
     std::string text;
     for (const GaugeSection &gauge : model.gauges.gauges)
-      text += fmt::format("{:<24} {:.6g} {}\n", gauge.name, series.column(gauge.name).back(), gauge.unit());
+      {
+        const std::vector<double> &values = series.column(gauge.name);
+        const auto [least, largest]       = std::minmax_element(values.begin(), values.end());
+        text += fmt::format("{:<24} {:.6g} {} at the end, from {:.6g} to {:.6g} in all\n", gauge.name, values.back(),
+                            gauge.unit(), *least, *largest);
+      }
     if (body.test())
       text += LaboratoryReport{model.laboratory, *body.test(), slower}.text();
     if (model.bonded())

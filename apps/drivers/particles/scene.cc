@@ -10,6 +10,7 @@
 #include "apps/drivers/parts/run_forecast.h"
 #include "apps/drivers/parts/specimen_snapshots.h"
 #include "apps/process/progress.h"
+#include "apps/scene/tension_beyond_apex.h"
 
 #include <fmt/format.h>
 
@@ -69,6 +70,7 @@ namespace apps
     text += fmt::format("  particles    {}\n", specimen.counts().particles);
     text += fmt::format("  links        {}\n", specimen.counts().links);
     text += extent_lines(packing, model.physics.dimension);
+    text += lines_of_tension_beyond_apex(model.material);
     text += MaterialCounts(packing.material_names, specimen).text();
     text += fmt::format("  groups       {}\n", text_of(model.groups_in(packing)));
     if (!model.walls.walls.empty())

@@ -32,16 +32,27 @@ namespace apps
       .housekeeping();
   }
 
-  void ContactFigures::note(const double time, const double force)
+  bool ContactFigures::note(const double time, const double force)
   {
     if (!touched())
       first_touch = time;
     last_touch = time;
-    if (force > peak_force)
-      {
-        peak_force = force;
-        peak_time  = time;
-      }
+    if (!(force > peak_force))
+      return false;
+    peak_force = force;
+    peak_time  = time;
+    return true;
+  }
+
+  std::string ContactFigures::doubt() const
+  {
+    constexpr double fewest = 4; // faces: over 3 an impact of balls is 40 % too long (doc/tutorials/colliding_balls.md)
+    if (!touched() || !(patch > 0) || patch >= fewest * face)
+      return "";
+    return fmt::format(
+      "where bodies touch at the largest force they do so over {:.3g} m^2, and a face of an element there has {:.3g} "
+      "m^2: force, time and first touch are those of the mesh. Finer elements there (Mesh/Balls/NAME/Fineness)",
+      patch, face);
   }
 
   void ContactFigures::put_into(nlohmann::json &figures, const ReferencesSection &known) const
@@ -50,6 +61,8 @@ namespace apps
     figures["peak_force"]["at_time"] = peak_time;
     figures["contact_time"]          = compared(contact_time(), "s", known.contact_time);
     figures["first_contact"]         = {{"value", first_touch}, {"unit", "s"}};
+    if (patch > 0)
+      figures["peak_force"].update({{"area_of_contact", patch}, {"face_of_element", face}, {"unit_of_areas", "m^2"}});
   }
 
   std::string ContactFigures::text() const
@@ -64,5 +77,7 @@ namespace apps
     visitor.scalar("peak_time", peak_time);
     visitor.scalar("first_touch", first_touch);
     visitor.scalar("last_touch", last_touch);
+    visitor.scalar("patch_at_peak", patch);
+    visitor.scalar("face_at_peak", face);
   }
 } // namespace apps

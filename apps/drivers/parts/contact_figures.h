@@ -20,12 +20,16 @@ namespace apps
   {
     double peak_force = 0, peak_time = 0;     ///< largest resultant on a body [N], and when [s]
     double first_touch = -1, last_touch = -1; ///< [s]; -1: never
+    double patch = 0,
+           face  = 0; ///< at the largest: where they touch, and a face of an element there [m^2]; 0: not known
 
     bool   touched() const { return first_touch >= 0; }
     double contact_time() const { return last_touch - first_touch; }
 
-    /** They touch now. @param force between them [N] */
-    void note(double time, double force);
+    /** They touch now. @param force between them [N] @return whether it is the largest so far */
+    bool note(double time, double force);
+    /** What casts doubt on the figures: less than four faces of elements touch where the force is largest; "": nothing. */
+    std::string doubt() const;
     /** peak_force, contact_time and first_contact, beside what is known of them. @pre touched() */
     void        put_into(nlohmann::json &figures, const ReferencesSection &known) const;
     std::string text() const; ///< @pre touched()

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace apps
 {
@@ -73,6 +74,22 @@ namespace apps
     visitor.scalar("section", section);
     visitor.scalar("gauge_length", gauge_length);
     visitor.scalar("deepest_overlap", deepest_overlap);
+    double ratio = poisson_ratio.value_or(std::nan(""));
+    visitor.scalar("poisson_ratio", ratio);
+    poisson_ratio = std::isnan(ratio) ? std::nullopt : std::optional<double>(ratio);
+    visitor.scalar("work_of_fracture", work_of_fracture);
+    visitor.scalar("stress_left", stress_left);
+  }
+
+  void note_work_of_fracture(LabNotes &test, const base::Column &strain, const base::Column &stress)
+  {
+    if (!(test.gauge_length > 0) || strain.empty() || !(test.figures.strength > 0))
+      return;
+    double area = 0.5 * strain.front() * stress.front(); // from the unloaded state on
+    for (std::size_t i = 1; i < strain.size(); ++i)
+      area += 0.5 * (stress[i] + stress[i - 1]) * (strain[i] - strain[i - 1]);
+    test.work_of_fracture = area * test.gauge_length;
+    test.stress_left      = std::fabs(stress.back()) / test.figures.strength;
   }
 
   nlohmann::json figures_of(const std::vector<LabNotes> &tests)
@@ -90,6 +107,13 @@ namespace apps
       {
         found["tensile_strength"]       = strength_of(*tension);
         found["strain_at_tensile_peak"] = strain_at_peak_of(*tension);
+      }
+    if (const LabNotes &elastic = tension ? *tension : tests.front(); elastic.poisson_ratio)
+      found["poisson_ratio"] = quantity(*elastic.poisson_ratio, "-");
+    if (tension && tension->work_of_fracture > 0)
+      {
+        found["work_of_fracture"]                = quantity(tension->work_of_fracture, "J/m^2");
+        found["work_of_fracture"]["stress_left"] = tension->stress_left; // what is not done yet
       }
     if (compression)
       {
@@ -144,10 +168,18 @@ namespace apps
       f.modulus_found() ? fmt::format("E {:.2f} GPa", 1e-9 * f.young_modulus) : std::string("E not determined");
     const std::string area =
       test.section > 0 ? fmt::format(", {:.0f} % of the section", 100 * test.crack.area / test.section) : std::string();
-    return fmt::format("{:<12} {}, {}\n{:<12} {} of {} links cracked (damage above {}; {} deleted), crack area {:.3g} "
-                       "m^2{}\n",
-                       test.name, strength, modulus, "", test.crack.cracked, test.crack.links, dem::Crack::damage,
-                       test.crack.broken, test.crack.area, area);
+    const std::string ratio = test.poisson_ratio ? fmt::format(", nu {:.3f}", *test.poisson_ratio) : std::string();
+    const std::string work =
+      test.name == "tension" && test.work_of_fracture > 0 ?
+        fmt::format("{:<12} work of fracture {:.4g} J/m^2 until {:.0f} % of the largest stress were left\n", "",
+                    test.work_of_fracture, 100 * test.stress_left) :
+        std::string();
+    return fmt::format(
+             "{:<12} {}, {}{}\n{:<12} {} of {} links cracked (damage above {}; {} deleted), crack area {:.3g} "
+             "m^2{}\n",
+             test.name, strength, modulus, ratio, "", test.crack.cracked, test.crack.links, dem::Crack::damage,
+             test.crack.broken, test.crack.area, area) +
+           work;
   }
 
   std::string warning_lines(const std::vector<LabNotes> &tests)

@@ -10,6 +10,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,10 @@ namespace apps
     dem::Crack           crack;
     double               section = 0, gauge_length = 0; ///< [m^2], [m]; 0: a periodic cell, which has neither
     double               deepest_overlap = 0;           ///< see dem::Counts
+
+    std::optional<double> poisson_ratio; ///< up to a third of the largest stress; nothing: not read, or too few samples
+    double work_of_fracture = 0;         ///< of the grips over the section, until the test ends [J/m^2]; 0: not read
+    double stress_left      = 1;         ///< at that end, over the largest
 
     void visit_state(base::StateVisitor &visitor);
   };
@@ -44,6 +49,9 @@ namespace apps
       return a.worst_balance_error < b.worst_balance_error;
     });
   }
+
+  /** Note the work of fracture of a test between grips: the area under its curve times the gauge length. */
+  void note_work_of_fracture(LabNotes &test, const base::Column &strain, const base::Column &stress);
 
   /** Figures of the tests as a summary holds them: value and unit; where one is not determined, null and the reason. */
   nlohmann::json figures_of(const std::vector<LabNotes> &tests);

@@ -198,6 +198,7 @@ namespace apps
       snapshot();
     result.notes.crack =
       dem::measure_crack(dem::particles_of(loaded, path, radius, shape), dem::links_of(loaded, path), shape);
+    note_work_of_fracture(result.notes, result.strain, result.stress);
     warn_of_missing("crack picture", draw_crack(folder));
   }
 

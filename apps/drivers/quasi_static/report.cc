@@ -2,6 +2,7 @@
 
 #include "apps/drivers/parts/summary_head.h"
 #include "apps/process/progress.h"
+#include "apps/scene/tension_beyond_apex.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -45,12 +46,14 @@ namespace apps
     nlohmann::json summary = summary_head(request, "quasi_static");
     summary["figures"]     = figures_of(notes_of(results));
     summary["warnings"]    = warnings_of(notes_of(results));
-    summary["cost"]        = {{"particles", test.particles_in()},
-                              {"links", test.links_in()},
-                              {"solutions", solutions},
-                              {"threads", omp_get_max_threads()},
-                              {"wall_seconds", wall_seconds}};
-    summary["energy"]      = {{"balance_error", worst_balanced(results).worst_balance_error}};
+    for (const std::string &doubt : tension_beyond_apex(model.material))
+      summary["warnings"].push_back(doubt);
+    summary["cost"]   = {{"particles", test.particles_in()},
+                         {"links", test.links_in()},
+                         {"solutions", solutions},
+                         {"threads", omp_get_max_threads()},
+                         {"wall_seconds", wall_seconds}};
+    summary["energy"] = {{"balance_error", worst_balanced(results).worst_balance_error}};
     test.materials.put_into(summary);
     for (const QuasiStaticResult &r : results)
       summary["tests"].push_back(details_of(r));
@@ -81,6 +84,8 @@ namespace apps
       }
     text += basis_of(results.front().notes);
     text += warning_lines(notes_of(results));
+    for (const std::string &doubt : tension_beyond_apex(model.material))
+      text += fmt::format("warning      {}\n", doubt);
     text += fmt::format("energy       balance error {:.1e} at worst\n", worst_balanced(results).worst_balance_error);
     text += fmt::format("cost         {} with {} threads\n", duration_text(wall_seconds), omp_get_max_threads());
     return text;

@@ -6,6 +6,7 @@
 #include "apps/drivers/parts/path_forecast.h"
 #include "apps/drivers/parts/specimen_packing.h"
 #include "apps/drivers/quasi_static/report.h"
+#include "apps/scene/tension_beyond_apex.h"
 
 #include <fmt/format.h>
 
@@ -156,6 +157,7 @@ namespace apps
     text += fmt::format("  particles    {}\n", loaded.network.particles());
     text += fmt::format("  links        {}\n", loaded.network.links.size());
     text += extent_lines(packing, loaded.network.dimension);
+    text += lines_of_tension_beyond_apex(model.material);
     text += materials_in(loaded.network, packing.material_names).text();
     if (!model.is_cell())
       text += fmt::format("  basis        {}\n", text_of(model.grip_layers(packing), model.grips.parameters()));

@@ -1,6 +1,7 @@
 #include "apps/drivers/sequential/particle_event.h"
 
 #include "apps/drivers/parts/specimen_packing.h"
+#include "apps/scene/number_list.h"
 #include "apps/scene/physics_section.h"
 #include "apps/scene/value_text.h"
 
@@ -78,7 +79,7 @@ namespace apps
     grips.declare(u);
     u.flag("Grip lateral motion blocked", lateral_blocked).means("Grips hold their particles sideways too");
     u.flag("Grip rotation blocked", spin_blocked).means("Grips keep their particles from spinning");
-    u.text("Instants", instants, Need::required)
+    declare_list(u, "Instants", instants, "-", Need::required)
       .means(
         "Strains at which the state is handed over, separated by commas, all of one sign; \"a > b\": strained to a and "
         "then led back to b")
@@ -97,7 +98,7 @@ namespace apps
     i.number("Support width", impact.support_width, "m", Range::positive(), Need::required)
       .means("Bottom particles within half of it of a support cannot move up or down");
     i.number("Striker radius", impact.striker_radius, "m", Range::positive(), Need::required).means("Of the sphere");
-    i.text("Striker velocities", velocities, Need::required)
+    declare_list(i, "Striker velocities", velocities, "m/s", Need::required)
       .means("One run each, numbers above 0 [m/s], separated by commas");
     i.number("Rest damping", impact.rest_damping, "-", Range::between(1e-3, 0.99), Need::optional)
       .means("Local damping once the striker has left");

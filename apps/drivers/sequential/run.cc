@@ -205,8 +205,10 @@ namespace apps
       model, {ground.horizontal_unit, ground.vertical_unit}, particles.outcomes(), particles.reference(), curves};
     nlohmann::json json = summary();
     json["figures"]     = {{"cases", report.json()}};
-    json["transfers"]   = record.json;
-    json["cost"]        = {{"wall_seconds", watch.seconds()}};
+    for (const std::string &warning : report.warnings())
+      json["warnings"].push_back(warning);
+    json["transfers"] = record.json;
+    json["cost"]      = {{"wall_seconds", watch.seconds()}};
     postprocess::write_text(running / "study.csv", report.csv());
     warn_of_missing("study.png", report.draw(running / "study.png"));
     finish(json);

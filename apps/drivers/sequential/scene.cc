@@ -157,7 +157,7 @@ namespace apps
     double seconds_of_continuation(const ContinuumModel &model)
     {
       ContinuumRun<dim> run(RunRequest{}, model);
-      return expected(run, model, states_of(model)).seconds;
+      return expected(run, model, states_of(run.body(), model)).seconds;
     }
   } // namespace
 

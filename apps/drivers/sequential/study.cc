@@ -208,6 +208,10 @@ namespace apps
         "error: mean |stress - stress of all particles| over the mean of the latter, past the hand-over, as far as the "
         "continuation came;\nnear: no further than 1.5 times the strain of the hand-over; up to: how many times that "
         "strain it came\n";
-    return failures.empty() ? text : text + "continuations that broke off:\n" + failures;
+    if (!failures.empty())
+      text += "continuations that broke off:\n" + failures;
+    for (const std::string &warning : warnings())
+      text += fmt::format("warning      {}\n", warning);
+    return text;
   }
 } // namespace apps

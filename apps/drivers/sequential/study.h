@@ -40,6 +40,9 @@ namespace apps
   /** The continuation as far as half the strain of the transfer again. */
   ContinuationCurve near_the_transfer(ContinuationCurve curve);
 
+  /** Largest stress of the particles from the strain of a hand-over on, in magnitude; 0 where they have none. */
+  double largest_from(const ParticleOutcome &all_particles, double strain);
+
   /** How far the continuation came within that, in strains of the transfer: 1.5 where it came all the way, 1 where it never began. */
   double near_reaches(const ContinuationCurve &curve);
 
@@ -63,6 +66,8 @@ namespace apps
     std::string    draw(const std::filesystem::path &file) const;
     nlohmann::json json() const;
     std::string    text() const;
+    /** Continuations that leave all particles by far, or bear much more than these, each in a sentence. */
+    std::vector<std::string> warnings() const;
 
   private:
     std::string severity_unit() const;

@@ -108,7 +108,23 @@ namespace apps
       panel.title   = "What the continuum still carries";
       panel.x_label = stresses ? "Strain reached by the particles [1e-3]" : "Energy of the blow [J]";
       panel.y_label = axes.peak_label;
-      panel.series  = {left};
+      if (study.all_particles)
+        {
+          PlotSeries particles;
+          particles.style  = PlotSeries::Style::points;
+          particles.name   = "particles alone, from there on";
+          particles.colour = grey;
+          for (std::size_t k = 0; k < study.curves.size(); ++k)
+            {
+              particles.x.push_back(axes.x * study.particles[k].severity);
+              particles.y.push_back(std::abs(axes.y) * largest_from(*study.all_particles, study.curves[k].offset));
+            }
+          left.name    = "continuum";
+          left.colour  = black;
+          panel.series = {particles, left};
+        }
+      else
+        panel.series = {left};
       return panel;
     }
   } // namespace

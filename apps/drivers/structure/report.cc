@@ -5,6 +5,7 @@
 #include "apps/drivers/parts/summary_head.h"
 #include "apps/process/progress.h"
 #include "apps/results/warning.h"
+#include "apps/scene/tension_beyond_apex.h"
 #include "dem/observation/crack.h"
 #include "postprocess/plot.h"
 #include "postprocess/summary.h"
@@ -70,7 +71,7 @@ namespace apps
                               {"opening", points_by(dem::StepControl::opening)},
                               {"relaxed", points_by(dem::StepControl::relaxed)},
                               {"promotion", points_by(dem::StepControl::changed)}};
-    summary["warnings"]    = nlohmann::json::array();
+    summary["warnings"]    = tension_beyond_apex(model.material);
     summary["energy"]      = energy();
     summary["cost"]        = cost();
     structure.material_counts().put_into(summary);

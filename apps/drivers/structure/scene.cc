@@ -6,6 +6,7 @@
 #include "apps/drivers/structure/promotion.h"
 #include "apps/drivers/structure/run.h"
 #include "apps/process/mpi_session.h"
+#include "apps/scene/tension_beyond_apex.h"
 
 #include <fmt/format.h>
 
@@ -25,6 +26,7 @@ namespace apps
     text += fmt::format("  particles    {}\n  links        {}\n", structure.network().network.particles(),
                         structure.network().network.links.size());
     text += extent_lines(packing, structure.network().network.dimension);
+    text += lines_of_tension_beyond_apex(model.material);
     text += structure.material_counts().text();
     text += fmt::format("  groups       {}\n", text_of(structure.members()));
     if (const StructureSolid *solid = structure.surrounding())

@@ -5,6 +5,7 @@
 #include "apps/drivers/parts/specimen_snapshots.h"
 #include "apps/drivers/uniaxial/model.h"
 #include "apps/drivers/uniaxial/result.h"
+#include "apps/drivers/uniaxial/sideways.h"
 #include "apps/results/run_work.h"
 
 #include <filesystem>
@@ -80,5 +81,6 @@ namespace apps
     StepSampling      sampling;
     bool              shown; ///< snapshots are asked for
     SpecimenSnapshots snapshots;
+    SidewaysStrain    sideways;
   };
 } // namespace apps

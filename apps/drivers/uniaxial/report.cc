@@ -4,6 +4,7 @@
 #include "apps/drivers/parts/left_out_of_balance.h"
 #include "apps/drivers/parts/summary_head.h"
 #include "apps/process/progress.h"
+#include "apps/scene/tension_beyond_apex.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -49,9 +50,11 @@ namespace apps
     for (const UniaxialResult &result : results)
       steps += result.steps;
 
-    nlohmann::json summary      = summary_head(request, "uniaxial");
-    summary["figures"]          = figures_of(notes_of(results));
-    summary["warnings"]         = warnings_of(notes_of(results));
+    nlohmann::json summary = summary_head(request, "uniaxial");
+    summary["figures"]     = figures_of(notes_of(results));
+    summary["warnings"]    = warnings_of(notes_of(results));
+    for (const std::string &doubt : tension_beyond_apex(model.material))
+      summary["warnings"].push_back(doubt);
     summary["cost"]             = {{"particles", first.at_start.particles},
                                    {"links", first.at_start.links},
                                    {"steps", steps},
@@ -91,6 +94,8 @@ namespace apps
       text += text_of(result.notes);
     text += basis_of(results.front().notes);
     text += warning_lines(notes_of(results));
+    for (const std::string &doubt : tension_beyond_apex(model.material))
+      text += fmt::format("warning      {}\n", doubt);
     if (const StaticStart &start = results.front().start)
       text += fmt::format("start        {}\n", text_of(*start));
     text += fmt::format("energy       balance error {:.1e} at worst\n", worst_balanced(results).worst_balance_error);

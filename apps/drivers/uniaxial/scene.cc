@@ -13,6 +13,7 @@
 #include "apps/process/exit_status.h"
 #include "apps/process/progress.h"
 #include "apps/scene/physics_section.h"
+#include "apps/scene/tension_beyond_apex.h"
 
 #include <fmt/format.h>
 
@@ -106,6 +107,7 @@ namespace apps
     text += fmt::format("  particles    {}\n", body.counts().particles);
     text += fmt::format("  links        {}\n", body.counts().links);
     text += extent_lines(packing, asked.specimen.physics.dimension);
+    text += lines_of_tension_beyond_apex(asked.material);
     text += MaterialCounts(packing.material_names, body).text();
     text += fmt::format("  time step    {:.4g} s = {} of the bound of its particles\n", body.time_step(),
                         asked.specimen.step_factor);

@@ -1,0 +1,26 @@
+#include "apps/commands/asked_number.h"
+
+#include "apps/scene/usual_sizes.h"
+#include "apps/scene/value_text.h"
+
+#include <CLI/Error.hpp>
+
+#include <functional>
+
+namespace apps
+{
+  CLI::Option *add_asked_number(CLI::App &command, const AskedNumber &what, double &member, const std::string &meaning)
+  {
+    const auto take = [what, &member](const std::string &text) {
+      const auto number = number_in(list_without_units(text, what.unit));
+      if (!number || !what.range.contains(*number))
+        throw CLI::ValidationError(what.option, text + ": expected a number" +
+                                                  (what.range.text().empty() ? "" : ", " + what.range.text()));
+      const std::string question = question_about_list(what.quantity, what.unit, text);
+      if (!question.empty())
+        throw CLI::ValidationError(what.option, text + ": " + question);
+      member = *number;
+    };
+    return command.add_option_function<std::string>(what.option, take, meaning);
+  }
+} // namespace apps
