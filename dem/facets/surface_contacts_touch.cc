@@ -275,13 +275,15 @@ namespace dem
   {
     const auto   corners = static_cast<std::size_t>(surface.mesh.corners);
     const double look    = surface.look(radius);
+    if (surface.footprint.given())
+      surface.footprint.keep_own(surface.mesh, surface.place, centre, block.room->near);
     contact_zones(block.room->near, centre, look, block.room->zones);
     for (ContactZone &zone : block.room->zones.zones)
       {
         zone.overlap -= look - radius + block.room->cut;
         const bool spread =
-          surface.footprint.given() &&
-          surface.footprint.spread(surface.mesh, surface.place, zone, block.room->standing, block.room->spread);
+          surface.footprint.given() && surface.footprint.spread(surface.mesh, surface.place, zone, block.room->standing,
+                                                                radius - block.room->cut, block.room->spread);
         if (spread)
           {
             zone.overlap   = block.room->spread.overlap;
