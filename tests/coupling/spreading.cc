@@ -281,6 +281,8 @@ namespace
                   most, std::fabs(specimen.energy().residual() + s.external + s.start - s.kinetic - s.internal - s.damped));
       }
     CHECK(specimen.particle(0).velocity.z() > 0);
+    for (const auto &surface : both.surfaces())
+      CHECK(std::fabs(surface->balance().spreading) < 2e-4 * start);
     return most / start;
   }
 } // namespace
