@@ -1,26 +1,14 @@
 #pragma once
 
+#include "dem/facets/cell.h"
 #include "dem/facets/contact_zones.h"
+#include "dem/facets/flat_faces.h"
+#include "dem/facets/vertex_weights.h"
 
-#include <cstdint>
 #include <vector>
 
 namespace dem
 {
-  /** Part of a vertex in the place of a contact. */
-  struct VertexWeight
-  {
-    std::int32_t vertex;
-    double       weight;
-  };
-
-  /** A sphere that stands on a surface, or is near it. */
-  struct StandingSphere
-  {
-    Eigen::Vector3d centre; ///< [m]
-    double          radius; ///< [m]
-  };
-
   /** A sphere's contact, spread over the facets under it. */
   struct SpreadContact
   {
@@ -35,6 +23,9 @@ namespace dem
    * pressure whatever the facets and however the layer is turned. Weights are the integrals of the shape functions over that part of
    * the cell that has as much surface beyond the contact as before it: the mean place stays where the contact is. Beside an edge of the
    * surface that part is narrower, and on the edge a point.
+   *
+   * On a face that was flat contacts are those with its mean surface, at the nearest point of that (dem/facets/mean_surface.h): their
+   * forces are the slope of their energy whatever the dent.
    */
   class Footprint
   {
@@ -43,7 +34,7 @@ namespace dem
     /** @param mesh with its vertices where they are in the undeformed surface */
     explicit Footprint(const FacetMesh &mesh);
 
-    bool given() const { return !from.empty(); }
+    bool given() const { return around.given(); }
     /** How far from its centre a sphere looks for facets, over its radius: a dent under it is deeper than the mean surface. */
     static constexpr double reach = 1.1;
     /** Spheres further apart than this part of the sum of their radii do not bound each other's cell. */
@@ -51,17 +42,27 @@ namespace dem
 
     /**
      * @param mesh that it was made from @param place of the vertices now @param spheres first the one that touches in the zone, then
-     * those that may stand beside it @param found its room is used again
+     * those that may stand beside it @param reaches how far from its centre it touches [m] @param found its room is used again
      * @return false where all of the cell lies in one facet: then the contact is what it was
      */
     bool spread(const FacetMesh                    &mesh,
                 const std::vector<Eigen::Vector3d> &place,
                 const ContactZone                  &zone,
                 const std::vector<StandingSphere>  &spheres,
+                double                              reaches,
                 SpreadContact                      &found) const;
 
+    /** Of nearest points those that can be contacts of their own: dents of a flat face are no hollows (dem/facets/flat_faces.h). */
+    void keep_own(const FacetMesh                    &mesh,
+                  const std::vector<Eigen::Vector3d> &place,
+                  const Eigen::Vector3d              &centre,
+                  std::vector<NearPoint>             &near) const
+    {
+      faces.keep_nearest(mesh, place, centre, near);
+    }
+
   private:
-    std::vector<std::size_t>  from;   ///< of each vertex, in the next
-    std::vector<std::int32_t> around; ///< facets of each vertex
+    FacetsAround around;
+    FlatFaces    faces;
   };
 } // namespace dem

@@ -214,6 +214,7 @@ namespace dem
       visit(visitor, named(name_of_vector), *vector);
     visitor.scalar(named("servo_force"), servo.force);
     visitor.scalar(named("work"), work);
+    visitor.scalar(named("made"), made);
     visitor.scalar(named("along"), along);
     visitor.scalar(named("touching"), touching);
     visitor.scalar(named("glued"), glued);

@@ -205,7 +205,10 @@ namespace dem
       }
     contacts = std::move(now);
     for (const SurfaceContact &contact : contacts)
-      slid += contact.dissipated;
+      {
+        slid += contact.dissipated;
+        all[static_cast<std::size_t>(contact.surface)].made += contact.made;
+      }
   }
 
   void SurfaceContacts::hand_out(const Particles &particles, const ParticleShape &shape)

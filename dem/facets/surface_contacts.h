@@ -31,6 +31,7 @@ namespace dem
     double          pressing;                 ///< size of what friction is in proportion to [N]
     double          stiffness;                ///< across the surface [N/m]
     double          spring;                   ///< stored by it [J]
+    double          made = 0; ///< in this step, by parts of vertices that are not the slope of its energy [J]
 
     /** On the particle, about its centre: pressure points to it [N m]. */
     Eigen::Vector3d moment() const;
@@ -174,6 +175,11 @@ namespace dem
                 const SurfaceContact    *before,
                 SurfaceContact          &now,
                 std::vector<VertexPart> &parts_of_now) const;
+    /** What a push that is not the slope of the stored energy has made since the contact before [J]. */
+    double made_since(const SurfaceContact  &before,
+                      const SurfaceContact  &now,
+                      const Eigen::Vector3d &moved,
+                      const Eigen::Vector3d &carried_along) const;
     /** Who stands on a surface beside the particle at which a thread looks. */
     void   gather_beside(const Particles &particles, std::size_t listed, const Surface &surface, Block &block) const;
     void   add_zones(const Surface         &surface,

@@ -275,13 +275,15 @@ namespace dem
   {
     const auto   corners = static_cast<std::size_t>(surface.mesh.corners);
     const double look    = surface.look(radius);
+    if (surface.footprint.given())
+      surface.footprint.keep_own(surface.mesh, surface.place, centre, block.room->near);
     contact_zones(block.room->near, centre, look, block.room->zones);
     for (ContactZone &zone : block.room->zones.zones)
       {
         zone.overlap -= look - radius + block.room->cut;
         const bool spread =
-          surface.footprint.given() &&
-          surface.footprint.spread(surface.mesh, surface.place, zone, block.room->standing, block.room->spread);
+          surface.footprint.given() && surface.footprint.spread(surface.mesh, surface.place, zone, block.room->standing,
+                                                                radius - block.room->cut, block.room->spread);
         if (spread)
           {
             zone.overlap   = block.room->spread.overlap;
@@ -345,6 +347,23 @@ namespace dem
     block.room->fresh.push_back(now);
   }
 
+  double SurfaceContacts::made_since(const SurfaceContact  &before,
+                                     const SurfaceContact  &now,
+                                     const Eigen::Vector3d &moved,
+                                     const Eigen::Vector3d &carried_along) const
+  {
+    Eigen::Vector3d carried_before = Eigen::Vector3d::Zero();
+    const Surface  &surface        = all[static_cast<std::size_t>(now.surface)];
+    for (std::int32_t k = before.parts_begin; k < before.parts_end; ++k)
+      {
+        const VertexPart &part = vertex_parts[static_cast<std::size_t>(k)];
+        carried_before += part.weight * surface.motion[static_cast<std::size_t>(part.vertex)];
+      }
+    // Either push works on both sides over half of the step, each by its own weights.
+    const double given = 0.5 * (before.push.dot(moved - carried_before) + now.push.dot(moved - carried_along));
+    return now.spring - before.spring + given;
+  }
+
   void SurfaceContacts::follow(const Particles         &particles,
                                const ParticleShape     &shape,
                                const SurfaceContact    *before,
@@ -397,6 +416,7 @@ namespace dem
     now.shear         = vector(shear);
     now.force         = now.push + vector(answer.shear);
     now.dissipated    = work.friction + lost;
+    now.made          = before && surface.footprint.given() ? made_since(*before, now, moved, carried_along) : 0.0;
     for (std::int32_t k = now.parts_begin; k < now.parts_end; ++k)
       {
         VertexPart &part = parts_of_now[static_cast<std::size_t>(k)];

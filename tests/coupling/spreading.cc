@@ -245,6 +245,62 @@ TEST_CASE("spreading: a collision over an edge keeps momenta and power, sub-cycl
     }
 }
 
+namespace
+{
+  /** Largest sum of what either side's account lacks while stiff balls hit a flat face, each by a coupling of its own, over the energy. */
+  double lost_on_flat_face(const unsigned int elements, const std::vector<Vector3d> &above, const double step_part)
+  {
+    Block<3>     block(elements);
+    dem::Packing packing;
+    packing.centre = above;
+    packing.radius.assign(above.size(), 0.02);
+    auto p        = cluster::bonded(1.0);
+    p.density     = 7800;
+    p.step_factor = 0.05;
+    p.damping     = 0;
+    dem::Specimen                 specimen(packing, p, rough());
+    coupling::ConcurrentMotion<3> both(specimen, block.solid, *block.motion, *block.participant);
+    for (std::size_t i = 0; i < above.size(); ++i)
+      {
+        specimen.set_velocity(i, {0.5, -0.3, -8}, Vector3d::Zero());
+        coupling::SurfaceCouplingParameters top{"top" + std::to_string(i), {"5"}, rough()};
+        top.spreading                    = coupling::Spreading::automatic;
+        top.contact.effective_modulus    = 2e9;
+        top.contact.friction_coefficient = 0;
+        top.particles                    = {i};
+        both.add_surface(top);
+      }
+    both.advance(step_part * both.next_window(1).window);
+    const double start = specimen.energy().kinetic;
+    double       most  = 0;
+    while (specimen.time() < 3.5e-4)
+      {
+        both.advance(step_part * both.next_window(1).window);
+        const auto s = block.motion->energy();
+        most         = std::max(
+                  most, std::fabs(specimen.energy().residual() + s.external + s.start - s.kinetic - s.internal - s.damped));
+      }
+    CHECK(specimen.particle(0).velocity.z() > 0);
+    for (const auto &surface : both.surfaces())
+      CHECK(std::fabs(surface->balance().spreading) < 2e-4 * start);
+    return most / start;
+  }
+} // namespace
+
+TEST_CASE("spreading: balls that hit a flat face off its elements' middles keep the energy to the square of the step",
+          "[coupling][slow]")
+{
+  const std::vector<Vector3d> beside_edges = {{0.012, 0.041, 0.1201}}, inside = {{0.053, 0.041, 0.1201}},
+                              three = {{0.027, 0.024, 0.1201}, {0.073, 0.031, 0.1203}, {0.044, 0.077, 0.1205}};
+  for (const auto &[elements, above] : {std::pair(8u, beside_edges), {16u, inside}, {8u, three}})
+    {
+      const double coarse = lost_on_flat_face(elements, above, 0.5), fine = lost_on_flat_face(elements, above, 0.25);
+      INFO(above.size() << " balls on " << elements << " elements: " << coarse << ", " << fine);
+      CHECK(coarse < 1e-3);
+      CHECK(fine < 0.5 * coarse);
+    }
+}
+
 TEST_CASE("spreading: a ball rolls over small faces of a block with constant force", "[coupling]")
 {
   // Led over the stiff block at one height: the force is that of the height, wherever it is.

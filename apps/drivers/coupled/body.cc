@@ -201,8 +201,8 @@ namespace apps
             values.push_back(static_cast<double>(touched.touching));
             if (coupling++->bond.given())
               add(std::initializer_list<double>{static_cast<double>(touched.glued), static_cast<double>(touched.torn)});
-            add(std::initializer_list<double>{balance.work_on_solid, balance.made()});
-            made += balance.made();
+            add(std::initializer_list<double>{balance.work_on_solid, balance.made_in_all()});
+            made += balance.made(); // what contacts make, the residual of the particles shows already
           }
         add(touching.values());
         for (const auto &handshake : both.volumes())
@@ -231,13 +231,16 @@ namespace apps
         auto coupling = model.couplings.couplings.begin();
         for (const auto &surface : both.surfaces())
           {
-            const double made = surface->balance().made();
+            const coupling::SurfaceBalance balance = surface->balance();
+            const double                   made    = balance.made_in_all();
             if (std::fabs(made) > coupling->energy_limit * largest_energy)
               throw StoppedShort(fmt::format("Couplings/{}: at {:.6g} s the coupling has made {:.3g} J by itself, more "
                                              "than Energy limit = {} of the "
                                              "largest energy, {:.3g} J. {}",
                                              coupling->name, time(), made, coupling->energy_limit, largest_energy,
-                                             remedy(made, coupling->energy_limit)));
+                                             std::fabs(balance.spreading) > std::fabs(balance.made()) ?
+                                               "Set its Spreading = none, or let particles touch flat faces." :
+                                               remedy(made, coupling->energy_limit)));
             ++coupling;
           }
         auto handshake = model.handshakes.handshakes.begin();
