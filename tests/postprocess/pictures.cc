@@ -83,7 +83,7 @@ TEST_CASE("a logarithmic axis ends where its points do", "[postprocess]")
   panel.series = {points("one", {8, 0, 40}, {1, 1, 2}), points("two", {16, 64}, {1, std::nan("")})};
   CHECK(drawn_range(panel) == std::make_pair(8.0, 40.0)); // zero and what is not a number are no points
   const ScratchFolder folder;
-  CHECK(plot(folder.path() / "a.png", {panel}).empty());
+  CHECK(plot(folder.path / "a.png", {panel}).empty());
 }
 
 TEST_CASE("a curve that ends at its largest value has no peak", "[postprocess]")
