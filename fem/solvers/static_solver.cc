@@ -57,12 +57,12 @@ namespace fem
     const double size    = r.l2_norm();
     const double rounded = std::numeric_limits<double>::epsilon() * tangent_size * trial.u.l2_norm();
     report.residual      = size / now;
+    if (options.told && report.iterations > 0) // before, what the supports will bring is not in it
+      options.told(report.iterations, report.residual / options.tolerance);
     if (!std::isfinite(size))
       throw MaterialFailure("the unbalanced force is not a number.");
     if (size <= options.tolerance * now)
       return true;
-    if (options.told)
-      options.told(report.iterations, report.residual / options.tolerance);
     report.rounded = size <= rounded && report.residual <= worst_rounding;
     return report.rounded;
   }

@@ -224,8 +224,7 @@ TEST_CASE("an iteration tells how far it is, down to the tolerance", "[fem]")
   fem::StaticSolver<2>  solver(bar.solid, newton);
   const fem::StepReport report = solver.advance_to(1e-6);
   REQUIRE(report.converged);
-  REQUIRE(told.size() == report.iterations + 1);
-  CHECK(told.front().second > 1);
+  REQUIRE(told.size() == report.iterations);
   CHECK(told.back() == std::make_pair(report.iterations, report.residual / newton.tolerance));
   CHECK(told.back().second <= 1);
 }
