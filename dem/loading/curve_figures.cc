@@ -24,6 +24,9 @@ namespace dem
   {
     if (stress > 0 && (notes.empty() || stress > growth * notes[notes.size() - note_length]))
       notes.insert(notes.end(), {stress, product, square});
+    area += 0.5 * (stress + last_stress) * (strain - last_strain);
+    last_strain = strain;
+    last_stress = stress;
     product += stress * strain;
     square += strain * strain;
     if (!(stress > strength))
@@ -38,6 +41,8 @@ namespace dem
     UniaxialFigures found;
     found.strength       = strength;
     found.strain_at_peak = strain_at_peak;
+    found.work           = area;
+    found.last_stress    = last_stress;
     for (std::size_t at = 0; at < notes.size(); at += note_length)
       if (notes[at] > elastic_part * strength)
         {
@@ -54,6 +59,9 @@ namespace dem
     visitor.scalar("curve/strain_at_peak", strain_at_peak);
     visitor.scalar("curve/product", product);
     visitor.scalar("curve/square", square);
+    visitor.scalar("curve/area", area);
+    visitor.scalar("curve/last_strain", last_strain);
+    visitor.scalar("curve/last_stress", last_stress);
     visitor.column("curve/notes", notes);
   }
 } // namespace dem

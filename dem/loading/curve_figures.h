@@ -12,6 +12,8 @@ namespace dem
     double young_modulus  = 0;
     double strength       = 0; ///< largest stress in the direction of the load [Pa]; 0: there was none
     double strain_at_peak = 0; ///< [-]
+    double work           = 0; ///< area under the curve, from rest along straight lines [J/m^3]
+    double last_stress    = 0; ///< at its end [Pa]
     /** See is_past_peak(): then the largest stress is the strength. Otherwise it may still grow. */
     bool peak_passed = false;
 
@@ -46,6 +48,7 @@ namespace dem
   private:
     double       strength = 0, strain_at_peak = 0;
     double       product = 0, square = 0; ///< sums of stress times strain and of strain squared, up to now
-    base::Column notes;                   ///< records: stress, sums of all points before it was first reached
+    double       area = 0, last_strain = 0, last_stress = 0;
+    base::Column notes; ///< records: stress, sums of all points before it was first reached
   };
 } // namespace dem

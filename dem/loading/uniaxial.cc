@@ -94,6 +94,8 @@ namespace dem
     look_ahead();
     specimen->advance(steps, [this] {
       measure();
+      if (watcher)
+        watcher(now);
       look_ahead();
       return !finished();
     });

@@ -4,6 +4,7 @@
 #include "dem/loading/curve_figures.h"
 #include "dem/specimen/specimen.h"
 
+#include <functional>
 #include <vector>
 
 namespace dem
@@ -54,6 +55,9 @@ namespace dem
     /** Steps to the stop strain, the most that the test can take. */
     std::int64_t most_steps() const;
 
+    /** Shows every step to the caller; what is noted so does not hang on how often the curve is sampled. Not part of the state. */
+    void watch(std::function<void(const UniaxialSample &)> each_step) { watcher = std::move(each_step); }
+
     const std::vector<UniaxialSample> &curve() const { return samples; }
     UniaxialFigures                    figures() const;
     const GripLayers                  &grip_layers() const { return layers; }
@@ -86,5 +90,7 @@ namespace dem
     std::int64_t                fallen_steps = 0; ///< and as low as after a peak
     CurveFigures                record;
     std::vector<UniaxialSample> samples;
+
+    std::function<void(const UniaxialSample &)> watcher;
   };
 } // namespace dem

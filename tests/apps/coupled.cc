@@ -119,8 +119,9 @@ TEST_CASE("A ball and a free block keep momentum, angular momentum and energy, a
     }
   // The dented face is hollow, where contacts are continuous but not quite the slope of an energy (doc/theory/facets.md, 2).
   CHECK(found.summary["energy"]["balance_error"].get<double>() < 2e-3);
+  // With what spread contacts make of changing weights, measured to the square of the step.
   CHECK(std::fabs(found.summary["energy"]["made_by_couplings"]["block"].get<double>()) <
-        1e-12 * found.summary["energy"]["particles_initial"].get<double>());
+        1e-6 * found.summary["energy"]["particles_initial"].get<double>());
   const std::string together = content_of(folder / "results/coupled.pvd");
   CHECK_THAT(together, Contains("solid/solid_000004.vtu") &&
                          Contains("particles_particles/particles_particles_000004.vtp") &&

@@ -200,7 +200,7 @@ TEST_CASE("What a genesis cannot be made of is refused with the place", "[apps][
   folder.file("mortar.prm", mortar);
   is_refused(folder, "mortar.prm", {of + "Classes=1e-3: 0.5, 3e-3: 0.4"}, "fractions sum up to 0.9");
   is_refused(folder, "mortar.prm", {of + "Classes=1e-3"}, "expected diameter: fraction");
-  is_refused(folder, "mortar.prm", {of + "Classes=1: 1"}, "not one particle fits");
+  is_refused(folder, "mortar.prm", {of + "Classes=1 m: 1"}, "not one particle fits");
   is_refused(folder, "mortar.prm", {of + "Vessel=cylinder"}, "a cylinder has three dimensions");
   is_refused(folder, "mortar.prm", {of + "Size=0, 0.03, 0"}, "must be above 0");
   is_refused(folder, "mortar.prm", {of + "Stress=1e12"}, "far below the modulus");

@@ -118,7 +118,7 @@ TEST_CASE("A formula that assigns, or has several values, is refused", "[apps][S
 TEST_CASE("Packings that cannot be made or told apart are refused", "[apps][S14]")
 {
   const ScratchFolder folder;
-  refused(folder, {"pack", "--radius", "1e308", "--count", "20", "-o", "out"},
+  refused(folder, {"pack", "--radius", "1e308 m", "--count", "20", "-o", "out"},
           "radius = 1e+308: must be a length from");
   refused(folder, {"pack", "--radius", "1e-3", "--count", "20", "--seed", "-1", "-o", "out"}, "--seed");
   refused(folder, {"pack", "--radius", "1e-3", "--count", "-5", "-o", "out"}, "--count");

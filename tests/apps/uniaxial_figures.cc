@@ -1,6 +1,7 @@
 // Poisson's ratio and the work of fracture that uniaxial tests report, against what is known of them.
 #include "apps/drivers/parts/lab_report.h"
 #include "apps/drivers/uniaxial/sideways.h"
+#include "dem/loading/curve_figures.h"
 #include "tests/apps/scene_runs.h"
 #include "tests/apps/scratch_folder.h"
 #include "tests/places.h"
@@ -17,7 +18,10 @@ TEST_CASE("The work of fracture is the area under a curve times the gauge length
   test.gauge_length     = 0.1;
   test.section          = 1e-4;
   test.figures.strength = 2e6;
-  apps::note_work_of_fracture(test, {1e-4, 3e-4}, {2e6, 0.2e6}); // from rest along straight lines
+  dem::CurveFigures curve; // from rest along straight lines
+  curve.add(1e-4, 2e6);
+  curve.add(3e-4, 0.2e6);
+  apps::note_work_of_fracture(test, curve.figures());
   CHECK(test.work_of_fracture == Approx(0.1 * (0.5 * 1e-4 * 2e6 + 0.5 * 2e-4 * 2.2e6)));
   CHECK(test.stress_left == Approx(0.1));
   test.figures.peak_passed = true;
@@ -28,7 +32,7 @@ TEST_CASE("The work of fracture is the area under a curve times the gauge length
 
   apps::LabNotes cell;
   cell.figures.strength = 2e6;
-  apps::note_work_of_fracture(cell, {1e-4}, {2e6}); // has no section to refer it to
+  apps::note_work_of_fracture(cell, curve.figures()); // has no section to refer it to
   CHECK(cell.work_of_fracture == 0);
 }
 

@@ -81,15 +81,12 @@ namespace apps
     visitor.scalar("stress_left", stress_left);
   }
 
-  void note_work_of_fracture(LabNotes &test, const base::Column &strain, const base::Column &stress)
+  void note_work_of_fracture(LabNotes &test, const dem::UniaxialFigures &curve)
   {
-    if (!(test.gauge_length > 0) || strain.empty() || !(test.figures.strength > 0))
+    if (!(test.gauge_length > 0) || !(curve.strength > 0))
       return;
-    double area = 0.5 * strain.front() * stress.front(); // from the unloaded state on
-    for (std::size_t i = 1; i < strain.size(); ++i)
-      area += 0.5 * (stress[i] + stress[i - 1]) * (strain[i] - strain[i - 1]);
-    test.work_of_fracture = area * test.gauge_length;
-    test.stress_left      = std::fabs(stress.back()) / test.figures.strength;
+    test.work_of_fracture = curve.work * test.gauge_length;
+    test.stress_left      = std::fabs(curve.last_stress) / curve.strength;
   }
 
   nlohmann::json figures_of(const std::vector<LabNotes> &tests)

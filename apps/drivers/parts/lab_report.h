@@ -51,7 +51,7 @@ namespace apps
   }
 
   /** Note the work of fracture of a test between grips: the area under its curve times the gauge length. */
-  void note_work_of_fracture(LabNotes &test, const base::Column &strain, const base::Column &stress);
+  void note_work_of_fracture(LabNotes &test, const dem::UniaxialFigures &curve);
 
   /** Figures of the tests as a summary holds them: value and unit; where one is not determined, null and the reason. */
   nlohmann::json figures_of(const std::vector<LabNotes> &tests);

@@ -198,7 +198,10 @@ namespace apps
       snapshot();
     result.notes.crack =
       dem::measure_crack(dem::particles_of(loaded, path, radius, shape), dem::links_of(loaded, path), shape);
-    note_work_of_fracture(result.notes, result.strain, result.stress);
+    dem::CurveFigures curve;
+    for (std::size_t i = 0; i < result.strain.size(); ++i)
+      curve.add(result.strain[i], result.stress[i]);
+    note_work_of_fracture(result.notes, curve.figures());
     warn_of_missing("crack picture", draw_crack(folder));
   }
 

@@ -52,6 +52,8 @@ namespace apps
     result.time_step          = specimen.time_step();
     result.at_start           = specimen.counts();
     materials                 = MaterialCounts(packing.material_names, specimen);
+    const double sign         = result.load == UniaxialLoad::tension ? 1 : -1;
+    test.watch([this, sign](const dem::UniaxialSample &now) { sideways.note(specimen, axis, sign * now.stress); });
   }
 
   void UniaxialLabTest::settle()
@@ -83,8 +85,6 @@ namespace apps
     result.link_updates +=
       static_cast<double>(result.steps - before) * static_cast<double>(result.at_end.links + result.at_end.contacts);
     result.worst_balance_error = std::max(result.worst_balance_error, result.energy.balance_error());
-    if (!test.curve().empty())
-      sideways.note(specimen, axis, (result.load == UniaxialLoad::tension ? 1 : -1) * test.curve().back().stress);
     result.notes.poisson_ratio = sideways.poisson_ratio(result.notes.figures.strength);
     if (snapshot_due())
       snapshots.take(specimen);
@@ -137,7 +137,7 @@ namespace apps
         result.strain.push_back(sample.strain);
         result.stress.push_back(sample.stress);
       }
-    note_work_of_fracture(result.notes, result.strain, result.stress);
+    note_work_of_fracture(result.notes, test.figures());
     const dem::SpecimenParameters &made = specimen.parameters();
     result.notes.crack                  = dem::measure_crack(specimen.particles(), specimen.links(),
                                                              {made.physics.dimension, made.density, made.thickness});
