@@ -43,6 +43,7 @@ namespace postprocess
           table.units.push_back(std::move(column.unit));
         }
       table.columns.resize(table.names.size());
+      table.words.resize(table.names.size());
     }
 
     double
@@ -59,7 +60,7 @@ namespace postprocess
                           const bool                      accept_not_finite,
                           const std::vector<std::string> &word_columns)
   {
-    CsvTable                      table{{}, {}, {}, path.string()};
+    CsvTable                      table{{}, {}, {}, path.string(), {}};
     const std::string             text = read_text(path);
     std::vector<std::string_view> fields;
     for (Lines lines(text); lines.next();)
@@ -78,7 +79,9 @@ namespace postprocess
                  "found " + std::to_string(fields.size()) + " values, expected " + std::to_string(table.names.size()) +
                    " as in the header.");
         for (std::size_t c = 0; c < fields.size(); ++c)
-          if (std::find(word_columns.begin(), word_columns.end(), table.names[c]) == word_columns.end())
+          if (std::find(word_columns.begin(), word_columns.end(), table.names[c]) != word_columns.end())
+            table.words[c].emplace_back(fields[c]);
+          else
             table.columns[c].push_back(value_of(fields[c], table, lines.number(), accept_not_finite));
       }
     if (table.names.empty())

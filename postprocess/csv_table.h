@@ -14,6 +14,9 @@ namespace postprocess
     std::vector<std::vector<double>> columns;
     std::string                      origin; ///< file name, for messages
 
+    std::vector<std::vector<std::string>>
+      words; ///< of columns of words, as many as columns; those of numbers stay empty
+
     std::size_t rows() const;
     /** @throws base::InputError that lists the columns there are. */
     const std::vector<double> &column(const std::string &name) const;
@@ -21,8 +24,8 @@ namespace postprocess
 
   /**
    * Read a table: the first line names the columns (`name` or `name [unit]`), commas, blanks or tabs separate, lines
-   * starting with `#` are comments. The values nan and inf are accepted only when asked for. Columns of words, where the caller
-   * says that there are any, stay empty.
+   * starting with `#` are comments. The values nan and inf are accepted only when asked for. Columns of words are those
+   * that the caller names.
    *
    * @throws base::InputError naming file and line: missing file, no header, a name twice, wrong number of values, not a
    * number.

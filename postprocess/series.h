@@ -12,7 +12,8 @@ namespace postprocess
 {
   struct SeriesColumn
   {
-    std::string name, unit; ///< written as `name [unit]`; `-` for a pure number, empty for none (a count, a flag)
+    std::string name, unit;    ///< written as `name [unit]`; `-` for a pure number, empty for none (a count, a flag)
+    bool        words = false; ///< it holds words, not numbers
   };
 
   /**

@@ -9,6 +9,7 @@
 #include "apps/process/interrupt.h"
 #include "apps/process/stopwatch.h"
 #include "apps/results/result_folder.h"
+#include "apps/results/terminal.h"
 #include "apps/scene/description.h"
 
 #include <fmt/format.h>
@@ -88,7 +89,6 @@ namespace apps
                           const SceneVariant                        &variant,
                           const ParticleCases                       &particles,
                           const std::size_t                          instant,
-                          const std::filesystem::path               &folder,
                           const std::optional<coupling::MappingLaw> &identified)
     {
       std::vector<std::string> overrides = bench.overrides;
@@ -100,11 +100,12 @@ namespace apps
       const double           done = std::abs(outcome.severity / all.curve_strain.back());
       row.seconds_saved           = (1 - done) * all.seconds;
       RunRequest request          = request_of(scene);
-      request.output_folder       = folder;
-      request.quiet               = true;
+      request.output_folder.clear(); // only the result is wanted
+      ProgressLine line;
+      request.observers = {&line};
       const Stopwatch watch;
-      const auto      compare = [&](const std::filesystem::path &where) {
-        ContinuationCurve curve = read_continuation(model.study, where);
+      const auto      compare = [&](const RunResult &continuation) {
+        ContinuationCurve curve = curve_of(model.study, continuation);
         curve.offset            = outcome.curve_strain.back();
         row.error               = error_against(curve, all);
         row.near                = error_against(near_the_transfer(curve), all);
@@ -119,10 +120,11 @@ namespace apps
           options.strength                  = model.tensile_strength();
           if (identified)
             options.law = *identified;
-          if (continue_from(request, model.continuum, field, options, model.study.least_force,
-                            [](const TransferredState &) {}) != exit_success)
+          const RunResult continuation = continue_from(request, model.continuum, field, options,
+                                                       model.study.least_force, [](const TransferredState &) {});
+          if (continuation.end == RunResult::End::interrupted)
             return row;
-          compare(folder); // what was found, if it broke off
+          compare(continuation); // what was found, if it broke off
         }
       catch (const base::NumericalError &failure)
         {
@@ -212,7 +214,6 @@ namespace apps
       }
     std::vector<SequentialRow> rows;
     const auto                 instants = model.particles.instants_asked();
-    std::size_t                number   = 0;
     std::vector<SceneVariant>  variants = variants_of(model.particles.specimen.generator.radius, bench.quick);
     for (SceneVariant &variant : lengths_of(model, bench.quick))
       variants.push_back(std::move(variant));
@@ -221,11 +222,9 @@ namespace apps
         {
           if (instants[k].back) // the all-particle run does not unload
             continue;
-          rows.push_back(
-            measure(bench, variant, particles, k, folder.running() / fmt::format("run_{:03}", number++), identified));
+          rows.push_back(measure(bench, variant, particles, k, identified));
           if (interrupted())
             return exit_interrupted;
-          std::filesystem::remove_all(folder.running() / fmt::format("run_{:03}", number - 1));
         }
     const BenchResults results(folder.running(), "sequential");
     results.write(csv_of(rows), table_of(rows));

@@ -3,6 +3,8 @@
 #include "apps/drivers/read_scene.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
+#include "apps/results/run_result.h"
+#include "apps/results/terminal.h"
 
 #include <memory>
 
@@ -30,7 +32,9 @@ namespace apps
       request.resume     = options.resume;
       request.restart    = options.restart;
       request.overrides  = options.overrides;
-      return scene.scene->run(request);
+      Terminal terminal;
+      request.observers = {&terminal};
+      return scene.scene->run(request).exit_status();
     }
   } // namespace
 

@@ -3,6 +3,8 @@
 #include "apps/drivers/read_scene.h"
 #include "apps/drivers/sequential/scene.h"
 #include "apps/process/interrupt.h"
+#include "apps/results/run_result.h"
+#include "apps/results/terminal.h"
 
 #include <memory>
 
@@ -37,7 +39,9 @@ namespace apps
       request.restart    = options.restart;
       request.command    = options.identify ? "transfer --identify" : "transfer";
       request.overrides  = options.overrides;
-      return options.identify ? sequential->identify(request) : sequential->transfer_only(request);
+      Terminal terminal;
+      request.observers = {&terminal};
+      return (options.identify ? sequential->identify(request) : sequential->transfer_only(request)).exit_status();
     }
   } // namespace
 

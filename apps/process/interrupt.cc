@@ -92,7 +92,21 @@ namespace apps
     sigaction(SIGTERM, &action, nullptr);
   }
 
-  bool interrupted() { return raised != 0; }
+  namespace
+  {
+    thread_local const std::function<bool()> *stop_of_run = nullptr;
+  }
+
+  bool interrupted() { return raised != 0 || (stop_of_run && (*stop_of_run)()); }
+
+  StopsToo::StopsToo(const std::function<bool()> &stop)
+    : before(stop_of_run)
+  {
+    if (stop)
+      stop_of_run = &stop;
+  }
+
+  StopsToo::~StopsToo() { stop_of_run = before; }
 
   void set_last_words(const std::string &words)
   {

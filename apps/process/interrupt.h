@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
 namespace apps
@@ -14,8 +15,22 @@ namespace apps
    */
   void catch_interrupts();
 
-  /** Somebody wants the program to stop: save what is worth saving and leave. */
+  /** The program, or the run of this thread, shall stop: save what is worth saving and leave. */
   bool interrupted();
+
+  /** As long as this object lives, interrupted() is also true in its thread where the given function says so: a run's own stop. */
+  class StopsToo
+  {
+  public:
+    /** @param stop must outlive it; empty: nothing is changed */
+    explicit StopsToo(const std::function<bool()> &stop);
+    ~StopsToo();
+    StopsToo(const StopsToo &)            = delete;
+    StopsToo &operator=(const StopsToo &) = delete;
+
+  private:
+    const std::function<bool()> *before;
+  };
 
   /**
    * What the program says when it has to leave in the middle of work that cannot be stopped: what is saved, and how to go

@@ -20,7 +20,11 @@ namespace apps
   {
     constexpr std::chrono::milliseconds terminal_interval{200};
     constexpr std::chrono::seconds      terminal_silence{2}; ///< after which a line on a terminal shows the time anew
-  }                                                          // namespace
+    thread_local int                    silences = 0;
+  } // namespace
+
+  SilentWork::SilentWork() { ++silences; }
+  SilentWork::~SilentWork() { --silences; }
 
   /** All work under way, innermost last, and the thread that speaks for work that is silent. */
   class ProgressBoard
@@ -90,12 +94,13 @@ namespace apps
     : title(std::move(what))
     , terminal(isatty(STDERR_FILENO) != 0)
     , interval(terminal ? Clock::duration(terminal_interval) : log_interval)
-    , silent(!is_first_rank() || (terminal && shown == Shown::in_logs))
+    , silent(silences > 0 || !is_first_rank() || (terminal && shown == Shown::in_logs))
     , start(Clock::now())
     , last_shown(start)
     , last_reported(start)
   {
-    ProgressBoard::only().add(this);
+    if (!silent)
+      ProgressBoard::only().add(this);
   }
 
   Progress::~Progress()

@@ -65,6 +65,16 @@ namespace apps
     Clock::time_point start, last_shown, last_reported; ///< reported may be shown later
   };
 
+  /** As long as this object lives, work that is begun in its thread says nothing: a run that nobody watches. */
+  class SilentWork
+  {
+  public:
+    SilentWork();
+    ~SilentWork();
+    SilentWork(const SilentWork &)            = delete;
+    SilentWork &operator=(const SilentWork &) = delete;
+  };
+
   /** Seconds as "42 s", "3:07 min" or "5:02 h". */
   std::string duration_text(double seconds);
 } // namespace apps

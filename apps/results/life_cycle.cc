@@ -1,13 +1,11 @@
 #include "apps/results/life_cycle.h"
 
-#include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
 #include "apps/process/mpi_session.h"
-#include "apps/process/threads.h"
-#include "apps/results/result_listing.h"
+#include "apps/process/progress.h"
+#include "apps/results/run_observer.h"
 #include "apps/results/shared_state.h"
 #include "base/errors.h"
-#include "postprocess/atomic_file.h"
 
 #include <fmt/format.h>
 
@@ -17,9 +15,6 @@ namespace apps
 {
   namespace
   {
-    constexpr const char *scene_name  = "scene.prm";
-    constexpr const char *series_name = "series.csv";
-
     /** Visits a state with the checkpoint of the first rank, or of the only one. */
     template <typename Checkpoint>
     void visit_with(Checkpoint *checkpoint, const bool reads, const std::function<void(RunState &)> &visit)
@@ -32,13 +27,19 @@ namespace apps
       SharedState shared(whole ? &*whole : nullptr, reads);
       visit(shared);
     }
+
+    bool somebody_watches(const RunRequest &request)
+    {
+      return std::any_of(request.observers.begin(), request.observers.end(),
+                         [](const RunObserver *observer) { return observer->shows_progress(); });
+    }
   } // namespace
 
   std::string way_to_go_on(const RunRequest &request)
   {
     const std::string ranks = rank_count() > 1 ? fmt::format("mpirun -n {} ", rank_count()) : "";
     return fmt::format("Go on with: {}breccia {} {} --resume", ranks, request.command,
-                       (request.output_folder / "running" / scene_name).string());
+                       (request.output_folder / "running" / "scene.prm").string());
   }
 
   // --- When to save ---
@@ -69,57 +70,75 @@ namespace apps
   LifeCycle::LifeCycle(const RunRequest &asked, const double checkpoint_interval, RunWork &what)
     : request(asked)
     , work(what)
-    , location(asked.output_folder / "running")
+    , location(asked.output_folder.empty() ? std::filesystem::path() : asked.output_folder / "running")
     , clock(checkpoint_interval)
   {
+    result.folder = asked.output_folder;
   }
 
-  double LifeCycle::wall_seconds() const { return seconds_before + watch.seconds(); }
-
-  int LifeCycle::execute()
+  RunResult LifeCycle::execute()
   {
+    const StopsToo            stops(request.stop);
+    std::optional<SilentWork> silence;
+    if (!somebody_watches(request))
+      silence.emplace();
     if (request.resume)
       resume();
     else
       begin();
-    announce();
-    if (!complete())
-      return exit_interrupted;
-    finish();
-    return exit_success;
+    compute();
+    if (result.end == RunResult::End::complete)
+      finish();
+    tell([this](RunObserver &observer) { observer.ends(result); });
+    return std::move(result);
+  }
+
+  void LifeCycle::tell(const std::function<void(RunObserver &)> &what) const
+  {
+    for (RunObserver *observer : request.observers)
+      what(*observer);
   }
 
   void LifeCycle::begin()
   {
-    if (!request.restart)
+    if (keeps_files() && !request.restart)
       on_first_rank([&] { refuse_to_overwrite(request.output_folder); });
-    if (!request.quiet)
-      set_last_words(is_first_rank() ? "interrupted before there was a state to save." : "");
+    tell([](RunObserver &observer) { observer.prepares(); });
     work.prepare();
-    on_first_rank([&] {
-      folder = std::make_unique<ResultFolder>(request.output_folder, ResultFolder::Start::afresh);
-      postprocess::write_text(location / scene_name, request.scene_text);
-      series = std::make_unique<postprocess::SeriesWriter>(location / series_name, work.series_columns());
-    });
-    work.begin(location, [this](const SeriesRow &row) { record(row); });
+    result.series = empty_series(work.series_columns(), "series");
+    if (keeps_files())
+      {
+        on_first_rank([&] {
+          files = std::make_unique<RunFiles>(request);
+          files->begin(work.series_columns());
+        });
+        work.keep_files(location, true);
+      }
+    const RunOutline outline{request.scene_file, work.size(), work.series_columns(), location, false};
+    tell([&](RunObserver &observer) { observer.begins(outline); });
+    work.begin([this](const SeriesRow &row) { record(row); });
   }
 
   void LifeCycle::resume()
   {
+    if (!keeps_files())
+      throw base::InputError("--resume: a run without a folder has nothing to go on from.");
     std::unique_ptr<postprocess::CheckpointReader> checkpoint;
     on_first_rank([&] {
-      folder     = std::make_unique<ResultFolder>(request.output_folder, ResultFolder::Start::resume);
-      checkpoint = std::make_unique<postprocess::CheckpointReader>(location / checkpoint_name, request.deciding_text);
-      require_same_content(request.inputs, checkpoint->text("inputs"));
+      files      = std::make_unique<RunFiles>(request);
+      checkpoint = files->last_checkpoint();
     });
     work.reopen(location);
+    work.keep_files(location, false);
     std::int64_t rows = 0;
     visit_with(checkpoint.get(), true, [&](RunState &state) { visit_run(state, rows); });
+    result.series = empty_series(work.series_columns(), "series");
     on_first_rank([&] {
       checkpoint->finish();
-      series = std::make_unique<postprocess::SeriesWriter>(location / series_name, work.series_columns(), rows);
-      postprocess::write_text(location / scene_name, request.scene_text); // entries of output may have changed
+      result.series = files->go_on(work.series_columns(), rows);
     });
+    const RunOutline outline{request.scene_file, work.size(), work.series_columns(), location, true};
+    tell([&](RunObserver &observer) { observer.begins(outline); });
   }
 
   void LifeCycle::visit_run(RunState &state, std::int64_t &rows)
@@ -140,67 +159,54 @@ namespace apps
 
   void LifeCycle::save()
   {
-    clock.save([this] { write_checkpoint(); });
-    if (request.quiet)
+    if (!keeps_files())
       return;
-    set_last_words(is_first_rank() ?
-                     "interrupted in work that cannot be stopped half-way; the state of the last checkpoint is kept. " +
-                       way_to_go_on(request) :
-                     "");
+    clock.save([this] { write_checkpoint(); });
+    result.go_on = way_to_go_on(request);
+    tell([this](RunObserver &observer) { observer.saved(result.go_on); });
   }
 
   void LifeCycle::write_checkpoint()
   {
     std::unique_ptr<postprocess::CheckpointWriter> checkpoint;
     std::int64_t                                   rows = 0;
-    on_first_rank([&] {
-      series->flush();
-      rows       = series->rows();
-      checkpoint = std::make_unique<postprocess::CheckpointWriter>(location / checkpoint_name, request.deciding_text);
-      checkpoint->text("inputs", listed(request.inputs));
-    });
+    on_first_rank([&] { checkpoint = files->new_checkpoint(rows); });
     visit_with(checkpoint.get(), false, [&](RunState &state) { visit_run(state, rows); });
     on_first_rank([&] { checkpoint->commit(); });
   }
 
-  void LifeCycle::announce() const
-  {
-    if (is_first_rank() && !request.quiet)
-      fmt::print(stderr, "{}: {}{}; results {} in {}\n", request.scene_file, work.size(), threads_in_words(),
-                 request.resume ? "go on" : "grow", location.string());
-  }
-
   void LifeCycle::record(const SeriesRow &row)
   {
-    on_first_rank([&] { series->append(row.first, row.values, row.last); });
+    append(result.series, row);
+    if (keeps_files())
+      on_first_rank([&] { files->record(row); });
+    tell([&](RunObserver &observer) { observer.row(row); });
   }
 
-  bool LifeCycle::complete()
+  bool LifeCycle::stopped() const { return on_any_rank(interrupted()); }
+
+  void LifeCycle::compute()
   {
-    std::optional<Progress> progress;
-    std::string             stage;
     while (!work.finished())
       {
-        if (work.stage() != stage)
+        if (work.stage() != result.stage)
           {
-            stage = work.stage();
-            progress.emplace(stage);
+            result.stage = work.stage();
+            tell([this](RunObserver &observer) { observer.stage(result.stage); });
           }
         advance();
-        progress->update(work.done(), work.details());
-        if (on_any_rank(interrupted()))
+        tell([this](RunObserver &observer) { observer.progress(work.done(), work.details()); });
+        if (stopped())
           {
             const AnsweringInterrupt answering;
             save();
-            progress.reset();
-            if (is_first_rank() && !request.quiet)
-              fmt::print(stderr, "breccia: interrupted in {}, state saved. {}\n", stage, way_to_go_on(request));
-            return false;
+            result.end = RunResult::End::interrupted;
+            return;
           }
         if (on_any_rank(clock.is_due()))
           save();
       }
-    return true;
+    result.stage.clear();
   }
 
   void LifeCycle::advance()
@@ -213,8 +219,10 @@ namespace apps
       {
         save();
         work.leave_last_state();
-        throw base::NumericalError(std::string(stop.what()) + " What was computed until then stands in " +
-                                   location.string() + ".");
+        throw base::NumericalError(keeps_files() ?
+                                     std::string(stop.what()) + " What was computed until then stands in " +
+                                       location.string() + "." :
+                                     stop.what());
       }
   }
 
@@ -223,14 +231,18 @@ namespace apps
     constexpr double worth_saving = 10; // seconds of work that an interrupt of the last words would lose
     if (on_any_rank(clock.seconds_since_saved() > worth_saving))
       save();
-    std::optional<Progress> progress(std::in_place, "results");
-    on_first_rank([&] { series->flush(); });
-    const std::string words = work.finish(location, wall_seconds());
-    progress.reset();
-    on_first_rank([&] {
-      folder->publish();
-      if (!request.quiet)
-        fmt::print("{}{}", words, result_listing(request.output_folder));
-    });
+    tell([](RunObserver &observer) { observer.stage("results"); });
+    if (keeps_files())
+      on_first_rank([&] { files->flush(); });
+    RunFindings found = work.findings(result.series, wall_seconds());
+    if (keeps_files())
+      {
+        work.write_results(location, result.series);
+        on_first_rank([&] { files->publish(found.summary); });
+      }
+    result.summary  = std::move(found.summary);
+    result.words    = std::move(found.words);
+    result.specimen = std::move(found.specimen);
+    result.go_on.clear();
   }
 } // namespace apps

@@ -1,18 +1,18 @@
 #pragma once
 
-#include "apps/process/progress.h"
 #include "apps/process/stopwatch.h"
-#include "apps/results/input_files.h"
-#include "apps/results/result_folder.h"
+#include "apps/results/run_files.h"
+#include "apps/results/run_result.h"
 #include "apps/results/run_work.h"
 #include "apps/scene/scene.h"
-#include "postprocess/checkpoint.h"
 
-#include <memory>
+#include <functional>
 #include <optional>
 
 namespace apps
 {
+  class RunObserver;
+
   /** How a run that was interrupted goes on: "Go on with: mpirun -n 2 breccia run FOLDER/running/scene.prm --resume". */
   std::string way_to_go_on(const RunRequest &request);
 
@@ -36,11 +36,8 @@ namespace apps
   };
 
   /**
-   * One run of any kind of scene: it begins or resumes, goes on state by state with progress, checkpoints and interrupts, and
-   * finishes with complete results in place.
-   *
-   * In the folder "running" below the results: scene.prm, series.csv, checkpoint.h5, and what the work writes. Under MPI every
-   * rank calls it; the first one writes.
+   * One run of any kind of scene: it begins or resumes, goes on state by state with checkpoints and interrupts, tells its observers, and
+   * ends with its result; where files are asked for, with complete ones in place (run_files.h). Under MPI every rank calls it.
    */
   class LifeCycle
   {
@@ -48,29 +45,32 @@ namespace apps
     /** @param checkpoint_interval the longest [s]. */
     LifeCycle(const RunRequest &request, double checkpoint_interval, RunWork &work);
 
-    /** @return exit status: 0, or 130 after an interrupt. Throws as Scene::run(). */
-    int execute();
+    /** Once. Throws as Scene::run(). */
+    RunResult execute();
 
   private:
-    void   begin();
-    void   resume();
-    void   announce() const;
-    bool   complete(); ///< @return false when interrupted
-    void   advance();
-    void   finish();
-    void   save();
-    void   write_checkpoint();
-    void   visit_run(RunState &state, std::int64_t &rows);
-    void   record(const SeriesRow &row);
-    double wall_seconds() const;
+    void begin();
+    void resume();
+    void compute(); ///< to the end, or to an interrupt
+    void advance();
+    void finish();
+    void save();
+    void write_checkpoint();
+    void visit_run(RunState &state, std::int64_t &rows);
+    void record(const SeriesRow &row);
+    void tell(const std::function<void(RunObserver &)> &what) const;
+    bool stopped() const;
 
-    const RunRequest                          &request;
-    RunWork                                   &work;
-    std::filesystem::path                      location; ///< where results grow
-    std::unique_ptr<ResultFolder>              folder;   ///< first rank only, as is the next
-    std::unique_ptr<postprocess::SeriesWriter> series;
-    CheckpointClock                            clock;
-    double                                     seconds_before = 0; ///< of the same run, before it was resumed
-    Stopwatch                                  watch;
+    bool   keeps_files() const { return !request.output_folder.empty(); }
+    double wall_seconds() const { return seconds_before + watch.seconds(); }
+
+    const RunRequest         &request;
+    RunWork                  &work;
+    std::filesystem::path     location; ///< where results grow; "": no files
+    std::unique_ptr<RunFiles> files;    ///< first rank only, if any
+    CheckpointClock           clock;
+    RunResult                 result;
+    double                    seconds_before = 0; ///< of the same run, before it was resumed
+    Stopwatch                 watch;
   };
 } // namespace apps

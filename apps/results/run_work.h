@@ -3,11 +3,24 @@
 #include "apps/results/run_state.h"
 #include "postprocess/series.h"
 
+#include <nlohmann/json.hpp>
+
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+namespace dem
+{
+  class Specimen;
+}
+
+namespace postprocess
+{
+  struct CsvTable;
+}
 
 namespace apps
 {
@@ -19,11 +32,22 @@ namespace apps
     std::vector<std::string> last;
   };
 
+  /** What a complete run tells: for programs, and for a terminal. */
+  struct RunFindings
+  {
+    nlohmann::json summary;
+    std::string    words; ///< lines
+
+    std::shared_ptr<const dem::Specimen>
+      specimen; ///< at the end, where a caller shall have it; nullptr: there are no particles
+  };
+
   /**
    * What a run computes, as its life-cycle sees it (life_cycle.h): each kind of scene has one.
    *
-   * Order: prepare() and begin(), or reopen() and visit_state(); then advance() until finished(), with visit_state() in between
-   * for checkpoints; then finish(). On several ranks each calls everything.
+   * Order: prepare(), or reopen() in its place; keep_files() where files are asked for; begin(), or visit_state() in its place; then
+   * advance() until finished(), with visit_state() in between for checkpoints; then findings() and, where files are asked for,
+   * write_results(). On several ranks each calls everything.
    */
   class RunWork
   {
@@ -35,11 +59,14 @@ namespace apps
     /** Make the model of a run that starts. Nothing is written yet: what can be refused is refused here. @throws base::InputError */
     virtual void prepare() = 0;
 
-    /** Write what the run starts from to its folder; rows that describe the start, if any, are recorded. */
-    virtual void begin(const std::filesystem::path &folder, const Record &record) = 0;
-
-    /** In place of both: make the model from what an interrupted run left in its folder. Its state follows by visit_state(). */
+    /** In its place: make the model from what an interrupted run left in its folder. Its state follows by visit_state(). */
     virtual void reopen(const std::filesystem::path &folder) = 0;
+
+    /** From now on write to this folder what grows on the way. @param fresh write what the run starts from, too: it is not resumed */
+    virtual void keep_files(const std::filesystem::path &folder, bool fresh) = 0;
+
+    /** From the start: rows that describe it, if any, are recorded. */
+    virtual void begin(const Record &record) = 0;
 
     /** Everything to go on to the same bits. */
     virtual void visit_state(RunState &state) = 0;
@@ -61,8 +88,11 @@ namespace apps
     /** After StoppedShort: show the last state as well. */
     virtual void leave_last_state() {}
 
-    /** The run is complete and its series is written: summary and pictures into the folder. @return words for the terminal */
-    virtual std::string finish(const std::filesystem::path &folder, double wall_seconds) = 0;
+    /** The run is complete: what it found. @param series all rows, on the first rank @param wall_seconds that it took */
+    virtual RunFindings findings(const postprocess::CsvTable &series, double wall_seconds) = 0;
+
+    /** After it: pictures, states and tables of the end into the folder. The summary is written by the life-cycle. */
+    virtual void write_results(const std::filesystem::path &folder, const postprocess::CsvTable &series) = 0;
   };
 
   /** The work cannot go on, but its last state stands and is worth keeping. */

@@ -3,11 +3,15 @@
 #include "apps/scene/section.h"
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace apps
 {
+  class RunObserver;
+  struct RunResult;
+
   /** A file that a scene names, and its content. */
   struct InputFile
   {
@@ -20,16 +24,20 @@ namespace apps
   /** What a run is asked besides its scene. */
   struct RunRequest
   {
-    std::filesystem::path    output_folder;
+    std::filesystem::path    output_folder;   ///< "": no file is written, and an interrupted run cannot go on
     std::string              command = "run"; ///< by which it can be resumed: "run", "transfer --identify"
     bool                     resume  = false;
     bool                     restart = false; ///< what an interrupted run left may be thrown away
-    bool                     quiet   = false; ///< part of a larger run, which tells the results itself
     std::string              scene_file;      ///< as typed
     std::string              scene_text;      ///< the scene as completed, to be written beside the results
     std::string              deciding_text;   ///< of it, what decides the results: a checkpoint belongs to this text
     std::vector<std::string> overrides;       ///< as typed after -s
     std::vector<InputFile>   inputs;          ///< files that the scene names
+
+    std::vector<RunObserver *>
+      observers; ///< are told of the run as it goes (apps/results/run_observer.h); they must outlive it
+    /** Whether the run shall stop and save its state, besides when the process is interrupted. Asked often; empty: it shall not. */
+    std::function<bool()> stop;
   };
 
   /**
@@ -58,10 +66,11 @@ namespace apps
     virtual bool shares_ranks() const { return false; }
 
     /**
-     * Do the work and write the results.
-     * @return exit status: 0, or 130 when interrupted by a signal, with a checkpoint left.
+     * Do the work, and write the results where files are asked for. A scene may be run again, and several at a time in threads of one
+     * process; those with a solid one after the other, as MPI is the process's.
+     * @return what was found; where it was interrupted, with a checkpoint left if there is a folder
      * @throws base::InputError before the output folder is touched; postprocess::OutputError; base::NumericalError.
      */
-    virtual int run(const RunRequest &request) const = 0;
+    virtual RunResult run(const RunRequest &request) const = 0;
   };
 } // namespace apps

@@ -58,7 +58,8 @@ namespace coupling
 
   void CellPoints::place(std::vector<Site> given, const Setting &setting)
   {
-    sites            = std::move(given);
+    sites = std::move(given);
+    dealt.name(setting.group);
     parameters.plane = setting.plane;
     for (const auto &cell : parameters.cells)
       if (cell->of_discs() && !setting.plane)
@@ -244,17 +245,17 @@ namespace coupling
 
   CellPoints::News CellPoints::commit_cell(const std::size_t number)
   {
-    News   news;
-    Point &point = points[number];
-    if (point.fresh)
-      point.cell = std::move(point.fresh);
-    point.cell->commit();
-    if (point.band)
-      point.band->commit();
-    news.damage = point.cell->links().mean_damage();
-    news.stored = stored_now(point, point.law_strain);
-    try
+    News news;
+    try // no exception may leave a thread
       {
+        Point &point = points[number];
+        if (point.fresh)
+          point.cell = std::move(point.fresh);
+        point.cell->commit();
+        if (point.band)
+          point.band->commit();
+        news.damage                          = point.cell->links().mean_damage();
+        news.stored                          = stored_now(point, point.law_strain);
         const std::optional<Vector3d> normal = lost_plane(point, news.damage);
         if (!normal)
           return news;

@@ -3,6 +3,7 @@
 #include "base/flat_state.h"
 
 #include <numeric>
+#include <stdexcept>
 
 namespace coupling
 {
@@ -19,10 +20,24 @@ namespace coupling
     rank  = static_cast<std::uint64_t>(number);
   }
 
+  void DealtPoints::require_one_group() const
+  {
+    int length = static_cast<int>(of_group.size());
+    MPI_Bcast(&length, 1, MPI_INT, 0, communicator);
+    std::string of_first = of_group;
+    of_first.resize(static_cast<std::size_t>(length));
+    MPI_Bcast(of_first.data(), length, MPI_CHAR, 0, communicator);
+    int differs = of_first != of_group ? 1 : 0;
+    MPI_Allreduce(MPI_IN_PLACE, &differs, 1, MPI_INT, MPI_MAX, communicator);
+    if (differs != 0)
+      throw std::logic_error("ranks exchange points of different groups; this one those of \"" + of_group + "\"");
+  }
+
   std::vector<base::Column> DealtPoints::shown(const base::Column &own) const
   {
     if (alone())
       return {own};
+    require_one_group();
     const int        size = static_cast<int>(own.size());
     std::vector<int> sizes(ranks), starts(ranks, 0);
     MPI_Allgather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, communicator);

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace coupling
@@ -22,11 +23,17 @@ namespace coupling
     /** @param communicator of the ranks that hold the structure; without MPI there is one */
     explicit DealtPoints(MPI_Comm communicator);
 
+    /** Name the points, so that ranks which mix them up are caught. */
+    void name(const std::string &group) { of_group = group; }
+
     bool alone() const { return ranks == 1; }
     /** @param number of the point in the whole mesh */
     bool has(const std::uint64_t number) const { return number % ranks == rank; }
 
-    /** To be called by all ranks. @param own numbers that this one shows, as many as it likes @return those of each rank */
+    /**
+     * To be called by all ranks. @param own numbers that this one shows, as many as it likes @return those of each rank
+     * @throws std::logic_error where a rank shows points of another name
+     */
     std::vector<base::Column> shown(const base::Column &own) const;
 
     /** Walks over what is shown of a point: written where it lives, read elsewhere. */
@@ -35,7 +42,10 @@ namespace coupling
     void share(const std::vector<std::size_t> &own, const OfPoint &visit) const;
 
   private:
+    void require_one_group() const;
+
     MPI_Comm      communicator;
+    std::string   of_group;
     std::uint64_t ranks = 1, rank = 0;
   };
 

@@ -38,7 +38,8 @@ namespace coupling
 
   void MovingCells::place(std::vector<Site> given, const Setting &setting)
   {
-    sites         = std::move(given);
+    sites = std::move(given);
+    dealt.name(setting.group);
     large_strains = setting.large_strains;
     if (of_discs() && !setting.plane)
       throw base::InputError("cells of discs are plane, and the model has three dimensions. Set Model/Dimension = 2, "

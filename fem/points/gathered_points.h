@@ -27,8 +27,9 @@ namespace fem
     /// What kind of model they are in.
     struct Setting
     {
-      bool plane         = false; ///< nothing varies along z
-      bool large_strains = false; ///< strains are Green's, stresses are to be second Piola-Kirchhoff's
+      bool        plane         = false; ///< nothing varies along z
+      bool        large_strains = false; ///< strains are Green's, stresses are to be second Piola-Kirchhoff's
+      std::string group;                 ///< of elements: whose points they are
     };
 
     /// Where its points are, in their order; after allocate().
@@ -37,7 +38,7 @@ namespace fem
     /// The strains that are gathered next are those at the end of a step in time of this length [s].
     virtual void begin_motion(double /*length*/) {}
 
-    /// Finds the answers to one strain per point. Throws nothing that hangs on a strain.
+    /// Finds the answers to one strain per point; all ranks call it for the same group. Throws nothing that depends on a strain.
     virtual void gather(const std::vector<base::Voigt> &strains, bool with_tangent) = 0;
 
     /// What a user should know of the committed state and how it came about, one sentence each.

@@ -9,14 +9,44 @@ namespace fem
 {
   using namespace dealii;
 
+  namespace
+  {
+    /** What is gathered for a group of elements. */
+    template <typename Item>
+    struct OfGroup
+    {
+      std::string       name;
+      GatheredPoints   *law = nullptr;
+      std::vector<Item> items;
+    };
+
+    /** In the order of the groups' names: points are gathered by all ranks together, and their addresses differ from rank to rank. */
+    template <typename Item>
+    std::vector<OfGroup<Item>> gathered_groups(const std::map<std::string, std::unique_ptr<MaterialPoints>> &groups)
+    {
+      std::vector<OfGroup<Item>> found;
+      for (const auto &[name, law] : groups)
+        if (auto *gathered = dynamic_cast<GatheredPoints *>(law.get()))
+          found.push_back({name, gathered, {}});
+      return found;
+    }
+
+    /** Those of a law; nullptr where its points are not gathered. */
+    template <typename Item>
+    std::vector<Item> *items_of(std::vector<OfGroup<Item>> &groups, const MaterialPoints *law)
+    {
+      for (OfGroup<Item> &group : groups)
+        if (group.law == law)
+          return &group.items;
+      return nullptr;
+    }
+  } // namespace
+
   template <int dim>
   void Solid<dim>::place_gathered_points()
   {
-    std::map<GatheredPoints *, std::vector<GatheredPoints::Site>> sites;
-    for (const auto &law : materials)
-      if (auto *gathered = dynamic_cast<GatheredPoints *>(law.second.get()))
-        sites[gathered] = {};
-    gathers = !sites.empty(); // the same on every rank
+    auto groups = gathered_groups<GatheredPoints::Site>(materials);
+    gathers     = !groups.empty(); // the same on every rank
     if (!gathers)
       return;
     FEValues<dim> values(*geometry, *element, points, update_quadrature_points);
@@ -24,9 +54,9 @@ namespace fem
     for (const auto &cell : dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          const ElementPoints &e        = elements[next++];
-          auto *const          gathered = dynamic_cast<GatheredPoints *>(e.material);
-          if (!gathered)
+          const ElementPoints &e     = elements[next++];
+          auto *const          sites = items_of(groups, e.material);
+          if (!sites)
             continue;
           values.reinit(cell);
           for (unsigned int q = 0; q < points.size(); ++q)
@@ -36,11 +66,11 @@ namespace fem
               for (unsigned int d = 0; d < dim; ++d)
                 site.place[d] = values.quadrature_point(q)[d];
               site.element = e.extent;
-              sites[gathered].push_back(site);
+              sites->push_back(site);
             }
         }
-    for (auto &[gathered, of_it] : sites)
-      gathered->place(std::move(of_it), {dim == 2, settings.large_displacement});
+    for (auto &group : groups)
+      group.law->place(std::move(group.items), {dim == 2, settings.large_displacement, group.name});
   }
 
   template <int dim>
@@ -57,25 +87,22 @@ namespace fem
   {
     if (!gathers)
       return;
-    std::map<GatheredPoints *, std::vector<base::Voigt>> strains;
-    for (const auto &law : materials)
-      if (auto *gathered = dynamic_cast<GatheredPoints *>(law.second.get()))
-        strains[gathered] = {};
+    auto              groups = gathered_groups<base::Voigt>(materials);
     ElementSweep<dim> at_hand(*this);
     std::size_t       next = 0;
     for (const auto &cell : dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
         {
           const ElementPoints &e = elements[next++];
-          if (auto *gathered = dynamic_cast<GatheredPoints *>(e.material))
+          if (auto *const strains = items_of(groups, e.material))
             {
               at_hand.reinit(cell, displacement);
               for (unsigned int q = 0; q < points.size(); ++q)
-                strains[gathered].push_back(at_hand.strain(q));
+                strains->push_back(at_hand.strain(q));
             }
         }
-    for (const auto &[gathered, of_it] : strains)
-      gathered->gather(of_it, with_tangent);
+    for (const auto &group : groups)
+      group.law->gather(group.items, with_tangent);
   }
 
   template <int dim>

@@ -34,10 +34,14 @@ namespace
       if (!refusal.empty())
         throw base::InputError(refusal);
     }
-    void begin(const std::filesystem::path &folder, const Record &record) override
+    void keep_files(const std::filesystem::path &folder, bool) override
+    {
+      calls.emplace_back("keep files");
+      CHECK(folder.filename() == "running");
+    }
+    void begin(const Record &record) override
     {
       calls.emplace_back("begin");
-      CHECK(folder.filename() == "running");
       record({{}, {0, 0}, {}});
     }
     void reopen(const std::filesystem::path &) override { calls.emplace_back("reopen"); }
@@ -62,12 +66,17 @@ namespace
       if (count == interrupted_at)
         raise(SIGINT);
     }
-    void        leave_last_state() override { calls.emplace_back("leave"); }
-    std::string finish(const std::filesystem::path &folder, double) override
+    void              leave_last_state() override { calls.emplace_back("leave"); }
+    apps::RunFindings findings(const postprocess::CsvTable &series, double) override
     {
-      calls.emplace_back("finish");
+      calls.emplace_back("findings");
+      CHECK(series.column("sum").back() == sum);
+      return {{{"figures", {{"sum", {{"value", sum}, {"unit", "m"}}}}}}, "", nullptr};
+    }
+    void write_results(const std::filesystem::path &folder, const postprocess::CsvTable &) override
+    {
+      calls.emplace_back("write");
       postprocess::write_text(folder / "sum.txt", std::to_string(sum));
-      return "";
     }
 
     std::int64_t count = 0;
@@ -78,7 +87,6 @@ namespace
   {
     apps::RunRequest request;
     request.output_folder = folder;
-    request.quiet         = true;
     request.scene_file    = "counting.prm";
     request.scene_text    = "set Kind = counting\n";
     request.deciding_text = request.scene_text;
@@ -89,7 +97,7 @@ namespace
 
   int execute(const apps::RunRequest &request, Counting &work)
   {
-    return apps::LifeCycle(request, ten_minutes, work).execute();
+    return apps::LifeCycle(request, ten_minutes, work).execute().exit_status();
   }
 
   using Calls = std::vector<std::string>;
@@ -100,7 +108,7 @@ TEST_CASE("A run leaves its series, its scene and its results in place, and noth
   const ScratchFolder folder;
   Counting            work;
   CHECK(execute(request_in(folder / "out"), work) == apps::exit_success);
-  CHECK(work.calls == Calls{"prepare", "begin", "finish"});
+  CHECK(work.calls == Calls{"prepare", "keep files", "begin", "findings", "write"});
   CHECK(content_of(folder / "out/scene.prm") == "set Kind = counting\n");
   CHECK_THAT(content_of(folder / "out/series.csv"), Catch::StartsWith("count,sum [m]\n0,0\n1,0.333"));
   CHECK(std::filesystem::exists(folder / "out/sum.txt"));
@@ -127,7 +135,7 @@ TEST_CASE("A run that stops short keeps its last state, and goes on from it to t
   Counting         first;
   first.stops_at = 5;
   CHECK_THROWS_WITH(execute(request, first), Contains("cannot count further. What was computed until then stands in"));
-  CHECK(first.calls == Calls{"prepare", "begin", "leave"});
+  CHECK(first.calls == Calls{"prepare", "keep files", "begin", "leave"});
   CHECK(std::filesystem::exists(folder / "out/running/checkpoint.h5"));
   CHECK_FALSE(std::filesystem::exists(folder / "out/sum.txt"));
 
@@ -138,7 +146,7 @@ TEST_CASE("A run that stops short keeps its last state, and goes on from it to t
   request.resume = true;
   Counting rest;
   CHECK(execute(request, rest) == apps::exit_success);
-  CHECK(rest.calls == Calls{"reopen", "finish"});
+  CHECK(rest.calls == Calls{"reopen", "keep files", "findings", "write"});
   CHECK(rest.sum == whole.sum);
   CHECK(content_of(folder / "out/series.csv") == content_of(folder / "whole/series.csv"));
 }
@@ -192,7 +200,7 @@ TEST_CASE("An interrupted run saves where it is, and the rest of it gives the sa
       apps::catch_interrupts();
       Counting first;
       first.interrupted_at = 4;
-      _exit(apps::LifeCycle(request_in(folder / "out"), ten_minutes, first).execute());
+      _exit(apps::LifeCycle(request_in(folder / "out"), ten_minutes, first).execute().exit_status());
     }
   int status = 0;
   waitpid(process, &status, 0);

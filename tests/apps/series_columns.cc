@@ -83,31 +83,29 @@ TEST_CASE("The summary of a solid tells of its gauges what they say it should", 
 {
   using apps::GaugeColumn;
   using Told = GaugeColumn::Told;
-  const ScratchFolder   folder;
-  apps::ContinuumReport report{};
-  report.request.scene_file = "bar.prm";
-  report.series             = table({"load_factor", "opening", "reaction_left_x", "energy_dissipated", "energy_stored",
-                                     "energy_residual", "energy_balance_error", "wetness"},
-                                    {"-", "m", "N", "J", "J", "J", "-", "kg"},
-                                    {{1, 2, 3},
-                                     {0.1, 0.2, 0.3},
-                                     {5, -8, 2},
-                                     {0, 1, 4},
-                                     {10, 9, 9},
-                                     {0, -2e-8, 1e-8},
-                                     {0, 1, 2}, // over energies near zero it says nothing
-                                     {3, 2, 1}});
-  report.gauges             = {{{"reaction_left_x", "N"}, Told::peak},
-                               {{"energy_stored", "J"}, Told::not_at_all},
-                               {{"energy_dissipated", "J"}, Told::last, "dissipated_energy"},
-                               {{"wetness", "kg"}, Told::last, "wetness"}};
-  report.cost               = {{"steps", 3}};
-  report.horizontal         = "opening";
-  report.vertical           = "reaction_left_x";
-  report.is_static          = true;
-  report.ended_by           = "end";
-  report.write(folder.path());
-  const auto summary = nlohmann::json::parse(content_of(folder / "summary.json"));
+  apps::RunRequest request;
+  request.scene_file           = "bar.prm";
+  postprocess::CsvTable series = table({"load_factor", "opening", "reaction_left_x", "energy_dissipated",
+                                        "energy_stored", "energy_residual", "energy_balance_error", "wetness"},
+                                       {"-", "m", "N", "J", "J", "J", "-", "kg"},
+                                       {{1, 2, 3},
+                                        {0.1, 0.2, 0.3},
+                                        {5, -8, 2},
+                                        {0, 1, 4},
+                                        {10, 9, 9},
+                                        {0, -2e-8, 1e-8},
+                                        {0, 1, 2}, // over energies near zero it says nothing
+                                        {3, 2, 1}});
+  apps::ContinuumReport report{request,
+                               series,
+                               {{{"reaction_left_x", "N"}, Told::peak},
+                                {{"energy_stored", "J"}, Told::not_at_all},
+                                {{"energy_dissipated", "J"}, Told::last, "dissipated_energy"},
+                                {{"wetness", "kg"}, Told::last, "wetness"}}};
+  report.cost        = {{"steps", 3}};
+  report.is_static   = true;
+  report.ended_by    = "end";
+  const auto summary = report.summary();
   const auto figures = summary["figures"];
   CHECK(figures["peak_reaction_left_x"] ==
         nlohmann::json({{"value", -8.0}, {"unit", "N"}, {"at_load_factor", 2.0}, {"at_opening", 0.2}}));
@@ -123,10 +121,10 @@ TEST_CASE("The summary of a solid tells of its gauges what they say it should", 
   CHECK(summary["energy"]["stored"] == 9);
   CHECK_THAT(report.text(), Contains("wetness") && Contains("kg") && !Contains("warning"));
 
-  report.series.columns[5][1] = 0.6;
+  series.columns[5][1] = 0.6;
   CHECK_THAT(report.text(),
              Contains("warning      the energies do not balance by 6 % of the largest: the steps are too "
                       "long for the work that they count. Shorten Control/Largest step"));
-  report.series.columns[5][1] = 0.4;
+  series.columns[5][1] = 0.4;
   CHECK_THAT(report.text(), !Contains("warning"));
 }

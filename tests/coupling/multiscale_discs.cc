@@ -31,7 +31,7 @@ namespace
     p.localised = localised;
     auto of     = std::make_unique<coupling::CellPoints>(p, plane);
     of->allocate(1);
-    of->place(std::vector<fem::GatheredPoints::Site>(1), {true, large_strains});
+    of->place(std::vector<fem::GatheredPoints::Site>(1), {true, large_strains, ""});
     return of;
   }
 
@@ -72,7 +72,7 @@ TEST_CASE("cells of discs: the tangent is the derivative while links damage, and
       p.cells = {discs(plane_parameters(1e-13))};
       coupling::CellPoints of(p, fem::Plane::strain);
       of.allocate(1);
-      of.place(std::vector<fem::GatheredPoints::Site>(1), {true, large});
+      of.place(std::vector<fem::GatheredPoints::Site>(1), {true, large, ""});
       asked(of, in_plane(1.6e-4, -3e-5, 5e-5));
       of.commit();
       CHECK(of.promoted() == 1);
@@ -110,7 +110,7 @@ TEST_CASE("cells of discs: they are refused in space, as spheres are in plane st
   p.cells = {discs()};
   coupling::CellPoints of(p, fem::Plane::strain);
   of.allocate(1);
-  CHECK_THROWS_WITH(of.place(std::vector<fem::GatheredPoints::Site>(1), {false, false}),
+  CHECK_THROWS_WITH(of.place(std::vector<fem::GatheredPoints::Site>(1), {false, false, ""}),
                     Catch::Contains("cells of discs are plane") && Catch::Contains("Set Model/Dimension = 2"));
   p.cells = {prepared()};
   CHECK_THROWS_WITH(coupling::CellPoints(p, fem::Plane::stress),
@@ -134,9 +134,9 @@ TEST_CASE(
         p.stiffness                  = discs()->stiffness();
         coupling::MovingCells of(p, plane);
         of.allocate(1);
-        CHECK_THROWS_WITH(of.place(std::vector<fem::GatheredPoints::Site>(1), {false, large}),
+        CHECK_THROWS_WITH(of.place(std::vector<fem::GatheredPoints::Site>(1), {false, large, ""}),
                           Catch::Contains("cells of discs are plane"));
-        of.place(std::vector<fem::GatheredPoints::Site>(1), {true, large});
+        of.place(std::vector<fem::GatheredPoints::Site>(1), {true, large, ""});
         base::Voigt elsewhere = base::Voigt::Zero();
         elsewhere[2]          = 3e-7; // out of the plane they feel nothing
         for (int i = 1; i <= 800; ++i)

@@ -24,7 +24,7 @@ namespace
     p.stiffness                  = prepared()->stiffness();
     auto of                      = std::make_unique<coupling::MovingCells>(p, fem::Plane::strain);
     of->allocate(n_points);
-    of->place(std::vector<fem::GatheredPoints::Site>(n_points), {false, large});
+    of->place(std::vector<fem::GatheredPoints::Site>(n_points), {false, large, ""});
     return of;
   }
 

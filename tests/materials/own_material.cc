@@ -6,6 +6,7 @@
 #include "apps/drivers/paths/material_path.h"
 #include "apps/drivers/read_scene.h"
 #include "apps/process/mpi_session.h"
+#include "apps/results/run_result.h"
 #include "coupling/sequential/transfer.h"
 #include "fem/materials/refuse.h"
 #include "fem/points/material_kind_of.h"
@@ -242,8 +243,7 @@ TEST_CASE("a scene of a material of one's own is read and run, with gauges, Para
   const apps::CheckedScene scene   = apps::read_scene(folder.file("bar.prm", bar_scene(plane)), {});
   apps::RunRequest         request = apps::request_of(scene);
   request.output_folder            = folder / "out";
-  request.quiet                    = true;
-  REQUIRE(scene.scene->run(request) == 0);
+  REQUIRE(scene.scene->run(request).exit_status() == 0);
 
   const auto   series = postprocess::read_csv_table(folder / "out/series.csv", true);
   const double volume = length * height * thickness, section = height * thickness;
@@ -290,8 +290,8 @@ TEST_CASE("a scene whose steps are too long for their work says so, and not one 
                          {is_long ? "Control/First step=1" : "Control/First step=0.02", "Output/Snapshots=0"});
       apps::RunRequest request = apps::request_of(scene);
       request.output_folder    = folder / (is_long ? "long" : "short");
-      request.quiet            = true;
-      REQUIRE(scene.scene->run(request) == 0);
+
+      REQUIRE(scene.scene->run(request).exit_status() == 0);
       const auto summary  = nlohmann::json::parse(content_of(request.output_folder / "summary.json"));
       dissipated[is_long] = summary["energy"]["dissipated"];
       error[is_long]      = summary["energy"]["balance_error"];

@@ -7,10 +7,8 @@
 #include "apps/results/warning.h"
 #include "base/voigt.h"
 #include "postprocess/specimen_picture.h"
-#include "postprocess/summary.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -23,12 +21,12 @@ namespace apps
   {
   }
 
-  int CellRun::execute() { return LifeCycle(request, model.output.checkpoint_interval, *this).execute(); }
+  RunResult CellRun::execute() { return LifeCycle(request, model.output.checkpoint_interval, *this).execute(); }
 
   void CellRun::make_test()
   {
     const Progress progress("links");
-    specimen.emplace(packing, model.specimen, model.material.materials());
+    specimen  = std::make_shared<dem::Specimen>(packing, model.specimen, model.material.materials());
     materials = MaterialCounts(packing.material_names, *specimen);
     test.emplace(*specimen, model.loading);
     constexpr double limit = 1e12; // a year at thirty thousand steps a second
@@ -50,22 +48,18 @@ namespace apps
     make_test();
   }
 
-  void CellRun::begin(const std::filesystem::path &folder, const Record &)
-  {
-    keep_packing(packing, folder);
-    open(folder);
-    snapshots.take(*specimen);
-  }
-
   void CellRun::reopen(const std::filesystem::path &folder)
   {
     packing = kept_packing(folder);
     make_test();
-    open(folder);
   }
 
-  void CellRun::open(const std::filesystem::path &folder)
+  void CellRun::begin(const Record &) { snapshots.take(*specimen); }
+
+  void CellRun::keep_files(const std::filesystem::path &folder, const bool fresh)
   {
+    if (fresh)
+      keep_packing(packing, folder);
     if (model.output.snapshots > 0)
       snapshots.open(folder, "cell");
   }
@@ -152,12 +146,20 @@ namespace apps
     return postprocess::picture_of_specimen(file, state, joined, "Periodic cell at the end of its path", slab);
   }
 
-  std::string CellRun::finish(const std::filesystem::path &folder, const double wall_seconds)
+  CellReport CellRun::report(const double wall_seconds) const
   {
-    const CellReport report{request, model, *specimen, *test, materials, worst_balance_error, wall_seconds};
-    postprocess::write_json(folder / "summary.json", report.summary());
-    warn_of_missing("curve.png", report.draw_curve(folder / "curve.png"));
+    return {request, model, *specimen, *test, materials, worst_balance_error, wall_seconds};
+  }
+
+  RunFindings CellRun::findings(const postprocess::CsvTable &, const double wall_seconds)
+  {
+    const CellReport found = report(wall_seconds);
+    return {found.summary(), found.text(), specimen};
+  }
+
+  void CellRun::write_results(const std::filesystem::path &folder, const postprocess::CsvTable &)
+  {
+    warn_of_missing("curve.png", report(0).draw_curve(folder / "curve.png"));
     warn_of_missing("cell_crack.png", draw_crack(folder / "cell_crack.png"));
-    return report.text();
   }
 } // namespace apps

@@ -151,5 +151,5 @@ namespace apps
     return text + duration_line(set_up_seconds + steps * cost);
   }
 
-  int CellScene::run(const RunRequest &request) const { return CellRun(request, model()).execute(); }
+  RunResult CellScene::run(const RunRequest &request) const { return CellRun(request, model()).execute(); }
 } // namespace apps

@@ -7,8 +7,10 @@
 #include "apps/drivers/continuum/summary.h"
 #include "apps/drivers/parts/drawn_curve.h"
 #include "apps/process/mpi_session.h"
+#include "apps/process/progress.h"
 #include "apps/process/stopwatch.h"
 #include "apps/results/life_cycle.h"
+#include "apps/results/run_observer.h"
 #include "apps/results/warning.h"
 
 #include <fmt/format.h>
@@ -94,7 +96,7 @@ namespace apps
   }
 
   template <int dim>
-  int ContinuumRun<dim>::execute()
+  RunResult ContinuumRun<dim>::execute()
   {
     return LifeCycle(request, model.output.checkpoint_interval, *this).execute();
   }
@@ -150,7 +152,7 @@ namespace apps
   }
 
   template <int dim>
-  void ContinuumRun<dim>::open(const std::filesystem::path &folder)
+  void ContinuumRun<dim>::keep_files(const std::filesystem::path &folder, bool)
   {
     location = folder;
     on_first_rank([&] {
@@ -161,12 +163,11 @@ namespace apps
   }
 
   template <int dim>
-  void ContinuumRun<dim>::begin(const std::filesystem::path &folder, const Record &record)
+  void ContinuumRun<dim>::begin(const Record &record)
   {
-    open(folder);
-    if (!request.quiet)
-      for (const std::string &warning : coarse_elements(*solid, model))
-        on_first_rank([&] { fmt::print(stderr, "breccia: warning: {}\n", warning); });
+    for (const std::string &warning : coarse_elements(*solid, model))
+      for (RunObserver *observer : request.observers)
+        observer->warns(warning);
     if (settle)
       {
         const Progress progress("equilibrium of the start");
@@ -176,12 +177,6 @@ namespace apps
     snapshot();
     if (settle)
       record(row());
-  }
-
-  template <int dim>
-  void ContinuumRun<dim>::reopen(const std::filesystem::path &folder)
-  {
-    open(folder);
   }
 
   template <int dim>
@@ -215,7 +210,7 @@ namespace apps
   template <int dim>
   void ContinuumRun<dim>::snapshot()
   {
-    if (model.output.snapshots == 0)
+    if (model.output.snapshots == 0 || location.empty())
       return;
     const SolidState state    = analysis->state();
     fem::Vector      reaction = *state.internal_force;
@@ -294,60 +289,75 @@ namespace apps
   }
 
   template <int dim>
-  std::string ContinuumRun<dim>::finish(const std::filesystem::path &folder, const double wall_seconds)
+  std::string ContinuumRun<dim>::ended_by() const
+  {
+    const bool at_end = analysis->coordinate() >= analysis->end() * (1 - 1e-9);
+    return !invalid.empty() ? "end of validity: " + invalid :
+           !failure.empty() ? no_equilibrium + failure :
+           was_stopped      ? "stop fraction" :
+           has_softened     ? softened :
+           at_end           ? "end" :
+                              "steps at most";
+  }
+
+  template <int dim>
+  ContinuumReport ContinuumRun<dim>::report(const postprocess::CsvTable &series, const double wall_seconds) const
+  {
+    ContinuumSize size;
+    size.elements = static_cast<double>(solid->mesh().triangulation->n_global_active_cells());
+    size.unknowns = static_cast<double>(solid->dofs().n_dofs());
+    size.points   = size.elements * solid->quadrature().size();
+    return {request,
+            series,
+            gauges->columns(),
+            size,
+            analysis->cost(),
+            analysis->linear_solver(),
+            wall_seconds,
+            horizontal,
+            vertical,
+            model.is_static(),
+            model.is_static() && !settle,
+            analysis->contact_figures(),
+            model.references,
+            solid->notes(),
+            extremes,
+            solid->linear(),
+            ended_by()};
+  }
+
+  template <int dim>
+  RunFindings ContinuumRun<dim>::findings(const postprocess::CsvTable &series, const double wall_seconds)
+  {
+    if (model.is_static())
+      extremes = fem::extremes_of(*solid, *analysis->state().displacement);
+    const ContinuumReport found = report(series, wall_seconds); // asked of all ranks, told by the first
+    return is_first_rank() ? RunFindings{found.summary(), found.text(), nullptr} : RunFindings{};
+  }
+
+  template <int dim>
+  void ContinuumRun<dim>::write_results(const std::filesystem::path &folder, const postprocess::CsvTable &series)
   {
     // The way to the end asks for a snapshot there; a run that stopped early shows where.
     if (was_stopped || has_softened || !failure.empty() || !invalid.empty() || snapshots_due < model.output.snapshots)
       snapshot();
-    ContinuumSize size;
-    size.elements             = static_cast<double>(solid->mesh().triangulation->n_global_active_cells());
-    size.unknowns             = static_cast<double>(solid->dofs().n_dofs());
-    size.points               = size.elements * solid->quadrature().size();
-    const std::string title   = std::filesystem::path(request.scene_file).stem().string();
-    const std::string problem = draw_damage(*solid, *analysis->state().displacement, folder / "damage.png", title);
-    const std::string unshown = draw_promotion(*solid, *analysis->state().displacement, folder / "promoted.png", title);
-    std::optional<fem::SolidExtremes> extremes;
-    if (model.is_static())
-      extremes = fem::extremes_of(*solid, *analysis->state().displacement);
-    std::string undrawn, unstressed;
+    const std::string  title        = std::filesystem::path(request.scene_file).stem().string();
+    const fem::Vector &displacement = *analysis->state().displacement;
+    const std::string  problem      = draw_damage(*solid, displacement, folder / "damage.png", title);
+    const std::string  unshown      = draw_promotion(*solid, displacement, folder / "promoted.png", title);
+    std::string        undrawn, unstressed;
     if (extremes && solid->linear())
-      unstressed = draw_stress(*solid, *analysis->state().displacement, *extremes, folder / "stress.png", title);
+      unstressed = draw_stress(*solid, displacement, *extremes, folder / "stress.png", title);
     if (!model.contacts.empty()) // on one rank
       undrawn = draw_bodies();
-    const std::vector<std::string> notes  = solid->notes();
-    const bool                     at_end = analysis->coordinate() >= analysis->end() * (1 - 1e-9);
-    std::string                    words;
+    const ContinuumReport found = report(series, 0);
     on_first_rank([&] {
       warn_of_missing("damage.png", problem);
       warn_of_missing("bodies.png", undrawn);
       warn_of_missing("stress.png", unstressed);
       warn_of_missing("promoted.png", unshown);
-      const ContinuumReport report{request,
-                                   postprocess::read_csv_table(folder / "series.csv", true),
-                                   gauges->columns(),
-                                   size,
-                                   analysis->cost(),
-                                   analysis->linear_solver(),
-                                   wall_seconds,
-                                   horizontal,
-                                   vertical,
-                                   model.is_static(),
-                                   model.is_static() && !settle,
-                                   analysis->contact_figures(),
-                                   model.references,
-                                   notes,
-                                   extremes,
-                                   solid->linear(),
-                                   !invalid.empty() ? "end of validity: " + invalid :
-                                   !failure.empty() ? no_equilibrium + failure :
-                                   was_stopped      ? "stop fraction" :
-                                   has_softened     ? softened :
-                                   at_end           ? "end" :
-                                                      "steps at most"};
-      report.write(folder);
-      words = report.text();
+      found.draw_curve(folder);
     });
-    return words;
   }
 
   template class ContinuumRun<2>;

@@ -2,6 +2,8 @@
 
 #include "apps/drivers/continuum/analysis.h"
 #include "apps/drivers/continuum/softening_watch.h"
+#include "apps/drivers/continuum/summary.h"
+#include "apps/results/run_result.h"
 #include "apps/results/run_work.h"
 #include "apps/scene/scene.h"
 #include "postprocess/pvd.h"
@@ -14,8 +16,8 @@ namespace apps
   /**
    * The work of a continuum analysis.
    *
-   * In the result folder, besides what every run has (life_cycle.h; a row of the series per step or sample): solid.pvd with its
-   * snapshots, and at the end summary.json, curve.png and, where something can be damaged, damage.png, where bodies can touch, bodies.png,
+   * In the result folder, besides what every run has (run_files.h; a row of the series per step or sample): solid.pvd with its
+   * snapshots, and at the end curve.png and, where something can be damaged, damage.png, where bodies can touch, bodies.png,
    * of a linear solid in equilibrium stress.png. Under MPI every rank calls it; the first one writes.
    */
   template <int dim>
@@ -45,8 +47,8 @@ namespace apps
       least_left        = least_force;
     }
 
-    /** @return exit status: 0, or 130 after an interrupt. Throws as Scene::run(). */
-    int execute();
+    /** Throws as Scene::run(). */
+    RunResult execute();
 
     /** How a run goes, as far as it was tried. */
     struct Rehearsal
@@ -70,9 +72,10 @@ namespace apps
     std::vector<postprocess::SeriesColumn> series_columns() const override;
 
   private:
-    void        prepare() override {} ///< the constructor has refused what is to be refused
-    void        begin(const std::filesystem::path &folder, const Record &record) override;
-    void        reopen(const std::filesystem::path &folder) override;
+    void        prepare() override {}                             ///< the constructor has refused what is to be refused
+    void        reopen(const std::filesystem::path &) override {} ///< so it does for one that is resumed
+    void        keep_files(const std::filesystem::path &folder, bool fresh) override;
+    void        begin(const Record &record) override;
     void        visit_state(RunState &state) override;
     std::string size() const override;
     std::string stage() const override;
@@ -84,14 +87,17 @@ namespace apps
     }
     void        advance(const Record &record) override;
     void        leave_last_state() override { snapshot(); }
-    std::string finish(const std::filesystem::path &folder, double wall_seconds) override;
+    RunFindings findings(const postprocess::CsvTable &series, double wall_seconds) override;
+    void        write_results(const std::filesystem::path &folder, const postprocess::CsvTable &series) override;
 
-    void        open(const std::filesystem::path &folder);
     SeriesRow   row();
     std::string draw_bodies() const; ///< @return what went wrong, "" if nothing
-    void        snapshot();
-    void        snapshot_if_due();
-    void        choose_curve();
+    std::string ended_by() const;    ///< see ContinuumReport
+
+    ContinuumReport report(const postprocess::CsvTable &series, double wall_seconds) const;
+    void            snapshot();
+    void            snapshot_if_due();
+    void            choose_curve();
 
     RunRequest            request;
     const ContinuumModel &model;
@@ -114,5 +120,7 @@ namespace apps
     double       least_left = 0; ///< see end_where_little_is_left(); 0: not asked for
     std::string  failure;        ///< that was the end; "": none
     std::string  invalid;        ///< why no state after the last would be worth anything; "": none
+
+    std::optional<fem::SolidExtremes> extremes; ///< of the last state; not told of solids in motion
   };
 } // namespace apps

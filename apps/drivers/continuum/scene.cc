@@ -94,7 +94,7 @@ namespace apps
     return model.solid.dimension == 2 ? forecast_of<2>(model) : forecast_of<3>(model);
   }
 
-  int ContinuumScene::run(const RunRequest &request) const
+  RunResult ContinuumScene::run(const RunRequest &request) const
   {
     start_mpi();
     return model.solid.dimension == 2 ? ContinuumRun<2>(request, model).execute() :

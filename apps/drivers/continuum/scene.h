@@ -13,7 +13,7 @@ namespace apps
     void        validate(const Section &root) const override { model.validate(root); }
     std::string forecast() const override;
     bool        shares_ranks() const override { return true; }
-    int         run(const RunRequest &request) const override;
+    RunResult   run(const RunRequest &request) const override;
 
     const ContinuumModel &parameters() const { return model; }
 

@@ -7,7 +7,6 @@
 #include "apps/process/progress.h"
 #include "apps/results/warning.h"
 #include "postprocess/plot.h"
-#include "postprocess/summary.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -128,9 +127,8 @@ namespace apps
     return summary;
   }
 
-  void ContinuumReport::write(const std::filesystem::path &folder) const
+  void ContinuumReport::draw_curve(const std::filesystem::path &folder) const
   {
-    postprocess::write_json(folder / "summary.json", summary());
     postprocess::PlotPanel panel =
       drawn_curve(series, horizontal, vertical, std::filesystem::path(request.scene_file).stem().string());
     if (from_rest) // the state before the first step

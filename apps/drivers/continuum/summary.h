@@ -25,35 +25,35 @@ namespace apps
   /** The words of one that ended because all of the solid softens and little force is left. */
   inline const std::string softened = "softens everywhere";
 
-  /** What a continuum run found and took: summary.json, curve.png and the words for the terminal. */
+  /** What a continuum run found and took: for programs, for the eye, for the terminal. */
   struct ContinuumReport
   {
-    RunRequest                        request;
-    postprocess::CsvTable             series;
-    std::vector<GaugeColumn>          gauges; ///< of the solid, among the columns of the series
-    ContinuumSize                     size;
-    std::map<std::string, double>     cost;
-    std::string                       linear_solver;
-    double                            wall_seconds;
-    std::string                       horizontal, vertical; ///< columns of the curve
-    bool                              is_static;
-    bool                              from_rest; ///< the state before the first row of the series is nothing at all
-    const ContactFigures             *contact;   ///< nullptr: nothing can touch
-    ReferencesSection                 references;
-    std::vector<std::string>          notes;     ///< of the materials
-    std::optional<fem::SolidExtremes> extremes;  ///< of the last state; not told of solids in motion
-    bool                              is_linear; ///< a finer mesh has an answer to come closer to
-    std::string
-      ended_by; ///< "end", "stop fraction", "steps at most", softened, no_equilibrium and why, or "end of validity: " and why
+    const RunRequest             &request;
+    const postprocess::CsvTable  &series;
+    std::vector<GaugeColumn>      gauges        = {}; ///< of the solid, among the columns of the series
+    ContinuumSize                 size          = {};
+    std::map<std::string, double> cost          = {};
+    std::string                   linear_solver = "";
+    double                        wall_seconds  = 0;
+    std::string                   horizontal = "", vertical = ""; ///< columns of the curve
+    bool                          is_static  = true;
+    bool                          from_rest  = true; ///< the state before the first row of the series is nothing at all
+    const ContactFigures         *contact    = nullptr; ///< nullptr: nothing can touch
+    ReferencesSection             references = {};
+    std::vector<std::string>      notes      = {};       ///< of the materials
+    std::optional<fem::SolidExtremes> extremes  = {};    ///< of the last state; not told of solids in motion
+    bool                              is_linear = false; ///< a finer mesh has an answer to come closer to
 
-    /** summary.json and curve.png. @throws postprocess::OutputError. */
-    void write(const std::filesystem::path &folder) const;
+    /** "end", "stop fraction", "steps at most", softened, no_equilibrium and why, or "end of validity: " and why. */
+    std::string ended_by = "";
 
-    std::string text() const;
+    nlohmann::json summary() const;
+    std::string    text() const;
+    /** curve.png. */
+    void draw_curve(const std::filesystem::path &folder) const;
 
   private:
     nlohmann::json figures() const;
-    nlohmann::json summary() const;
     double         last(const std::string &column) const;
 
     std::vector<std::string> warnings() const;

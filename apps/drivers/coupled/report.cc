@@ -108,9 +108,10 @@ namespace apps
             {"wall_seconds", wall_seconds}};
   }
 
-  void CoupledReport::write(const std::filesystem::path &folder) const
+  void CoupledReport::draw_curve(const std::filesystem::path &folder) const
   {
-    common().write(folder, figures(), energy(), cost(), model.curve(body.columns(), body.told()));
+    const auto [horizontal, vertical] = model.curve(body.columns(), body.told());
+    common().draw_curve(folder, horizontal, vertical);
   }
 
   std::string CoupledReport::text() const

@@ -4,7 +4,7 @@
 #include "apps/drivers/parts/lab_report.h"
 #include "apps/drivers/parts/motion_report.h"
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <string>
@@ -15,17 +15,18 @@ namespace apps
   /** What a complete run of kind "coupled" tells: for programs, for the eye, for the terminal. */
   struct CoupledReport
   {
-    const RunRequest     &request;
-    const CoupledModel   &model;
-    CoupledBody          &body;
-    const MaterialCounts &materials;
-    const StaticStart    &start;
-    postprocess::CsvTable series; ///< complete
-    double                wall_seconds;
-    std::string           not_in_balance; ///< see left_out_of_balance()
+    const RunRequest            &request;
+    const CoupledModel          &model;
+    CoupledBody                 &body;
+    const MaterialCounts        &materials;
+    const StaticStart           &start;
+    const postprocess::CsvTable &series; ///< complete
+    double                       wall_seconds;
+    std::string                  not_in_balance; ///< see left_out_of_balance()
 
-    /** summary.json and curve.png. @throws postprocess::OutputError. */
-    void write(const std::filesystem::path &folder) const;
+    nlohmann::json summary() const { return common().summary(figures(), energy(), cost()); }
+    /** curve.png. */
+    void draw_curve(const std::filesystem::path &folder) const;
     /** Figures, what ended the run, energy balance and cost; and a warning where nothing ever touched. */
     std::string text() const;
 

@@ -25,7 +25,10 @@ namespace apps
   {
   }
 
-  int CoupledRun::execute() { return LifeCycle(request, model.particles.output.checkpoint_interval, *this).execute(); }
+  RunResult CoupledRun::execute()
+  {
+    return LifeCycle(request, model.particles.output.checkpoint_interval, *this).execute();
+  }
 
   void CoupledRun::make_body()
   {
@@ -44,21 +47,21 @@ namespace apps
     start = body->start();
   }
 
-  void CoupledRun::open(const std::filesystem::path &folder)
+  void CoupledRun::keep_files(const std::filesystem::path &folder, const bool fresh)
   {
     location = folder;
+    if (fresh)
+      keep_packing(packing, folder);
+    if (fresh && !media.empty())
+      media.write(folder / ParticleMedia::file_name);
     if (model.particles.output.snapshots == 0)
       return;
     snapshots.open(folder, "particles", {true, model.particles.bonded()});
     solids.emplace(folder, "solid", ".vtu");
   }
 
-  void CoupledRun::begin(const std::filesystem::path &folder, const Record &record)
+  void CoupledRun::begin(const Record &record)
   {
-    keep_packing(packing, folder);
-    if (!media.empty())
-      media.write(folder / ParticleMedia::file_name);
-    open(folder);
     snapshot();
     record({{}, body->row(), {}});
     body->watch();
@@ -69,7 +72,6 @@ namespace apps
     packing = kept_packing(folder);
     media   = ParticleMedia::kept_in(folder, model.continuum);
     make_body();
-    open(folder);
   }
 
   void CoupledRun::visit_state(RunState &state)
@@ -150,7 +152,26 @@ namespace apps
     postprocess::write_pvd(location / "coupled.pvd", parts);
   }
 
-  std::string CoupledRun::finish(const std::filesystem::path &folder, const double wall_seconds)
+  CoupledReport CoupledRun::report(const postprocess::CsvTable &series, const double wall_seconds) const
+  {
+    return {request,
+            model,
+            *body,
+            materials,
+            start,
+            series,
+            wall_seconds,
+            left_out_of_balance(*model.particles.material.materials().bonds(model.particles.physics),
+                                body->particles().specimen().particles().radius)};
+  }
+
+  RunFindings CoupledRun::findings(const postprocess::CsvTable &series, const double wall_seconds)
+  {
+    const CoupledReport found = report(series, wall_seconds);
+    return {found.summary(), found.text(), std::shared_ptr<const dem::Specimen>(body, &body->particles().specimen())};
+  }
+
+  void CoupledRun::write_results(const std::filesystem::path &folder, const postprocess::CsvTable &series)
   {
     const dem::Specimen &specimen = body->particles().specimen();
     const std::string    title    = std::filesystem::path(request.scene_file).stem().string();
@@ -164,16 +185,6 @@ namespace apps
     warn_of_missing("coupled.png", body->draw(folder / "coupled.png", title));
     warn_of_missing("damage.png", body->draw_damage(folder / "damage.png", title));
     warn_of_missing("promoted.png", body->draw_promotion(folder / "promoted.png", title));
-    const CoupledReport report{request,
-                               model,
-                               *body,
-                               materials,
-                               start,
-                               postprocess::read_csv_table(folder / "series.csv", true),
-                               wall_seconds,
-                               left_out_of_balance(*model.particles.material.materials().bonds(model.particles.physics),
-                                                   specimen.particles().radius)};
-    report.write(folder);
-    return report.text();
+    report(series, 0).draw_curve(folder);
   }
 } // namespace apps

@@ -4,6 +4,7 @@
 #include "apps/drivers/parts/material_counts.h"
 #include "apps/drivers/parts/sampling.h"
 #include "apps/drivers/parts/specimen_snapshots.h"
+#include "apps/results/run_result.h"
 #include "apps/results/run_work.h"
 #include "apps/scene/scene.h"
 
@@ -12,24 +13,27 @@
 
 namespace apps
 {
+  struct CoupledReport;
+
   /**
    * The work of a scene of kind "coupled".
    *
-   * In the result folder, besides what every run has (life_cycle.h): packing.h5; coupled.pvd, which shows solid, particles and surfaces
-   * together, with the snapshots and lists of each; and at the end summary.json, curve.png, coupled.png (a cut through both), and of bonded particles state.h5 and crack.png.
+   * In the result folder, besides what every run has (run_files.h): packing.h5; coupled.pvd, which shows solid, particles and surfaces
+   * together, with the snapshots and lists of each; and at the end curve.png, coupled.png (a cut through both), and of bonded particles state.h5 and crack.png.
    */
   class CoupledRun : public RunWork
   {
   public:
     CoupledRun(const RunRequest &request, const CoupledModel &model);
 
-    /** @return exit status: 0, or 130 after an interrupt. Throws as Scene::run(). */
-    int execute();
+    /** Throws as Scene::run(). */
+    RunResult execute();
 
   private:
     void                                   prepare() override;
-    void                                   begin(const std::filesystem::path &folder, const Record &record) override;
     void                                   reopen(const std::filesystem::path &folder) override;
+    void                                   keep_files(const std::filesystem::path &folder, bool fresh) override;
+    void                                   begin(const Record &record) override;
     void                                   visit_state(RunState &state) override;
     std::vector<postprocess::SeriesColumn> series_columns() const override { return body->columns(); }
     std::string                            size() const override;
@@ -39,19 +43,21 @@ namespace apps
     bool                                   finished() const override { return sampling.finished(); }
     void                                   advance(const Record &record) override;
     void                                   leave_last_state() override { snapshot(); }
-    std::string                            finish(const std::filesystem::path &folder, double wall_seconds) override;
+    RunFindings                            findings(const postprocess::CsvTable &series, double wall_seconds) override;
+    void write_results(const std::filesystem::path &folder, const postprocess::CsvTable &series) override;
 
     void make_body();
-    void open(const std::filesystem::path &folder);
     void record_row(const Record &record);
     void snapshot();
     void list_together() const;
 
+    CoupledReport report(const postprocess::CsvTable &series, double wall_seconds) const;
+
     RunRequest                                request;
     const CoupledModel                       &model;
     dem::Packing                              packing;
-    ParticleMedia                             media; ///< that the particles are to the solid, where they are known
-    std::unique_ptr<CoupledBody>              body;
+    ParticleMedia                             media;     ///< that the particles are to the solid, where they are known
+    std::shared_ptr<CoupledBody>              body;      ///< shared with the result, which holds its specimen
     MaterialCounts                            materials; ///< before anything moves
     StaticStart                               start;
     std::filesystem::path                     location;

@@ -115,7 +115,7 @@ namespace apps
     return text;
   }
 
-  int CoupledScene::run(const RunRequest &request) const
+  RunResult CoupledScene::run(const RunRequest &request) const
   {
     start_mpi();
     return CoupledRun(request, model).execute();

@@ -12,7 +12,7 @@ namespace apps
     void        declare(Section &root) override { model.declare(root); }
     void        validate(const Section &root) const override { model.validate(root); }
     std::string forecast() const override;
-    int         run(const RunRequest &request) const override;
+    RunResult   run(const RunRequest &request) const override;
 
     const CoupledModel &parameters() const { return model; }
 

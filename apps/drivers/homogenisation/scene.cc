@@ -4,18 +4,14 @@
 #include "apps/drivers/parts/duration.h"
 #include "apps/drivers/parts/packing_extents.h"
 #include "apps/drivers/parts/specimen_packing.h"
-#include "apps/process/exit_status.h"
-#include "apps/process/interrupt.h"
 #include "apps/process/version.h"
-#include "apps/results/result_folder.h"
-#include "apps/results/result_listing.h"
+#include "apps/results/short_run.h"
 #include "apps/results/warning.h"
 #include "apps/scene/length_unit_entry.h"
 #include "apps/scene/value_text.h"
 #include "postprocess/atomic_file.h"
 #include "postprocess/packing_io.h"
 #include "postprocess/plot.h"
-#include "postprocess/summary.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -234,10 +230,9 @@ namespace apps
            duration_line(count * (making_seconds + solving));
   }
 
-  int HomogenisationScene::run(const RunRequest &request) const
+  RunResult HomogenisationScene::run(const RunRequest &request) const
   {
-    if (request.resume)
-      throw base::InputError("--resume: a homogenisation has no checkpoint. Run it again.");
+    ShortRun                        run(request, "a homogenisation");
     const std::string               origin = source == SpecimenSection::Source::file ? file : "generator";
     const std::vector<dem::Packing> bodies = packings();
     std::vector<SweepPoint>         points;
@@ -247,13 +242,14 @@ namespace apps
     for (const double iota : numbers_in(interaction_ratios, interaction_range))
       for (const double ratio : numbers_in(shear_ratios, shear_range))
         {
-          if (interrupted())
-            return exit_interrupted;
+          if (run.interrupted())
+            return run.interrupted_result();
           const HomogenisationQuestion asked = question(iota, ratio);
           SweepPoint                   point{iota, ratio, {}};
           for (const dem::Packing &body : bodies)
             point.answers.push_back(homogenise(body, asked, origin));
-          fmt::print("G/E = {:<8} {}{}\n", ratio, table_of(point.answers.front(), asked), scatter_table(point.answers));
+          run.says(fmt::format("G/E = {:<8} {}{}\n", ratio, table_of(point.answers.front(), asked),
+                               scatter_table(point.answers)));
           nlohmann::json entry = json_of(point.answers.front());
           if (point.answers.size() > 1)
             entry["scatter"] = scatter_json(point.answers);
@@ -263,14 +259,10 @@ namespace apps
           points.push_back(std::move(point));
         }
 
-    ResultFolder folder(request.output_folder, ResultFolder::Start::afresh);
-    postprocess::write_text(folder.running() / "scene.prm", request.scene_text);
-    postprocess::write_json(folder.running() / "summary.json", json);
-    postprocess::write_text(folder.running() / "homogenised.csv", csv_of(points));
-    warn_of_missing("homogenised.png",
-                    postprocess::plot(folder.running() / "homogenised.png", panels_of(points, normal_modulus)));
-    folder.publish();
-    fmt::print("{}", result_listing(request.output_folder));
-    return exit_success;
+    return run.complete(std::move(json), [&](const std::filesystem::path &folder) {
+      postprocess::write_text(folder / "homogenised.csv", csv_of(points));
+      warn_of_missing("homogenised.png",
+                      postprocess::plot(folder / "homogenised.png", panels_of(points, normal_modulus)));
+    });
   }
 } // namespace apps

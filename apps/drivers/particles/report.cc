@@ -47,18 +47,22 @@ namespace apps
     return found;
   }
 
-  void ParticlesReport::write(const std::filesystem::path &folder) const
+  nlohmann::json ParticlesReport::summary() const
   {
     const dem::Counts counts = specimen().counts();
-    common().write(folder, figures(), json_of(specimen().energy()),
-                   {{"particles", counts.particles},
-                    {"links", counts.links},
-                    {"contacts", counts.contacts},
-                    {"steps", specimen().steps()},
-                    {"time_step", specimen().time_step()},
-                    {"wall_seconds", wall_seconds}},
-                   model.draws_curve() ? std::pair(model.curve_horizontal(), model.curve_vertical()) :
-                                         std::pair<std::string, std::string>());
+    return common().summary(figures(), json_of(specimen().energy()),
+                            {{"particles", counts.particles},
+                             {"links", counts.links},
+                             {"contacts", counts.contacts},
+                             {"steps", specimen().steps()},
+                             {"time_step", specimen().time_step()},
+                             {"wall_seconds", wall_seconds}});
+  }
+
+  void ParticlesReport::draw_curve(const std::filesystem::path &folder) const
+  {
+    if (model.draws_curve())
+      common().draw_curve(folder, model.curve_horizontal(), model.curve_vertical());
   }
 
   std::string ParticlesReport::text() const

@@ -14,18 +14,19 @@ namespace apps
   /** What a complete run of kind "particles" tells: for programs, for the eye, for the terminal. */
   struct ParticlesReport
   {
-    const RunRequest     &request;
-    const ParticlesModel &model;
-    const ParticlesBody  &body;
-    const MaterialCounts &materials;
-    const StaticStart    &start;
-    postprocess::CsvTable series; ///< complete
-    double                wall_seconds;
-    std::string           not_in_balance;   ///< see left_out_of_balance()
-    const dem::LabTest   *slower = nullptr; ///< the test's loading at half the speed; nullptr: there was none
+    const RunRequest            &request;
+    const ParticlesModel        &model;
+    const ParticlesBody         &body;
+    const MaterialCounts        &materials;
+    const StaticStart           &start;
+    const postprocess::CsvTable &series; ///< complete
+    double                       wall_seconds;
+    std::string                  not_in_balance;   ///< see left_out_of_balance()
+    const dem::LabTest          *slower = nullptr; ///< the test's loading at half the speed; nullptr: there was none
 
-    /** summary.json and curve.png. @throws postprocess::OutputError. */
-    void write(const std::filesystem::path &folder) const;
+    nlohmann::json summary() const;
+    /** curve.png, where the scene asks for one. */
+    void draw_curve(const std::filesystem::path &folder) const;
     /** Last value of every gauge, what ended the run, energy balance and cost. */
     std::string text() const;
 

@@ -49,12 +49,12 @@ namespace apps
   {
   }
 
-  int ParticlesRun::execute() { return LifeCycle(request, model.output.checkpoint_interval, *this).execute(); }
+  RunResult ParticlesRun::execute() { return LifeCycle(request, model.output.checkpoint_interval, *this).execute(); }
 
   void ParticlesRun::make_body()
   {
     const Progress progress("links");
-    body      = std::make_unique<ParticlesBody>(model, packing);
+    body      = std::make_shared<ParticlesBody>(model, packing);
     materials = MaterialCounts(packing.material_names, body->specimen());
   }
 
@@ -82,17 +82,24 @@ namespace apps
       snapshots.open(folder, "particles", {!model.walls.walls.empty() || model.laboratory.given(), model.bonded()});
   }
 
-  void ParticlesRun::begin(const std::filesystem::path &folder, const Record &record)
+  void ParticlesRun::keep_files(const std::filesystem::path &folder, const bool fresh)
   {
     location = folder;
+    if (genesis)
+      return;
+    if (fresh)
+      keep_packing(packing, folder);
+    open(folder);
+  }
+
+  void ParticlesRun::begin(const Record &record)
+  {
     if (!genesis)
       begin_motion(record);
   }
 
   void ParticlesRun::begin_motion(const Record &record)
   {
-    keep_packing(packing, location);
-    open(location);
     snapshots.take(body->specimen());
     record({{}, body->row(), {}});
     if (body->test())
@@ -108,12 +115,10 @@ namespace apps
 
   void ParticlesRun::reopen(const std::filesystem::path &folder)
   {
-    location = folder;
     if (model.source.source == SpecimenSection::Source::genesis) // its state says whether it is over
       return prepare();
     packing = kept_packing(folder);
     make_body();
-    open(folder);
   }
 
   void ParticlesRun::visit_state(RunState &state)
@@ -197,12 +202,15 @@ namespace apps
     if (!genesis->finished())
       return;
     const auto made = std::make_shared<const dem::Packing>(genesis->packing());
-    genesis->write(location, *made);
+    if (!location.empty())
+      genesis->write(location, *made);
     grown_text         = genesis->text();
     model.source.grown = made;
     genesis.reset();
     packing = model.packing();
     make_start();
+    if (!location.empty())
+      keep_files(location, true);
     begin_motion(record);
   }
 
@@ -274,7 +282,26 @@ namespace apps
                                             slab);
   }
 
-  std::string ParticlesRun::finish(const std::filesystem::path &folder, const double wall_seconds)
+  ParticlesReport ParticlesRun::report(const postprocess::CsvTable &series, const double wall_seconds) const
+  {
+    return {request,
+            model,
+            *body,
+            materials,
+            start,
+            series,
+            wall_seconds,
+            left_out_of_balance(*model.material.materials().bonds(model.physics), body->specimen().particles().radius),
+            slow ? slow->test() : nullptr};
+  }
+
+  RunFindings ParticlesRun::findings(const postprocess::CsvTable &series, const double wall_seconds)
+  {
+    const ParticlesReport found = report(series, wall_seconds);
+    return {found.summary(), grown_text + found.text(), std::shared_ptr<const dem::Specimen>(body, &body->specimen())};
+  }
+
+  void ParticlesRun::write_results(const std::filesystem::path &folder, const postprocess::CsvTable &series)
   {
     postprocess::write_packing(at_end(packing, body->specimen()), folder / "packing_at_end.h5");
     if (model.bonded())
@@ -286,17 +313,6 @@ namespace apps
     if (body->test())
       LaboratoryReport{model.laboratory, *body->test(), slow ? slow->test() : nullptr}.write(
         folder, std::filesystem::path(request.scene_file).stem().string());
-    const ParticlesReport report{
-      request,
-      model,
-      *body,
-      materials,
-      start,
-      postprocess::read_csv_table(folder / "series.csv", true),
-      wall_seconds,
-      left_out_of_balance(*model.material.materials().bonds(model.physics), body->specimen().particles().radius),
-      slow ? slow->test() : nullptr};
-    report.write(folder);
-    return grown_text + report.text();
+    report(series, 0).draw_curve(folder);
   }
 } // namespace apps

@@ -5,6 +5,7 @@
 #include "apps/drivers/parts/material_counts.h"
 #include "apps/drivers/parts/sampling.h"
 #include "apps/drivers/parts/specimen_snapshots.h"
+#include "apps/results/run_result.h"
 #include "apps/results/run_work.h"
 #include "apps/scene/scene.h"
 
@@ -13,26 +14,29 @@
 
 namespace apps
 {
+  struct ParticlesReport;
+
   /**
    * The work of a scene of kind "particles".
    *
    * Where the particles are grown, that comes first: with the files of GenesisWork::write().
    *
-   * In the result folder, besides what every run has (life_cycle.h): packing.h5, particles_particles.pvd and particles_links.pvd with
-   * their snapshots, and at the end packing_at_end.h5, summary.json and curve.png; of bonded particles crack.png and state.h5 as well.
+   * In the result folder, besides what every run has (run_files.h): packing.h5, particles_particles.pvd and particles_links.pvd with
+   * their snapshots, and at the end packing_at_end.h5 and curve.png; of bonded particles crack.png and state.h5 as well.
    */
   class ParticlesRun : public RunWork
   {
   public:
     ParticlesRun(const RunRequest &request, const ParticlesModel &model);
 
-    /** @return exit status: 0, or 130 after an interrupt. Throws as Scene::run(). */
-    int execute();
+    /** Throws as Scene::run(). */
+    RunResult execute();
 
   private:
     void                                   prepare() override;
-    void                                   begin(const std::filesystem::path &folder, const Record &record) override;
     void                                   reopen(const std::filesystem::path &folder) override;
+    void                                   keep_files(const std::filesystem::path &folder, bool fresh) override;
+    void                                   begin(const Record &record) override;
     void                                   visit_state(RunState &state) override;
     std::vector<postprocess::SeriesColumn> series_columns() const override { return model.columns(); }
     std::string                            size() const override;
@@ -44,7 +48,8 @@ namespace apps
     std::string details() const override;
     bool        finished() const override { return !genesis && sampling.finished() && !checks_speed(); }
     void        advance(const Record &record) override;
-    std::string finish(const std::filesystem::path &folder, double wall_seconds) override;
+    RunFindings findings(const postprocess::CsvTable &series, double wall_seconds) override;
+    void        write_results(const std::filesystem::path &folder, const postprocess::CsvTable &series) override;
 
     void make_body();
     /** The body and its initial state. */
@@ -70,13 +75,15 @@ namespace apps
     void        record_row(const Record &record);
     std::string draw_crack(const std::filesystem::path &file) const;
 
+    ParticlesReport report(const postprocess::CsvTable &series, double wall_seconds) const;
+
     RunRequest                     request;
     ParticlesModel                 model;
     dem::Packing                   packing;
     std::string                    grown_text; ///< what genesis has reached, of a run that saw its end
     std::filesystem::path          location;   ///< where results grow
     std::unique_ptr<GenesisWork>   genesis;    ///< while particles grow; then there is the body
-    std::unique_ptr<ParticlesBody> body;
+    std::shared_ptr<ParticlesBody> body;       ///< shared with the result, which holds its specimen
     std::unique_ptr<ParticlesBody>
                       slow;      ///< as it was when the loading began, to load at half the speed when the test is over
     MaterialCounts    materials; ///< before anything moves

@@ -105,5 +105,5 @@ namespace apps
     return text + model.stops.duration_line(set_up_seconds, motion, longest);
   }
 
-  int ParticlesScene::run(const RunRequest &request) const { return ParticlesRun(request, model).execute(); }
+  RunResult ParticlesScene::run(const RunRequest &request) const { return ParticlesRun(request, model).execute(); }
 } // namespace apps

@@ -7,9 +7,6 @@
 #include "apps/results/run_work.h"
 #include "apps/results/warning.h"
 #include "apps/scene/loading_section.h"
-#include "postprocess/summary.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <memory>
@@ -20,8 +17,7 @@ namespace apps
   /**
    * The work of a scene of laboratory tests: one after the other, each on a fresh specimen.
    *
-   * In the result folder, besides what every run has (life_cycle.h): packing.h5, what each test writes, and at the end summary.json and
-   * curve.png.
+   * In the result folder, besides what every run has (run_files.h): packing.h5, what each test writes, and at the end curve.png.
    *
    * @tparam Test one of the tests (uniaxial/lab_test.h, quasi_static/lab_test.h), with its Model, Result and Report. A Report is made of
    * request, model, results, the last test and the wall clock.
@@ -39,8 +35,8 @@ namespace apps
     {
     }
 
-    /** @return exit status: 0, or 130 after an interrupt. Throws as Scene::run(). */
-    int execute() { return LifeCycle(request, model.longest_without_checkpoint(), *this).execute(); }
+    /** Throws as Scene::run(). */
+    RunResult execute() { return LifeCycle(request, model.longest_without_checkpoint(), *this).execute(); }
 
   private:
     void prepare() override
@@ -50,18 +46,18 @@ namespace apps
       test->settle();
     }
 
-    void begin(const std::filesystem::path &folder, const Record &) override
+    void reopen(const std::filesystem::path &folder) override { packing = kept_packing(folder); }
+
+    void keep_files(const std::filesystem::path &folder, const bool fresh) override
     {
       location = folder;
+      if (!fresh) // the state says which test is under way
+        return;
       keep_packing(packing, folder);
       test->open(folder);
     }
 
-    void reopen(const std::filesystem::path &folder) override
-    {
-      location = folder;
-      packing  = kept_packing(folder);
-    }
+    void begin(const Record &) override {}
 
     void                                   visit_state(RunState &state) override;
     std::vector<postprocess::SeriesColumn> series_columns() const override { return Test::series_columns(model); }
@@ -82,12 +78,20 @@ namespace apps
         complete_test();
     }
 
-    std::string finish(const std::filesystem::path &folder, const double wall_seconds) override
+    typename Test::Report report(const double wall_seconds) const
     {
-      const typename Test::Report report{request, model, complete, *test, wall_seconds};
-      postprocess::write_json(folder / "summary.json", report.summary());
-      warn_of_missing("curve.png", report.draw_curve(folder / "curve.png"));
-      return report.text();
+      return {request, model, complete, *test, wall_seconds};
+    }
+
+    RunFindings findings(const postprocess::CsvTable &, const double wall_seconds) override
+    {
+      const typename Test::Report found = report(wall_seconds);
+      return {found.summary(), found.text(), test->specimen_at_end()};
+    }
+
+    void write_results(const std::filesystem::path &folder, const postprocess::CsvTable &) override
+    {
+      warn_of_missing("curve.png", report(0).draw_curve(folder / "curve.png"));
     }
 
     void make_test()
@@ -100,13 +104,16 @@ namespace apps
     void complete_test()
     {
       const Progress progress(stage() + ", results");
-      test->finish(location);
+      test->complete();
+      if (!location.empty())
+        test->write(location);
       complete.push_back(test->result);
       if (finished())
         return;
       make_test();
       test->settle();
-      test->open(location);
+      if (!location.empty())
+        test->open(location);
     }
 
     RunRequest            request;

@@ -6,7 +6,6 @@
 #include "apps/drivers/parts/series_figures.h"
 #include "apps/drivers/parts/summary_head.h"
 #include "apps/results/warning.h"
-#include "postprocess/summary.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -27,11 +26,7 @@ namespace apps
 
   double MotionReport::balance_error() const { return worst_residual(series, specimen.energy().rounding); }
 
-  void MotionReport::write(const std::filesystem::path               &folder,
-                           const nlohmann::json                      &figures,
-                           nlohmann::json                             energy,
-                           nlohmann::json                             cost,
-                           const std::pair<std::string, std::string> &curve) const
+  nlohmann::json MotionReport::summary(const nlohmann::json &figures, nlohmann::json energy, nlohmann::json cost) const
   {
     energy["balance_error"] = balance_error();
     energy["unit"]          = "J";
@@ -50,12 +45,16 @@ namespace apps
     materials.put_into(summary);
     if (start)
       summary["initial_equilibrium"] = json_of(*start);
-    postprocess::write_json(folder / "summary.json", summary);
-    if (curve.first.empty())
-      return;
+    return summary;
+  }
+
+  void MotionReport::draw_curve(const std::filesystem::path &folder,
+                                const std::string           &horizontal,
+                                const std::string           &vertical) const
+  {
     const std::string title = std::filesystem::path(request.scene_file).stem().string();
     warn_of_missing("curve.png",
-                    postprocess::plot(folder / "curve.png", {drawn_curve(series, curve.first, curve.second, title)}));
+                    postprocess::plot(folder / "curve.png", {drawn_curve(series, horizontal, vertical, title)}));
   }
 
   std::string MotionReport::text() const

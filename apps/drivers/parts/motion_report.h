@@ -30,16 +30,11 @@ namespace apps
     std::vector<std::string>     notes    = {};  ///< what else a user should know, one sentence each
     std::vector<std::string>     warnings = {};  ///< what else a user should doubt, likewise
 
-    /**
-     * summary.json and, where columns are given, curve.png.
-     * @param energy its terms by name, to which the balance is added @param curve columns: what is over what
-     * @throws postprocess::OutputError.
-     */
-    void write(const std::filesystem::path               &folder,
-               const nlohmann::json                      &figures,
-               nlohmann::json                             energy,
-               nlohmann::json                             cost,
-               const std::pair<std::string, std::string> &curve) const;
+    /** @param energy its terms by name, to which the balance is added */
+    nlohmann::json summary(const nlohmann::json &figures, nlohmann::json energy, nlohmann::json cost) const;
+    /** curve.png: a column over another. */
+    void
+    draw_curve(const std::filesystem::path &folder, const std::string &horizontal, const std::string &vertical) const;
     /** Lines for the terminal: what ended the run, its start, the balance of its energy. */
     std::string text() const;
 

@@ -134,15 +134,17 @@ namespace apps
   std::vector<postprocess::SeriesColumn> QuasiStaticLabTest::series_columns(const QuasiStaticModel &model)
   {
     std::vector<postprocess::SeriesColumn> all = {
-      {"test", ""}, {"point", ""}, {"strain", "-"}, {"stress", "Pa"}, {"mean_damage", "-"}};
+      {"test", "", true}, {"point", ""}, {"strain", "-"}, {"stress", "Pa"}, {"mean_damage", "-"}};
     if (model.is_cell())
       for (const char *strain : {"strain_xx", "strain_yy", "strain_zz"})
         all.push_back({strain, "-"});
     for (const char *energy :
          {"energy_work", "energy_stored", "energy_damage", "energy_friction", "energy_damped", "energy_residual"})
       all.push_back({energy, "J"});
-    for (const auto &last :
-         {postprocess::SeriesColumn{"unbalanced", "-"}, {"solutions", ""}, {"relaxation_steps", ""}, {"control", ""}})
+    for (const auto &last : {postprocess::SeriesColumn{"unbalanced", "-"},
+                             {"solutions", ""},
+                             {"relaxation_steps", ""},
+                             {"control", "", true}})
       all.push_back(last);
     return all;
   }
@@ -192,7 +194,7 @@ namespace apps
     links->add(at);
   }
 
-  void QuasiStaticLabTest::finish(const std::filesystem::path &folder)
+  void QuasiStaticLabTest::complete()
   {
     if (particles && static_cast<std::int64_t>(path.points().size() - 1) % snapshot_interval != 0)
       snapshot();
@@ -202,7 +204,6 @@ namespace apps
     for (std::size_t i = 0; i < result.strain.size(); ++i)
       curve.add(result.strain[i], result.stress[i]);
     note_work_of_fracture(result.notes, curve.figures());
-    warn_of_missing("crack picture", draw_crack(folder));
   }
 
   std::string QuasiStaticLabTest::size() const

@@ -4,10 +4,12 @@
 #include "apps/drivers/parts/material_counts.h"
 #include "apps/drivers/quasi_static/scene.h"
 #include "apps/results/run_work.h"
+#include "apps/results/warning.h"
 #include "dem/observation/link_images.h"
 #include "postprocess/pvd.h"
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -57,8 +59,12 @@ namespace apps
     void      advance();
     SeriesRow row() const; ///< of the last point
     bool      finished() const { return path.finished(); }
-    /** When finished: measures the crack, takes the last snapshot, and leaves TEST_crack.png in a folder. */
-    void finish(const std::filesystem::path &folder);
+    /** When finished: completes the result, and takes the last snapshot. */
+    void complete();
+    /** Then: leaves TEST_crack.png in a folder. */
+    void write(const std::filesystem::path &folder) const { warn_of_missing("crack picture", draw_crack(folder)); }
+    /** A network of links without inertia has none. */
+    std::shared_ptr<const dem::Specimen> specimen_at_end() const { return nullptr; }
 
     std::string size() const; ///< "175 particles, 1203 links"
     double      done() const;

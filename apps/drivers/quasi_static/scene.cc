@@ -171,7 +171,7 @@ namespace apps
     return text + duration_line(seconds);
   }
 
-  int QuasiStaticScene::run(const RunRequest &request) const
+  RunResult QuasiStaticScene::run(const RunRequest &request) const
   {
     return LabRun<QuasiStaticLabTest>(request, asked).execute();
   }

@@ -36,12 +36,12 @@ namespace apps
     }
 
     template <int dim>
-    int run(const RunRequest                &request,
-            const ContinuumModel            &model,
-            const coupling::ParticleField   &field,
-            const coupling::TransferOptions &options,
-            const double                     least_force,
-            const TransferObserver          &observe)
+    RunResult run(const RunRequest                &request,
+                  const ContinuumModel            &model,
+                  const coupling::ParticleField   &field,
+                  const coupling::TransferOptions &options,
+                  const double                     least_force,
+                  const TransferObserver          &observe)
     {
       TransferredState done;
       const auto prepare = [&](fem::Solid<dim> &solid) { done.report = coupling::transfer(field, options, solid); };
@@ -73,12 +73,12 @@ namespace apps
                                         initialise<3>(model, field, options, mesh_folder);
   }
 
-  int continue_from(const RunRequest                &request,
-                    const ContinuumModel            &model,
-                    const coupling::ParticleField   &field,
-                    const coupling::TransferOptions &options,
-                    const double                     least_force,
-                    const TransferObserver          &observe)
+  RunResult continue_from(const RunRequest                &request,
+                          const ContinuumModel            &model,
+                          const coupling::ParticleField   &field,
+                          const coupling::TransferOptions &options,
+                          const double                     least_force,
+                          const TransferObserver          &observe)
   {
     start_mpi();
     return model.solid.dimension == 2 ? run<2>(request, model, field, options, least_force, observe) :

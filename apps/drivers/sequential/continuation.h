@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/drivers/continuum/model.h"
+#include "apps/results/run_result.h"
 #include "apps/scene/scene.h"
 #include "coupling/sequential/particle_field.h"
 #include "coupling/sequential/transfer_report.h"
@@ -32,14 +33,13 @@ namespace apps
 
   /**
    * The same, and load it on to the end of the model's analysis, or to where there is no equilibrium any more or little is left
-   * (ContinuumRun::end_where_little_is_left()); results of a continuum run in the request's folder. A run that is resumed has been
-   * observed before.
-   * @return exit status; 130 when interrupted
+   * (ContinuumRun::end_where_little_is_left()). A run that is resumed has been observed before.
+   * @return the result of a run of kind "continuum"
    */
-  int continue_from(const RunRequest                &request,
-                    const ContinuumModel            &model,
-                    const coupling::ParticleField   &field,
-                    const coupling::TransferOptions &options,
-                    double                           least_force,
-                    const TransferObserver          &observe);
+  RunResult continue_from(const RunRequest                &request,
+                          const ContinuumModel            &model,
+                          const coupling::ParticleField   &field,
+                          const coupling::TransferOptions &options,
+                          double                           least_force,
+                          const TransferObserver          &observe);
 } // namespace apps

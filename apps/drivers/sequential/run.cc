@@ -6,9 +6,8 @@
 #include "apps/drivers/sequential/continuation.h"
 #include "apps/drivers/sequential/study.h"
 #include "apps/drivers/sequential/transfer_output.h"
-#include "apps/process/exit_status.h"
 #include "apps/process/stopwatch.h"
-#include "apps/results/result_listing.h"
+#include "apps/results/terminal.h"
 #include "apps/results/warning.h"
 #include "postprocess/atomic_file.h"
 #include "postprocess/summary.h"
@@ -16,6 +15,7 @@
 #include <fmt/format.h>
 
 #include <fstream>
+#include <map>
 
 namespace apps
 {
@@ -32,6 +32,37 @@ namespace apps
           if (file.path().extension() == ".vtu" && (first.empty() || file.path() < first))
             first = file.path();
       return first;
+    }
+
+    nlohmann::json json_in(const std::filesystem::path &file)
+    {
+      std::ifstream stream(file);
+      return nlohmann::json::parse(stream);
+    }
+
+    /** What a continuation found that was finished before an interrupt. */
+    RunResult earlier_result(const std::filesystem::path &folder)
+    {
+      RunResult result;
+      result.summary = json_in(folder / "summary.json");
+      if (std::filesystem::exists(folder / "series.csv"))
+        result.series = postprocess::read_csv_table(folder / "series.csv", true);
+      return result;
+    }
+
+    std::string
+    lines_of(const ParticleOutcome &outcome, const coupling::ParticleField &field, const TransferredState &state)
+    {
+      return fmt::format("transfer of {} ({} particles, {} left out)\n{}", outcome.name, field.size(), field.left_out,
+                         text_of(state.report, state.settled));
+    }
+
+    /** The request of a study in this folder. */
+    RunRequest placed(RunRequest request, const postprocess::ScratchFolder *scratch)
+    {
+      if (scratch)
+        request.output_folder = scratch->path() / "study";
+      return request;
     }
 
     /** A case that cannot be transferred says which it is. */
@@ -63,23 +94,21 @@ namespace apps
                const ParticleOutcome           &outcome,
                const coupling::ParticleField   &field,
                const coupling::TransferOptions &options,
-               const TransferredState          &state) const
+               const TransferredState          &state)
     {
       picture.write(number, field, options, state.report);
       nlohmann::json entry = json_of(state.report, state.settled);
       entry["event"]       = outcome.name;
       entry["particles"]   = {{"used", field.size()}, {"left_out", field.left_out}};
       postprocess::write_json(file(number), entry);
-      fmt::print("transfer of {} ({} particles, {} left out)\n{}", outcome.name, field.size(), field.left_out,
-                 text_of(state.report, state.settled));
+      written[number] = std::move(entry);
     }
 
-    /** Add a case that was written. @param mesh_file in the output folder; "" without */
+    /** Add a case that was written, perhaps before an interrupt. @param mesh_file in the output folder; "" without */
     void add(const std::size_t number, const std::filesystem::path &mesh_file)
     {
       picture.show(number, mesh_file.empty() ? "" : std::filesystem::relative(mesh_file, folder).generic_string());
-      std::ifstream stream(file(number));
-      json.push_back(nlohmann::json::parse(stream));
+      json.push_back(written.count(number) > 0 ? written[number] : json_in(file(number)));
     }
 
     nlohmann::json json = nlohmann::json::array();
@@ -90,21 +119,25 @@ namespace apps
       return folder / fmt::format("transfer/transfer_{:03}.json", number);
     }
 
-    std::filesystem::path folder;
-    TransferPicture       picture;
+    std::filesystem::path                 folder;
+    TransferPicture                       picture;
+    std::map<std::size_t, nlohmann::json> written; ///< in this process, by number
   };
 
   SequentialRun::SequentialRun(const SequentialModel &what, SequentialGroundwork known, const RunRequest &asked)
     : model(what)
     , ground(std::move(known))
-    , request(asked)
+    , results(asked.output_folder)
+    , scratch(results.empty() ? std::make_unique<postprocess::ScratchFolder>("study") : nullptr)
+    , request(placed(asked, scratch.get()))
     , folder(asked)
     , running(folder.running())
     , options(model.transfer.chosen())
     , particles(model.particles, running, asked.deciding_text)
   {
     for (const std::string &doubt : ground.doubts)
-      fmt::print(stderr, "breccia: warning: {}\n", doubt);
+      for (RunObserver *observer : request.observers)
+        observer->warns(doubt);
     options.strength = model.tensile_strength();
   }
 
@@ -118,7 +151,7 @@ namespace apps
       return false;
     law         = identification.result();
     options.law = law->found.law;
-    fmt::print("{}", law->text());
+    says(law->text());
     return true;
   }
 
@@ -145,56 +178,81 @@ namespace apps
     return left_out_of_balance(*event.material.materials().bonds(event.physics), radius);
   }
 
-  void SequentialRun::finish(const nlohmann::json &json)
+  void SequentialRun::says(const std::string &lines) const
+  {
+    for (RunObserver *observer : request.observers)
+      observer->says(lines);
+  }
+
+  RunResult SequentialRun::interrupted() const { return ended(folder.interrupted()); }
+
+  RunResult SequentialRun::finish(nlohmann::json json, std::string words)
   {
     postprocess::write_json(running / "summary.json", json);
     folder.publish();
+    RunResult result;
+    result.summary = std::move(json);
+    result.words   = std::move(words);
+    result.folder  = results;
+    return ended(std::move(result));
   }
 
-  /** One case to its end, unless that was reached before an interrupt. @return false when interrupted. */
-  bool SequentialRun::continue_case(const std::size_t number, const TransferRecord &record) const
+  RunResult SequentialRun::ended(RunResult result) const
+  {
+    for (RunObserver *observer : request.observers)
+      observer->ends(result);
+    return result;
+  }
+
+  RunResult SequentialRun::continue_case(const std::size_t number, TransferRecord &record) const
   {
     const ParticleOutcome &outcome = particles.outcomes()[number];
-    RunRequest             part    = request;
-    part.quiet                     = true;
-    part.output_folder             = running / continuation_name(number);
+    ProgressLine           line;
+    RunRequest             part = request;
+    part.observers.clear();
+    if (!request.observers.empty())
+      part.observers.push_back(&line);
+    part.output_folder = running / continuation_name(number);
     part.deciding_text += fmt::format("\n# continuation {}", number);
     if (std::filesystem::exists(part.output_folder / "summary.json"))
-      return true;
-    part.resume           = std::filesystem::exists(part.output_folder / "running" / checkpoint_name);
-    const auto      field = coupling::particle_field(outcome.state, model.transfer.field);
-    const auto      tell = [&](const TransferredState &state) { record.write(number, outcome, field, options, state); };
+      return earlier_result(part.output_folder);
+    part.resume      = std::filesystem::exists(part.output_folder / "running" / checkpoint_name);
+    const auto field = coupling::particle_field(outcome.state, model.transfer.field);
+    const auto tell  = [&](const TransferredState &state) {
+      record.write(number, outcome, field, options, state);
+      says(lines_of(outcome, field, state));
+    };
     const Stopwatch watch;
     try
       {
-        return in_case(outcome, [&] {
-                 return continue_from(part, model.continuum, field, options, model.study.least_force, tell);
-               }) != exit_interrupted;
+        return in_case(
+          outcome, [&] { return continue_from(part, model.continuum, field, options, model.study.least_force, tell); });
       }
     catch (
       const base::NumericalError &failure) // there is nothing to carry on: the study says so, and the other cases go on
       {
-        postprocess::write_json(part.output_folder / "summary.json", {{"ended_by", no_equilibrium + failure.what()},
-                                                                      {"cost", {{"wall_seconds", watch.seconds()}}}});
-        return true;
+        RunResult none;
+        none.summary = {{"ended_by", no_equilibrium + failure.what()}, {"cost", {{"wall_seconds", watch.seconds()}}}};
+        postprocess::write_json(part.output_folder / "summary.json", none.summary);
+        return none;
       }
   }
 
-  int SequentialRun::carry_on()
+  RunResult SequentialRun::carry_on()
   {
     const Stopwatch watch;
     if (!find_law() || !particles.complete(ground.packing))
-      return folder.interrupted();
+      return interrupted();
     TransferRecord                 record(running);
     std::vector<ContinuationCurve> curves;
     for (std::size_t k = 0; k < particles.outcomes().size(); ++k)
       {
-        if (!continue_case(k, record))
-          return folder.interrupted();
-        const auto where = running / continuation_name(k);
-        record.add(k, first_snapshot(where));
+        const RunResult continuation = continue_case(k, record);
+        if (continuation.end == RunResult::End::interrupted)
+          return interrupted();
+        record.add(k, first_snapshot(running / continuation_name(k)));
         const ParticleOutcome &outcome = particles.outcomes()[k];
-        curves.push_back(read_continuation(model.study, where));
+        curves.push_back(curve_of(model.study, continuation));
         curves.back().name     = outcome.name;
         curves.back().severity = outcome.severity;
         curves.back().absorbed = outcome.absorbed;
@@ -211,16 +269,13 @@ namespace apps
     json["cost"]      = {{"wall_seconds", watch.seconds()}};
     postprocess::write_text(running / "study.csv", report.csv());
     warn_of_missing("study.png", report.draw(running / "study.png"));
-    finish(json);
-    fmt::print("{}{}", report.text(), balance_note(not_in_balance()));
-    fmt::print("{}", result_listing(request.output_folder));
-    return exit_success;
+    return finish(std::move(json), report.text() + balance_note(not_in_balance()));
   }
 
-  int SequentialRun::transfer_only()
+  RunResult SequentialRun::transfer_only()
   {
     if (!find_law() || !particles.complete(ground.packing))
-      return folder.interrupted();
+      return interrupted();
     TransferRecord record(running);
     for (std::size_t k = 0; k < particles.outcomes().size(); ++k)
       {
@@ -230,22 +285,18 @@ namespace apps
         const TransferredState        state =
           in_case(outcome, [&] { return initialise_only(model.continuum, field, options, mesh); });
         record.write(k, outcome, field, options, state);
+        says(lines_of(outcome, field, state));
         record.add(k, state.mesh_file);
       }
     nlohmann::json json = summary();
     json["transfers"]   = record.json;
-    finish(json);
-    fmt::print("{}", result_listing(request.output_folder));
-    return exit_success;
+    return finish(std::move(json), "");
   }
 
-  int SequentialRun::identify_only()
+  RunResult SequentialRun::identify_only()
   {
     if (!find_law())
-      return folder.interrupted();
-    finish(summary());
-    fmt::print("{}", law->prm());
-    fmt::print("{}", result_listing(request.output_folder));
-    return exit_success;
+      return interrupted();
+    return finish(summary(), law->prm());
   }
 } // namespace apps

@@ -3,8 +3,10 @@
 #include "apps/drivers/sequential/particles.h"
 #include "apps/drivers/sequential/scene.h"
 #include "apps/drivers/sequential/study_folder.h"
+#include "apps/results/run_result.h"
+#include "postprocess/scratch_folder.h"
 
-#include <nlohmann/json.hpp>
+#include <memory>
 
 namespace apps
 {
@@ -15,27 +17,33 @@ namespace apps
     /** Opens the result folder, and says what is doubtful. @throws as StudyFolder */
     SequentialRun(const SequentialModel &model, SequentialGroundwork ground, const RunRequest &request);
 
-    // Each returns the exit status of Scene::run().
-    int carry_on();      ///< the whole study
-    int transfer_only(); ///< without going on
-    int identify_only(); ///< only the mapping law
+    // Each is Scene::run().
+    RunResult carry_on();      ///< the whole study
+    RunResult transfer_only(); ///< without going on
+    RunResult identify_only(); ///< only the mapping law
 
   private:
     class TransferRecord;
 
-    bool           find_law();
-    bool           continue_case(std::size_t number, const TransferRecord &record) const;
+    bool find_law();
+    /** One case to its end, unless that was reached before an interrupt. */
+    RunResult      continue_case(std::size_t number, TransferRecord &record) const;
     nlohmann::json summary() const;
     std::string    not_in_balance() const; ///< see left_out_of_balance()
-    void           finish(const nlohmann::json &json);
+    void           says(const std::string &lines) const;
+    RunResult      interrupted() const;
+    RunResult      finish(nlohmann::json json, std::string words);
+    RunResult      ended(RunResult result) const;
 
-    const SequentialModel       &model;
-    SequentialGroundwork         ground;
-    RunRequest                   request;
-    StudyFolder                  folder;
-    std::filesystem::path        running;
-    std::optional<IdentifiedLaw> law;
-    coupling::TransferOptions    options; ///< with the law that was found
-    ParticleCases                particles;
+    const SequentialModel                      &model;
+    SequentialGroundwork                        ground;
+    std::filesystem::path                       results; ///< folder that was asked for; "": none
+    std::unique_ptr<postprocess::ScratchFolder> scratch; ///< then
+    RunRequest                                  request;
+    StudyFolder                                 folder;
+    std::filesystem::path                       running;
+    std::optional<IdentifiedLaw>                law;
+    coupling::TransferOptions                   options; ///< with the law that was found
+    ParticleCases                               particles;
   };
 } // namespace apps

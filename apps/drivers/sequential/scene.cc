@@ -194,17 +194,17 @@ namespace apps
     return text + duration_line(seconds);
   }
 
-  int SequentialScene::run(const RunRequest &request) const
+  RunResult SequentialScene::run(const RunRequest &request) const
   {
     return SequentialRun(model, groundwork(), request).carry_on();
   }
 
-  int SequentialScene::transfer_only(const RunRequest &request) const
+  RunResult SequentialScene::transfer_only(const RunRequest &request) const
   {
     return SequentialRun(model, groundwork(), request).transfer_only();
   }
 
-  int SequentialScene::identify(const RunRequest &request) const
+  RunResult SequentialScene::identify(const RunRequest &request) const
   {
     return SequentialRun(model, groundwork(), request).identify_only();
   }

@@ -54,12 +54,12 @@ namespace apps
     void        declare(Section &root) override;
     void        validate(const Section &root) const override;
     std::string forecast() const override;
-    int         run(const RunRequest &request) const override;
+    RunResult   run(const RunRequest &request) const override;
 
     /** The particles and the transfer alone: what `breccia transfer` does. @return exit status as run(). */
-    int transfer_only(const RunRequest &request) const;
+    RunResult transfer_only(const RunRequest &request) const;
     /** Find the mapping law alone, see LawIdentification. @return exit status. */
-    int identify(const RunRequest &request) const;
+    RunResult identify(const RunRequest &request) const;
 
     const SequentialModel &parameters() const { return model; }
 

@@ -2,15 +2,12 @@
 
 #include "apps/drivers/continuum/summary.h"
 #include "apps/drivers/parts/summary_head.h"
-#include "postprocess/csv_table.h"
-#include "postprocess/summary.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
 
 namespace apps
@@ -56,19 +53,16 @@ namespace apps
 
   bool ContinuationCurve::broke_off() const { return ended_by.rfind(no_equilibrium, 0) == 0; }
 
-  ContinuationCurve read_continuation(const SequentialModel::Study &study, const std::filesystem::path &folder)
+  ContinuationCurve curve_of(const SequentialModel::Study &study, const RunResult &continuation)
   {
-    std::ifstream        stream(folder / "summary.json");
-    const nlohmann::json summary = nlohmann::json::parse(stream);
-    ContinuationCurve    curve;
-    curve.ended_by = summary.at("ended_by");
-    curve.seconds  = summary.at("cost").at("wall_seconds");
-    if (!std::filesystem::exists(folder / "series.csv")) // no equilibrium at the hand-over
+    ContinuationCurve curve;
+    curve.ended_by = continuation.summary.at("ended_by");
+    curve.seconds  = continuation.summary.at("cost").at("wall_seconds");
+    if (continuation.series.names.empty()) // no equilibrium at the hand-over
       return curve;
-    const postprocess::CsvTable table = postprocess::read_csv_table(folder / "series.csv", true);
-    curve.horizontal                  = scaled(table.column(study.horizontal), study.sign / study.length);
-    curve.vertical                    = scaled(table.column(study.vertical), study.sign / study.area);
-    curve.dissipated                  = table.column("energy_dissipated");
+    curve.horizontal = scaled(continuation.series.column(study.horizontal), study.sign / study.length);
+    curve.vertical   = scaled(continuation.series.column(study.vertical), study.sign / study.area);
+    curve.dissipated = continuation.series.column("energy_dissipated");
     return curve;
   }
 

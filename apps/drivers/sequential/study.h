@@ -2,8 +2,7 @@
 
 #include "apps/drivers/sequential/particle_case.h"
 #include "apps/drivers/sequential/scene.h"
-
-#include <nlohmann/json_fwd.hpp>
+#include "apps/results/run_result.h"
 
 #include <filesystem>
 
@@ -28,8 +27,8 @@ namespace apps
     bool   broke_off() const; ///< there was no equilibrium any more before its end
   };
 
-  /** Read a finished continuation of a study from its folder: the files of a continuum run. */
-  ContinuationCurve read_continuation(const SequentialModel::Study &study, const std::filesystem::path &folder);
+  /** A finished continuation, a run of kind "continuum", as the study reads it. */
+  ContinuationCurve curve_of(const SequentialModel::Study &study, const RunResult &continuation);
 
   /**
    * Mean |stress of the continuation - stress of the all-particle run| over the mean |stress| of the latter, over the strains past

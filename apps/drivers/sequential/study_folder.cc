@@ -1,13 +1,10 @@
 #include "apps/drivers/sequential/study_folder.h"
 
-#include "apps/process/exit_status.h"
-#include "apps/process/interrupt.h"
 #include "apps/results/input_files.h"
 #include "apps/results/life_cycle.h"
+#include "apps/results/run_observer.h"
 #include "postprocess/atomic_file.h"
 #include "postprocess/numeric_text.h"
-
-#include <fmt/format.h>
 
 namespace apps
 {
@@ -30,13 +27,16 @@ namespace apps
       require_same_content(request.inputs, postprocess::numeric_text::read_whole(mark));
     postprocess::write_text(folder.running() / "scene.prm", request.scene_text);
     postprocess::write_text(mark, listed(request.inputs)); // states and continuations have checkpoints of their own
-    set_last_words("interrupted in work that cannot be stopped half-way; what was finished is kept. " +
-                   way_to_go_on(request));
+    for (RunObserver *observer : request.observers)
+      observer->saved(way_to_go_on(request));
   }
 
-  int StudyFolder::interrupted() const
+  RunResult StudyFolder::interrupted() const
   {
-    fmt::print(stderr, "breccia: interrupted, state saved. {}\n", way_to_go_on(request));
-    return exit_interrupted;
+    RunResult result;
+    result.end    = RunResult::End::interrupted;
+    result.folder = request.output_folder;
+    result.go_on  = way_to_go_on(request);
+    return result;
   }
 } // namespace apps

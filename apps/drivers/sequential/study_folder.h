@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/results/result_folder.h"
+#include "apps/results/run_result.h"
 #include "apps/scene/scene.h"
 
 namespace apps
@@ -14,8 +15,8 @@ namespace apps
 
     const std::filesystem::path &running() const { return folder.running(); }
 
-    /** Say how to go on. @return exit status of an interrupted run */
-    int interrupted() const;
+    /** Says how to go on. */
+    RunResult interrupted() const;
 
     void publish() { folder.publish(); }
 

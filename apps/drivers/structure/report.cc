@@ -8,7 +8,6 @@
 #include "apps/scene/tension_beyond_apex.h"
 #include "dem/observation/crack.h"
 #include "postprocess/plot.h"
-#include "postprocess/summary.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -86,9 +85,8 @@ namespace apps
     return summary;
   }
 
-  void StructureReport::write(const std::filesystem::path &folder) const
+  void StructureReport::draw_curve(const std::filesystem::path &folder) const
   {
-    postprocess::write_json(folder / "summary.json", summary());
     const auto [horizontal, vertical] = structure.curve();
     postprocess::PlotPanel panel =
       drawn_curve(series, horizontal, vertical, std::filesystem::path(request.scene_file).stem().string());

@@ -14,19 +14,19 @@ namespace apps
   /** What a complete run of kind "structure" tells: for programs, for the eye, for the terminal. */
   struct StructureReport
   {
-    const RunRequest     &request;
-    const StructureModel &model;
-    const Structure      &structure;
-    const ParticleMedia  &media;  ///< of the particles, where they are known
-    postprocess::CsvTable series; ///< complete
-    double                wall_seconds;
+    const RunRequest            &request;
+    const StructureModel        &model;
+    const Structure             &structure;
+    const ParticleMedia         &media;  ///< of the particles, where they are known
+    const postprocess::CsvTable &series; ///< complete
+    double                       wall_seconds;
 
-    /** summary.json and curve.png. @throws postprocess::OutputError. */
-    void        write(const std::filesystem::path &folder) const;
+    nlohmann::json summary() const;
+    /** curve.png. */
+    void        draw_curve(const std::filesystem::path &folder) const;
     std::string text() const;
 
   private:
-    nlohmann::json summary() const;
     nlohmann::json figures() const;
     nlohmann::json energy() const;
     nlohmann::json cost() const;

@@ -24,7 +24,7 @@ namespace apps
   {
   }
 
-  int StructureRun::execute() { return LifeCycle(request, model.checkpoint_interval, *this).execute(); }
+  RunResult StructureRun::execute() { return LifeCycle(request, model.checkpoint_interval, *this).execute(); }
 
   void StructureRun::make_structure()
   {
@@ -40,9 +40,13 @@ namespace apps
     make_structure();
   }
 
-  void StructureRun::open(const std::filesystem::path &folder)
+  void StructureRun::keep_files(const std::filesystem::path &folder, const bool fresh)
   {
     location = folder;
+    if (fresh)
+      keep_packing(packing, folder);
+    if (fresh && !media.empty())
+      media.write(folder / ParticleMedia::file_name);
     if (model.snapshot_interval == 0)
       return;
     particles.emplace(folder, "particles");
@@ -51,21 +55,13 @@ namespace apps
       solids.emplace(folder, "solid", ".vtu");
   }
 
-  void StructureRun::begin(const std::filesystem::path &folder, const Record &)
-  {
-    keep_packing(packing, folder);
-    if (!media.empty())
-      media.write(folder / ParticleMedia::file_name);
-    open(folder);
-    snapshot();
-  }
+  void StructureRun::begin(const Record &) { snapshot(); }
 
   void StructureRun::reopen(const std::filesystem::path &folder)
   {
     packing = kept_packing(folder);
     media   = ParticleMedia::kept_in(folder, model.continuum);
     make_structure();
-    open(folder);
   }
 
   void StructureRun::visit_state(RunState &state)
@@ -161,15 +157,22 @@ namespace apps
                                             slab);
   }
 
-  std::string StructureRun::finish(const std::filesystem::path &folder, const double wall_seconds)
+  StructureReport StructureRun::report(const postprocess::CsvTable &series, const double wall_seconds) const
+  {
+    return {request, model, structure(), media, series, wall_seconds};
+  }
+
+  RunFindings StructureRun::findings(const postprocess::CsvTable &series, const double wall_seconds)
+  {
+    const StructureReport found = report(series, wall_seconds);
+    return {found.summary(), found.text(), nullptr};
+  }
+
+  void StructureRun::write_results(const std::filesystem::path &folder, const postprocess::CsvTable &series)
   {
     if (particles && !snapshot_due())
       snapshot();
     warn_of_missing("crack.png", draw_crack(folder / "crack.png"));
-    const StructureReport report{
-      request,     model, structure(), media, postprocess::read_csv_table(folder / "series.csv", true, {"control"}),
-      wall_seconds};
-    report.write(folder);
-    return report.text();
+    report(series, 0).draw_curve(folder);
   }
 } // namespace apps

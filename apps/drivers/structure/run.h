@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/drivers/structure/promotion.h"
+#include "apps/results/run_result.h"
 #include "apps/scene/scene.h"
 #include "postprocess/pvd.h"
 
@@ -10,24 +11,27 @@
 
 namespace apps
 {
+  struct StructureReport;
+
   /**
    * The work of a scene of kind "structure".
    *
-   * In the result folder, besides what every run has (life_cycle.h): packing.h5; structure.pvd, which shows solid, particles and links
-   * together, with the snapshots and lists of each; and at the end summary.json, curve.png and crack.png.
+   * In the result folder, besides what every run has (run_files.h): packing.h5; structure.pvd, which shows solid, particles and links
+   * together, with the snapshots and lists of each; and at the end curve.png and crack.png.
    */
   class StructureRun : public RunWork
   {
   public:
     StructureRun(const RunRequest &request, const StructureModel &model);
 
-    /** @return exit status: 0, or 130 after an interrupt. Throws as Scene::run(). */
-    int execute();
+    /** Throws as Scene::run(). */
+    RunResult execute();
 
   private:
     void                                   prepare() override;
-    void                                   begin(const std::filesystem::path &folder, const Record &record) override;
     void                                   reopen(const std::filesystem::path &folder) override;
+    void                                   keep_files(const std::filesystem::path &folder, bool fresh) override;
+    void                                   begin(const Record &record) override;
     void                                   visit_state(RunState &state) override;
     std::vector<postprocess::SeriesColumn> series_columns() const override { return structure().columns(); }
     std::string                            size() const override { return structure().size(); }
@@ -37,18 +41,20 @@ namespace apps
     bool                                   finished() const override { return structure().way().finished(); }
     void                                   advance(const Record &record) override;
     void                                   leave_last_state() override { snapshot(); }
-    std::string                            finish(const std::filesystem::path &folder, double wall_seconds) override;
+    RunFindings                            findings(const postprocess::CsvTable &series, double wall_seconds) override;
+    void write_results(const std::filesystem::path &folder, const postprocess::CsvTable &series) override;
 
     Structure       &structure() { return promotion->structure(); }
     const Structure &structure() const { return promotion->structure(); }
 
     void        make_structure();
     void        note(const Record &record);
-    void        open(const std::filesystem::path &folder);
     bool        snapshot_due() const;
     void        snapshot();
     void        list_together() const;
     std::string draw_crack(const std::filesystem::path &file) const;
+
+    StructureReport report(const postprocess::CsvTable &series, double wall_seconds) const;
 
     RunRequest                                request;
     const StructureModel                     &model;

@@ -46,7 +46,7 @@ namespace apps
     return text + duration_line(set_up + expected_path_seconds(structure.network(), model.material.materials(), path));
   }
 
-  int StructureScene::run(const RunRequest &request) const
+  RunResult StructureScene::run(const RunRequest &request) const
   {
     start_mpi();
     return StructureRun(request, model).execute();

@@ -78,8 +78,10 @@ namespace apps
       all.push_back({std::string("energy_") + term, "J"});
     if (handshakes.promote())
       all.push_back({"energy_promoted", "J"});
-    for (const auto &end :
-         {postprocess::SeriesColumn{"unbalanced", "-"}, {"solutions", ""}, {"relaxation_steps", ""}, {"control", ""}})
+    for (const auto &end : {postprocess::SeriesColumn{"unbalanced", "-"},
+                            {"solutions", ""},
+                            {"relaxation_steps", ""},
+                            {"control", "", true}})
       all.push_back(end);
     return all;
   }

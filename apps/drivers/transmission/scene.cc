@@ -3,18 +3,14 @@
 #include "apps/drivers/parts/duration.h"
 #include "apps/drivers/transmission/methods.h"
 #include "apps/drivers/transmission/report.h"
-#include "apps/process/exit_status.h"
-#include "apps/process/interrupt.h"
 #include "apps/process/mpi_session.h"
 #include "apps/process/stopwatch.h"
 #include "apps/process/version.h"
-#include "apps/results/result_folder.h"
-#include "apps/results/result_listing.h"
+#include "apps/results/short_run.h"
 #include "apps/results/warning.h"
 #include "apps/scene/name_list.h"
 #include "apps/scene/value_text.h"
 #include "postprocess/atomic_file.h"
-#include "postprocess/summary.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -166,34 +162,28 @@ namespace apps
            duration_line(seconds * sum * static_cast<double>(chosen().size()));
   }
 
-  int TransmissionScene::run(const RunRequest &request) const
+  RunResult TransmissionScene::run(const RunRequest &request) const
   {
-    if (request.resume)
-      throw base::InputError("--resume: packets of waves have no checkpoint. Run them again.");
+    ShortRun run(request, "a packet of waves");
     start_mpi();
     std::vector<WavePoint> points;
     for (const WaveMethod &method : chosen())
       for (const double length : lengths())
         {
-          if (interrupted())
-            return exit_interrupted;
+          if (run.interrupted())
+            return run.interrupted_result();
           points.push_back({method.name, length, transmit(wave(method, length))});
           const WaveAnswer &a = points.back().answer;
-          fmt::print("{:14} wavelength {:<10.4g} m: reflected {:.4f}, transmitted {:.4f}, absorbed {:.4f}\n",
-                     method.name, length, a.reflected, a.transmitted, a.absorbed);
+          run.says(fmt::format("{:14} wavelength {:<10.4g} m: reflected {:.4f}, transmitted {:.4f}, absorbed {:.4f}\n",
+                               method.name, length, a.reflected, a.transmitted, a.absorbed));
         }
     nlohmann::json json;
     json["made_by"] = "breccia " + version();
     json["waves"]   = json_of_waves(points);
 
-    ResultFolder folder(request.output_folder, ResultFolder::Start::afresh);
-    postprocess::write_text(folder.running() / "scene.prm", request.scene_text);
-    postprocess::write_json(folder.running() / "summary.json", json);
-    postprocess::write_text(folder.running() / "reflection.csv", csv_of_waves(points));
-    warn_of_missing("reflection.png",
-                    postprocess::plot(folder.running() / "reflection.png", wave_panels(points, common)));
-    folder.publish();
-    fmt::print("{}", result_listing(request.output_folder));
-    return exit_success;
+    return run.complete(std::move(json), [&](const std::filesystem::path &folder) {
+      postprocess::write_text(folder / "reflection.csv", csv_of_waves(points));
+      warn_of_missing("reflection.png", postprocess::plot(folder / "reflection.png", wave_panels(points, common)));
+    });
   }
 } // namespace apps

@@ -19,7 +19,7 @@ namespace apps
     void        declare(Section &root) override;
     void        validate(const Section &root) const override;
     std::string forecast() const override;
-    int         run(const RunRequest &request) const override;
+    RunResult   run(const RunRequest &request) const override;
 
     std::vector<double> lengths() const; ///< [m]
     /** @pre validated */

@@ -97,7 +97,7 @@ namespace apps
 
   std::vector<postprocess::SeriesColumn> UniaxialLabTest::series_columns(const UniaxialModel &)
   {
-    std::vector<postprocess::SeriesColumn> columns = {{"test", ""},         {"time", "s"},        {"strain", "-"},
+    std::vector<postprocess::SeriesColumn> columns = {{"test", "", true},   {"time", "s"},        {"strain", "-"},
                                                       {"stress", "Pa"},     {"mean_damage", "-"}, {"links", ""},
                                                       {"broken_links", ""}, {"contacts", ""}};
     append_energy_columns(columns);
@@ -143,11 +143,15 @@ namespace apps
                                                              {made.physics.dimension, made.density, made.thickness});
   }
 
-  void UniaxialLabTest::finish(const std::filesystem::path &folder)
+  void UniaxialLabTest::write(const std::filesystem::path &folder) const
   {
-    complete();
     postprocess::write_discrete_state(dem::discrete_state(specimen), folder / (name + "_state.h5"));
     warn_of_missing("crack picture", draw_crack(folder));
+  }
+
+  std::shared_ptr<const dem::Specimen> UniaxialLabTest::specimen_at_end()
+  {
+    return std::make_shared<const dem::Specimen>(std::move(specimen));
   }
 
   std::string UniaxialLabTest::draw_crack(const std::filesystem::path &folder) const

@@ -9,6 +9,7 @@
 #include "apps/results/run_work.h"
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -51,8 +52,10 @@ namespace apps
     bool      finished() const { return test.finished(); }
     /** When finished: completes the result, and takes the last snapshot. */
     void complete();
-    /** The same, and leaves in a folder TEST_state.h5, from which `breccia transfer` can go on, and TEST_crack.png. */
-    void finish(const std::filesystem::path &folder);
+    /** Then: leaves in a folder TEST_state.h5, from which `breccia transfer` can go on, and TEST_crack.png. */
+    void write(const std::filesystem::path &folder) const;
+    /** Of a complete test; it has none itself from then on. */
+    std::shared_ptr<const dem::Specimen> specimen_at_end();
 
     const dem::Specimen &body() const { return specimen; }
     std::string          size() const;    ///< "175 particles, 1203 links"

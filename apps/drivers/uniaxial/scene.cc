@@ -141,7 +141,7 @@ namespace apps
                                 set_up_seconds + steps * cost + tests * writing);
   }
 
-  int UniaxialScene::run(const RunRequest &request) const
+  RunResult UniaxialScene::run(const RunRequest &request) const
   {
     return LabRun<UniaxialLabTest>(request, model()).execute();
   }

@@ -16,7 +16,7 @@ namespace apps
     void        declare(Section &root) override;
     void        validate(const Section &root) const override;
     std::string forecast() const override;
-    int         run(const RunRequest &request) const override;
+    RunResult   run(const RunRequest &request) const override;
 
     /** What the scene says, ready to compute. */
     UniaxialModel model() const;

@@ -1,0 +1,58 @@
+#include "apps/results/short_run.h"
+
+#include "apps/process/interrupt.h"
+#include "apps/results/result_folder.h"
+#include "apps/results/run_observer.h"
+#include "base/errors.h"
+#include "postprocess/atomic_file.h"
+#include "postprocess/summary.h"
+
+namespace apps
+{
+  ShortRun::ShortRun(const RunRequest &asked, const std::string &what)
+    : request(asked)
+  {
+    if (request.resume)
+      throw base::InputError("--resume: " + what + " has no checkpoint. Run it again.");
+    result.folder = request.output_folder;
+  }
+
+  bool ShortRun::interrupted() const
+  {
+    const StopsToo stops(request.stop);
+    return apps::interrupted();
+  }
+
+  void ShortRun::says(const std::string &lines)
+  {
+    for (RunObserver *observer : request.observers)
+      observer->says(lines);
+  }
+
+  RunResult ShortRun::ended()
+  {
+    for (RunObserver *observer : request.observers)
+      observer->ends(result);
+    return std::move(result);
+  }
+
+  RunResult ShortRun::interrupted_result()
+  {
+    result.end = RunResult::End::interrupted;
+    return ended();
+  }
+
+  RunResult ShortRun::complete(nlohmann::json summary, const std::function<void(const std::filesystem::path &)> &write)
+  {
+    result.summary = std::move(summary);
+    if (!request.output_folder.empty())
+      {
+        ResultFolder folder(request.output_folder, ResultFolder::Start::afresh);
+        postprocess::write_text(folder.running() / "scene.prm", request.scene_text);
+        postprocess::write_json(folder.running() / "summary.json", result.summary);
+        write(folder.running());
+        folder.publish();
+      }
+    return ended();
+  }
+} // namespace apps
