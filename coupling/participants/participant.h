@@ -75,7 +75,10 @@ namespace coupling
     /** Velocities of a group's carriers, in its order, until the next call [m/s]; what is not prescribed is not looked at. */
     virtual void set_motion(std::size_t group, const std::vector<Eigen::Vector3d> &velocity) = 0;
 
-    /** What holds the group at the last step; inertia does not count. @param about point of the moment [m] */
+    /**
+     * What holds the group; inertia does not count. At the last state whose forces are known: the start of the last step for particles,
+     * its end for a solid. @param about point of the moment [m]
+     */
     virtual Reaction reaction(std::size_t group, const Eigen::Vector3d &about) const = 0;
 
     /** Keep the present state, histories included, in memory; one state at a time. */
