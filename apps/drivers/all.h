@@ -15,6 +15,9 @@ namespace apps
     std::unique_ptr<Scene> (*create)();
   };
 
-  /** Every kind of scene there is; a new one is one line in all.cc. */
+  /** Every kind of scene there is; a new one of the program is one line in all.cc. */
   const std::vector<SceneKind> &scene_kinds();
+
+  /** One more, of a program that uses this library; before scenes are read. @throws std::invalid_argument for a name that is taken */
+  void add_scene_kind(const SceneKind &kind);
 } // namespace apps

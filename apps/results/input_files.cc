@@ -11,7 +11,7 @@ namespace apps
   namespace
   {
     /** A line of a list: content, and what it is the content of. */
-    struct Line
+    struct ListedFile
     {
       std::uintmax_t bytes;
       std::uint64_t  digest;
@@ -20,11 +20,11 @@ namespace apps
       std::string text() const { return fmt::format("{} {:016x} {}\n", bytes, digest, name); }
     };
 
-    std::vector<Line> lines_of(const std::string &list)
+    std::vector<ListedFile> lines_of(const std::string &list)
     {
-      std::vector<Line>  lines;
-      std::istringstream text(list);
-      for (Line line; text >> std::dec >> line.bytes >> std::hex >> line.digest;)
+      std::vector<ListedFile> lines;
+      std::istringstream      text(list);
+      for (ListedFile line; text >> std::dec >> line.bytes >> std::hex >> line.digest;)
         {
           text.ignore(1);
           std::getline(text, line.name);
@@ -38,13 +38,13 @@ namespace apps
   {
     std::string text;
     for (const InputFile &input : inputs)
-      text += Line{input.bytes, input.digest, input.entry}.text();
+      text += ListedFile{input.bytes, input.digest, input.entry}.text();
     return text;
   }
 
   void require_same_content(const std::vector<InputFile> &inputs, const std::string &list)
   {
-    const std::vector<Line> before = lines_of(list);
+    const std::vector<ListedFile> before = lines_of(list);
     for (std::size_t i = 0; i < inputs.size() && i < before.size(); ++i)
       if (inputs[i].bytes != before[i].bytes || inputs[i].digest != before[i].digest)
         throw base::InputError(
