@@ -8,6 +8,7 @@ namespace apps
   void add_pack(CLI::App &program, Action &chosen);
   void add_homogenise(CLI::App &program, Action &chosen);
   void add_link_test(CLI::App &program, Action &chosen);
+  void add_measure(CLI::App &program, Action &chosen);
   void add_point_test(CLI::App &program, Action &chosen);
   void add_transfer(CLI::App &program, Action &chosen);
   void add_envelope(CLI::App &program, Action &chosen);
@@ -17,7 +18,7 @@ namespace apps
   {
     static const std::vector<AddCommand> commands = {add_run,        add_check,     add_describe,   add_pack,
                                                      add_homogenise, add_link_test, add_point_test, add_envelope,
-                                                     add_transfer,   add_bench};
+                                                     add_transfer,   add_measure,   add_bench};
     return commands;
   }
 } // namespace apps
