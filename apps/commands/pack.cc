@@ -10,6 +10,7 @@
 #include "apps/scene/value_text.h"
 #include "base/errors.h"
 #include "dem/packing/box_cell.h"
+#include "dem/packing/moulded_box.h"
 #include "postprocess/packing_io.h"
 
 #include <CLI/Validators.hpp>
@@ -29,6 +30,7 @@ namespace apps
       std::optional<base::LengthUnit> length_unit; ///< of `from`
       bool                            periodic = false;
       bool                            counted  = false; ///< the user says how many spheres the cell has
+      bool                            moulded  = false; ///< a box between plates
       int                             threads  = 0;
     };
 
@@ -59,12 +61,40 @@ namespace apps
 
     postprocess::Metadata metadata_of(const dem::CompactionParameters &generator, const dem::CompactionResult &result)
     {
-      return {{"made by", "breccia " + version() + ", periodic isotropic compaction"},
+      return {{"made by",
+               "breccia " + version() +
+                 (generator.moulded ? ", isotropic compaction between plates" : ", periodic isotropic compaction")},
               {"seed", fmt::format("{}", generator.seed)},
               {"friction", fmt::format("{}", generator.friction)},
               {"damping", fmt::format("{}", generator.damping)},
               {"pressure", fmt::format("{}", generator.low_pressure)},
-              {"packing fraction of the cell", fmt::format("{}", result.packing_fraction)}};
+              {generator.moulded ? "packing fraction of the mould" : "packing fraction of the cell",
+               fmt::format("{}", result.packing_fraction)}};
+    }
+
+    void tell(const char *what, const dem::CompactionResult &result)
+    {
+      const Eigen::Vector3d edges = result.edges;
+      const std::string     size  = edges.minCoeff() == edges.maxCoeff() ?
+                                      fmt::format("edge {:.6g} m", edges.x()) :
+                                      fmt::format("edges {:.6g}, {:.6g}, {:.6g} m", edges.x(), edges.y(), edges.z());
+      fmt::print("{}: {} spheres, {}, packing fraction {:.4f}\n", what, result.packing.size(), size,
+                 result.packing_fraction);
+      fmt::print("      {:.2f} contacts per sphere, mean overlap {:.2e} of a diameter, {} steps\n", result.coordination,
+                 result.mean_overlap, result.steps);
+    }
+
+    dem::Packing
+    moulded_packing(const PackOptions &options, const Eigen::Vector3d &box, postprocess::Metadata &metadata)
+    {
+      if (options.box.empty() || !options.from.empty() || options.counted)
+        throw base::InputError("command line: --moulded goes with --radius and --box, and decides --count itself.");
+      return dem::moulded_box(options.generator, box, [&](const dem::CompactionParameters &generator) {
+        dem::CompactionResult made = compact_with_progress(generator);
+        metadata                   = metadata_of(generator, made);
+        tell("mould", made);
+        return made;
+      });
     }
 
     /** A new packing, or the one of --from, as it is before cropping. */
@@ -78,15 +108,8 @@ namespace apps
       const bool            cut_out = !options.box.empty() && !options.counted;
       dem::CompactionResult result =
         compact_with_progress(cut_out ? dem::cell_for_box(options.generator, box) : options.generator);
-      metadata                    = metadata_of(options.generator, result);
-      const Eigen::Vector3d edges = *result.packing.periodic_cell;
-      const std::string     size  = edges.minCoeff() == edges.maxCoeff() ?
-                                      fmt::format("edge {:.6g} m", edges.x()) :
-                                      fmt::format("edges {:.6g}, {:.6g}, {:.6g} m", edges.x(), edges.y(), edges.z());
-      fmt::print("cell: {} spheres, {}, packing fraction {:.4f}\n", result.packing.size(), size,
-                 result.packing_fraction);
-      fmt::print("      {:.2f} contacts per sphere, mean overlap {:.2e} of a diameter, {} steps\n", result.coordination,
-                 result.mean_overlap, result.steps);
+      metadata = metadata_of(options.generator, result);
+      tell("cell", result);
       return std::move(result.packing);
     }
 
@@ -102,10 +125,12 @@ namespace apps
       catch_interrupts();
 
       postprocess::Metadata metadata;
-      dem::Packing          packing = source_packing(options, box, metadata);
+      dem::Packing          packing =
+        options.moulded ? moulded_packing(options, box, metadata) : source_packing(options, box, metadata);
       if (!options.box.empty())
         {
-          packing = cropped(packing, box);
+          if (!options.moulded)
+            packing = cropped(packing, box);
           fmt::print("box:  {} spheres, packing fraction {:.4f}\n", packing.size(), packing_fraction(packing, box));
         }
       postprocess::write_packing(packing, options.output, metadata);
@@ -151,6 +176,9 @@ namespace apps
     CLI::Option *box =
       command.add_option("--box", options->box, "Repeat the cell to fill this box, and crop to it [m]")
         ->type_name("LX,LY,LZ");
+    command.add_flag(
+      "--moulded", options->moulded,
+      "Compact the box between six smooth plates, so that its faces are flat, instead of cutting it out");
     command.add_flag("--periodic", options->periodic, "Keep the periodic cell (as without --box)")->excludes(box);
     command
       .add_option("-o,--output", options->output, "Packing: HDF5 for a name in .h5, otherwise text \"x y z radius\"")

@@ -19,15 +19,16 @@ namespace apps
     asked.low_pressure = generator.pressure;
     if (generator.cell_count > 0)
       asked.count = static_cast<std::size_t>(generator.cell_count);
-    else if (has_box())
+    else if (has_box() && !is_moulded())
       return dem::cell_for_box(asked, box_edges());
     return asked;
   }
 
   namespace
   {
-    Section &declare_generator(Section &specimen, SpecimenSection::Generator &generator)
+    Section &declare_generator(Section &specimen, SpecimenSection::Generator &generator, const bool box)
     {
+      using Faces    = SpecimenSection::Faces;
       Section &inner = specimen.section("Generator", "Random packing of equal spheres, compacted in a periodic cell");
       inner.number("Particle radius", generator.radius, "m", Range::positive(), Need::required)
         .means("Of every sphere");
@@ -52,6 +53,14 @@ namespace apps
         .means(
           "Of the contacts, p 2r/k_n, in which the finished packing is left: with more of it spheres overlap more and "
           "have more neighbours");
+      if (box)
+        inner.choice("Faces", generator.faces, {{"cut", Faces::cut}, {"moulded", Faces::moulded}}, Need::optional)
+          .means(
+            "Of a box. cut: out of a periodic cell; particles wholly inside are kept, so that faces are ragged and "
+            "sparse, and "
+            "specimens of less than some twenty diameters weaker and softer than their inside; moulded: compacted "
+            "between six smooth plates, a layer of particles against each, as a specimen comes out of a laboratory's "
+            "mould; in one piece whatever its size");
       return inner;
     }
   } // namespace
@@ -122,7 +131,7 @@ namespace apps
     section.number("Thickness", thickness, "m", Range::positive(), Need::required)
       .means("Of the discs")
       .only_if([&dimension] { return dimension == 2; }, "Physics/Dimension = 2");
-    declare_generator(section, generator)
+    declare_generator(section, generator, use.box)
       .only_if([this] { return source == Source::generator; }, "Specimen/Source = generator");
     if (use.other_particles)
       genesis.declare(section, dimension, [this] { return source == Source::genesis; });
@@ -140,6 +149,11 @@ namespace apps
       return;
     if (generator.cell_count > 0 && generator.cell_count < 8)
       section.find_section("Generator")->refuse("Cell particles", "must be 0, or at least 8.");
+    if (generator.faces == Faces::moulded && body == Body::cell)
+      section.find_section("Generator")->refuse("Faces", "a periodic cell has none: leave it out, or set Body = box.");
+    if (generator.faces == Faces::moulded && generator.cell_count > 0)
+      section.find_section("Generator")
+        ->refuse("Cell particles", "a moulded box is made in one piece: leave it out, or set Faces = cut.");
     if (dimension == 2)
       section.refuse(
         "Source",

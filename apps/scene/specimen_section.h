@@ -22,6 +22,13 @@ namespace apps
       none     ///< all particles come from elsewhere
     };
 
+    /** How the faces of a generated box come about. */
+    enum class Faces
+    {
+      cut,     ///< out of a periodic cell
+      moulded, ///< against six smooth plates
+    };
+
     /**
      * Sub-section "Generator": periodic isotropic compaction (doc/theory/packing.md, 1), with the defaults of dem.
      */
@@ -33,6 +40,7 @@ namespace apps
       double       friction   = dem::CompactionParameters().friction;
       double       damping    = dem::CompactionParameters().damping;
       double       pressure   = dem::CompactionParameters().low_pressure; ///< that is left, p 2r/k_n
+      Faces        faces      = Faces::cut;
     };
 
     /** What becomes of a specimen whose particles do not all hang together. */
@@ -76,9 +84,11 @@ namespace apps
     void declare(Section &root, const int &dimension, const Use &use);
     void declare(Section &root, const int &dimension) { declare(root, dimension, Use()); }
     void validate(const Section &root, int dimension) const;
-    /** Of the generator, for the body that is asked for. */
+    /** Of the generator, for the body that is asked for, or the cell of which it is like. */
     dem::CompactionParameters compaction() const;
-    bool                      has_box() const { return body == Body::box && box[0] > 0; }
+    /** Whether the box is compacted between plates instead of being cut out of a cell. */
+    bool is_moulded() const { return source == Source::generator && has_box() && generator.faces == Faces::moulded; }
+    bool has_box() const { return body == Body::box && box[0] > 0; }
     /** The entry as a vector. @pre has_box() */
     Eigen::Vector3d box_edges() const { return {box[0], box[1], box[2]}; }
   };

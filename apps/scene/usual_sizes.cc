@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <limits>
@@ -74,6 +75,8 @@ namespace apps
          beyond,
          "that is large. In mm? Write it in m, e.g. 0.1"},
         {"m", {"sizes", "classes"}, 0.4, beyond, "that is large for a grain. In mm? Write it in m, e.g. 8e-3"},
+        {"m", {"wavelengths"}, 300, beyond, "that is long. In mm? Write it in m, e.g. 0.16"},
+        {"m", {"corners"}, 5, beyond, "that is large for a body of pebbles. In mm? Write it in m, e.g. 0.01"},
         {"-", {"instants"}, 0.5, beyond, "few tests go so far. In per cent? Write it as a pure number, e.g. -1e-3"},
         {"m/s", {"velocities"}, 300, beyond, "nothing falls so fast. In mm/s? Write it in m/s, e.g. 2"},
         {"m/s", {"speed"}, 10, beyond, "no press is so fast. In mm/s? Write it in m/s, e.g. 0.02"},
@@ -142,22 +145,35 @@ namespace apps
     struct ListPart
     {
       std::string numbers, rest; ///< before the colon, without unit; from it on
+      std::string separator;     ///< that follows
       bool        unit_named = false;
     };
+
+    /** Parts between commas, and with corners between semicolons, too. */
+    std::vector<ListPart> parts_between(const std::string &written)
+    {
+      std::vector<ListPart> parts;
+      for (std::size_t begin = 0; begin <= written.size();)
+        {
+          const std::size_t end   = std::min(written.find_first_of(",;", begin), written.size());
+          const std::string text  = trimmed(written.substr(begin, end - begin));
+          const std::size_t colon = std::min(text.find(':'), text.size());
+          parts.push_back({trimmed(text.substr(0, colon)), text.substr(colon), written.substr(end, 1)});
+          begin = end + 1;
+        }
+      return parts;
+    }
 
     std::vector<ListPart> parts_of(const std::string &written, const std::string &unit)
     {
       const std::string     ending = " " + unit;
-      std::vector<ListPart> parts;
-      for (const std::string &text : comma_separated(written))
+      std::vector<ListPart> parts  = parts_between(written);
+      for (ListPart &part : parts)
         {
-          const std::size_t colon = text.find(':');
-          ListPart          part{trimmed(text.substr(0, colon)), colon == std::string::npos ? "" : text.substr(colon)};
           const std::size_t end = part.numbers.size() > ending.size() ? part.numbers.size() - ending.size() : 0;
           part.unit_named       = end > 0 && part.numbers.compare(end, ending.size(), ending) == 0;
           if (part.unit_named)
             part.numbers = trimmed(part.numbers.substr(0, end));
-          parts.push_back(part);
         }
       return parts;
     }
@@ -177,7 +193,7 @@ namespace apps
   {
     std::string plain;
     for (const ListPart &part : parts_of(written, unit))
-      plain += (plain.empty() ? "" : ", ") + part.numbers + part.rest;
+      plain += part.numbers + part.rest + part.separator + (part.separator.empty() ? "" : " ");
     return plain;
   }
 } // namespace apps

@@ -63,7 +63,7 @@ namespace dem
       Compaction(const CompactionParameters &p, const std::function<bool(const CompactionProgress &)> &tell)
         : parameters(p)
         , progress(tell)
-        , assembly(loose_spheres(p), {p.friction, p.shear_ratio, p.damping, time_step(p)})
+        , assembly(loose_spheres(p), {p.friction, p.shear_ratio, p.damping, time_step(p), p.moulded})
       {
       }
 
@@ -73,6 +73,7 @@ namespace dem
         hold({2, parameters.low_pressure, 1e-3});
         const AssemblyMeasures m = assembly.measures();
         return {frozen(),
+                assembly.edges() * parameters.radius,
                 packing_fraction(),
                 assembly.mean_overlap() / 2,
                 m.unbalanced_ratio,
@@ -83,9 +84,34 @@ namespace dem
     private:
       static Packing loose_spheres(const CompactionParameters &p)
       {
+        if (p.moulded)
+          return in_loose_mould(p);
         const Eigen::Vector3d shape = p.proportions / std::cbrt(p.proportions.prod());
         return place_sequentially(p.count, 1.0, p.initial_spacing * std::cbrt(static_cast<double>(p.count)) * shape,
                                   p.seed);
+      }
+
+      /** Away from the plates by a radius, in a cell whose shrinking leaves plates of the proportions that are asked for. */
+      static Packing in_loose_mould(const CompactionParameters &p)
+      {
+        const double          count = static_cast<double>(p.count), loose = std::pow(p.initial_spacing, 3) * count;
+        const double          solid = 4.0 / 3.0 * M_PI * count;
+        const Eigen::Vector3d last =
+          p.proportions * std::cbrt(solid / expected_packing_fraction(p.friction) / p.proportions.prod());
+        const auto room = [&](const double growth) -> Eigen::Array3d {
+          return growth * (last.array() + beyond_plates) - beyond_plates - 2;
+        };
+        double small = 1, large = 2 + 10 / last.minCoeff() + p.initial_spacing;
+        while (large - small > 1e-12 * large)
+          {
+            const double middle                                                          = 0.5 * (small + large);
+            (room(middle).minCoeff() > 0 && room(middle).prod() > loose ? large : small) = middle;
+          }
+        Packing packing = place_sequentially(p.count, 1.0, room(large).matrix(), p.seed);
+        for (Eigen::Vector3d &centre : packing.centre)
+          centre.array() += 1;
+        packing.periodic_cell = (room(large) + beyond_plates + 2).matrix();
+        return packing;
       }
 
       /** P-wave time in sqrt(mass/k_n), with k_n = modulus radius. */
@@ -145,7 +171,8 @@ namespace dem
         for (Eigen::Vector3d &x : packing.centre)
           x *= parameters.radius;
         packing.radius.assign(parameters.count, parameters.radius);
-        packing.periodic_cell = assembly.edges() * parameters.radius;
+        if (!parameters.moulded)
+          packing.periodic_cell = assembly.edges() * parameters.radius;
         return packing;
       }
 

@@ -35,6 +35,8 @@ namespace dem
     std::uint64_t seed   = 1;
     /** Edges of the cell, in proportion: it is compressed alike in all directions. */
     Eigen::Vector3d proportions = {1, 1, 1};
+    /** Between six smooth plates, as a specimen in its mould, in place of periodicity: faces are flat. */
+    bool moulded = false;
 
     double friction = 1.0; ///< coefficient tan(phi) between the spheres while they are compacted, >= 0; see above
     double damping  = 0.4; ///< local (Cundall) damping, in [0, 1); more of it takes longer, less than 0.3 packs denser
@@ -69,12 +71,13 @@ namespace dem
 
   struct CompactionResult
   {
-    Packing      packing;          ///< centres within the periodic cell
-    double       packing_fraction; ///< (4/3) pi N r^3 / V
-    double       mean_overlap;     ///< of the contacts, over the diameter
-    double       unbalanced_ratio; ///< mean |sum of forces on a sphere| / mean |contact force|
-    double       coordination;     ///< contacts per sphere, those of rattlers (none) included
-    std::int64_t steps;
+    Packing         packing;          ///< centres within the periodic cell; of a mould, from its corner at the origin
+    Eigen::Vector3d edges;            ///< of the cell, or between the plates of the mould [m]
+    double          packing_fraction; ///< (4/3) pi N r^3 / V
+    double          mean_overlap;     ///< of the contacts between spheres, over the diameter
+    double          unbalanced_ratio; ///< mean |sum of forces on a sphere| / mean |contact force|
+    double          coordination;     ///< contacts with spheres per sphere, those of rattlers (none) included
+    std::int64_t    steps;
   };
 
   /** compact() was told to stop. */
@@ -95,7 +98,8 @@ namespace dem
   };
 
   /**
-   * Random packing of equal spheres in a rectangular periodic cell by isotropic compaction (doc/theory/packing.md, 1).
+   * Random packing of equal spheres in a rectangular periodic cell, or in a mould of plates, by isotropic compaction
+   * (doc/theory/packing.md, 1 and 3).
    *
    * Spheres are placed at random in a loose cell, which then shrinks until the pressure of their contacts (linear springs with
    * Coulomb friction, Cundall and Strack, 1979, Geotechnique 29, 47) reaches the high target and is in equilibrium

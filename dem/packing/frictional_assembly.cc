@@ -103,6 +103,25 @@ namespace dem
     }
   } // namespace
 
+  /** How deep spheres lie in the plates, along each direction: the force of these on them, as their stiffness is 1. */
+  struct FrictionalAssembly::Plates
+  {
+    alignas(64) Record low, high; ///< where centres are that touch; of what is no place, beyond all bounds
+
+    explicit Plates(const Eigen::Vector3d &edges)
+    {
+      constexpr double never = std::numeric_limits<double>::max();
+      std::fill_n(low, record_size, -never), std::fill_n(high, record_size, never);
+      std::fill_n(low, 3, 1.0);
+      for (Eigen::Index d = 0; d < 3; ++d)
+        high[d] = edges[d] - 1;
+    }
+
+    Pack in_low(const double *const pose) const { return maximum(load(low) - load(pose), Pack(0.0)); }
+    Pack in_high(const double *const pose) const { return maximum(load(pose) - load(high), Pack(0.0)); }
+    Pack push(const double *const pose) const { return in_low(pose) - in_high(pose); }
+  };
+
   FrictionalAssembly::FrictionalAssembly(const Packing &start, const FrictionalAssemblyParameters &parameters)
     : material(parameters)
     , spheres(start.size())
@@ -148,7 +167,30 @@ namespace dem
     double sum = 0;
     for (const double of_block : pushed)
       sum += of_block;
-    pressure = sum / (3 * cell.volume());
+    pressure = (sum + pushed_by_plates()) / (3 * volume());
+  }
+
+  Eigen::Vector3d FrictionalAssembly::edges() const
+  {
+    const Eigen::Vector3d of_cell = cell.base().diagonal();
+    return material.plates ? of_cell - Eigen::Vector3d::Constant(beyond_plates) : of_cell;
+  }
+
+  double FrictionalAssembly::volume() const { return material.plates ? edges().prod() : cell.volume(); }
+
+  double FrictionalAssembly::pushed_by_plates() const
+  {
+    if (!material.plates)
+      return 0;
+    const Plates plates(edges());
+    Pack         sum(0.0);
+    for (std::size_t i = 0; i < spheres; ++i)
+      {
+        const double *const at  = &pose[record_size * i];
+        const Pack          low = plates.in_low(at), high = plates.in_high(at);
+        sum = sum + (low * (Pack(1.0) - low) + high * (Pack(1.0) - high));
+      }
+    return sum_of(sum);
   }
 
   double FrictionalAssembly::block_forces(const std::size_t block)
@@ -195,10 +237,11 @@ namespace dem
     const Pack        signs = load(difference_and_sum), masses = load(inverse_inertias), centre = load(of_centre);
     const Pack        kept = Pack(growth) * centre, step(material.time_step);
     Pack              largest(0.0);
+    const Plates      plates(edges());
     const std::size_t begin = block * spheres_in_block, end = std::min(begin + spheres_in_block, spheres);
     for (std::size_t i = begin; i < end; ++i)
       {
-        Pack sum(0.0);
+        Pack sum = material.plates ? plates.push(&pose[record_size * i]) : Pack(0.0);
         for (std::int32_t l = pairs.own_begin[i]; l < pairs.own_begin[i + 1]; ++l)
           sum = sum + load(&force[record_size * static_cast<std::size_t>(l)]);
         for (std::int32_t o = pairs.other_begin[i]; o < pairs.other_begin[i + 1]; ++o)
@@ -230,11 +273,29 @@ namespace dem
         unbalanced[static_cast<std::size_t>(pairs.first[l])] += pull;
         unbalanced[static_cast<std::size_t>(pairs.second[l])] -= pull;
       }
+    std::int64_t touching = contacts;
+    if (material.plates)
+      {
+        const Plates       plates(edges());
+        alignas(64) Record push[2];
+        for (std::size_t i = 0; i < spheres; ++i)
+          {
+            store(plates.in_low(&pose[record_size * i]), push[0]);
+            store(plates.in_high(&pose[record_size * i]), push[1]);
+            unbalanced[i] += Eigen::Vector3d(push[0]) - Eigen::Vector3d(push[1]);
+            for (const Record &of_side : push)
+              for (int d = 0; d < 3; ++d)
+                {
+                  pushing += of_side[d];
+                  touching += of_side[d] > 0;
+                }
+          }
+      }
     double sum = 0;
     for (const Eigen::Vector3d &of_sphere : unbalanced)
       sum += of_sphere.norm();
-    const double ratio = contacts == 0 ? std::numeric_limits<double>::infinity() :
-                                         sum / static_cast<double>(spheres) / (pushing / static_cast<double>(contacts));
+    const double ratio = touching == 0 ? std::numeric_limits<double>::infinity() :
+                                         sum / static_cast<double>(spheres) / (pushing / static_cast<double>(touching));
     return {pressure, ratio, contacts};
   }
 
@@ -261,7 +322,8 @@ namespace dem
       {
         const Eigen::Vector3d x(&pose[record_size * i]);
         for (int d = 0; d < 3; ++d)
-          result[static_cast<std::size_t>(order[i])][d] = x[d] - box[d] * std::floor(x[d] / box[d]);
+          result[static_cast<std::size_t>(order[i])][d] =
+            material.plates ? x[d] : x[d] - box[d] * std::floor(x[d] / box[d]);
       }
     return result;
   }

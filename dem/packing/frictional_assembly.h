@@ -18,7 +18,12 @@ namespace dem
     double shear_ratio; ///< k_s/k_n [-], >= 0
     double damping;     ///< local (Cundall) damping D [-], in [0, 1)
     double time_step;   ///< in sqrt(mass/k_n); stability is the caller's (doc/theory/packing.md, 1)
+    bool   plates =
+      false; ///< six smooth plates in place of periodicity, through the origin and `beyond_plates` short of the far edges
   };
+
+  /** Periodic images beyond a plate are this much farther away than the plate [radius]: they never touch. */
+  constexpr double beyond_plates = 1;
 
   /** What the compaction steers by. */
   struct AssemblyMeasures
@@ -29,9 +34,9 @@ namespace dem
   };
 
   /**
-   * Equal spheres in a rectangular periodic cell, pushing at each other by linear contacts with Coulomb friction
-   * (dem/laws/linear_contact.h), advanced by leap-frog steps with local damping, while the cell shrinks or grows alike in all
-   * directions.
+   * Equal spheres in a rectangular periodic cell, or between six smooth plates with the stiffness k_n, pushing at each other by
+   * linear contacts with Coulomb friction (dem/laws/linear_contact.h), advanced by leap-frog steps with local damping, while the
+   * cell shrinks or grows alike in all directions.
    *
    * Everything is in the units radius = 1, normal stiffness k_n = 1, mass of a sphere = 1: such a packing depends on no other
    * scale. A specimen does the same for bodies of all kinds; here are equal spheres only, shear follows the contact to
@@ -53,14 +58,18 @@ namespace dem
     /** Steps, in each of which every length of the cell grows by the factor 1 + strain(pressure at its start). */
     void advance(std::int64_t steps, const std::function<double(double)> &strain);
 
-    Eigen::Vector3d  edges() const { return cell.base().diagonal(); }
+    Eigen::Vector3d  edges() const; ///< of the cell, or between the plates
     AssemblyMeasures measures() const;
     double           mean_overlap() const; ///< of the contacts, in radii
-    /** Centres brought into the cell. */
+    /** Centres, of a periodic cell brought into it. */
     std::vector<Eigen::Vector3d> centres() const;
 
   private:
+    struct Plates;
+
     void   find_forces();
+    double pushed_by_plates() const; ///< sum of force times distance
+    double volume() const;
     double block_forces(std::size_t block); ///< @return sum of force times distance
     void   move(double strain);
     double block_motion(std::size_t block, double growth); ///< @return square of the largest displacement

@@ -86,6 +86,16 @@ TEST_CASE("A crack whose particles come with it bears what it bears where they w
   const auto &count = grown.series.column("core_promoted");
   CHECK(std::is_sorted(count.begin(), count.end()));
   CHECK(count.back() == promoted);
+  // What the force loses at it, the load factor held, is told.
+  const auto &force   = grown.series.column("force_of_load_factor");
+  double      largest = 0;
+  for (std::size_t row = 1; row < count.size(); ++row)
+    if (count[row] > count[row - 1])
+      if (const double change = force[row] / force[row - 1] - 1; std::fabs(change) > std::fabs(largest))
+        largest = change;
+  CHECK(largest != 0);
+  CHECK(grown.summary["promotion"]["largest_change_of_force"]["value"] == Approx(largest).epsilon(1e-9));
+  CHECK_FALSE(whole.summary.contains("promotion"));
 }
 
 TEST_CASE("An interrupted or killed path along which elements become particles goes on to the same bits",

@@ -60,12 +60,18 @@ TEST_CASE("Numbers in lists are asked about, and taken where each names its unit
     GENERATE(OddNumber{"mortar_window.prm", "Specimen/Genesis/Classes", "1: 0.4, 2-3: 0.6", "m", "In mm?"},
              OddNumber{"concrete_aggregates.prm", "Specimen/Genesis/Aggregates/Sizes", "5, 7, 9", "m", "In mm?"},
              OddNumber{"transfer_compression.prm", "Particles/Uniaxial/Instants", "-1 > -0.5", "-", "In per cent?"},
-             OddNumber{"impact_beam.prm", "Particles/Impact/Striker velocities", "2000", "m/s", "In mm/s?"});
+             OddNumber{"impact_beam.prm", "Particles/Impact/Striker velocities", "2000", "m/s", "In mm/s?"},
+             OddNumber{"wave_transmission.prm", "Waves/Wavelengths", "400, 640", "m", "that is long. In mm?"},
+             OddNumber{"tumbling_bodies.prm", "More particles/brick/Corners",
+                       "-15, -7, -5; 15, -7, -5; -15, 7, -5; 15, 7, -5; -15, -7, 6; 15, -7, 6; -15, 7, 6; 15, 7, 6",
+                       "m", "that is large for a body of pebbles. In mm?"});
   const ScratchFolder folder;
   INFO(odd.scene << ": " << odd.entry << " = " << odd.value);
   const auto check = [&](const std::string &value) {
     // A later entry that nothing takes ends the reading.
-    const std::string last = odd.entry.find("Particles") == 0 ? "Study/Least force=none" : "Output/Samples=none";
+    const std::string last = odd.entry.find("Particles") == 0 ? "Study/Least force=none" :
+                             odd.entry.find("Waves") == 0     ? "Waves/Angle=none" :
+                                                                "Output/Samples=none";
     return run(folder.path(), {"check", shipped(odd.scene), "-s", odd.entry + "=" + value, "-s", last});
   };
   const Outcome asked = check(odd.value);
@@ -75,8 +81,9 @@ TEST_CASE("Numbers in lists are asked about, and taken where each names its unit
   std::string       named = odd.value;
   const std::size_t colon = named.find(':');
   if (colon == std::string::npos)
-    for (std::size_t comma = named.find(','); comma != std::string::npos; comma = named.find(',', comma + 5))
-      named.insert(comma, " " + odd.unit);
+    for (std::size_t end = named.find_first_of(",;"); end != std::string::npos;
+         end             = named.find_first_of(",;", end + 5))
+      named.insert(end, " " + odd.unit);
   else
     named = "1 m: 0.4, 2-3 m: 0.6";
   CHECK_THAT(check(colon == std::string::npos ? named + " " + odd.unit : named).err,

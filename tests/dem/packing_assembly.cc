@@ -134,11 +134,12 @@ TEST_CASE("an assembly under compression moves as a specimen of the same contact
 TEST_CASE("an assembly large enough for several threads is the same to the last bit for any number of them",
           "[dem][packing]")
 {
-  const dem::Packing start = loose(5000);
-  const auto         after = [&](const int threads) {
+  const dem::Packing start  = loose(5000);
+  const bool         plates = GENERATE(false, true);
+  const auto         after  = [&](const int threads) {
     const int before = omp_get_max_threads();
     omp_set_num_threads(threads);
-    dem::FrictionalAssembly assembly(start, {0.5, 0.3, 0.4, 0.4});
+    dem::FrictionalAssembly assembly(start, {0.5, 0.3, 0.4, 0.4, plates});
     assembly.advance(150, [](double) { return -1e-3; });
     omp_set_num_threads(before);
     return assembly;

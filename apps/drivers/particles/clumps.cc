@@ -1,6 +1,7 @@
 #include "apps/drivers/particles/clumps.h"
 
 #include "apps/scene/corner_list.h"
+#include "apps/scene/number_list.h"
 #include "base/errors.h"
 
 #include <algorithm>
@@ -65,7 +66,8 @@ namespace apps
       .named_sections("GROUP", [this](Section &opened) {
         ClumpSection &added = clumps.emplace_back();
         added.group         = opened.name();
-        opened.text("Corners", added.corners, Need::optional)
+        declare_list(opened, "Corners", added.corners, "m", Need::optional)
+
           .means(
             "Of a convex polyhedron, in two dimensions a polygon, that the particles stand for [m]: coordinates "
             "between "

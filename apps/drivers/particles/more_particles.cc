@@ -5,6 +5,7 @@
 #include "apps/scene/corner_list.h"
 #include "apps/scene/length_unit_entry.h"
 #include "apps/scene/nearest_name.h"
+#include "apps/scene/number_list.h"
 #include "dem/packing/overlaps.h"
 
 #include <fmt/format.h>
@@ -29,7 +30,8 @@ namespace apps
     s.number("Radius", radius, "m", Range::positive(), Need::required)
       .means("Of the sphere; of each pebble")
       .only_if([this] { return source != Source::file; }, "Source = sphere or body");
-    s.text("Corners", corners, Need::required)
+    declare_list(s, "Corners", corners, "m", Need::required)
+
       .means("Of the body [m], coordinates between commas, corners between semicolons; those of a polygon in their "
              "order. Its mass, centre and inertia are those of the shape, whatever its pebbles")
       .only_if(is(Source::body), "Source = body");

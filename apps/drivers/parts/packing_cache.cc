@@ -29,10 +29,10 @@ namespace apps
     {
       return fmt::format("compaction {}\nradius {:a}\ncount {}\nseed {}\nproportions {:a} {:a} {:a}\nfriction {:a}\n"
                          "damping {:a}\nshear ratio {:a}\ninitial spacing {:a}\nhigh pressure {:a}\nlow pressure {:a}\n"
-                         "time step factor {:a}\nstep limit {}\n",
+                         "time step factor {:a}\nstep limit {}\n{}",
                          dem::compaction_version, p.radius, p.count, p.seed, p.proportions.x(), p.proportions.y(),
                          p.proportions.z(), p.friction, p.damping, p.shear_ratio, p.initial_spacing, p.high_pressure,
-                         p.low_pressure, p.time_step_factor, p.step_limit);
+                         p.low_pressure, p.time_step_factor, p.step_limit, p.moulded ? "moulded\n" : "");
     }
 
     /** An absolute path that a variable of the environment holds; others are to be passed over, by the XDG rules for base folders. */
@@ -51,11 +51,13 @@ namespace apps
       file.read("periodic_cell", cell.data());
       file.read("figures", figures.data());
       file.read("steps", &steps);
-      dem::CompactionResult result{{}, figures[0], figures[1], figures[2], figures[3], steps};
+      dem::CompactionResult result{{},   Eigen::Vector3d(cell.data()), figures[0], figures[1], figures[2], figures[3],
+                                   steps};
       for (std::size_t i = 0; i < p.count; ++i)
         result.packing.centre.emplace_back(&centres[3 * i]);
       result.packing.radius.assign(p.count, p.radius);
-      result.packing.periodic_cell = Eigen::Vector3d(cell.data());
+      if (!p.moulded)
+        result.packing.periodic_cell = result.edges;
       return result;
     }
   } // namespace
@@ -124,7 +126,7 @@ namespace apps
     postprocess::hdf5::OutputFile file(own);
     file.write_text("key", key_of(parameters));
     file.write("centre", centres.data(), {result.packing.size(), 3});
-    file.write("periodic_cell", result.packing.periodic_cell->data(), {3});
+    file.write("periodic_cell", result.edges.data(), {3});
     file.write("figures", figures, {4});
     file.write("steps", &result.steps, {});
     file.commit();

@@ -1,5 +1,7 @@
 #include "apps/drivers/parts/packing_extents.h"
 
+#include "apps/drivers/parts/packing_density.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,6 +30,7 @@ namespace apps
     const auto [smallest, largest] = std::minmax_element(packing.radius.begin(), packing.radius.end());
     return extent_line(lower, upper, dimension) +
            (*smallest == *largest ? fmt::format("  radius       {:.4g} m\n", *smallest) :
-                                    fmt::format("  radii        {:.4g} to {:.4g} m\n", *smallest, *largest));
+                                    fmt::format("  radii        {:.4g} to {:.4g} m\n", *smallest, *largest)) +
+           density_line(packing, dimension);
   }
 } // namespace apps

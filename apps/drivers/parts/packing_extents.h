@@ -9,6 +9,8 @@ namespace apps
   /** The line of a forecast that tells from where to where a body reaches. */
   std::string extent_line(const Eigen::Vector3d &lower, const Eigen::Vector3d &upper, int dimension);
 
-  /** The lines of a forecast that tell from where to where particles reach, surfaces included, and their radii: a file in millimetres shows. */
+  /**
+   * The lines of a forecast that tell from where to where particles reach, surfaces included, their radii, and how densely
+   * they are packed: a file in millimetres shows, and a surface that is sparse. */
   std::string extent_lines(const dem::Packing &packing, int dimension);
 } // namespace apps

@@ -2,11 +2,13 @@
 
 #include "apps/drivers/parts/genesis_work.h"
 #include "apps/drivers/parts/packing_cache.h"
+#include "apps/drivers/parts/packing_density.h"
 #include "apps/drivers/parts/packing_file.h"
 #include "apps/process/interrupt.h"
 #include "apps/process/progress.h"
 #include "base/errors.h"
 #include "dem/neighbours/pieces.h"
+#include "dem/packing/moulded_box.h"
 #include "dem/packing/overlaps.h"
 #include "dem/packing/tiling.h"
 #include "postprocess/packing_io.h"
@@ -141,19 +143,46 @@ namespace apps
       return box;
     }
 
+    /** A small box cut out of a cell is weaker than what it is cut out of, and its user should know. */
+    void tell_of_sparse_faces(const dem::Packing &packing, const SpecimenSection &specimen, const int dimension)
+    {
+      const PackingDensity density = density_in(packing, specimen.box_edges(), dimension);
+      if (!density.has_sparse_faces())
+        return;
+      fmt::print(
+        stderr,
+        "breccia: note: the faces of the specimen are cut and sparse: packing fraction {:.3f} inside, {:.3f} of "
+        "Specimen/Box size. It is softer and weaker than its inside. {}\n",
+        density.inside, density.whole,
+        specimen.source == SpecimenSection::Source::generator ?
+          "Specimen/Generator/Faces = moulded gives flat faces." :
+          "`breccia pack --moulded` makes packings with flat faces.");
+    }
+
     dem::Packing make_particles(const SpecimenSection &specimen, const int dimension, std::optional<dem::Packing> *cell)
     {
       if (specimen.source == SpecimenSection::Source::genesis)
         return specimen.grown ? *specimen.grown : grown_with_progress(specimen, dimension);
       if (specimen.body == SpecimenSection::Body::cell)
         return make_cell(specimen);
+      if (specimen.is_moulded())
+        {
+          if (cell)
+            *cell = compact_with_progress(specimen.compaction()).packing;
+          return dem::moulded_box(specimen.compaction(), specimen.box_edges(), compact_with_progress);
+        }
       dem::Packing packing = specimen.source == SpecimenSection::Source::generator ?
                                compact_with_progress(specimen.compaction()).packing :
                                packing_in_file(specimen.file, specimen.length_unit);
       if (cell && packing.periodic_cell)
         *cell = packing;
       if (specimen.has_box())
-        return cropped(packing, box_of(specimen, dimension));
+        {
+          dem::Packing box = cropped(packing, box_of(specimen, dimension));
+          if (packing.periodic_cell)
+            tell_of_sparse_faces(box, specimen, dimension);
+          return box;
+        }
       if (packing.periodic_cell)
         throw base::InputError(
           specimen.file +

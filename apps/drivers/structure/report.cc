@@ -3,6 +3,7 @@
 #include "apps/drivers/parts/drawn_curve.h"
 #include "apps/drivers/parts/series_figures.h"
 #include "apps/drivers/parts/summary_head.h"
+#include "apps/drivers/structure/promotion_steps.h"
 #include "apps/process/progress.h"
 #include "apps/results/warning.h"
 #include "apps/scene/tension_beyond_apex.h"
@@ -82,6 +83,9 @@ namespace apps
     handshake = model.handshakes.handshakes.begin();
     for (const std::size_t elements : structure.promoted())
       summary["handshakes"][(handshake++)->name]["promoted"] = elements;
+    if (const auto step = largest_promotion_step(series, structure.way().points()))
+      summary["promotion"] = {{"largest_change_of_force", quantity(step->change, "-")},
+                              {"load_factor", quantity(step->load_factor, "-")}};
     return summary;
   }
 
@@ -117,6 +121,10 @@ namespace apps
     handshake = model.handshakes.handshakes.begin();
     for (const std::size_t elements : structure.promoted())
       text += fmt::format("promotion    {}: {} elements have become particles\n", (handshake++)->name, elements);
+    if (const auto step = largest_promotion_step(series, structure.way().points()))
+      text +=
+        fmt::format("             the force changes by {:+.2g} % at most where they do, at the load factor {:.6g}\n",
+                    100 * step->change, step->load_factor);
     text += fmt::format("path         {} points led by the load factor, {} by opening, {} relaxed (cascades)\n",
                         points_by(dem::StepControl::strain), points_by(dem::StepControl::opening),
                         points_by(dem::StepControl::relaxed));

@@ -9,6 +9,7 @@
 #include "apps/results/short_run.h"
 #include "apps/results/warning.h"
 #include "apps/scene/name_list.h"
+#include "apps/scene/number_list.h"
 #include "apps/scene/value_text.h"
 #include "postprocess/atomic_file.h"
 
@@ -66,7 +67,8 @@ namespace apps
     s.integer("Seed", common.medium.seed, "-", Range::between(0, 1000000), Need::optional)
       .means("Of the spheres' packing, and of what Scatter says");
     s.flag("Shear", common.shear).means("Waves of shear, not of compression; in a strip");
-    s.text("Wavelengths", wavelengths, Need::required).means("[m], four spacings at least, separated by commas");
+    declare_list(s, "Wavelengths", wavelengths, "m", Need::required)
+      .means("[m], four spacings at least, separated by commas");
     s.text("Methods", methods, Need::optional).means("Of the coupling, separated by commas: " + method_names());
     s.integer("Element size", common.element, "-", Range::between(1, 64), Need::optional)
       .means("Of the continuum, over the spacing");
