@@ -249,7 +249,7 @@ namespace coupling
     found.to_particles          = -surface.momentum;
     found.turn_to_particles     = -surface.angular_momentum;
     found.work_on_particles     = surface.work;
-    found.spreading             = surface.made;
+    found.contacts              = surface.made;
     return found;
   }
 

@@ -42,12 +42,13 @@ namespace coupling
     double          work_on_particles = 0;                       ///< by the moving surface [J]
     double          work_on_solid     = 0;                       ///< by the forces of the particles [J]
 
-    double spreading = 0; ///< made by spread contacts (dem/facets/footprint.h) [J]
+    double contacts =
+      0; ///< made by contacts whose push is not the slope of their energy (doc/theory/facets.md, 2 and 7) [J]
 
     /** Made by the transfer itself, zero but for rounding (or sub-cycling) [J]. */
     double made() const { return work_on_particles + work_on_solid; }
     /** By transfer and contacts [J]. */
-    double made_in_all() const { return made() + spreading; }
+    double made_in_all() const { return made() + contacts; }
   };
 
   /**

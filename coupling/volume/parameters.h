@@ -2,6 +2,9 @@
 
 #include "coupling/volume/overlap.h"
 
+#include <Eigen/Geometry>
+
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,7 +32,10 @@ namespace coupling
     std::string name; ///< for messages
     Overlap     overlap;
     std::vector<std::pair<std::string, Overlap>>
-                  others; ///< of the same scene, by name: what lies in them is not its own
+                                     others; ///< of the same scene, by name: what lies in them is not its own
+    std::vector<Eigen::AlignedBox3d> taken;  ///< around each element whose place the particles of the region have [m]
+    std::function<bool(const Eigen::Vector3d &)>
+                  empty; ///< places in them that are meant to be, as a notch is; not given: none
     VolumeMethod  method        = VolumeMethod::multipliers;
     Compatibility compatibility = Compatibility::coarse;
     bool          lumped        = false; ///< multipliers with the sums of their rows

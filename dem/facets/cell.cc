@@ -5,49 +5,66 @@
 
 namespace dem::cells
 {
-  using Eigen::Vector3d;
-
-  /** Keep what lies to the left of the way from a to b. */
-  void cut(Polygon &polygon, const Point &a, const Point &b)
+  void cut(Polygon &polygon, const HalfPlane &by, const Side kind)
   {
-    const auto left = [&](const Point &p) { return turn(b - a, p - a); };
-    if (std::all_of(polygon.corner.begin(), polygon.corner.begin() + polygon.count,
-                    [&](const Point &p) { return left(p) >= 0; }))
+    const auto                          count = static_cast<std::size_t>(polygon.count);
+    std::array<double, corners_of_part> height;
+    double                              least = 1, most = -1;
+    for (std::size_t k = 0; k < count; ++k)
+      {
+        height[k] = by.at(polygon.corner[k]);
+        least     = k == 0 ? height[k] : std::min(least, height[k]);
+        most      = k == 0 ? height[k] : std::max(most, height[k]);
+      }
+    if (least >= 0)
       return;
     Polygon kept;
-    for (int k = 0; k < polygon.count; ++k)
+    for (std::size_t k = 0; k < count && most > 0; ++k)
       {
-        const Point &p = polygon.at(k), &next = polygon.at(k + 1);
-        const double here = left(p), there = left(next);
+        const std::size_t n    = k + 1 < count ? k + 1 : 0;
+        const double      here = height[k], there = height[n];
+        const auto        crossing = [&] {
+          return Point(polygon.corner[k] + here / (here - there) * (polygon.corner[n] - polygon.corner[k]));
+        };
         if (here >= 0)
-          kept.add(p);
-        if ((here > 0 && there < 0) || (here < 0 && there > 0))
-          kept.add(p + here / (here - there) * (next - p));
+          kept.add(polygon.corner[k], here == 0 && there < 0 ? kind : polygon.side[k]);
+        if (here > 0 && there < 0)
+          kept.add(crossing(), kind);
+        else if (here < 0 && there > 0)
+          kept.add(crossing(), polygon.side[k]);
       }
     polygon = kept;
-  }
-
-  void cut(Polygon &polygon, const Polygon &by)
-  {
-    double size = 0;
-    for (int k = 0; k < by.count; ++k)
-      size = std::max(size, by.at(k).squaredNorm());
-    for (int k = 0; k < by.count && polygon.count > 0; ++k)
-      if ((by.at(k + 1) - by.at(k)).squaredNorm() > rounding * rounding * size)
-        cut(polygon, by.at(k), by.at(k + 1));
   }
 
   Area area_of(const Polygon &polygon)
   {
     Area sum;
-    for (int k = 1; k + 1 < polygon.count; ++k)
+    for (std::size_t k = 1; k + 1 < static_cast<std::size_t>(polygon.count); ++k)
       {
-        const Point &a = polygon.at(0), &b = polygon.at(k), &c = polygon.at(k + 1);
+        const Point &a = polygon.corner[0], &b = polygon.corner[k], &c = polygon.corner[k + 1];
         const double part = 0.5 * turn(b - a, c - a);
         sum.size += part;
         sum.moment += part / 3 * (a + b + c);
       }
     return sum;
+  }
+
+  std::array<Area, 2> glide_of(const Polygon &polygon)
+  {
+    std::array<Area, 2> along;
+    const auto          count = static_cast<std::size_t>(polygon.count);
+    for (std::size_t k = 0; k < count; ++k)
+      {
+        if (polygon.side[k] == Side::surface)
+          continue;
+        const Point &from = polygon.corner[k], &to = polygon.corner[k + 1 < count ? k + 1 : 0];
+        const double way = static_cast<double>(polygon.side[k]);
+        // Length times the part of the outward normal along the axis.
+        const std::array<double, 2> swept = {way * (to.y() - from.y()), way * (from.x() - to.x())};
+        for (std::size_t d = 0; d < 2; ++d)
+          along[d].add({1, 0.5 * (from + to)}, swept[d]);
+      }
+    return along;
   }
 
   namespace
@@ -108,11 +125,11 @@ namespace dem::cells
     {
       // The same bound once more, as spheres opposite to each other have it, only makes corners by rounding.
       const double limit = by.distance * (1 + rounding);
-      for (const Point &towards : {by.towards, Point(-by.towards)})
-        if (polygon.count < corners_of_cell &&
-            std::any_of(polygon.corner.begin(), polygon.corner.begin() + polygon.count,
-                        [&](const Point &p) { return towards.dot(p) > limit; }))
-          cut(polygon, by.distance * towards, by.distance * towards + Point(-towards.y(), towards.x()));
+      if (polygon.count + 2 <= corners_of_cell &&
+          std::any_of(polygon.corner.begin(), polygon.corner.begin() + polygon.count,
+                      [&](const Point &p) { return std::fabs(by.towards.dot(p)) > limit; }))
+        for (const Point &towards : {by.towards, Point(-by.towards)})
+          cut(polygon, {by.distance, -towards}, Side::cell);
     }
   } // namespace
 
@@ -128,7 +145,7 @@ namespace dem::cells
       radius * (in_the_plane ? 1 : 1 + (widest_cell - 1) * std::min(crowded / neighbours_of_a_layer, 1.0));
     Polygon cell;
     for (const Point &p : {Point(-half, -half), Point(half, -half), Point(half, half), Point(-half, half)})
-      cell.add(p);
+      cell.add(p, Side::cell);
     bound(cell, {diagonal, Point(1, 1).normalized(), 0});
     bound(cell, {diagonal, Point(1, -1).normalized(), 0});
     for (const Bound &each : bounds)

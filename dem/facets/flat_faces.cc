@@ -1,12 +1,11 @@
 #include "dem/facets/flat_faces.h"
 
-#include "dem/facets/ground.h"
-
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace dem
@@ -42,9 +41,12 @@ namespace dem
   FlatFaces::FlatFaces(const FacetMesh &mesh, const FacetsAround &around)
     : face(mesh.size(), -1)
     , rim(mesh.size(), {false, false, false})
+    , tip(rim)
+    , seen(mesh.size())
   {
     join(mesh, around);
     find_rims(mesh);
+    see(mesh);
   }
 
   void FlatFaces::join(const FacetMesh &mesh, const FacetsAround &around)
@@ -59,6 +61,7 @@ namespace dem
           continue;
         face[f] = static_cast<std::int32_t>(alone.size());
         alone.push_back(1);
+        plane.emplace_back(mesh.vertex[index(mesh.facet[f][0])], normal[f], mesh.corners == 2);
         open.assign(1, static_cast<std::int32_t>(f));
         while (!open.empty())
           {
@@ -92,6 +95,32 @@ namespace dem
     for (std::size_t f = 0; f < mesh.size(); ++f)
       for (std::size_t c = 0; c < corners && face[f] >= 0; ++c)
         rim[f][c] = uses[{face[f], side(mesh, f, c)}] == 1;
+    std::set<std::pair<std::int32_t, std::int32_t>> ends; // corners of each face
+    for (std::size_t f = 0; f < mesh.size(); ++f)
+      for (std::size_t c = 0; c < corners; ++c)
+        if (rim[f][c])
+          {
+            const auto [a, b] = side(mesh, f, c);
+            ends.insert({{face[f], a}, {face[f], b}});
+          }
+    for (std::size_t f = 0; f < mesh.size(); ++f)
+      for (std::size_t c = 0; c < corners; ++c)
+        tip[f][c] = ends.count({face[f], mesh.facet[f][c]}) > 0;
+  }
+
+  void FlatFaces::see(const FacetMesh &mesh)
+  {
+    for (std::size_t f = 0; f < mesh.size(); ++f)
+      if (face[f] >= 0)
+        seen[f] = cells::Facet(mesh, mesh.vertex, static_cast<std::int32_t>(f), plane[index(face[f])]);
+  }
+
+  bool FlatFaces::on_rim(const std::int32_t facet, const std::array<double, 3> &weight) const
+  {
+    for (std::size_t c = 0; c < weight.size(); ++c)
+      if ((rim[index(facet)][c] && weight[c] == 0) || (tip[index(facet)][c] && weight[c] == 1))
+        return true;
+    return false;
   }
 
   bool FlatFaces::beyond_rim(const FacetMesh             &mesh,

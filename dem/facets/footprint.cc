@@ -1,9 +1,7 @@
 #include "dem/facets/footprint.h"
 
-#include "dem/facets/ground.h"
+#include "dem/facets/facet_axes.h"
 #include "dem/facets/mean_surface.h"
-
-#include <Eigen/Geometry>
 
 #include <algorithm>
 
@@ -14,20 +12,6 @@ namespace dem
 
   namespace
   {
-    /** Axes that turn with a facet. */
-    Eigen::Matrix3d axes_of(const FacetMesh &mesh, const std::vector<Vector3d> &place, const std::int32_t facet)
-    {
-      const auto corner = [&](const std::size_t c) -> const Vector3d & {
-        return place[static_cast<std::size_t>(mesh.facet[static_cast<std::size_t>(facet)][c])];
-      };
-      Eigen::Matrix3d axes;
-      axes.col(0) = (corner(1) - corner(0)).normalized();
-      axes.col(2) = mesh.corners == 3 ? Vector3d(axes.col(0).cross(Vector3d(corner(2) - corner(0))).normalized()) :
-                                        Vector3d::UnitZ();
-      axes.col(1) = axes.col(2).cross(axes.col(0));
-      return axes;
-    }
-
     /** What is not spread stays at the point of the contact. @return where that was in the undeformed surface */
     Vector3d
     add_point(std::vector<VertexWeight> &weights, const FacetMesh &mesh, const ContactZone &zone, const double spread)
@@ -52,32 +36,37 @@ namespace dem
   {
   }
 
-  bool Footprint::spread(const FacetMesh                   &mesh,
-                         const std::vector<Vector3d>       &place,
-                         const ContactZone                 &zone,
-                         const std::vector<StandingSphere> &spheres,
-                         const double                       reaches,
-                         SpreadContact                     &found) const
+  bool Footprint::spread(const FacetMesh             &mesh,
+                         const std::vector<Vector3d> &place,
+                         const ContactZone           &zone,
+                         const TouchingSphere        &touching,
+                         SpreadRoom                  &room) const
   {
     if (zone.parts.size() == 1 && faces.is_flat(zone.facet))
-      return MeanSurface(mesh, around, place, zone, spheres).nearest(reaches, found);
+      return MeanSurface(mesh, faces, place, zone, touching).nearest(around, room);
     const Tangents tangents(zone.place, zone.direction, mesh.corners == 2);
-    const Ground   ground(mesh, place, tangents, cell_of(spheres, tangents, mesh.corners == 2), spheres.front().radius);
-    if (zone.parts.size() == 1 && ground.lies_in(zone.facet))
+    const Polygon  cell = cell_of(touching.spheres, tangents, mesh.corners == 2);
+    Facet          facet(mesh, place, zone.facet, tangents);
+    if (zone.parts.size() == 1 && facet.share == 1 && facet.holds(cell))
       return false;
-    std::vector<Covered> under = ground.covered(around, zone.facet);
-    const double         area  = count(under, area_of(ground.cell).size),
-                 spread        = std::min(area / (smallest_part * ground.square()), 1.0);
+    room.cover.find(mesh, around, cell, zone.facet, [&](const std::int32_t number) {
+      facet = Facet(mesh, place, number, tangents);
+      return facet.share > 0 ? &facet : nullptr;
+    });
+    const double area    = room.cover.count(area_of(cell).size, Point::Zero()),
+                 spread  = spread_part(area, touching.spheres.front().radius);
+    SpreadContact &found = room.found;
     found.weights.clear();
-    add_spread(found.weights, mesh, under, spread, area);
+    room.cover.add_weights(found.weights, mesh, spread, area);
     const Vector3d point_then = add_point(found.weights, mesh, zone, spread);
     found.place               = mean(found.weights, place);
     // Heights of the mean surface above the point of the contact: what it was in the undeformed surface is its shape.
     const Vector3d mean_then = mean(found.weights, mesh.vertex);
     const Vector3d across_then =
-      axes_of(mesh, mesh.vertex, zone.facet) * axes_of(mesh, place, zone.facet).transpose() * zone.direction;
+      facet_axes(mesh, mesh.vertex, zone.facet) * facet_axes(mesh, place, zone.facet).transpose() * zone.direction;
     found.overlap =
       zone.overlap - zone.direction.dot(found.place - zone.place) + across_then.dot(mean_then - point_then);
+    found.stands = {};
     return true;
   }
 } // namespace dem

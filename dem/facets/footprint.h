@@ -1,20 +1,42 @@
 #pragma once
 
-#include "dem/facets/cell.h"
 #include "dem/facets/contact_zones.h"
 #include "dem/facets/flat_faces.h"
-#include "dem/facets/vertex_weights.h"
+#include "dem/facets/ground.h"
 
 #include <vector>
 
 namespace dem
 {
+  /** Point of the undeformed face on which a contact stands: near it the next step looks first. */
+  struct FacePoint
+  {
+    std::int32_t    facet = -1;        ///< that holds it; -1: the contact stands on no flat face
+    Eigen::Vector3d place = {0, 0, 0}; ///< [m]
+  };
+
   /** A sphere's contact, spread over the facets under it. */
   struct SpreadContact
   {
     std::vector<VertexWeight> weights; ///< each vertex once; sum 1
     Eigen::Vector3d           place;   ///< sum of weight and vertex [m]
     double                    overlap; ///< of the mean surface [m]; not positive where it is not reached
+    FacePoint                 stands;
+  };
+
+  /** What is found, and memory that is used again. */
+  struct SpreadRoom
+  {
+    SpreadContact found;
+    cells::Cover  cover;
+  };
+
+  /** A sphere that touches a surface. */
+  struct TouchingSphere
+  {
+    const std::vector<StandingSphere> &spheres; ///< itself first, then those that may stand beside it
+    double                             reaches; ///< how far from its centre it touches [m]
+    FacePoint                          before;  ///< where its contact stood; only a better start of the search
   };
 
   /**
@@ -41,16 +63,17 @@ namespace dem
     static constexpr double widest = 2.2;
 
     /**
-     * @param mesh that it was made from @param place of the vertices now @param spheres first the one that touches in the zone, then
-     * those that may stand beside it @param reaches how far from its centre it touches [m] @param found its room is used again
+     * @param mesh that it was made from @param place of the vertices now @param zone in which the sphere touches
      * @return false where all of the cell lies in one facet: then the contact is what it was
      */
     bool spread(const FacetMesh                    &mesh,
                 const std::vector<Eigen::Vector3d> &place,
                 const ContactZone                  &zone,
-                const std::vector<StandingSphere>  &spheres,
-                double                              reaches,
-                SpreadContact                      &found) const;
+                const TouchingSphere               &touching,
+                SpreadRoom                         &room) const;
+
+    /** Whether two contacts stand on the same flat face. */
+    bool share_face(const std::int32_t one, const std::int32_t other) const { return faces.share_face(one, other); }
 
     /** Of nearest points those that can be contacts of their own: dents of a flat face are no hollows (dem/facets/flat_faces.h). */
     void keep_own(const FacetMesh                    &mesh,

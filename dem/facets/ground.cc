@@ -11,112 +11,131 @@ namespace dem::cells
   const double upright = std::cos(20 * 3.14159265358979323846 / 180),
                leaning = std::cos(40 * 3.14159265358979323846 / 180);
 
-  bool holds(const Facet &facet, const Point &p)
+  Facet::Facet(const FacetMesh             &mesh,
+               const std::vector<Vector3d> &place,
+               const std::int32_t           number_,
+               const Tangents              &tangents)
+    : number(number_)
+    , corners(mesh.corners)
   {
-    constexpr double on_side = 1e-12; // to rounding
-    for (int k = 0; k < facet.outline.count; ++k)
+    std::array<Vector3d, 3> x;
+    std::array<Point, 3>    p;
+    for (std::size_t c = 0; c < static_cast<std::size_t>(corners); ++c)
       {
-        const Point &a = facet.outline.at(k), &b = facet.outline.at(k + 1);
-        if (turn(b - a, p - a) < -on_side * (b - a).squaredNorm())
-          return false;
+        x[c] = place[static_cast<std::size_t>(mesh.facet[static_cast<std::size_t>(number)][c])];
+        p[c] = tangents.of(x[c]);
       }
+    const double leans = std::fabs(facet_normal(x, corners == 2).dot(tangents.across));
+    share              = std::clamp((leans - leaning) / (upright - leaning), 0.0, 1.0);
+    if (share == 0)
+      return; // upside down or on edge it may have no area here
+    if (corners == 2)
+      {
+        const double along = p[1].x() - p[0].x();
+        shape[0]           = {p[1].x() / along, {-1 / along, 0}};
+        shape[1]           = {-p[0].x() / along, {1 / along, 0}};
+        return;
+      }
+    const double twice = turn(p[1] - p[0], p[2] - p[0]);
+    for (std::size_t c = 0; c < 3; ++c)
+      {
+        const Point &from = p[(c + 1) % 3], side = p[(c + 2) % 3] - from;
+        shape[c] = {turn(from, side) / twice, Point(-side.y(), side.x()) / twice};
+      }
+  }
+
+  bool Facet::holds(const Point &p) const
+  {
+    constexpr double on_side = -1e-12; // to rounding
+    for (std::size_t c = 0; c < static_cast<std::size_t>(corners); ++c)
+      if (shape[c].at(p) < on_side)
+        return false;
     return true;
   }
 
-  namespace
+  bool Facet::holds(const Polygon &cell) const
   {
-    /** Count what has its like on the other side of the contact. */
-    void count_symmetric(std::vector<Covered> &under)
-    {
-      for (Covered &one : under)
-        for (const Covered &other : under)
-          {
-            Polygon mirrored = other.part; // turned by half a circle: still turning left
-            for (Point &p : mirrored.corner)
-              p = -p;
-            Polygon common = one.part;
-            cut(common, mirrored);
-            const Area   both   = area_of(common);
-            const double weight = one.share * other.share;
-            one.counted.size += weight * both.size;
-            one.counted.moment += weight * both.moment;
-          }
-    }
-
-    double counted_area(const std::vector<Covered> &under)
-    {
-      double area = 0;
-      for (const Covered &each : under)
-        area += each.counted.size;
-      return area;
-    }
-  } // namespace
-
-  double Ground::share(const Facet &of) const
-  {
-    return std::clamp((std::fabs(of.normal().dot(tangents.across)) - leaning) / (upright - leaning), 0.0, 1.0);
+    return std::all_of(cell.corner.begin(), cell.corner.begin() + cell.count, [&](const Point &p) { return holds(p); });
   }
 
-  bool Ground::lies_in(const std::int32_t number) const
+  bool Cover::add(const Facet &facet, const Polygon &cell)
   {
-    const Facet only = facet(number);
-    return share(only) == 1 && std::all_of(cell.corner.begin(), cell.corner.begin() + cell.count,
-                                           [&](const Point &p) { return holds(only, p); });
-  }
-
-  std::vector<Covered> Ground::covered(const FacetsAround &around, const std::int32_t from) const
-  {
-    std::vector<Covered>      under;
-    std::vector<std::int32_t> seen{from}, open{from};
-    while (!open.empty())
+    Polygon part = cell;
+    facet.cut_out_of(part);
+    const Area inside = area_of(part);
+    if (!(inside.size > 0))
+      return false;
+    Covered &next = under.add();
+    next.facet    = facet;
+    next.part     = part;
+    next.low = next.high = part.corner[0];
+    for (std::size_t k = 1; k < static_cast<std::size_t>(part.count); ++k)
       {
-        const Facet facet = this->facet(open.back());
-        open.pop_back();
-        const double share = this->share(facet);
-        Polygon      part  = facet.outline;
-        if (share > 0)
-          cut(part, cell);
-        const Area inside = share > 0 ? area_of(part) : Area();
-        if (inside.size > 0)
-          under.push_back({facet, part, share, inside});
-        else if (facet.number != from)
-          continue;
-        around.each(mesh, facet.number, [&](const std::int32_t other) {
-          const auto at = std::lower_bound(seen.begin(), seen.end(), other);
-          if (at != seen.end() && *at == other)
-            return;
-          seen.insert(at, other);
-          open.push_back(other);
-        });
+        next.low  = next.low.cwiseMin(part.corner[k]);
+        next.high = next.high.cwiseMax(part.corner[k]);
       }
-    return under;
+    next.counted = inside;
+    next.glide   = glide_of(part);
+    return true;
   }
 
-  double count(std::vector<Covered> &under, const double whole)
+  void Cover::count_symmetric(const Point &about)
   {
-    const double area        = counted_area(under);
-    const bool   all_upright = std::all_of(under.begin(), under.end(), [](const Covered &c) { return c.share == 1; });
-    if (all_upright && area >= (1 - rounding) * whole)
-      return area;
-    for (Covered &each : under)
-      each.counted = {};
-    count_symmetric(under);
-    return counted_area(under);
+    for (Covered &one : under)
+      {
+        one.counted = {};
+        one.glide   = {};
+      }
+    for (const Covered &other : under)
+      {
+        std::array<HalfPlane, 3> mirrored;
+        for (std::size_t c = 0; c < static_cast<std::size_t>(other.facet.corners); ++c)
+          mirrored[c] = other.facet.shape[c].mirrored(about);
+        const Point low = 2 * about - other.high, high = 2 * about - other.low;
+        for (Covered &one : under)
+          {
+            if ((one.high.array() <= low.array()).any() || (one.low.array() >= high.array()).any())
+              continue;
+            Polygon common = one.part;
+            for (std::size_t c = 0; c < static_cast<std::size_t>(other.facet.corners) && common.count > 0; ++c)
+              cut(common, mirrored[c], Side::mirrored);
+            const double weight = one.facet.share * other.facet.share;
+            one.counted.add(area_of(common), weight);
+            const auto glide = glide_of(common);
+            for (std::size_t d = 0; d < 2; ++d)
+              one.glide[d].add(glide[d], weight);
+          }
+      }
   }
 
-  void add_spread(std::vector<VertexWeight>  &weights,
-                  const FacetMesh            &mesh,
-                  const std::vector<Covered> &under,
-                  const double                spread,
-                  const double                area)
+  double Cover::count(const double whole, const Point &about)
+  {
+    const auto area = [this] {
+      double sum = 0;
+      for (const Covered &each : under)
+        sum += each.counted.size;
+      return sum;
+    };
+    const double found = area();
+    const bool   all_upright =
+      std::all_of(under.begin(), under.end(), [](const Covered &c) { return c.facet.share == 1; });
+    if (all_upright && found >= (1 - rounding) * whole)
+      return found;
+    count_symmetric(about);
+    return area();
+  }
+
+  void Cover::add_weights(std::vector<VertexWeight> &weights,
+                          const FacetMesh           &mesh,
+                          const double               spread,
+                          const double               area) const
   {
     for (const Covered &each : under)
       if (each.counted.size > 0)
         {
-          const auto shape = each.facet.shape(each.counted.moment / each.counted.size);
+          const auto integral = each.facet.integrals(each.counted);
           for (std::size_t c = 0; c < static_cast<std::size_t>(mesh.corners); ++c)
-            add(weights, mesh.facet[static_cast<std::size_t>(each.facet.number)][c],
-                spread * each.counted.size / area * shape[c]);
+            dem::add(weights, mesh.facet[static_cast<std::size_t>(each.facet.number)][c], spread / area * integral[c]);
         }
   }
 } // namespace dem::cells

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "dem/core/recycled.h"
 #include "dem/facets/cell.h"
 #include "dem/facets/facets_around.h"
+#include "dem/facets/number_set.h"
 #include "dem/facets/vertex_weights.h"
 
 #include <cstdint>
@@ -10,114 +12,94 @@ namespace dem::cells
 {
   /** Facets that lean from the tangential plane by less than 20 degrees are under the sphere, by more than 40 they are not. */
   extern const double upright, leaning; // their cosines
-  /** What is left of a cell fades into a point below this part of the square around the sphere. */
-  constexpr double smallest_part = 0.25;
+  /** Part of a contact that is spread over the area that counts [m^2]: below a quarter of the square around the sphere it fades into a point. */
+  inline double spread_part(const double area, const double radius) { return std::min(area / (radius * radius), 1.0); }
 
-  /** A facet seen in the tangential plane. In the plane segments become strips as wide as the sphere. */
+  /** A facet seen in a plane. Of discs segments are strips without end. */
   struct Facet
   {
+    Facet() = default;
     Facet(const FacetMesh                    &mesh,
           const std::vector<Eigen::Vector3d> &place,
-          const std::int32_t                  number_,
-          const Tangents                     &tangents,
-          const double                        half)
-      : number(number_)
-      , corners(mesh.corners)
+          std::int32_t                        number_,
+          const Tangents                     &tangents);
+
+    /** Sides included. */
+    bool holds(const Point &p) const;
+    bool holds(const Polygon &cell) const;
+    /** Integrals of the shape functions over a part of it; they add up to its area. */
+    std::array<double, 3> integrals(const Area &over) const
     {
-      for (int c = 0; c < corners; ++c)
-        {
-          x[c]      = place[static_cast<std::size_t>(mesh.facet[static_cast<std::size_t>(number)][c])];
-          corner[c] = tangents.of(x[c]);
-        }
-      if (corners == 3)
-        outline.count = 3, outline.corner[0] = corner[0], outline.corner[1] = corner[1], outline.corner[2] = corner[2];
-      else
-        for (const auto &[end, side] : {std::pair(0, -half), {1, -half}, {1, half}, {0, half}})
-          outline.add({corner[end].x(), side});
-      size = area_of(outline).size;
-      if (size < 0)
-        std::reverse(outline.corner.begin(), outline.corner.begin() + outline.count);
+      const double second = over.size * shape[1].at_origin + shape[1].slope.dot(over.moment),
+                   third  = corners == 3 ? over.size * shape[2].at_origin + shape[2].slope.dot(over.moment) : 0.0;
+      return {over.size - second - third, second, third};
+    }
+    void cut_out_of(Polygon &polygon) const
+    {
+      for (std::size_t c = 0; c < static_cast<std::size_t>(corners) && polygon.count > 0; ++c)
+        cut(polygon, shape[c], Side::surface);
     }
 
-    /** Unit; of any sign. */
-    Eigen::Vector3d normal() const
-    {
-      const Eigen::Vector3d edge = x[1] - x[0];
-      return (corners == 3 ? edge.cross(Eigen::Vector3d(x[2] - x[0])) : Eigen::Vector3d(-edge.y(), edge.x(), 0))
-        .normalized();
-    }
-
-    /** Shape functions there. */
-    std::array<double, 3> shape(const Point &p) const
-    {
-      if (corners == 2)
-        {
-          const double along = (p.x() - corner[0].x()) / (corner[1].x() - corner[0].x());
-          return {1 - along, along, 0};
-        }
-      const double b = turn(p - corner[0], corner[2] - corner[0]) / (2 * size),
-                   c = turn(corner[1] - corner[0], p - corner[0]) / (2 * size);
-      return {1 - b - c, b, c};
-    }
-
-    std::int32_t                   number;
-    int                            corners;
-    std::array<Eigen::Vector3d, 3> x;
-    std::array<Point, 3>           corner;
-    Polygon                        outline;
-    double                         size; ///< signed
+    std::int32_t             number  = -1;
+    int                      corners = 0;
+    double                   share   = 0; ///< 1: upright, 0: leans too much
+    std::array<HalfPlane, 3> shape;       ///< functions of its corners: it is where none is negative
   };
 
   /** What of a facet is in the cell. */
   struct Covered
   {
-    Facet   facet;
-    Polygon part;
-    double  share; ///< 1: upright, 0: leans too much
-    Area    counted;
+    Facet               facet;
+    Polygon             part;
+    Point               low, high; ///< box around that
+    Area                counted;
+    std::array<Area, 2> glide; ///< how that changes as the contact glides along the axes
   };
 
-  /** Whether the point lies in the facet, sides included. */
-  bool holds(const Facet &facet, const Point &p);
-
-  /** The plane in which a sphere stands, and its cell there. */
-  struct Ground
+  /** What of the surface lies under a cell, and the memory to find that again and again. */
+  class Cover
   {
-    Ground(const FacetMesh                    &mesh_,
-           const std::vector<Eigen::Vector3d> &place_,
-           const Tangents                     &tangents_,
-           const Polygon                      &cell_,
-           const double                        half_)
-      : mesh(mesh_)
-      , place(place_)
-      , tangents(tangents_)
-      , cell(cell_)
-      , half(half_)
+  public:
+    /**
+     * From facet to facet over shared corners: what lies behind a plate is not under the sphere.
+     * @param cell where it is in the plane @param seen of a number the facet, nullptr where that never counts
+     */
+    template <typename Seen>
+    void find(
+      const FacetMesh &mesh, const FacetsAround &around, const Polygon &cell, const std::int32_t from, const Seen &seen)
     {
+      under.clear();
+      met.clear();
+      met.add(from);
+      open.assign(1, from);
+      while (!open.empty())
+        {
+          const std::int32_t number = open.back();
+          open.pop_back();
+          const Facet *facet  = seen(number);
+          const bool   inside = facet && add(*facet, cell);
+          if (inside || number == from)
+            around.each(mesh, number, [&](const std::int32_t other) {
+              if (met.add(other))
+                open.push_back(other);
+            });
+        }
     }
-    Facet facet(const std::int32_t number) const { return {mesh, place, number, tangents, half}; }
-    /** 1: upright, 0: leans too much. */
-    double share(const Facet &of) const;
-    double square() const { return 4 * half * half; } ///< around the sphere [m^2]
-    /** Whether all of the cell lies in this facet. */
-    bool lies_in(std::int32_t facet) const;
-    /** What of the facets is in the cell, from facet to facet over shared corners: what lies behind a plate is not under the sphere. */
-    std::vector<Covered> covered(const FacetsAround &around, std::int32_t from) const;
 
-    const FacetMesh                    &mesh;
-    const std::vector<Eigen::Vector3d> &place;
-    Tangents                            tangents;
-    Polygon                             cell;
-    double                              half; ///< radius [m]
+    /** @param whole cell [m^2] @param about the contact @return what counts of it [m^2]: all inside a surface, what is symmetric elsewhere */
+    double count(double whole, const Point &about);
+
+    const Recycled<Covered> &parts() const { return under; }
+
+    /** Append weights of the vertices. @param spread part of the whole @param area that counts [m^2] */
+    void add_weights(std::vector<VertexWeight> &weights, const FacetMesh &mesh, double spread, double area) const;
+
+  private:
+    bool add(const Facet &facet, const Polygon &cell);
+    void count_symmetric(const Point &about);
+
+    Recycled<Covered>         under;
+    NumberSet                 met;
+    std::vector<std::int32_t> open;
   };
-
-  /** @return what counts of the cell [m^2]: all of it inside a surface, what is symmetric elsewhere */
-  double count(std::vector<Covered> &under, double whole);
-
-  /** Weights of the vertices under the cell. @param spread part of the whole @param area that counts [m^2] */
-  void add_spread(std::vector<VertexWeight>  &weights,
-                  const FacetMesh            &mesh,
-                  const std::vector<Covered> &under,
-                  double                      spread,
-                  double                      area);
 } // namespace dem::cells

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "dem/facets/footprint.h"
-#include "dem/facets/ground.h"
 
 namespace dem
 {
@@ -14,41 +13,46 @@ namespace dem
   class MeanSurface
   {
   public:
-    /** @param zone of one point @param spheres the one that touches first; others bound its cell. All but them must outlive it */
+    /** @param place of the vertices now @param zone of one point on a flat face. All parameters must outlive it */
     MeanSurface(const FacetMesh                    &mesh,
-                const FacetsAround                 &around,
+                const FlatFaces                    &faces,
                 const std::vector<Eigen::Vector3d> &place,
                 const ContactZone                  &zone,
-                const std::vector<StandingSphere>  &spheres);
+                const TouchingSphere               &touching);
 
-    /** @param reaches how far from its centre the sphere touches [m] @return false where nothing is spread */
-    bool nearest(double reaches, SpreadContact &found) const;
+    /** @return false where nothing is spread */
+    bool nearest(const FacetsAround &around, SpreadRoom &room) const;
 
   private:
-    /** The mean place about a point of the undeformed face. */
+    /** The mean place about a point of the undeformed face, from the centre. */
     struct Mean
     {
-      cells::Point                   at     = cells::Point::Zero(); ///< from where the search begins [m]
+      cells::Point                   at     = cells::Point::Zero(); ///< in the plane of the face [m]
+      std::int32_t                   facet  = 0;                    ///< that holds the point
       bool                           inside = false;                ///< the face
       bool                           whole  = false;                ///< the cell: it ends nowhere
       double                         area   = 0;                    ///< of it that counts [m^2]
-      std::int32_t                   facet  = 0;                    ///< that holds the point
-      std::vector<VertexWeight>      weights;
-      Eigen::Vector3d                place = {0, 0, 0}; ///< [m]
-      std::array<Eigen::Vector3d, 2> along;             ///< how it moves with the point [-]
+      Eigen::Vector3d                place  = {0, 0, 0};            ///< [m]
+      std::array<Eigen::Vector3d, 2> along;                         ///< how it moves with the point [-]
+      cells::Point                   slope; ///< how fast it comes nearer, times the distance [m]
+      Eigen::Matrix2d                bend;  ///< second derivatives of half its square distance [-]
     };
 
-    Mean            mean_at(const cells::Point &at, std::int32_t from) const;
-    Eigen::Vector3d moves(const Mean &mean, int along) const;
-    cells::Point    step(const Mean &mean) const;
+    Mean mean_at(const cells::Point &at, std::int32_t from, const FacetsAround &around, cells::Cover &cover) const;
+    void integrate(Mean &mean, const cells::Cover &cover) const;
+    cells::Point step(const Mean &mean) const;
+    bool         nearer(const Mean &next, const Mean &now) const;
 
     const FacetMesh                    &mesh;
-    const FacetsAround                 &around;
+    const FlatFaces                    &faces;
     const std::vector<Eigen::Vector3d> &place;
-    Eigen::Vector3d                     centre;   ///< of the sphere [m]
-    double                              radius;   ///< [m]
-    std::int32_t                        first;    ///< facet where the search begins
-    cells::Tangents                     tangents; ///< of the undeformed face, where the search begins
-    cells::Polygon                      cell;
+    const TouchingSphere               &touching;
+    Eigen::Vector3d                     centre;  ///< of the sphere [m]
+    double                              radius;  ///< [m]
+    cells::Polygon                      cell;    ///< about the point of the zone, in the plane of the face
+    double                              whole;   ///< its area [m^2]
+    bool                                spreads; ///< it lies in more than one facet, and on more than the rim
+    std::int32_t                        from;    ///< facet where the search begins, and the point in it
+    cells::Point                        start;
   };
 } // namespace dem

@@ -98,7 +98,7 @@ namespace dem
     Eigen::Vector3d total_force = {0, 0, 0}, total_moment = {0, 0, 0};  ///< on it, about the origin, at t_n [N], [N m]
     Eigen::Vector3d momentum = {0, 0, 0}, angular_momentum = {0, 0, 0}; ///< that it has taken since the start
     double          work     = 0;     ///< that it has done on the particles by t_n + half a step [J]
-    double          made     = 0;     ///< by spread contacts whose weights changed, since the start [J]
+    double          made     = 0;     ///< by contacts whose push is no slope of their energy, since the start [J]
     double          along    = 0;     ///< stiffness of its contacts along the servo's direction [N/m]
     std::int64_t    touching = 0;     ///< contacts at t_n
     std::int64_t glued = 0, torn = 0; ///< particles that are glued to it at t_n, and that were torn off since the start

@@ -31,7 +31,8 @@ namespace dem
     double          pressing;                 ///< size of what friction is in proportion to [N]
     double          stiffness;                ///< across the surface [N/m]
     double          spring;                   ///< stored by it [J]
-    double          made = 0; ///< in this step, by parts of vertices that are not the slope of its energy [J]
+    FacePoint       stands;                   ///< where it is spread over a flat face
+    double made = 0; ///< in this step, with others of its particle and surface: pushes that are no slope of energy [J]
 
     /** On the particle, about its centre: pressure points to it [N m]. */
     Eigen::Vector3d moment() const;
@@ -167,19 +168,18 @@ namespace dem
     /** All contacts of the blocks, in order. @throws base::NumericalError for a particle that has sunk in */
     std::vector<SurfaceContact> gathered(const std::vector<Block> &blocks, const Particles &particles);
     /** The fresh contacts of a particle with a surface, with what those before become. */
-    void
-    go_on(const Particles &particles, const ParticleShape &shape, Known before, Known before_end, Block &block) const;
+    void go_on(const Particles &particles, const ParticleShape &shape, Block &block) const;
     /** A contact of the block with what it was before: slip, shear, forces on its vertices. */
     void follow(const Particles         &particles,
                 const ParticleShape     &shape,
                 const SurfaceContact    *before,
                 SurfaceContact          &now,
                 std::vector<VertexPart> &parts_of_now) const;
-    /** What a push that is not the slope of the stored energy has made since the contact before [J]. */
-    double made_since(const SurfaceContact  &before,
-                      const SurfaceContact  &now,
-                      const Eigen::Vector3d &moved,
-                      const Eigen::Vector3d &carried_along) const;
+    /**
+     * What contacts of one particle and surface, the last of the block, have made in this step with those before them, because their pushes
+     * are not the slope of what they store [J]: nothing is pushed, stored or taken twice, but in dents weights change, and caps part.
+     */
+    double made_by_last(std::size_t count, const Particles &particles, const Block &block) const;
     /** Who stands on a surface beside the particle at which a thread looks. */
     void   gather_beside(const Particles &particles, std::size_t listed, const Surface &surface, Block &block) const;
     void   add_zones(const Surface         &surface,

@@ -6,16 +6,16 @@ namespace dem
 {
   namespace
   {
-    constexpr std::size_t numbers_of_contact = 22;
+    constexpr std::size_t numbers_of_contact = 25;
     constexpr std::size_t numbers_of_part    = 5;
-    constexpr std::size_t indices_of_contact = 5;
+    constexpr std::size_t indices_of_contact = 6;
 
     void put(const SurfaceContact &c, base::Column &numbers, std::vector<std::int32_t> &indices)
     {
-      for (const Eigen::Vector3d &v : {c.place, c.direction, c.shear, c.force, c.push})
+      for (const Eigen::Vector3d &v : {c.place, c.direction, c.shear, c.force, c.push, c.stands.place})
         numbers.insert(numbers.end(), v.data(), v.data() + 3);
       numbers.insert(numbers.end(), {c.distance, c.share, c.overlap, c.dissipated, c.pressing, c.stiffness, c.spring});
-      indices.insert(indices.end(), {c.particle, c.surface, c.facet, c.parts_begin, c.parts_end});
+      indices.insert(indices.end(), {c.particle, c.surface, c.facet, c.parts_begin, c.parts_end, c.stands.facet});
     }
 
     SurfaceContact get(const double *n, const std::int32_t *i)
@@ -29,14 +29,15 @@ namespace dem
               Eigen::Vector3d(n + 3),
               Eigen::Vector3d(n + 6),
               Eigen::Vector3d(n + 9),
-              n[15],
-              n[16],
-              n[17],
               n[18],
-              Eigen::Vector3d(n + 12),
               n[19],
               n[20],
-              n[21]};
+              n[21],
+              Eigen::Vector3d(n + 12),
+              n[22],
+              n[23],
+              n[24],
+              {i[5], Eigen::Vector3d(n + 15)}};
     }
   } // namespace
 
@@ -58,8 +59,8 @@ namespace dem
         vertices.push_back(part.vertex);
       }
     visitor.column("surface_contacts/on_particles", records);
-    visitor.column("surface_contacts/numbers", numbers);
-    visitor.column("surface_contacts/indices", indices);
+    visitor.column("surface_contacts/numbers_of_each", numbers);
+    visitor.column("surface_contacts/indices_of_each", indices);
     visitor.column("surface_contacts/parts", weights);
     visitor.column("surface_contacts/vertices", vertices);
     visitor.scalar("surface_contacts/friction", slid);

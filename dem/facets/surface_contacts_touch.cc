@@ -28,6 +28,19 @@ namespace dem
         &column[record_size * static_cast<std::size_t>(particle) + static_cast<std::size_t>(from)]);
     }
 
+    /** Of the point of a surface on which a contact is, in the last step [m]. */
+    Eigen::Vector3d
+    motion_under(const SurfaceContact &contact, const std::vector<VertexPart> &parts, const Surface &surface)
+    {
+      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+      for (std::int32_t k = contact.parts_begin; k < contact.parts_end; ++k)
+        {
+          const VertexPart &part = parts[static_cast<std::size_t>(k)];
+          sum += part.weight * surface.motion[static_cast<std::size_t>(part.vertex)];
+        }
+      return sum;
+    }
+
     [[noreturn]] void refuse_sunk(const Particles &p, const std::int32_t i, const Surface &surface)
     {
       std::ostringstream message;
@@ -44,10 +57,26 @@ namespace dem
     std::vector<NearPoint>      near;
     double                      cut = 0; ///< off the particle that is looked at [m]
     ZoneRoom                    zones;
-    SpreadContact               spread;
-    std::vector<StandingSphere> standing; ///< the particle, then those beside it
-    std::vector<SurfaceContact> fresh;    ///< of one particle and surface, without history
-    std::vector<char>           taken;    ///< which of those before go on in one of them
+    SpreadRoom                  spread;
+    std::vector<StandingSphere> standing;           ///< the particle, then those beside it
+    Known                       before, before_end; ///< its contacts with the surface in the step before
+    std::vector<SurfaceContact> fresh;              ///< of one particle and surface, without history
+    std::vector<char>           taken;              ///< which of those before go on in one of them
+
+    /** Where the contact of a zone stood on its flat face in the step before. */
+    FacePoint stood(const Surface &surface, const ContactZone &zone, const double radius) const
+    {
+      constexpr double same    = 0.25; // over the radius; further away it is another contact
+      double           nearest = same * radius;
+      FacePoint        stands;
+      for (Known old = before; old != before_end; ++old)
+        if (surface.footprint.share_face(old->stands.facet, zone.facet) && (old->place - zone.place).norm() < nearest)
+          {
+            nearest = (old->place - zone.place).norm();
+            stands  = old->stands;
+          }
+      return stands;
+    }
   };
 
   struct SurfaceContacts::Block
@@ -210,7 +239,9 @@ namespace dem
         if (block.room->near.empty())
           continue;
         block.room->fresh.clear();
-        block.room->cut = surface.cut_of(i);
+        block.room->cut        = surface.cut_of(i);
+        block.room->before     = before;
+        block.room->before_end = before_end;
         if (surface.footprint.given())
           gather_beside(particles, listed, surface, block);
         if (surface.skin > 0)
@@ -222,16 +253,13 @@ namespace dem
             now.particle = i;
             now.surface  = s;
           }
-        go_on(particles, shape, before, before_end, block);
+        go_on(particles, shape, block);
       }
   }
 
-  void SurfaceContacts::go_on(const Particles     &particles,
-                              const ParticleShape &shape,
-                              const Known          before,
-                              const Known          before_end,
-                              Block               &block) const
+  void SurfaceContacts::go_on(const Particles &particles, const ParticleShape &shape, Block &block) const
   {
+    const Known        before = block.room->before, before_end = block.room->before_end;
     std::vector<char> &taken = block.room->taken;
     taken.assign(static_cast<std::size_t>(before_end - before), 0);
     for (SurfaceContact &now : block.room->fresh)
@@ -250,6 +278,26 @@ namespace dem
         follow(particles, shape, same, now, block.parts);
         block.contacts.push_back(now);
       }
+    if (!block.room->fresh.empty() && before != before_end)
+      block.contacts.back().made = made_by_last(block.room->fresh.size(), particles, block);
+  }
+
+  double SurfaceContacts::made_by_last(const std::size_t count, const Particles &particles, const Block &block) const
+  {
+    const Surface &surface = all[static_cast<std::size_t>(block.contacts.back().surface)];
+    if (surface.skin > 0) // pressure is a slope
+      return 0;
+    const Eigen::Vector3d moved = record(particles.motion, block.contacts.back().particle, 0);
+    // Either push works on both sides over half of the step, each by its own weights.
+    const auto worked = [&](const SurfaceContact &contact, const std::vector<VertexPart> &parts) {
+      return 0.5 * contact.push.dot(moved - motion_under(contact, parts, surface));
+    };
+    double made = 0;
+    for (auto old = block.room->before; old != block.room->before_end; ++old)
+      made += worked(*old, vertex_parts) - old->spring;
+    for (auto now = block.contacts.end() - static_cast<std::ptrdiff_t>(count); now != block.contacts.end(); ++now)
+      made += worked(*now, block.parts) + now->spring;
+    return made;
   }
 
   void SurfaceContacts::gather_beside(const Particles  &particles,
@@ -282,12 +330,15 @@ namespace dem
       {
         zone.overlap -= look - radius + block.room->cut;
         const bool spread =
-          surface.footprint.given() && surface.footprint.spread(surface.mesh, surface.place, zone, block.room->standing,
-                                                                radius - block.room->cut, block.room->spread);
+          surface.footprint.given() && surface.footprint.spread(surface.mesh, surface.place, zone,
+                                                                {block.room->standing, radius - block.room->cut,
+                                                                 block.room->stood(surface, zone, radius)},
+                                                                block.room->spread);
+        const SpreadContact &mean = block.room->spread.found;
         if (spread)
           {
-            zone.overlap   = block.room->spread.overlap;
-            zone.place     = block.room->spread.place;
+            zone.overlap   = mean.overlap;
+            zone.place     = mean.place;
             zone.distance  = (zone.place - centre).norm();
             zone.direction = (zone.place - centre) / zone.distance;
           }
@@ -310,8 +361,11 @@ namespace dem
             block.parts.push_back({vertex, weight, -weight * now.push, weight * now.stiffness});
         };
         if (spread)
-          for (const VertexWeight &part : block.room->spread.weights)
-            add(part.vertex, part.weight);
+          {
+            now.stands = mean.stands;
+            for (const VertexWeight &part : mean.weights)
+              add(part.vertex, part.weight);
+          }
         else
           for (const ContactZone::Part &part : zone.parts)
             for (std::size_t c = 0; c < corners; ++c)
@@ -347,23 +401,6 @@ namespace dem
     block.room->fresh.push_back(now);
   }
 
-  double SurfaceContacts::made_since(const SurfaceContact  &before,
-                                     const SurfaceContact  &now,
-                                     const Eigen::Vector3d &moved,
-                                     const Eigen::Vector3d &carried_along) const
-  {
-    Eigen::Vector3d carried_before = Eigen::Vector3d::Zero();
-    const Surface  &surface        = all[static_cast<std::size_t>(now.surface)];
-    for (std::int32_t k = before.parts_begin; k < before.parts_end; ++k)
-      {
-        const VertexPart &part = vertex_parts[static_cast<std::size_t>(k)];
-        carried_before += part.weight * surface.motion[static_cast<std::size_t>(part.vertex)];
-      }
-    // Either push works on both sides over half of the step, each by its own weights.
-    const double given = 0.5 * (before.push.dot(moved - carried_before) + now.push.dot(moved - carried_along));
-    return now.spring - before.spring + given;
-  }
-
   void SurfaceContacts::follow(const Particles         &particles,
                                const ParticleShape     &shape,
                                const SurfaceContact    *before,
@@ -374,11 +411,8 @@ namespace dem
     const Surface        &surface = all[static_cast<std::size_t>(now.surface)];
     const double          radius  = particles.radius_of(static_cast<std::size_t>(i));
     const Eigen::Vector3d moved = record(particles.motion, i, 0), turn = record(particles.motion, i, 3),
-                          arm_turn = record(particles.pose, i, 3);
-    Eigen::Vector3d carried_along  = Eigen::Vector3d::Zero();
-    for (std::int32_t k = now.parts_begin; k < now.parts_end; ++k)
-      carried_along += parts_of_now[static_cast<std::size_t>(k)].weight *
-                       surface.motion[static_cast<std::size_t>(parts_of_now[static_cast<std::size_t>(k)].vertex)];
+                          arm_turn      = record(particles.pose, i, 3);
+    const Eigen::Vector3d carried_along = motion_under(now, parts_of_now, surface);
     // As of a link from the sphere, with all of its length as arm, to the point of the surface (doc/theory/facets.md, 3).
     const Eigen::Vector3d branch = now.distance * now.direction, opening = carried_along - moved,
                           middle = branch - 0.5 * opening, slip = opening - arm_turn.cross(middle);
@@ -416,7 +450,6 @@ namespace dem
     now.shear         = vector(shear);
     now.force         = now.push + vector(answer.shear);
     now.dissipated    = work.friction + lost;
-    now.made          = before && surface.footprint.given() ? made_since(*before, now, moved, carried_along) : 0.0;
     for (std::int32_t k = now.parts_begin; k < now.parts_end; ++k)
       {
         VertexPart &part = parts_of_now[static_cast<std::size_t>(k)];

@@ -113,6 +113,26 @@ TEST_CASE("What cannot shake hands is refused by name", "[apps][coupled][volume]
   CHECK_THAT(broken.err, Contains("Handshakes/core") && Contains("larger region"));
 }
 
+TEST_CASE(
+  "A packing with a gap across its region, or that ends before the mesh does, is refused with the place of the gap",
+  "[apps][coupled][volume]")
+{
+  const ScratchFolder folder;
+  const auto          without = [&folder](const double from, const double to) {
+    std::istringstream all(content_of(places::sources() + "/meshes/hexagonal_beam.txt"));
+    std::string        kept;
+    for (std::string line; std::getline(all, line);)
+      if (const double x = std::atof(line.c_str()); line.front() == '#' || x < from || x > to)
+        kept += line + "\n";
+    folder.file("beam.txt", kept);
+    return "Particles/Specimen/File=" + (folder / "beam.txt").string();
+  };
+  const std::string scene = shipped("beam_with_core.prm");
+  is_refused(folder, scene, {without(0.005, 0.035), "Particles/Specimen/Loose pieces=keep"}, "across a gap of 0.036");
+  is_refused(folder, scene, {without(0.4, 1), "Handshakes/core/Low=0.1, -1, -1", "Handshakes/core/High=1, 1, 1"},
+             "between (0.42, 0, 0) and (0.5, 0.12, 0) m the region has taken the place of elements");
+}
+
 TEST_CASE("Two regions of particles in one beam work by every method, and overlapping ones are refused by name",
           "[apps][coupled][volume][slow]")
 {

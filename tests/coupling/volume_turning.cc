@@ -251,6 +251,46 @@ TEST_CASE("volume coupling: an overlap that particles do not fill is refused, an
     }
 }
 
+TEST_CASE(
+  "volume coupling: a region that its particles do not fill is refused, and where, unless it is meant to be empty",
+  "[coupling][volume]")
+{
+  using Wide       = Bar<2>;
+  const double end = Wide::own_length, high = Wide::across * spacing, element = Wide::element;
+  const auto   made = [&](const coupling::VolumeCouplingParameters &tied_by, const auto &is_left, const bool is_notch) {
+    BarOptions<2> options;
+    const auto    all = Wide::packing();
+    options.packing.emplace();
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (is_left(all.centre[i]))
+        {
+          options.packing->centre.push_back(all.centre[i]);
+          options.packing->radius.push_back(all.radius[i]);
+        }
+    coupling::VolumeCouplingParameters p = tied_by;
+    for (double x = 0; x < end - 0.5 * element; x += element)
+      for (double y = 0; y < high - 0.5 * element; y += element)
+        p.taken.emplace_back(Vector3d(x, y, 0), Vector3d(x + element, y + element, 0));
+    if (is_notch)
+      p.empty = [&](const Vector3d &place) { return !is_left(place); };
+    Wide bar(p, options);
+  };
+  for (const auto &[name, method] : methods())
+    {
+      INFO(name);
+      const auto short_of_its_end = [&](const Vector3d &x) { return x.x() > 3.5 * element; };
+      CHECK_NOTHROW(made(
+        method, [](const Vector3d &) { return true; }, false));
+      CHECK_THROWS_WITH(made(method, short_of_its_end, false),
+                        Catch::Contains("between (0, 0, 0) and") && Catch::Contains("there are no particles"));
+      CHECK_NOTHROW(made(method, short_of_its_end, true));
+      // Two rows of particles that are missing are no hole as large as an element, and yet no bond goes across.
+      const auto cut = [&](const Vector3d &x) { return x.x() < 2 * element || x.x() > 3 * element; };
+      CHECK_THROWS_WITH(made(method, cut, false),
+                        Catch::Contains("across a gap of 0.03 m between the centres (0.035, "));
+    }
+}
+
 TEST_CASE("volume coupling: slaved mass moves with the solid from the start, and its energy is counted",
           "[coupling][volume]")
 {

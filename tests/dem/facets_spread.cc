@@ -42,9 +42,10 @@ namespace
       dem::contact_zones(near, centre, look, room);
       dem::ContactZone zone = *room.zones.begin();
       zone.overlap -= look - radius;
-      dem::SpreadContact found;
-      REQUIRE(footprint.spread(mesh, place, zone, {{centre, radius}}, radius, found));
-      return found;
+      dem::SpreadRoom                        room_of_spread;
+      const std::vector<dem::StandingSphere> alone = {{centre, radius}};
+      REQUIRE(footprint.spread(mesh, place, zone, {alone, radius, {}}, room_of_spread));
+      return room_of_spread.found;
     }
   };
 } // namespace

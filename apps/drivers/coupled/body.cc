@@ -132,6 +132,7 @@ namespace apps
               }
             add(column_name(coupling.name) + "_work", "J");
             add(column_name(coupling.name) + "_made", "J");
+            add(column_name(coupling.name) + "_made_by_contacts", "J");
           }
         for (const postprocess::SeriesColumn &column : touching.columns())
           all.push_back(column);
@@ -201,7 +202,7 @@ namespace apps
             values.push_back(static_cast<double>(touched.touching));
             if (coupling++->bond.given())
               add(std::initializer_list<double>{static_cast<double>(touched.glued), static_cast<double>(touched.torn)});
-            add(std::initializer_list<double>{balance.work_on_solid, balance.made_in_all()});
+            add(std::initializer_list<double>{balance.work_on_solid, balance.made(), balance.contacts});
             made += balance.made(); // what contacts make, the residual of the particles shows already
           }
         add(touching.values());
@@ -238,8 +239,8 @@ namespace apps
                                              "than Energy limit = {} of the "
                                              "largest energy, {:.3g} J. {}",
                                              coupling->name, time(), made, coupling->energy_limit, largest_energy,
-                                             std::fabs(balance.spreading) > std::fabs(balance.made()) ?
-                                               "Set its Spreading = none, or let particles touch flat faces." :
+                                             std::fabs(balance.contacts) > std::fabs(balance.made()) ?
+                                               remedy_of_contacts(*coupling) :
                                                remedy(made, coupling->energy_limit)));
             ++coupling;
           }
@@ -445,6 +446,15 @@ namespace apps
         coupling::VolumeCouplingParameters made = handshake.parameters(element, fastest);
         made.others                             = model.handshakes.others_of(handshake);
         both.add_volume(made);
+      }
+
+      /** Where contacts at points are on dented or round faces. */
+      static std::string remedy_of_contacts(const CouplingSection &coupling)
+      {
+        return coupling.spreading == coupling::Spreading::none ?
+                 "In dents contacts at points are not conservative: set its Spreading = automatic, or Contact = "
+                 "pressure." :
+                 "On faces that were not flat spread contacts are not conservative: set its Contact = pressure.";
       }
 
       /** What makes less: it is in proportion to the longer of both steps. */

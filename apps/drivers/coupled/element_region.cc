@@ -123,6 +123,19 @@ namespace apps
         return found;
       }
 
+      std::vector<Eigen::AlignedBox3d> boxes_of(const Set &elements) const override
+      {
+        std::vector<Eigen::AlignedBox3d> boxes;
+        for (const auto &cell : mesh.triangulation->active_cell_iterators())
+          if (elements.count(cell->active_cell_index()) != 0)
+            {
+              boxes.emplace_back();
+              for (const unsigned int v : cell->vertex_indices())
+                boxes.back().extend(in_space<dim>(cell->vertex(v)));
+            }
+        return boxes;
+      }
+
       Vector3d centre_of(const unsigned int element) const override { return centres.at(element); }
 
       unsigned int with_centre(const Vector3d &place) const override

@@ -2,7 +2,7 @@
 
 #include "apps/drivers/continuum/mesh.h"
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <functional>
 #include <memory>
@@ -30,8 +30,9 @@ namespace apps
     /** These, and those all of whose corners are theirs: they could not be left of a mesh without them. */
     virtual Set filled(const Set &elements) const = 0;
     /** With a corner at one of these places, and those with a corner nearer to one of such an element than a distance [m]. */
-    virtual Set             around(const std::vector<Eigen::Vector3d> &places, double distance) const = 0;
-    virtual Eigen::Vector3d centre_of(unsigned int element) const                                     = 0;
+    virtual Set around(const std::vector<Eigen::Vector3d> &places, double distance) const = 0;
+    virtual std::vector<Eigen::AlignedBox3d> boxes_of(const Set &elements) const          = 0; ///< around each [m]
+    virtual Eigen::Vector3d                  centre_of(unsigned int element) const        = 0;
     /** The element that has its centre there. @pre there is one */
     virtual unsigned int with_centre(const Eigen::Vector3d &place) const = 0;
 

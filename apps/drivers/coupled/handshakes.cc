@@ -140,8 +140,10 @@ namespace apps
                                                                   const double wave_speed) const
   {
     coupling::VolumeCouplingParameters made;
-    made.name          = name;
-    made.overlap       = overlap();
+    const auto                         mesh = elements_of(solid->mesh, solid->solid.dimension);
+    made.name                               = name;
+    made.overlap                            = overlap();
+    made.taken         = mesh->boxes_of(mesh->within([this](const Vector3d &place) { return takes(place); }));
     made.method        = method;
     made.compatibility = ties == Ties::coarse ? coupling::Compatibility::coarse : coupling::Compatibility::strict;
     made.lumped        = ties == Ties::lumped;
@@ -194,12 +196,15 @@ namespace apps
     };
   }
 
-  bool HandshakesSection::is_taken(const Vector3d &place) const
+  bool HandshakeSection::takes(const Vector3d &place) const
   {
     constexpr double rounding = 1e-9;
-    return std::any_of(handshakes.begin(), handshakes.end(), [&](const HandshakeSection &h) {
-      return h.overlap().distance(place) <= rounding * (1 + place.cwiseAbs().maxCoeff());
-    });
+    return overlap().distance(place) <= rounding * (1 + place.cwiseAbs().maxCoeff());
+  }
+
+  bool HandshakesSection::is_taken(const Vector3d &place) const
+  {
+    return std::any_of(handshakes.begin(), handshakes.end(), [&](const HandshakeSection &h) { return h.takes(place); });
   }
 
   bool HandshakesSection::may_hold(const Vector3d &place) const

@@ -57,6 +57,8 @@ namespace apps
     bool             promotes() const { return promote_at > 0; }
     /** @param element_size of the solid in the overlap [m] @param wave_speed of compression there [m/s] */
     coupling::VolumeCouplingParameters parameters(double element_size, double wave_speed) const;
+    /** Whether the particles have the place of elements there. */
+    bool takes(const Eigen::Vector3d &place) const;
 
   private:
     const ContinuumModel                                  *solid = nullptr;

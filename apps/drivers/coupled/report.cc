@@ -82,7 +82,9 @@ namespace apps
       if (name.rfind(all, 0) == 0)
         terms[name.substr(all.size())] = series.column(name).back();
     for (const CouplingSection &coupling : model.couplings.couplings)
-      terms["made_by_couplings"][coupling.name] = series.column(column_name(coupling.name) + "_made").back();
+      for (const char *maker : {"made", "made_by_contacts"})
+        terms[std::string(maker) == "made" ? "made_by_couplings" : maker][coupling.name] =
+          series.column(column_name(coupling.name) + "_" + maker).back();
     for (const HandshakeSection &handshake : model.handshakes.handshakes)
       {
         terms["made_by_couplings"][handshake.name] = series.column(column_name(handshake.name) + "_made").back();

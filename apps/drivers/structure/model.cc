@@ -114,14 +114,18 @@ namespace apps
       solid.refuse("Body force", "elements that become particles would lose it: leave out Promote at, or the force.");
   }
 
+  bool StructureModel::is_void(const Eigen::Vector3d &place) const
+  {
+    return std::any_of(voids.begin(), voids.end(),
+                       [&](const VoidSection &empty) { return empty.region.holds(place, dimension); });
+  }
+
   dem::Packing StructureModel::packing(std::optional<dem::Packing> *const cell) const
   {
     const dem::Packing whole = specimen_particles(source, dimension, cell);
     dem::Packing       kept  = particles_where(whole, [&](const std::size_t i) {
       const Eigen::Vector3d &place = whole.centre[i];
-      return (!has_solid() || handshakes.may_come_to_hold(place)) &&
-             std::none_of(voids.begin(), voids.end(),
-                                 [&](const VoidSection &empty) { return empty.region.holds(place, dimension); });
+      return (!has_solid() || handshakes.may_come_to_hold(place)) && !is_void(place);
     });
     if (kept.size() == 0)
       throw base::InputError(

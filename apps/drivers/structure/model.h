@@ -59,6 +59,7 @@ namespace apps
     void validate(const Section &root) const;
 
     bool has_solid() const { return !handshakes.empty(); }
+    bool is_void(const Eigen::Vector3d &place) const;
     /** Of the specimen what is in no void and, beside a solid, may come to be in a region or its overlap. @param cell as specimen_particles() has it @throws as make_packing() */
     dem::Packing packing(std::optional<dem::Packing> *cell = nullptr) const;
     /** Of the particles, where there is a solid and they are known. @param cell as packing() gives it */

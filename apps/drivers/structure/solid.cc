@@ -25,7 +25,7 @@ namespace apps
       SurroundingSolid(const StructureModel &model, const HandshakesSection &handshakes, dem::LoadedNetwork particles)
         : solid(made(model, handshakes))
         , plane_model(model.continuum.solid)
-        , both(std::move(particles), *solid, parameters(handshakes))
+        , both(std::move(particles), *solid, parameters(model, handshakes))
         , gauges(*solid, model.continuum)
       {
         // What is linear neither loses energy nor is damaged.
@@ -176,13 +176,15 @@ namespace apps
         return make_solid<dim>(model.continuum, taken);
       }
 
-      static std::vector<coupling::VolumeCouplingParameters> parameters(const HandshakesSection &handshakes)
+      static std::vector<coupling::VolumeCouplingParameters> parameters(const StructureModel    &model,
+                                                                        const HandshakesSection &handshakes)
       {
         std::vector<coupling::VolumeCouplingParameters> all;
         for (const HandshakeSection &handshake : handshakes.handshakes)
           {
             all.push_back(handshake.parameters(0, 0)); // nothing is absorbed
             all.back().others = handshakes.others_of(handshake);
+            all.back().empty  = [&model](const Eigen::Vector3d &place) { return model.is_void(place); };
           }
         return all;
       }
