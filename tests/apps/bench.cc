@@ -160,9 +160,7 @@ TEST_CASE(
   CHECK_THAT(content_of(folder / "bench/conservation.md"), Contains("| Both to 1e-12 |"));
 }
 
-TEST_CASE("bench conservation: every way of coupling keeps both momenta of every motion, and energy the better the "
-          "smaller the step",
-          "[apps][slow]")
+TEST_CASE("bench conservation: every way of coupling keeps both momenta of every motion to rounding", "[apps][slow]")
 {
   const ScratchFolder folder;
   const Outcome       outcome = run(folder.path(), {"bench", "conservation", "-o", "bench"});
