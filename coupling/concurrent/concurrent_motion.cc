@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace coupling
 {
@@ -73,11 +74,14 @@ namespace coupling
     // Sub-cycled, a contact alone is stable up to lambda T^2 = 2 for the side that takes the long step
     // (doc/theory/surface-coupling.md, 2). Particles' own step has lambda T^2 <= 2 f^2, f their step factor.
     constexpr double calm_phase = 1.2;
-    const double     calm       = stiffest > 0 ? std::min(of_solid, calm_phase / std::sqrt(stiffest)) : of_solid;
+    const double     stable     = stiffest > 0 ? std::min(of_solid, calm_phase / std::sqrt(stiffest)) : of_solid;
+    const double     calm       = std::min(stable, sub_cycling.longest_window(std::min(of_solid, of_particles)));
     const double     calm_particles =
-      of_particles * std::min(1.0, calm_phase / (std::sqrt(2.0) * specimen.parameters().step_factor));
-    const auto parts = [&](const double longer, const double shorter) {
-      return static_cast<int>(std::clamp(std::floor(longer / shorter), 1.0, static_cast<double>(largest_ratio)));
+      std::min(of_particles * std::min(1.0, calm_phase / (std::sqrt(2.0) * specimen.parameters().step_factor)),
+               largest_ratio > 1 && of_particles > of_solid ? sub_cycling.longest_window(of_solid, power_of_gliding()) :
+                                                              of_particles);
+    const auto parts = [&](const double longer, const double step) {
+      return static_cast<int>(std::clamp(std::floor(longer / step), 1.0, static_cast<double>(largest_ratio)));
     };
     WindowSteps steps;
     steps.particles      = parts(calm, of_particles);
@@ -92,8 +96,21 @@ namespace coupling
   template <int dim>
   WindowSteps ConcurrentMotion<dim>::advance(const double rest)
   {
+    // Before looking, which puts vertices to where nodes are: that is work, too.
+    const double before = largest_ratio > 1 ? made() : 0;
     look();
-    const WindowSteps steps = next_window(rest);
+    const WindowSteps taken = take(next_window(rest));
+    if (largest_ratio == 1)
+      return taken;
+    sub_cycling.note(taken, made() - before);
+    const fem::ExplicitEnergy &of_solid = motion.energy();
+    sub_cycling.note_energy(std::max(specimen.kinetic_energy(), of_solid.kinetic + std::fabs(of_solid.internal)));
+    return taken;
+  }
+
+  template <int dim>
+  WindowSteps ConcurrentMotion<dim>::take(const WindowSteps &steps)
+  {
     if (!handshakes.empty())
       handshake(steps);
     else if (steps.particles > 1)
@@ -103,6 +120,38 @@ namespace coupling
     else
       move_together(steps);
     return steps;
+  }
+
+  template <int dim>
+  double ConcurrentMotion<dim>::power_of_gliding() const
+  {
+    std::map<std::size_t, Eigen::Vector3d> forces; // in the order of particles
+    for (const dem::WallContact &contact : specimen.wall_contacts())
+      if (std::any_of(couplings.begin(), couplings.end(),
+                      [&](const auto &coupling) { return coupling->surface() == contact.surface; }))
+        forces.emplace(contact.particle, Eigen::Vector3d::Zero()).first->second += contact.force;
+    double sum = 0;
+    for (const auto &[particle, force] : forces)
+      sum += 0.5 * force.squaredNorm() / specimen.particle(particle).mass;
+    return sum;
+  }
+
+  template <int dim>
+  double ConcurrentMotion<dim>::made() const
+  {
+    double sum = 0;
+    if (!handshakes
+           .empty()) // slaves that move nodes on within a window leave the solid with energy that no force has brought
+      {
+        const fem::ExplicitEnergy &e = motion.energy();
+        sum                          = e.kinetic + e.internal + e.damped - e.external - e.start;
+      }
+    for (const auto &c : couplings)
+      sum += c->balance().made();
+    for (const auto &h : handshakes)
+      if (!h->loses_by_itself())
+        sum += h->balance().made();
+    return sum;
   }
 
   template <int dim>
@@ -264,6 +313,7 @@ namespace coupling
     visitor.scalar("stiffest_contacts", stiffest);
     visitor.scalar("last_particle_step", last_particle_step);
     visitor.scalar("last_solid_step", last_solid_step);
+    sub_cycling.visit_state(visitor);
     for (const auto &c : couplings)
       c->visit_state(visitor);
     for (const auto &h : handshakes)

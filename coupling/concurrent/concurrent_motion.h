@@ -1,5 +1,7 @@
 #pragma once
 
+#include "coupling/concurrent/sub_cycling_loss.h"
+#include "coupling/concurrent/window_steps.h"
 #include "coupling/contact/rigid_bodies.h"
 #include "coupling/contact/solid_contacts.h"
 #include "coupling/participants/particle_participant.h"
@@ -12,21 +14,14 @@
 
 namespace coupling
 {
-  /** A time in which both sides move on, and how many steps of either it holds: one at least of the two takes a single one. */
-  struct WindowSteps
-  {
-    double window    = 0; ///< [s]
-    int    particles = 1;
-    int    solid     = 1;
-  };
-
   /**
    * Particles and a solid that move together, a step of the solid after another (doc/theory/surface-coupling.md, 2): adapters carry the
    * solid's motion to the particles, and their forces back.
    *
    * Synchronous by default: both sides feel the force of where both are at t_n, and move with it; momentum is kept and the power of both
    * sides is equal to rounding. Sub-cycled, the side whose stable step is the shorter one takes several steps in one of the other, which moves
-   * on through them as it came, and then feels their mean force. Momentum is kept, energy to first order in the longer step.
+   * on through them as it came, and then feels their mean force. Momentum is kept, energy to first order in the longer step:
+   * SubCyclingLoss says how long a window may be.
    */
   template <int dim>
   class ConcurrentMotion
@@ -57,6 +52,9 @@ namespace coupling
 
     /** Steps of either side in one of the other, at most. 1: both take the same. */
     void set_largest_ratio(int ratio) { largest_ratio = ratio; }
+    /** What such windows may lose, as a part of the largest energy: they are as long as that allows. 1: whatever is lost. */
+    void                  set_sub_cycling_loss(double part) { sub_cycling.set_part(part); }
+    const SubCyclingLoss &sub_cycling_loss() const { return sub_cycling; }
 
     /**
      * Longest step of the solid now, contacts included [s]: 2 s / sqrt(omega^2 + max_i sum_c k_c N_i / m_i), omega its own largest
@@ -78,8 +76,13 @@ namespace coupling
     /** Whether the forces of surfaces have reached the particles for less time than their own step lasted. */
     bool after_glide() const { return last_solid_step < last_particle_step; }
     /** Forces of surfaces where everything is now, and how stiff they have become. */
-    void look();
-    void sub_cycle_particles(const WindowSteps &steps);
+    void        look();
+    WindowSteps take(const WindowSteps &steps);
+    /** By all couplings so far, but for those that lose by themselves whatever the ratio [J]. */
+    double made() const;
+    /** p of SubCyclingLoss where particles glide: half the sum of force squared over mass, of what touches surfaces [W/s]. */
+    double power_of_gliding() const;
+    void   sub_cycle_particles(const WindowSteps &steps);
     /** @return what was taken, less where new contacts ask for shorter steps */
     WindowSteps sub_cycle_solid(WindowSteps steps);
     void        move_together(const WindowSteps &steps);
@@ -104,7 +107,8 @@ namespace coupling
     SolidContacts<dim>                                 body_contacts;
     RigidBodies<dim>                                   rigid_bodies;
     int                                                largest_ratio = 1;
-    double                                             stiffest      = 0; ///< sum of added eigenvalues so far [1/s^2]
-    double last_particle_step = 0, last_solid_step = 0;                   ///< [s]; 0: none yet
+    SubCyclingLoss                                     sub_cycling;
+    double                                             stiffest = 0; ///< sum of added eigenvalues so far [1/s^2]
+    double last_particle_step = 0, last_solid_step = 0;              ///< [s]; 0: none yet
   };
 } // namespace coupling

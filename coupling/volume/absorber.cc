@@ -31,7 +31,7 @@ namespace coupling
       carriers.masses.insert(carriers.masses.end(), all.point_mass.data(),
                              all.point_mass.data() + all.point_mass.size());
       carriers.rates.resize(carriers.masses.size(), 0.0);
-      return {carriers, parameters.spacing, all.dimension, parameters.sharpness};
+      return {carriers, parameters.spacing, all.dimension, parameters.sharpness, all.components};
     }
   } // namespace
 

@@ -22,6 +22,7 @@ namespace coupling
   struct AbsorberCarriers
   {
     int                          dimension = 3;
+    dem::SplineGrid::Components  components;        ///< of velocities that can be other than zero
     std::vector<Eigen::Vector3d> places;            ///< of the particles [m]
     Eigen::VectorXd              whole_mass;        ///< of the particles, as if they shared with nobody [kg]
     Eigen::VectorXd              damping;           ///< of the particles: rate times mass [kg/s]

@@ -100,7 +100,12 @@ namespace coupling
             continue;
           }
         groups.emplace_back();
-        groups.back().axes                  = {c};
+        groups.back().axes = {c};
+        if (parts.size() == 0 && !lumped && (of_axis.array() > 0).all())
+          {
+            factor_riding(groups.back(), of_axis, of_axis_nodes);
+            continue;
+          }
         const Eigen::SparseMatrix<double> a = rows_on_particles * of_axis.asDiagonal() * of_particles +
                                               rows_on_nodes * of_axis_nodes.asDiagonal() * of_nodes;
         if (lumped)
@@ -111,6 +116,37 @@ namespace coupling
           }
         else
           factor(groups.back(), a);
+      }
+  }
+
+  void Multipliers::factor_riding(Group &group, const VectorXd &particles, const VectorXd &nodes) const
+  {
+    // Of A = m^-1 + N M^-1 N^T only M + N^T m N, as small as there are nodes, has to be factored (Woodbury).
+    group.riding                       = particles.cwiseInverse();
+    Eigen::SparseMatrix<double> system = of_nodes * group.riding.asDiagonal() * rows_on_nodes;
+    const VectorXd              free   = nodes.unaryExpr([](const double inverse) { return inverse > 0 ? 1.0 : 0.0; });
+    system                             = free.asDiagonal() * system * free.asDiagonal();
+    const VectorXd own = nodes.unaryExpr([](const double inverse) { return inverse > 0 ? 1 / inverse : 1.0; });
+    Eigen::SparseMatrix<double> masses(system.rows(), system.cols());
+    masses.setIdentity();
+    masses       = own.asDiagonal() * masses;
+    group.factor = Factor(system + masses);
+    if (!group.factor.valid)
+      throw std::runtime_error("the masses that particles and nodes have together cannot be factored.");
+  }
+
+  void Multipliers::follow(const Group &group, const CarrierRows &lacking, CarrierChanges &change) const
+  {
+    CarrierRows right = of_nodes * (group.riding.asDiagonal() * lacking), nodes;
+    for (Eigen::Index k = 0; k < right.rows(); ++k)
+      if (!(inverse_nodes(k, group.axes.front()) > 0))
+        right.row(k).setZero();
+    group.factor.solve(right, nodes);
+    const CarrierRows at_particles = rows_on_nodes * nodes;
+    for (const int c : group.axes)
+      {
+        change.nodes.col(c)     = nodes.col(c);
+        change.particles.col(c) = at_particles.col(c) - lacking.col(c);
       }
   }
 
@@ -134,10 +170,17 @@ namespace coupling
     CarrierRows       lambda  = CarrierRows::Zero(lacking.rows(), 3);
     for (const Group &group : groups)
       {
+        if (group.riding.size() > 0)
+          continue;
         const CarrierRows found = solve(group, lacking);
         for (const int c : group.axes)
           lambda.col(c) = found.col(c);
       }
-    return {-inverse_particles.cwiseProduct(of_particles * lambda), inverse_nodes.cwiseProduct(of_nodes * lambda)};
+    CarrierChanges change{-inverse_particles.cwiseProduct(of_particles * lambda),
+                          inverse_nodes.cwiseProduct(of_nodes * lambda)};
+    for (const Group &group : groups)
+      if (group.riding.size() > 0)
+        follow(group, lacking, change);
+    return change;
   }
 } // namespace coupling

@@ -60,10 +60,16 @@ namespace coupling
       Factor                      factor;
       Eigen::SparseMatrix<double> system; ///< where the factor is not that of the very system
       Eigen::VectorXd             lumped; ///< inverse of the summed rows; empty: there is a factor
+      Eigen::VectorXd
+        riding; ///< masses of particles that all follow the nodes: the factor is that of these [kg]; else empty
     };
 
     static void factor(Group &group, const Eigen::SparseMatrix<double> &system);
+    /** Where every particle can follow. */
+    void        factor_riding(Group &group, const Eigen::VectorXd &particles, const Eigen::VectorXd &nodes) const;
     CarrierRows solve(const Group &group, const CarrierRows &right) const;
+    /** Along the axes of a group. @param lacking of each particle */
+    void follow(const Group &group, const CarrierRows &lacking, CarrierChanges &change) const;
 
     WeightRows         rows_on_particles, rows_on_nodes; ///< constraint = first * particles - second * nodes
     WeightRows         of_particles, of_nodes;           ///< their transposes

@@ -29,6 +29,7 @@ namespace coupling
   {
     AbsorberCarriers all;
     all.dimension  = dim;
+    all.components = {0, dim};
     all.places     = places;
     all.whole_mass = whole_mass;
     Eigen::VectorXd rates(mass.rows());
@@ -55,7 +56,9 @@ namespace coupling
     const Index rows = mass.rows();
     inertia = inverse_inertia = CarrierRows::Zero(rows, 3);
     AbsorberCarriers all;
-    all.dimension  = dim;
+    all.dimension = dim;
+    if (dim == 2)
+      all.components = {2, 1}; // about the normal of the plane
     all.places     = places;
     all.whole_mass = all.damping = Eigen::VectorXd(rows);
     for (Index k = 0; k < rows; ++k)

@@ -30,6 +30,7 @@ namespace coupling
     , own(parameters)
     , node_map(solid_, participant_)
     , turns(solid_.options().large_displacement && parameters.method != VolumeMethod::multipliers)
+    , far(solid_.options().large_displacement)
     , predicted(solid_.make_vector())
   {
     refuse_order_2_where_masses_are_negative();
@@ -44,6 +45,7 @@ namespace coupling
       find_stiffness_of_slaves();
     if (own.absorbs)
       make_absorber();
+    place_nodes();
     shared_bonds = count_shared_bonds().first;
   }
 
@@ -207,16 +209,11 @@ namespace coupling
   }
 
   template <int dim>
-  void VolumeCoupling<dim>::tie(const double steps)
+  void VolumeCoupling<dim>::place_nodes()
   {
-    // A step that is the window but for rounding is the window.
-    const double wanted = std::fabs(steps - 1) < 1e-9 ? 1.0 : steps;
-    if (multipliers && std::fabs(wanted - ratio) <= 1e-9 * ratio)
-      return;
-    ratio = wanted;
-    multipliers.emplace(weights_of(at_particles, overlapping, overlap_nodes), inverse_mass.topRows(overlapping),
-                        ratio * inverse_node_mass.topRows(overlap_nodes),
-                        own.compatibility == Compatibility::coarse ? parts : Eigen::VectorXd(), own.lumped);
+    undeformed = CarrierRows::Zero(node_mass.rows(), 3);
+    for (std::size_t k = 0; k < node_map.nodes().size(); ++k)
+      undeformed.row(static_cast<Index>(k)) = participant.place(node_map.nodes()[k]);
   }
 
   template <int dim>
@@ -224,9 +221,6 @@ namespace coupling
   {
     weigh_nodes();
     slaves_now.turn.resize(overlapping);
-    undeformed = CarrierRows::Zero(node_mass.rows(), 3);
-    for (std::size_t k = 0; k < node_map.nodes().size(); ++k)
-      undeformed.row(static_cast<Index>(k)) = participant.place(node_map.nodes()[k]);
     Eigen::VectorXd seen = Eigen::VectorXd::Zero(node_mass.rows());
     for (const Entry &e : at_particles)
       seen[static_cast<Index>(e.node)] += e.weight * specimen.stiffness_around(watched[e.row]);
@@ -253,9 +247,10 @@ namespace coupling
     to       = of_nodes(predicted);
     velocity = from;
     path     = CarrierRows::Zero(from.rows(), 3);
-    if (turns || of_bond_ends.nonZeros() > 0)
+    if (far || of_bond_ends.nonZeros() > 0)
       displaced = of_nodes(motion.displacement());
     gone             = 0;
+    turn_given       = Vector3d::Zero();
     impulse_together = impulse_absorber = impulse_twice = CarrierRows::Zero(from.rows(), 3);
   }
 
@@ -278,70 +273,6 @@ namespace coupling
         lead(correction, first);
         path += step * velocity;
         gone += step;
-      }
-  }
-
-  template <int dim>
-  std::size_t VolumeCoupling<dim>::corrected_in(const double kick)
-  {
-    // Kicks further apart than half the period of a wave turn it round; particles hardly carry any of four steps.
-    constexpr int most_steps = 2;
-    absorbs_now              = absorber && (steps_waited + 1 >= most_steps || waited + 2 * kick > longest_absorption());
-    return absorbs_now ? watched.size() : overlapping;
-  }
-
-  template <int dim>
-  void VolumeCoupling<dim>::constrain(CorrectedRows &now, CarrierRows &together)
-  {
-    const Index          shared = multipliers->nodes();
-    const CarrierChanges change = multipliers->changes(now.topRows(together.rows()), velocity.topRows(shared));
-    together += change.particles;
-    now.topRows(together.rows()) += change.particles;
-    velocity.topRows(shared) += change.nodes;
-    impulse_together.topRows(shared) += node_mass.topRows(shared).cwiseProduct(change.nodes) / ratio;
-  }
-
-  template <int dim>
-  void VolumeCoupling<dim>::keep_together(dem::StepCorrection &correction,
-                                          const std::size_t    first,
-                                          const CarrierRows   &nodes_before)
-  {
-    const auto rows   = static_cast<Index>(absorbs_now ? watched.size() : overlapping),
-               shared = static_cast<Index>(overlapping);
-    const double kick = correction.half_before + correction.half_after;
-    waited += kick;
-    ++steps_waited;
-    const Eigen::OuterStride<> stride(axes);
-    const CorrectedRows        before(const_cast<double *>(&correction.before[axes * first]), rows, 3, stride);
-    CorrectedRows              now(&correction.velocity[axes * first], rows, 3, stride);
-    CarrierRows                together = CarrierRows::Zero(shared, 3), absorbed;
-    constrain(now, together);
-    if (absorbs_now)
-      {
-        absorbed = absorb(before, now, nodes_before, waited);
-        constrain(now, together);
-        if (spin_absorber)
-          absorb_spins(correction, first, waited);
-        waited       = 0;
-        steps_waited = 0;
-      }
-    for (Index k = 0; k < rows; ++k)
-      {
-        const Vector3d mean    = (correction.half_before * before.row(k) + correction.half_after * now.row(k)) / kick;
-        Vector3d       impulse = Vector3d::Zero();
-        if (absorbs_now)
-          {
-            impulse = mass.row(k).cwiseProduct(absorbed.row(k));
-            exchanged.absorbed -= impulse.dot(mean);
-          }
-        if (k < shared)
-          {
-            const Vector3d tied = mass.row(k).cwiseProduct(together.row(k));
-            exchanged.work_on_particles += tied.dot(mean);
-            impulse += tied;
-          }
-        exchanged.to_particles += impulse;
-        exchanged.turn_to_particles += places[static_cast<std::size_t>(k)].cross(impulse);
       }
   }
 
@@ -445,13 +376,16 @@ namespace coupling
     const auto &nodes = node_map.nodes();
     // Slaves have moved nodes on as they went; multipliers have spread their impulses over the window.
     const bool apart = own.method != VolumeMethod::multipliers && !path.isApprox(window * velocity);
+    if (own.method == VolumeMethod::multipliers && far)
+      keep_turning();
+    exchanged.turn_to_particles += turn_given;
     if (own.method == VolumeMethod::multipliers)
       velocity = to + inverse_node_mass.cwiseProduct(impulse_together + impulse_absorber);
     const CarrierRows mean = 0.5 * (from + velocity);
     exchanged.work_on_solid += impulse_together.cwiseProduct(mean).sum();
     exchanged.twice += impulse_twice.cwiseProduct(mean).sum();
     exchanged.absorbed -= impulse_absorber.cwiseProduct(mean).sum();
-    const CarrierRows impulse = impulse_together + impulse_absorber;
+    const CarrierRows impulse = impulse_together + impulse_absorber, places_of_nodes = far ? nodes_now() : undeformed;
     for (std::size_t k = 0; k < nodes.size(); ++k)
       {
         const auto     row    = static_cast<Index>(k);
@@ -466,7 +400,7 @@ namespace coupling
           motion.carry(participant.displacements(nodes[k])[static_cast<std::size_t>(c)], path(row, c));
         exchanged.to_solid += given;
         if (!turns)
-          exchanged.turn_to_solid += participant.place(nodes[k]).cross(given);
+          exchanged.turn_to_solid += Vector3d(places_of_nodes.row(row)).cross(given);
       }
   }
 

@@ -19,7 +19,7 @@ namespace coupling
   struct VolumeBalance
   {
     Eigen::Vector3d to_particles = Eigen::Vector3d::Zero(), to_solid = Eigen::Vector3d::Zero(); ///< momentum [N s]
-    /** Angular momentum about the origin, undeformed, unless slaves turn with a solid of large displacements [N m s] */
+    /** Angular momentum about the origin: undeformed, where the solid's displacements are small [N m s] */
     Eigen::Vector3d turn_to_particles = Eigen::Vector3d::Zero(), turn_to_solid = Eigen::Vector3d::Zero();
     double          work_on_particles = 0, work_on_solid = 0; ///< of what keeps them together [J]
     double          absorbed = 0;                             ///< by the absorber, from both [J]
@@ -71,7 +71,9 @@ namespace coupling
     std::size_t damaged_bonds() const;
 
     const VolumeBalance &balance() const { return exchanged; }
-    const std::string   &name() const { return own.name; }
+    /** In every step, whatever its length: lumped ties. */
+    bool               loses_by_itself() const { return own.lumped; }
+    const std::string &name() const { return own.name; }
     /** Bound of what slaved particles add to the squares of the solid's frequencies [1/s^2]. */
     double added_eigenvalue() const { return added; }
 
@@ -94,6 +96,9 @@ namespace coupling
     /** What bonds to slaves bear in elements, as long as they have these bonds. @return mass that slaves have beside elements, over their whole one */
     std::vector<double> find_bond_ends();
     void                weigh_nodes();
+    void                place_nodes(); ///< undeformed
+    /** Nodes take what the angular momentum of the window lacks, where ties let particles slip or have acted on the way. */
+    void keep_turning();
     /** Multipliers for so many steps of the particles in one of the solid. */
     void tie(double steps);
     void make_absorber();
@@ -114,6 +119,8 @@ namespace coupling
     void                        keep_account_of_slaves(const dem::StepCorrection         &correction,
                                                        std::size_t                        first,
                                                        const std::vector<const double *> &pulls);
+    /** Of one of the watched when the step's forces act: undeformed, where the solid's displacements are small [m]. */
+    Eigen::Vector3d place_at_kick(std::size_t k) const;
     /** @param before velocities of the nodes before the step */
     void keep_together(dem::StepCorrection &correction, std::size_t first, const CarrierRows &before);
     /** Its parts. @param together what multipliers change of particles is added */
@@ -134,6 +141,7 @@ namespace coupling
     std::vector<BondEnd>         ends;          ///< where they turn, in place of that
     std::vector<Entry>           at_ends;       ///< likewise: weights of nodes at the ends, two of each
     bool                         turns = false; ///< slaves, as far as the solid does
+    bool                         far = false; ///< displacements are large: moments are those of where everything is now
     std::vector<std::size_t>     watched;
     std::vector<Eigen::Vector3d> places; ///< of the watched, undeformed [m]
     std::size_t                  overlapping = 0;
@@ -151,18 +159,19 @@ namespace coupling
     std::int64_t                     steps_waited = 0;
     bool                             absorbs_now  = false;
 
-    double        window = 0;         ///< that has begun [s]
-    fem::Vector   predicted;          ///< velocities at its end, if nothing of here pushed [m/s]
-    CarrierRows   from, to, velocity; ///< of the nodes: at its start, as predicted for its end, now [m/s]
-    CarrierRows   path;               ///< of the nodes in it so far [m]
-    CarrierRows   displaced;          ///< of slaves' nodes at its start [m]
-    CarrierRows   undeformed;         ///< places of the same [m]
-    PlacesNow     slaves_now;         ///< where they turn
-    double        gone = 0;           ///< of it so far [s]
-    CarrierRows   impulse_together, impulse_absorber; ///< on the nodes in it [N s]
-    CarrierRows   impulse_twice; ///< of the first that part which takes off what bonds bear in elements
-    VolumeBalance exchanged;
-    std::size_t   shared_bonds = 0;
+    double          window = 0;         ///< that has begun [s]
+    fem::Vector     predicted;          ///< velocities at its end, if nothing of here pushed [m/s]
+    CarrierRows     from, to, velocity; ///< of the nodes: at its start, as predicted for its end, now [m/s]
+    CarrierRows     path;               ///< of the nodes in it so far [m]
+    CarrierRows     displaced;          ///< of the nodes at its start, where that counts [m]
+    CarrierRows     undeformed;         ///< places of the same [m]
+    PlacesNow       slaves_now;         ///< where they turn
+    double          gone = 0;           ///< of it so far [s]
+    CarrierRows     impulse_together, impulse_absorber; ///< on the nodes in it [N s]
+    CarrierRows     impulse_twice; ///< of the first that part which takes off what bonds bear in elements
+    Eigen::Vector3d turn_given = Eigen::Vector3d::Zero(); ///< to the particles in it [N m s]
+    VolumeBalance   exchanged;
+    std::size_t     shared_bonds = 0;
 
     // Looking at all bonds costs as much as many steps: once per step of the particles that asks.
     mutable std::int64_t counted_at = -1;

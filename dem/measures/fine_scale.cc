@@ -17,12 +17,13 @@ namespace dem
     }
   } // namespace
 
-  FineScaleFilter::FineScaleFilter(const Carriers &carriers,
-                                   const double    spacing,
-                                   const int       dimension,
-                                   const int       sharpness_)
+  FineScaleFilter::FineScaleFilter(const Carriers               &carriers,
+                                   const double                  spacing,
+                                   const int                     dimension,
+                                   const int                     sharpness_,
+                                   const SplineGrid::Components &components)
     : sharpness(sharpness_)
-    , grid(carriers.places, spacing, dimension)
+    , grid(carriers.places, spacing, dimension, components)
   {
     const std::size_t count  = carriers.places.size();
     Vector3d          centre = Vector3d::Zero();
@@ -39,7 +40,7 @@ namespace dem
     const auto   knots = static_cast<Index>(grid.knots());
     base::Column values(SplineGrid::record * count), field;
     for (std::size_t k = 0; k < count; ++k)
-      values[SplineGrid::record * k] = 1;
+      values[SplineGrid::record * k + components.first] = 1;
     grid.spread(values, masses, field);
     knot_mass    = Eigen::Map<VectorXd>(field.data(), knots);
     inverse_mass = inverse_of(knot_mass);
@@ -55,16 +56,15 @@ namespace dem
       affine.row(n).tail(dimension) =
         (grid.place_of_knot(static_cast<std::size_t>(n)) - centre).head(dimension).transpose();
     MatrixXd places(count, dimension + 1);
-    for (std::size_t k = 0; k < count; ++k)
+    places.col(0).setOnes();
+    for (int d = 0; d < dimension; ++d) // one after the other: the grid may have a single column
       {
-        Vector3d away = carriers.places[grid.order()[k]] - centre;
-        if (dimension == 2)
-          away.z() = 0;
-        Eigen::Map<Vector3d>{&values[SplineGrid::record * k]} = away;
-        places.row(static_cast<Index>(k)) << 1, away.head(dimension).transpose();
+        for (std::size_t k = 0; k < count; ++k)
+          places(static_cast<Index>(k), d + 1) = values[SplineGrid::record * k + components.first] =
+            carriers.places[grid.order()[k]][d] - centre[d];
+        grid.spread(values, masses, field);
+        weighed.col(d + 1) = on_knots(field).col(0);
       }
-    grid.spread(values, masses, field);
-    weighed.rightCols(dimension) = on_knots(field).leftCols(dimension);
     const MatrixXd moments =
       places.transpose() * Eigen::Map<VectorXd>(masses.data(), static_cast<Index>(count)).asDiagonal() * places;
     // What all carriers have in common along an axis (a row of them) says nothing there.

@@ -26,8 +26,15 @@ namespace dem
     };
 
     FineScaleFilter() = default;
-    /** @param spacing of the grid [m], > 0 @param dimension 2: all of it lies in the plane z = 0 @param sharpness p, >= 1 */
-    FineScaleFilter(const Carriers &carriers, double spacing, int dimension, int sharpness);
+    /**
+     * @param spacing of the grid [m], > 0 @param dimension 2: all of it lies in the plane z = 0 @param sharpness p, >= 1
+     * @param components of velocities that can be other than zero: the others are not looked at
+     */
+    FineScaleFilter(const Carriers               &carriers,
+                    double                        spacing,
+                    int                           dimension,
+                    int                           sharpness,
+                    const SplineGrid::Components &components = {});
 
     /** Which of the given carriers each of the filter's is. */
     const std::vector<std::size_t> &order() const { return grid.order(); }
@@ -36,9 +43,13 @@ namespace dem
     void damping(const base::Column &velocities, base::Column &force) const;
 
   private:
-    using Columns = Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, 3>, Eigen::Aligned64>;
+    using Columns =
+      Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, Eigen::Dynamic, 3>, Eigen::Aligned64>;
 
-    Columns on_knots(base::Column &field) const { return {field.data(), inverse_mass.size(), 3}; }
+    Columns on_knots(base::Column &field) const
+    {
+      return {field.data(), inverse_mass.size(), static_cast<Eigen::Index>(grid.components().count)};
+    }
     /** Sum of (1 - K)^j, j < p, of a field on the knots: K averages what places between them have, as G does at the places. */
     void accumulate(base::Column &field) const;
     void accumulate_transposed(base::Column &field) const;

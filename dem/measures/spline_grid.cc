@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <type_traits>
 
 namespace dem
 {
@@ -25,11 +26,11 @@ namespace dem
     }
 
     /** The knots around a cell: 16 of each layer in two packs. */
-    template <std::size_t Layers>
+    template <std::size_t Layers, std::size_t Count>
     struct KnotBlock
     {
       static constexpr std::size_t rows = 4;
-      Pack                         packs[SplineGrid::components][2 * Layers];
+      Pack                         packs[Count][2 * Layers];
 
       /** Let a function see each row of four: column, where it starts in the block, where it starts on the grid. */
       template <typename Function>
@@ -43,10 +44,14 @@ namespace dem
     };
   } // namespace
 
-  SplineGrid::SplineGrid(const std::vector<Eigen::Vector3d> &all, const double spacing, const int dimension)
+  SplineGrid::SplineGrid(const std::vector<Eigen::Vector3d> &all,
+                         const double                        spacing,
+                         const int                           dimension,
+                         const Components                   &components)
     : places(all.size())
     , first(all.size())
     , given(all.size())
+    , asked(components)
     , step(spacing)
     , layers(dimension == 3 ? 4 : 1)
   {
@@ -112,11 +117,11 @@ namespace dem
 
   std::size_t SplineGrid::parts() const { return (places.size() + places_per_part - 1) / places_per_part; }
 
-  template <std::size_t Layers>
+  template <std::size_t Layers, std::size_t Count>
   void SplineGrid::spread_part(
     const std::size_t begin, const std::size_t end, const double *values, const double *factors, double *grid) const
   {
-    using Block = KnotBlock<Layers>;
+    using Block = KnotBlock<Layers, Count>;
     for (std::size_t k = begin, next; k < end; k = next)
       {
         Block block{};
@@ -125,9 +130,9 @@ namespace dem
             const Place &place    = places[next];
             const Pack   low_rows = Pack::load_unaligned(&place.across[0]),
                        high_rows  = Pack::load_unaligned(&place.across[8]);
-            for (std::size_t c = 0; c < components; ++c)
+            for (std::size_t c = 0; c < Count; ++c)
               {
-                const double value = factors[next] * values[record * next + c];
+                const double value = factors[next] * values[record * next + asked.first + c];
                 for (std::size_t z = 0; z < Layers; ++z)
                   {
                     const Pack share(Layers == 1 ? value : value * place.along[z]);
@@ -136,7 +141,7 @@ namespace dem
                   }
               }
           }
-        for (std::size_t c = 0; c < components; ++c)
+        for (std::size_t c = 0; c < Count; ++c)
           {
             double sums[16 * Layers];
             for (std::size_t b = 0; b < 2 * Layers; ++b)
@@ -150,7 +155,7 @@ namespace dem
       }
   }
 
-  template <std::size_t Layers>
+  template <std::size_t Layers, std::size_t Count>
   void SplineGrid::take_off_part(const std::size_t begin,
                                  const std::size_t end,
                                  const double     *grid,
@@ -158,11 +163,11 @@ namespace dem
                                  const double     *factors,
                                  double           *left) const
   {
-    using Block = KnotBlock<Layers>;
+    using Block = KnotBlock<Layers, Count>;
     for (std::size_t k = begin, next; k < end; k = next)
       {
         Block block;
-        for (std::size_t c = 0; c < components; ++c)
+        for (std::size_t c = 0; c < Count; ++c)
           {
             double        around[16 * Layers];
             const double *column = grid + c * knot_count;
@@ -177,7 +182,7 @@ namespace dem
             const Place &place    = places[next];
             const Pack   low_rows = Pack::load_unaligned(&place.across[0]),
                        high_rows  = Pack::load_unaligned(&place.across[8]);
-            for (std::size_t c = 0; c < components; ++c)
+            for (std::size_t c = 0; c < Count; ++c)
               {
                 Pack low_sum = block.packs[c][0], high_sum = block.packs[c][1];
                 if constexpr (Layers > 1)
@@ -190,24 +195,46 @@ namespace dem
                         high_sum = multiply_add(Pack(place.along[z]), block.packs[c][2 * z + 1], high_sum);
                       }
                   }
-                const std::size_t at = record * next + c;
+                const std::size_t at = record * next + asked.first + c;
                 left[at] = factors[next] * (values[at] - sum_of(multiply_add(low_sum, low_rows, high_sum * high_rows)));
               }
           }
       }
   }
 
+  template <typename Use>
+  void SplineGrid::dispatch(Use &&use) const
+  {
+    const auto of_layers = [&](auto number) {
+      constexpr std::size_t of = decltype(number)::value;
+      switch (asked.count)
+        {
+        case 1:
+          return use(&SplineGrid::spread_part<of, 1>, &SplineGrid::take_off_part<of, 1>);
+        case 2:
+          return use(&SplineGrid::spread_part<of, 2>, &SplineGrid::take_off_part<of, 2>);
+        default:
+          return use(&SplineGrid::spread_part<of, 3>, &SplineGrid::take_off_part<of, 3>);
+        }
+    };
+    if (layers == 1)
+      of_layers(std::integral_constant<std::size_t, 1>());
+    else
+      of_layers(std::integral_constant<std::size_t, 4>());
+  }
+
   void SplineGrid::spread(const base::Column &values, const base::Column &factors, base::Column &grid) const
   {
-    const std::size_t numbers = components * knot_count, count = parts();
+    const std::size_t numbers = asked.count * knot_count, count = parts();
     grid.assign(numbers, 0.0);
     if (count > 1)
       of_parts.assign(numbers * (count - 1), 0.0);
-    const auto part = layers == 1 ? &SplineGrid::spread_part<1> : &SplineGrid::spread_part<4>;
+    dispatch([&](const auto part, auto) {
 #pragma omp parallel for schedule(static)
-    for (std::size_t p = 0; p < count; ++p)
-      (this->*part)(p * places_per_part, std::min((p + 1) * places_per_part, places.size()), values.data(),
-                    factors.data(), p == 0 ? grid.data() : &of_parts[numbers * (p - 1)]);
+      for (std::size_t p = 0; p < count; ++p)
+        (this->*part)(p * places_per_part, std::min((p + 1) * places_per_part, places.size()), values.data(),
+                      factors.data(), p == 0 ? grid.data() : &of_parts[numbers * (p - 1)]);
+    });
     for (std::size_t p = 1; p < count; ++p)
       for (std::size_t i = 0; i < numbers; ++i)
         grid[i] += of_parts[numbers * (p - 1) + i];
@@ -220,11 +247,12 @@ namespace dem
   {
     left.resize(record * places.size());
     const std::size_t count = parts();
-    const auto        part  = layers == 1 ? &SplineGrid::take_off_part<1> : &SplineGrid::take_off_part<4>;
+    dispatch([&](auto, const auto part) {
 #pragma omp parallel for schedule(static)
-    for (std::size_t p = 0; p < count; ++p)
-      (this->*part)(p * places_per_part, std::min((p + 1) * places_per_part, places.size()), grid.data(), values.data(),
-                    factors.data(), left.data());
+      for (std::size_t p = 0; p < count; ++p)
+        (this->*part)(p * places_per_part, std::min((p + 1) * places_per_part, places.size()), grid.data(),
+                      values.data(), factors.data(), left.data());
+    });
   }
 
   void SplineGrid::smooth(base::Column &columns) const

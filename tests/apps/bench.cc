@@ -122,6 +122,53 @@ namespace
   }
 } // namespace
 
+namespace
+{
+  /** Momenta of every row, to rounding; energies that no account tells of, below a bound. */
+  void check_conservation(const std::filesystem::path &file, const std::size_t rows)
+  {
+    auto found = table(file);
+    CHECK(found.size() == rows);
+    for (auto &row : found)
+      {
+        INFO(row["method"] << ", " << row["motion"] << ": momentum " << row["momentum"] << ", angular momentum "
+                           << row["angular_momentum"] << ", energy " << row["energy"] << " of order " << row["order"]);
+        CHECK(row["kept"] == "yes");
+        CHECK(apps::number_in(row["momentum"]).value() <= 1e-12);
+        CHECK(apps::number_in(row["angular_momentum"]).value() <= 1e-12);
+        const double energy = apps::number_in(row["energy"]).value(),
+                     half   = apps::number_in(row["energy_at_half"]).value();
+        // A point that slides over an edge passes from face to face whatever the step; the penalty is no slope of an energy.
+        const std::string method  = row["method"];
+        const bool        surface = method.find("surface") != std::string::npos;
+        CHECK(half < (method.find("penalty") != std::string::npos           ? 0.05 :
+                      surface || method.find("bodies") != std::string::npos ? 2e-3 :
+                                                                              std::max(0.6 * energy, 1e-9)));
+      }
+  }
+} // namespace
+
+TEST_CASE(
+  "bench conservation: one way of coupling of each kind keeps both momenta, and energy the better the smaller the step",
+  "[apps]")
+{
+  const ScratchFolder folder;
+  const Outcome       outcome = run(folder.path(), {"bench", "conservation", "--quick", "-o", "bench"});
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  check_conservation(folder / "bench/conservation.csv", 6);
+  CHECK_THAT(content_of(folder / "bench/conservation.md"), Contains("| Both to 1e-12 |"));
+}
+
+TEST_CASE("bench conservation: every way of coupling keeps both momenta of every motion to rounding", "[apps][slow]")
+{
+  const ScratchFolder folder;
+  const Outcome       outcome = run(folder.path(), {"bench", "conservation", "-o", "bench"});
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  check_conservation(folder / "bench/conservation.csv", 80);
+}
+
 TEST_CASE("bench homogenise: every way tends to the direct answer as its tolerance falls", "[apps][slow]")
 {
   const ScratchFolder folder;

@@ -469,6 +469,60 @@ TEST_CASE("Energy that contacts really lose in dents is in the account of the co
   CHECK(found_in({"Couplings/block/Spreading=automatic"}).lacks < 1e-4);
 }
 
+TEST_CASE("Glue that breaks while it is pressed leaves energy that nobody put in, and the run stops", "[apps][coupled]")
+{
+  const ScratchFolder folder;
+  std::string         scene = replaced(collision, "0.062, 0.1205", "0.062, 0.12");
+  scene                     = replaced(scene, "    set Friction coefficient = 0.4\n",
+                                       "    set Friction coefficient = 0.4\n    subsection Bond\n      set Within = 1e-6\n      set Law = "
+                                                           "parallel-bond\n      subsection parallel-bond\n        set Effective modulus = 1e7\n        set "
+                                                           "Tensile strength = 1e9\n        set Cohesion = 1e5\n      end\n    end\n");
+  folder.file("x.prm", scene);
+  const std::vector<std::string> pressed = {"Particles/Initial velocity/ball/Velocity x=3",
+                                            "Particles/Initial velocity/ball/Velocity z=-1",
+                                            "Particles/Initial velocity/ball/Spin y=0", "Time/Step factor=0.02"};
+  const Outcome                  stopped = outcome_of(folder, "run", "x.prm", pressed);
+  CHECK(stopped.status != 0);
+  CHECK_THAT(stopped.err, Contains("Couplings/block: at ") && Contains("J more than has been put in") &&
+                            Contains("Energy limit = 0.01") && Contains("bonds that break while they are pressed"));
+  // Glue that holds makes nothing.
+  std::filesystem::remove_all(folder / "results");
+  std::vector<std::string> holds = pressed;
+  holds.insert(holds.end(), {"Couplings/block/Bond/parallel-bond/Cohesion=1e12"});
+  CHECK(outcome_of(folder, "run", "x.prm", holds).status == 0);
+}
+
+TEST_CASE("Sub-cycling is forecast, held to what it may lose, and said", "[apps][coupled]")
+{
+  const ScratchFolder folder;
+  folder.file("x.prm", collision);
+  // The ball approaches by 5 m/s, 0.26 kg.
+  const double approach = 0.5 * 7800 * 4.0 / 3 * M_PI * 8e-6 * 25;
+  for (const std::vector<std::string> &steps :
+       {std::vector<std::string>{"Time/Largest ratio=16", "Time/Step factor=0.01"}, solid_sub_cycled})
+    {
+      std::vector<std::string> freely = steps;
+      freely.insert(freely.end(), {"Time/Sub-cycling loss=1", "Couplings/block/Energy limit=1"});
+      const Outcome told = outcome_of(folder, "check", "x.prm", freely);
+      const auto    at   = told.out.find("would lose about ");
+      INFO(told.out);
+      REQUIRE(at != std::string::npos);
+      const double forecast = std::stod(told.out.substr(at + std::string("would lose about ").size())),
+                   lost     = -results_of(folder, "x.prm", freely).series.column("block_made").back() / approach;
+      CHECK(forecast == Approx(lost).epsilon(0.7)); // part of the ball's way is along the face
+      std::vector<std::string> held = steps;
+      held.emplace_back("Time/Sub-cycling loss=0.004");
+      const Results found  = results_of(folder, "x.prm", held);
+      const double  energy = found.series.column("energy_particles_initial").back();
+      CHECK(-found.series.column("block_made").back() < 0.004 * energy);
+      const std::string warnings = found.summary["warnings"].dump();
+      CHECK_THAT(warnings, Contains("Couplings/block has lost 0.00") && Contains("sub-cycling has lost 0.00") &&
+                             Contains("Time/Sub-cycling loss = 0.004"));
+    }
+  // Where both take the same steps nothing is.
+  CHECK(results_of(folder, "x.prm").summary["warnings"].dump().find("lost") == std::string::npos);
+}
+
 TEST_CASE("An interface that nobody ever touches is said", "[apps][coupled]")
 {
   const ScratchFolder folder;

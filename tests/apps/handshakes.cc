@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <sstream>
 
 using namespace apps_tests;
 using Catch::Contains;
@@ -168,6 +169,83 @@ TEST_CASE("Two regions of particles in one beam work by every method, and overla
       std::filesystem::remove_all(folder / "results");
     }
   is_refused(folder, (folder / "two.prm").string(), {"Handshakes/left/High=-0.06, 1, 1"}, "Handshakes/core as well");
+}
+
+namespace
+{
+  /** A free bar of discs that goes over into one of elements, with a pulse in the discs: its discs into a file. */
+  std::string bar_with_a_pulse(const ScratchFolder &folder)
+  {
+    std::ostringstream discs;
+    discs << "x y z radius\n";
+    for (int i = 0; i < 16; ++i)
+      for (int j = 0; j < 4; ++j)
+        discs << 0.01 * (i + 0.5) << ' ' << 0.01 * (j + 0.5) << " 0 0.005\n";
+    folder.file("discs.txt", discs.str());
+    const std::string pulse = "0.1*exp(-((x-0.05)/0.02)^2)";
+    return "set Kind = coupled\n"
+           "subsection Continuum\n  subsection Model\n    set Dimension = 2\n    set Thickness = 0.01\n"
+           "    set Large displacement = true\n  end\n"
+           "  subsection Mesh\n    set Source = bodies\n    subsection Boxes\n      subsection bar\n"
+           "        set Size = 0.26, 0.04, 0\n        set Divisions x = 13\n        set Divisions y = 2\n"
+           "        set Material = solid\n      end\n    end\n  end\n"
+           "  subsection Materials\n    subsection solid\n      set Law = isotropic elastic\n      set Density = 2400\n"
+           "      subsection isotropic elastic\n        set Young modulus = 25e9\n        set Poisson ratio = 0.2\n"
+           "      end\n    end\n  end\n"
+           "  subsection Motion\n    set Initial velocity x = " +
+           pulse +
+           "\n  end\nend\n"
+           "subsection Particles\n  subsection Physics\n    set Dimension = 2\n    set Contacts = false\n"
+           "    set Friction = false\n    set Damage = false\n  end\n"
+           "  subsection Specimen\n    set Source = file\n    set File = discs.txt\n    set Density = 2400\n"
+           "    set Thickness = 0.01\n    set Interaction ratio = 1.5\n  end\n"
+           "  subsection Material\n    set Law = CPM\n    subsection CPM\n      set Normal modulus = 25e9\n"
+           "      set Shear ratio = 0.3\n      set Limit elastic strain = 1 -\n      set Relative ductility = 100\n"
+           "      set Cohesion = 1e12\n      set Friction coefficient = 0\n    end\n  end\n"
+           "  subsection Initial velocity\n    subsection all\n      set Velocity x = " +
+           pulse +
+           "\n    end\n  end\nend\n"
+           "subsection Handshakes\n  subsection core\n    set Low = -1, -1, -1\n    set High = 0.1, 1, 1\n"
+           "    set Overlap = 0.06\n    set Absorber = false\n  end\nend\n"
+           "subsection Time\n  set End time = 4e-4\n  set Step factor = 0.2\n  set Damping = 0\nend\n"
+           "subsection Output\n  set Samples = 25\n  set Snapshots = 0\nend\n";
+  }
+} // namespace
+
+TEST_CASE("A handshake that makes or loses more energy than it may stops the run, and says how not to",
+          "[apps][coupled][volume]")
+{
+  const ScratchFolder folder;
+  folder.file("x.prm", bar_with_a_pulse(folder));
+  const auto stops = [&](const std::vector<std::string> &changes, const char *what, const char *remedy) {
+    std::filesystem::remove_all(folder / "results");
+    const Outcome outcome = outcome_of(folder, "run", "x.prm", changes);
+    INFO(outcome.err);
+    CHECK(outcome.status != 0);
+    CHECK_THAT(outcome.err, Contains("Handshakes/core: at ") && Contains(what) &&
+                              Contains("Energy limit = 0.01 of the largest energy") && Contains(remedy));
+  };
+  const std::vector<std::string> several = {"Time/Largest ratio=4", "Time/Sub-cycling loss=1"};
+  std::vector<std::string>       led     = several;
+  led.insert(led.begin(), "Handshakes/core/Method=slaved");
+  stops(led, "has made", "Set Time/Largest ratio = ");
+  stops(several, "has lost", "Set Time/Largest ratio = ");
+  stops({"Handshakes/core/Ties=lumped"}, "has lost", "Take Ties = coarse or strict");
+  std::filesystem::remove_all(folder / "results");
+  // Held to what it may lose, and with both in step, every run goes through.
+  for (const std::vector<std::string> &changes :
+       {std::vector<std::string>{"Time/Largest ratio=4", "Time/Sub-cycling loss=0.002"},
+        {"Handshakes/core/Method=slaved", "Time/Largest ratio=4", "Time/Sub-cycling loss=0.002"},
+        {"Handshakes/core/Method=slaved"},
+        {}})
+    {
+      const Results found = results_of(folder, "x.prm", changes);
+      const double  energy =
+        found.series.column("energy_particles_initial").back() + found.series.column("energy_solid_start").back();
+      for (const double residual : found.series.column("energy_residual"))
+        CHECK(std::fabs(residual) < 0.004 * energy);
+      std::filesystem::remove_all(folder / "results");
+    }
 }
 
 TEST_CASE("An interrupted or killed run of particles inside a solid goes on to the same bits",

@@ -196,6 +196,39 @@ TEST_CASE("surface coupling: with the solid sub-cycled momenta and power are kep
   CHECK(made[1] == Approx(0.5 * made[0]).epsilon(0.15));
 }
 
+TEST_CASE(
+  "surface coupling: sub-cycling loses no more than the part of the energy that it may, with as many steps as do",
+  "[coupling]")
+{
+  for (const auto &[step_factor, may] : {std::pair(0.01, 1e-3), std::pair(0.4, 2e-3)}) // of the solid, of the ball
+    {
+      double lost[2], steps[2];
+      for (const int held : {0, 1})
+        {
+          Collision c(step_factor);
+          c.both.set_largest_ratio(16);
+          if (held == 1)
+            c.both.set_sub_cycling_loss(may);
+          const double   energy = c.energy();
+          const Vector3d start = c.total_momentum(), turning = c.total_angular_momentum();
+          for (double time = 0; time < 4e-3;)
+            time += c.both.advance(4e-3 - time).window;
+          const coupling::SurfaceBalance b = c.parted(start.norm());
+          lost[held]                       = c.both.sub_cycling_loss().lost() / energy;
+          steps[held]                      = c.both.sub_cycling_loss().steps() / c.both.sub_cycling_loss().windows();
+          CHECK(c.both.sub_cycling_loss().lost() == Approx(-b.made()).margin(1e-5 * energy));
+          CHECK((c.total_momentum() - start).norm() < 1e-12 * start.norm());
+          CHECK((c.total_angular_momentum() - turning).norm() < 1e-10 * turning.norm());
+        }
+      INFO("lost " << lost[0] << ", where " << may << " may be " << lost[1] << "; steps " << steps[0] << ", "
+                   << steps[1]);
+      CHECK(lost[0] > 2 * may);
+      CHECK(lost[1] <= may);
+      CHECK(lost[1] > 0.1 * may); // what may be lost is made use of
+      CHECK(steps[1] > 2);
+    }
+}
+
 TEST_CASE("surface coupling: S11, a heavy ball on a light block keeps it stable", "[coupling][stability]")
 {
   // A hundred times the mass of an element, resting under its weight on a block that stands on its lower face.

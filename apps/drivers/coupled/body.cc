@@ -6,6 +6,7 @@
 #include "apps/drivers/continuum/picture.h"
 #include "apps/drivers/continuum/snapshot.h"
 #include "apps/drivers/continuum/solid.h"
+#include "apps/drivers/coupled/energy_watch.h"
 #include "apps/drivers/coupled/taken_places.h"
 #include "apps/drivers/parts/specimen_picture.h"
 #include "apps/process/interrupt.h"
@@ -73,8 +74,10 @@ namespace apps
             names_in(what.continuum.motion.rigid))
         , touching(what.continuum.contacts, both.contacts())
         , gauges(*solid, what.continuum)
+        , energies(what, both, touching)
       {
         both.set_largest_ratio(static_cast<int>(what.largest_ratio));
+        both.set_sub_cycling_loss(what.sub_cycling_loss);
         for (const HandshakeSection &handshake : model.handshakes.handshakes)
           add(handshake);
         std::vector<std::string> boundaries;
@@ -224,29 +227,10 @@ namespace apps
 
       void watch() override
       {
-        const fem::ExplicitEnergy &e = motion->energy();
-        const dem::EnergyAccount   p = body.specimen().energy();
-        largest_energy = std::max({largest_energy, e.kinetic + std::fabs(e.internal), p.kinetic + p.elastic,
-                                   std::fabs(e.external), std::fabs(p.external_work), std::fabs(p.gravity)});
-        touching.require_balance(largest_energy, time());
-        auto coupling = model.couplings.couplings.begin();
-        for (const auto &surface : both.surfaces())
-          {
-            const coupling::SurfaceBalance balance = surface->balance();
-            const double                   made    = balance.made_in_all();
-            if (std::fabs(made) > coupling->energy_limit * largest_energy)
-              throw StoppedShort(fmt::format("Couplings/{}: at {:.6g} s the coupling has made {:.3g} J by itself, more "
-                                             "than Energy limit = {} of the "
-                                             "largest energy, {:.3g} J. {}",
-                                             coupling->name, time(), made, coupling->energy_limit, largest_energy,
-                                             std::fabs(balance.contacts) > std::fabs(balance.made()) ?
-                                               remedy_of_contacts(*coupling) :
-                                               remedy(made, coupling->energy_limit)));
-            ++coupling;
-          }
-        auto handshake = model.handshakes.handshakes.begin();
-        for (const auto &volume : both.volumes())
-          watch(*handshake++, *volume, std::min(p.elastic, e.internal));
+        ContinuumEnergy continuum;
+        continuum.internal = motion->energy().internal;
+        gauges.read({&motion->displacement(), &motion->internal_force(), &motion->external_force()}, continuum);
+        energies.look({time(), motion->energy(), body.specimen().energy(), continuum.dissipated});
       }
 
       ParticlesBody &particles() override { return body; }
@@ -260,6 +244,24 @@ namespace apps
       std::size_t           unknowns() const override { return solid->dofs().n_dofs(); }
       std::int64_t          windows() const override { return window_count; }
       const ContactFigures &interface() const override { return figures; }
+
+      double solid_mass_within(const double time) const override
+      {
+        double all = 0, fastest = 0, densest = 0;
+        for (std::size_t i = 0; i < participant.carriers(); ++i)
+          all += participant.mass(i);
+        for (const auto &[group, number] : solid->mesh().materials)
+          {
+            const auto &d = solid->material(number).elastic_stiffness();
+            fastest =
+              std::max(fastest, d.template topLeftCorner<3, 3>().diagonal().maxCoeff() / motion->density(number));
+            densest = std::max(densest, motion->density(number));
+          }
+        const double reach = std::sqrt(fastest) * time,
+                     room  = dim == 3 ? 2.0 / 3 * M_PI * reach * reach * reach :
+                                        0.5 * M_PI * reach * reach * solid->options().thickness;
+        return std::min(all, densest * room);
+      }
 
       std::string text_of_mismatch() const override
       {
@@ -305,9 +307,15 @@ namespace apps
         return apps::write_solid(*solid, motion->displacement(), reaction, {folder / "solid", "solid", number, time()});
       }
 
-      std::vector<std::string>        notes() const override { return solid->notes(); }
-      const std::vector<std::string> &doubts() const override { return doubtful; }
-      std::string                     end_of_validity() const override { return solid->end_of_validity(); }
+      std::vector<std::string> notes() const override { return solid->notes(); }
+      std::vector<std::string> doubts() const override
+      {
+        std::vector<std::string> all = doubtful;
+        for (const std::string &lost : energies.doubts())
+          all.push_back(lost);
+        return all;
+      }
+      std::string end_of_validity() const override { return solid->end_of_validity(); }
 
       std::string draw_promotion(const std::filesystem::path &file, const std::string &title) override
       {
@@ -370,7 +378,7 @@ namespace apps
         state.group("couplings");
         both.visit_state(state);
         figures.visit_state(state);
-        state.scalar("largest_energy", largest_energy);
+        energies.visit_state(state);
         state.scalar("windows", window_count);
       }
 
@@ -448,25 +456,6 @@ namespace apps
         both.add_volume(made);
       }
 
-      /** Where contacts at points are on dented or round faces. */
-      static std::string remedy_of_contacts(const CouplingSection &coupling)
-      {
-        return coupling.spreading == coupling::Spreading::none ?
-                 "In dents contacts at points are not conservative: set its Spreading = automatic, or Contact = "
-                 "pressure." :
-                 "On faces that were not flat spread contacts are not conservative: set its Contact = pressure.";
-      }
-
-      /** What makes less: it is in proportion to the longer of both steps. */
-      std::string remedy(const double made, const double limit) const
-      {
-        if (model.largest_ratio == 1)
-          return "Lower Continuum/Motion/Safety or Time/Step factor.";
-        const double part = limit * largest_energy / std::fabs(made);
-        return fmt::format("Set Time/Largest ratio = {:.0f}.",
-                           std::max(1.0, std::floor(part * static_cast<double>(model.largest_ratio))));
-      }
-
       /** Doubts about a handshake, before its particles share. @param element size of the solid's elements there [m] */
       void look_at(const HandshakeSection &said, const coupling::Overlap &overlap, const double element)
       {
@@ -516,31 +505,6 @@ namespace apps
       static Vector3d in_space(const dealii::Point<dim> &place)
       {
         return {place[0], place[1], dim == 3 ? place[dim - 1] : 0.0};
-      }
-
-      /** @param of_both the less of what either side stores [J] */
-      void watch(const HandshakeSection &said, const coupling::VolumeCoupling<dim> &volume, const double of_both) const
-      {
-        const double      made    = volume.balance().made();
-        const std::size_t damaged = volume.damaged_bonds();
-        if (std::fabs(made) > said.energy_limit * largest_energy)
-          throw StoppedShort(
-            fmt::format("Handshakes/{}: at {:.6g} s the handshake has made {:.3g} J by itself, more than "
-                        "Energy limit = {} of the largest energy, {:.3g} J. {}",
-                        said.name, time(), made, said.energy_limit, largest_energy, remedy(made, said.energy_limit)));
-        // What would be there twice and is in neither is a gain that is booked.
-        if (volume.balance().twice > of_both + said.energy_limit * largest_energy)
-          throw StoppedShort(fmt::format(
-            "Handshakes/{}: at {:.6g} s bonds of slaves would have stored {:.3g} J in elements, of the {:.3g} "
-            "J that both sides store: the body turns further than small displacements. Set "
-            "Continuum/Model/Large displacement = true, or take Method = multipliers.",
-            said.name, time(), volume.balance().twice, of_both));
-        if (static_cast<double>(damaged) > said.damage_limit * static_cast<double>(volume.bonds()))
-          throw StoppedShort(
-            fmt::format("Handshakes/{}: at {:.6g} s {} of the {} bonds in the overlap are damaged, more than "
-                        "Damage limit = {}: there the solid cannot follow. Give the particles a larger "
-                        "region.",
-                        said.name, time(), damaged, volume.bonds(), said.damage_limit));
       }
 
       void step(const double rest)
@@ -599,10 +563,10 @@ namespace apps
       ObservedContacts<dim>                     touching; ///< between bodies of the solid
       ContinuumGauges<dim>                      gauges;
       ContactFigures                            figures;
-      std::vector<std::string>                  doubtful;           ///< of handshakes
-      std::vector<Mismatch>                     mismatches;         ///< likewise
-      double                                    largest_energy = 0; ///< whenever it was watched, so far [J]
-      std::int64_t                              window_count   = 0;
+      EnergyWatch<dim>                          energies;
+      std::vector<std::string>                  doubtful;   ///< of handshakes
+      std::vector<Mismatch>                     mismatches; ///< likewise
+      std::int64_t                              window_count = 0;
     };
   } // namespace
 

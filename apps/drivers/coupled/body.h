@@ -39,18 +39,20 @@ namespace apps
 
     virtual std::vector<postprocess::SeriesColumn> columns() const = 0; ///< of the series; the first is the time
     virtual std::vector<double>                    row() const     = 0;
-    /** Note the energies of now. @throws StoppedShort where a coupling has made more than it may of the largest so far */
+    /** Note the energies of now. @throws StoppedShort as EnergyWatch */
     virtual void watch() = 0;
     /** Columns that the summary tells of, with their units. */
     virtual std::vector<postprocess::SeriesColumn> told() const = 0;
 
-    virtual ParticlesBody        &particles()       = 0;
-    virtual double                time() const      = 0; ///< [s]
-    virtual CoupledSteps          steps() const     = 0;
-    virtual std::size_t           elements() const  = 0;
-    virtual std::size_t           unknowns() const  = 0;
-    virtual std::int64_t          windows() const   = 0; ///< taken
-    virtual const ContactFigures &interface() const = 0;
+    virtual ParticlesBody &particles()   = 0;
+    virtual double         time() const  = 0; ///< [s]
+    virtual CoupledSteps   steps() const = 0;
+    /** Of the solid, as far as waves come in a time [s] from a place on its surface, at most all of it [kg]. */
+    virtual double                solid_mass_within(double time) const = 0;
+    virtual std::size_t           elements() const                     = 0;
+    virtual std::size_t           unknowns() const                     = 0;
+    virtual std::int64_t          windows() const                      = 0; ///< taken
+    virtual const ContactFigures &interface() const                    = 0;
     /** What the impedances of particles and solid reflect, whatever joins them; "" where the medium is not known. */
     virtual std::string text_of_mismatch() const = 0;
     /** Lines of a forecast: where particles lie inside the solid. */
@@ -61,8 +63,8 @@ namespace apps
 
     /** What a user should know of the solid's points, one sentence each. */
     virtual std::vector<std::string> notes() const = 0;
-    /** What a user should doubt of how particles lie inside the solid, likewise. */
-    virtual const std::vector<std::string> &doubts() const = 0;
+    /** What a user should doubt: how particles lie inside the solid, what couplings have lost; likewise. */
+    virtual std::vector<std::string> doubts() const = 0;
     /** Why no state after this one is worth anything; "": none. */
     virtual std::string end_of_validity() const = 0;
 

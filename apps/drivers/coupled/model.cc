@@ -25,14 +25,23 @@ namespace apps
     scene.find_section("Gravity")
       ->find_entry("Acceleration")
       ->means("Of all that falls; 0, 0, -9.81 on earth with z upwards");
-    scene.find_section("Time")
-      ->integer("Largest ratio", largest_ratio, "", Range::between(1, 100), Need::optional)
+    declare_sub_cycling(*scene.find_section("Time"));
+    laboratory.declare(scene);
+    references.declare(scene);
+  }
+
+  void CoupledModel::declare_sub_cycling(Section &time)
+  {
+    time.integer("Largest ratio", largest_ratio, "", Range::between(1, 100), Need::optional)
       .means(
         "Steps that either side may take in one of the other, where its stable step is the shorter one by two or more. "
         "1: both take the same, which keeps energy to rounding; more saves time and costs energy in proportion to the "
-        "longer step");
-    laboratory.declare(scene);
-    references.declare(scene);
+        "longer step, as much as Sub-cycling loss allows");
+    time.number("Sub-cycling loss", sub_cycling_loss, "-", Range::between(1e-9, 1), Need::optional)
+      .means(
+        "Part of the largest energy that such steps may lose in all: the ratio is the largest that holds it, by what "
+        "couplings have lost so far")
+      .only_if([this] { return largest_ratio > 1; }, "Largest ratio > 1");
   }
 
   void CoupledModel::validate(const Section &scene) const

@@ -20,8 +20,9 @@ namespace apps
     HandshakesSection handshakes;
     LaboratorySection laboratory;
     ReferencesSection references;
-    std::int64_t      largest_ratio = 1;       ///< of steps of either side in one of the other
-    const Section    *root          = nullptr; ///< of the scene, which outlives the model
+    std::int64_t      largest_ratio    = 1;       ///< of steps of either side in one of the other
+    double            sub_cycling_loss = 0.005;   ///< that it may make, over the largest energy
+    const Section    *root             = nullptr; ///< of the scene, which outlives the model
 
     void declare(Section &root);
     /** @throws base::InputError. */
@@ -45,6 +46,7 @@ namespace apps
     int dimension() const { return particles.physics.dimension; }
 
   private:
+    void declare_sub_cycling(Section &time);
     /** @throws base::InputError for a side that "top" or "bottom" does not tell, where there is weight */
     void validate_sides(const Section &root) const;
   };

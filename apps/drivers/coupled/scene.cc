@@ -2,6 +2,7 @@
 
 #include "apps/drivers/coupled/out_of_reach.h"
 #include "apps/drivers/coupled/run.h"
+#include "apps/drivers/coupled/sub_cycling_forecast.h"
 #include "apps/drivers/particles/damped_fall.h"
 #include "apps/drivers/particles/piled_up.h"
 #include "apps/drivers/parts/duration.h"
@@ -93,6 +94,7 @@ namespace apps
     text += fmt::format("  window       {:.4g} s: {} of the solid, {} of the particles\n", steps.window,
                         steps.solid_steps == 1 ? "one step" : fmt::format("{} steps", steps.solid_steps),
                         steps.particle_steps);
+    text += sub_cycling_forecast(model, *body);
     text += damped_fall_line(model.particles);
     if (start)
       text += fmt::format("  start        {}\n", text_of(*start));
