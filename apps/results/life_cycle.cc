@@ -27,12 +27,6 @@ namespace apps
       SharedState shared(whole ? &*whole : nullptr, reads);
       visit(shared);
     }
-
-    bool somebody_watches(const RunRequest &request)
-    {
-      return std::any_of(request.observers.begin(), request.observers.end(),
-                         [](const RunObserver *observer) { return observer->shows_progress(); });
-    }
   } // namespace
 
   std::string way_to_go_on(const RunRequest &request)
@@ -80,7 +74,7 @@ namespace apps
   {
     const StopsToo            stops(request.stop);
     std::optional<SilentWork> silence;
-    if (!somebody_watches(request))
+    if (!shows_progress(request))
       silence.emplace();
     if (request.resume)
       resume();
@@ -89,21 +83,15 @@ namespace apps
     compute();
     if (result.end == RunResult::End::complete)
       finish();
-    tell([this](RunObserver &observer) { observer.ends(result); });
+    tell(request, &RunObserver::ends, result);
     return std::move(result);
-  }
-
-  void LifeCycle::tell(const std::function<void(RunObserver &)> &what) const
-  {
-    for (RunObserver *observer : request.observers)
-      what(*observer);
   }
 
   void LifeCycle::begin()
   {
     if (keeps_files() && !request.restart)
       on_first_rank([&] { refuse_to_overwrite(request.output_folder); });
-    tell([](RunObserver &observer) { observer.prepares(); });
+    tell(request, &RunObserver::prepares);
     work.prepare();
     result.series = empty_series(work.series_columns(), "series");
     if (keeps_files())
@@ -115,7 +103,7 @@ namespace apps
         work.keep_files(location, true);
       }
     const RunOutline outline{request.scene_file, work.size(), work.series_columns(), location, false};
-    tell([&](RunObserver &observer) { observer.begins(outline); });
+    tell(request, &RunObserver::begins, outline);
     work.begin([this](const SeriesRow &row) { record(row); });
   }
 
@@ -138,7 +126,7 @@ namespace apps
       result.series = files->go_on(work.series_columns(), rows);
     });
     const RunOutline outline{request.scene_file, work.size(), work.series_columns(), location, true};
-    tell([&](RunObserver &observer) { observer.begins(outline); });
+    tell(request, &RunObserver::begins, outline);
   }
 
   void LifeCycle::visit_run(RunState &state, std::int64_t &rows)
@@ -163,7 +151,7 @@ namespace apps
       return;
     clock.save([this] { write_checkpoint(); });
     result.go_on = way_to_go_on(request);
-    tell([this](RunObserver &observer) { observer.saved(result.go_on); });
+    tell(request, &RunObserver::saved, result.go_on);
   }
 
   void LifeCycle::write_checkpoint()
@@ -180,7 +168,7 @@ namespace apps
     append(result.series, row);
     if (keeps_files())
       on_first_rank([&] { files->record(row); });
-    tell([&](RunObserver &observer) { observer.row(row); });
+    tell(request, &RunObserver::row, row);
   }
 
   bool LifeCycle::stopped() const { return on_any_rank(interrupted()); }
@@ -192,10 +180,10 @@ namespace apps
         if (work.stage() != result.stage)
           {
             result.stage = work.stage();
-            tell([this](RunObserver &observer) { observer.stage(result.stage); });
+            tell(request, &RunObserver::stage, result.stage);
           }
         advance();
-        tell([this](RunObserver &observer) { observer.progress(work.done(), work.details()); });
+        tell(request, &RunObserver::progress, work.done(), work.details());
         if (stopped())
           {
             const AnsweringInterrupt answering;
@@ -231,7 +219,7 @@ namespace apps
     constexpr double worth_saving = 10; // seconds of work that an interrupt of the last words would lose
     if (on_any_rank(clock.seconds_since_saved() > worth_saving))
       save();
-    tell([](RunObserver &observer) { observer.stage("results"); });
+    tell(request, &RunObserver::stage, "results");
     if (keeps_files())
       on_first_rank([&] { files->flush(); });
     RunFindings found = work.findings(result.series, wall_seconds());

@@ -11,8 +11,6 @@
 
 namespace apps
 {
-  class RunObserver;
-
   /** How a run that was interrupted goes on: "Go on with: mpirun -n 2 breccia run FOLDER/running/scene.prm --resume". */
   std::string way_to_go_on(const RunRequest &request);
 
@@ -58,7 +56,6 @@ namespace apps
     void write_checkpoint();
     void visit_run(RunState &state, std::int64_t &rows);
     void record(const SeriesRow &row);
-    void tell(const std::function<void(RunObserver &)> &what) const;
     bool stopped() const;
 
     bool   keeps_files() const { return !request.output_folder.empty(); }

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "apps/results/run_work.h"
+#include "apps/scene/scene.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -49,4 +51,18 @@ namespace apps
     /** Whether it wants to see what a long part of the work says of itself (Progress); without such an observer nothing is printed. */
     virtual bool shows_progress() const { return false; }
   };
+
+  /** Call one of its functions for every observer of a request: tell(request, &RunObserver::says, lines). */
+  template <typename... Declared, typename... Given>
+  void tell(const RunRequest &request, void (RunObserver::*what)(Declared...), const Given &...given)
+  {
+    for (RunObserver *observer : request.observers)
+      (observer->*what)(given...);
+  }
+
+  inline bool shows_progress(const RunRequest &request)
+  {
+    return std::any_of(request.observers.begin(), request.observers.end(),
+                       [](const RunObserver *observer) { return observer->shows_progress(); });
+  }
 } // namespace apps

@@ -23,16 +23,11 @@ namespace apps
     return apps::interrupted();
   }
 
-  void ShortRun::says(const std::string &lines)
-  {
-    for (RunObserver *observer : request.observers)
-      observer->says(lines);
-  }
+  void ShortRun::says(const std::string &lines) { tell(request, &RunObserver::says, lines); }
 
   RunResult ShortRun::ended()
   {
-    for (RunObserver *observer : request.observers)
-      observer->ends(result);
+    tell(request, &RunObserver::ends, result);
     return std::move(result);
   }
 

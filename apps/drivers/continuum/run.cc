@@ -166,8 +166,7 @@ namespace apps
   void ContinuumRun<dim>::begin(const Record &record)
   {
     for (const std::string &warning : coarse_elements(*solid, model))
-      for (RunObserver *observer : request.observers)
-        observer->warns(warning);
+      tell(request, &RunObserver::warns, warning);
     if (settle)
       {
         const Progress progress("equilibrium of the start");
@@ -301,37 +300,28 @@ namespace apps
   }
 
   template <int dim>
-  ContinuumReport ContinuumRun<dim>::report(const postprocess::CsvTable &series, const double wall_seconds) const
-  {
-    ContinuumSize size;
-    size.elements = static_cast<double>(solid->mesh().triangulation->n_global_active_cells());
-    size.unknowns = static_cast<double>(solid->dofs().n_dofs());
-    size.points   = size.elements * solid->quadrature().size();
-    return {request,
-            series,
-            gauges->columns(),
-            size,
-            analysis->cost(),
-            analysis->linear_solver(),
-            wall_seconds,
-            horizontal,
-            vertical,
-            model.is_static(),
-            model.is_static() && !settle,
-            analysis->contact_figures(),
-            model.references,
-            solid->notes(),
-            extremes,
-            solid->linear(),
-            ended_by()};
-  }
-
-  template <int dim>
   RunFindings ContinuumRun<dim>::findings(const postprocess::CsvTable &series, const double wall_seconds)
   {
     if (model.is_static())
       extremes = fem::extremes_of(*solid, *analysis->state().displacement);
-    const ContinuumReport found = report(series, wall_seconds); // asked of all ranks, told by the first
+    ContinuumSize size;
+    size.elements = static_cast<double>(solid->mesh().triangulation->n_global_active_cells());
+    size.unknowns = static_cast<double>(solid->dofs().n_dofs());
+    size.points   = size.elements * solid->quadrature().size();
+    const ContinuumReport found{request,
+                                series,
+                                gauges->columns(),
+                                size,
+                                analysis->cost(),
+                                analysis->linear_solver(),
+                                wall_seconds,
+                                model.is_static(),
+                                analysis->contact_figures(),
+                                model.references,
+                                solid->notes(),
+                                extremes,
+                                solid->linear(),
+                                ended_by()}; // asked of all ranks, told by the first
     return is_first_rank() ? RunFindings{found.summary(), found.text(), nullptr} : RunFindings{};
   }
 
@@ -350,13 +340,12 @@ namespace apps
       unstressed = draw_stress(*solid, displacement, *extremes, folder / "stress.png", title);
     if (!model.contacts.empty()) // on one rank
       undrawn = draw_bodies();
-    const ContinuumReport found = report(series, 0);
     on_first_rank([&] {
       warn_of_missing("damage.png", problem);
       warn_of_missing("bodies.png", undrawn);
       warn_of_missing("stress.png", unstressed);
       warn_of_missing("promoted.png", unshown);
-      found.draw_curve(folder);
+      write_curve(folder, series, horizontal, vertical, title, model.is_static() && !settle);
     });
   }
 

@@ -93,11 +93,9 @@ namespace apps
     SeriesRow   row();
     std::string draw_bodies() const; ///< @return what went wrong, "" if nothing
     std::string ended_by() const;    ///< see ContinuumReport
-
-    ContinuumReport report(const postprocess::CsvTable &series, double wall_seconds) const;
-    void            snapshot();
-    void            snapshot_if_due();
-    void            choose_curve();
+    void        snapshot();
+    void        snapshot_if_due();
+    void        choose_curve();
 
     RunRequest            request;
     const ContinuumModel &model;

@@ -127,19 +127,6 @@ namespace apps
     return summary;
   }
 
-  void ContinuumReport::draw_curve(const std::filesystem::path &folder) const
-  {
-    postprocess::PlotPanel panel =
-      drawn_curve(series, horizontal, vertical, std::filesystem::path(request.scene_file).stem().string());
-    if (from_rest) // the state before the first step
-      {
-        postprocess::PlotSeries &curve = panel.series.front();
-        curve.x.insert(curve.x.begin(), 0.0);
-        curve.y.insert(curve.y.begin(), 0.0);
-      }
-    warn_of_missing("curve.png", postprocess::plot(folder / "curve.png", {panel}));
-  }
-
   std::string ContinuumReport::text() const
   {
     std::string          text;

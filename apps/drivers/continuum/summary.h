@@ -28,29 +28,25 @@ namespace apps
   /** What a continuum run found and took: for programs, for the eye, for the terminal. */
   struct ContinuumReport
   {
-    const RunRequest             &request;
-    const postprocess::CsvTable  &series;
-    std::vector<GaugeColumn>      gauges        = {}; ///< of the solid, among the columns of the series
-    ContinuumSize                 size          = {};
-    std::map<std::string, double> cost          = {};
-    std::string                   linear_solver = "";
-    double                        wall_seconds  = 0;
-    std::string                   horizontal = "", vertical = ""; ///< columns of the curve
-    bool                          is_static  = true;
-    bool                          from_rest  = true; ///< the state before the first row of the series is nothing at all
-    const ContactFigures         *contact    = nullptr; ///< nullptr: nothing can touch
-    ReferencesSection             references = {};
-    std::vector<std::string>      notes      = {};       ///< of the materials
-    std::optional<fem::SolidExtremes> extremes  = {};    ///< of the last state; not told of solids in motion
-    bool                              is_linear = false; ///< a finer mesh has an answer to come closer to
+    const RunRequest                 &request;
+    const postprocess::CsvTable      &series;
+    std::vector<GaugeColumn>          gauges        = {}; ///< of the solid, among the columns of the series
+    ContinuumSize                     size          = {};
+    std::map<std::string, double>     cost          = {};
+    std::string                       linear_solver = "";
+    double                            wall_seconds  = 0;
+    bool                              is_static     = true;
+    const ContactFigures             *contact       = nullptr; ///< nullptr: nothing can touch
+    ReferencesSection                 references    = {};
+    std::vector<std::string>          notes         = {};    ///< of the materials
+    std::optional<fem::SolidExtremes> extremes      = {};    ///< of the last state; not told of solids in motion
+    bool                              is_linear     = false; ///< a finer mesh has an answer to come closer to
 
     /** "end", "stop fraction", "steps at most", softened, no_equilibrium and why, or "end of validity: " and why. */
     std::string ended_by = "";
 
     nlohmann::json summary() const;
     std::string    text() const;
-    /** curve.png. */
-    void draw_curve(const std::filesystem::path &folder) const;
 
   private:
     nlohmann::json figures() const;

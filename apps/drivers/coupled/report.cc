@@ -110,12 +110,6 @@ namespace apps
             {"wall_seconds", wall_seconds}};
   }
 
-  void CoupledReport::draw_curve(const std::filesystem::path &folder) const
-  {
-    const auto [horizontal, vertical] = model.curve(body.columns(), body.told());
-    common().draw_curve(folder, horizontal, vertical);
-  }
-
   std::string CoupledReport::text() const
   {
     std::string text;

@@ -25,8 +25,6 @@ namespace apps
     std::string                  not_in_balance; ///< see left_out_of_balance()
 
     nlohmann::json summary() const { return common().summary(figures(), energy(), cost()); }
-    /** curve.png. */
-    void draw_curve(const std::filesystem::path &folder) const;
     /** Figures, what ended the run, energy balance and cost; and a warning where nothing ever touched. */
     std::string text() const;
 

@@ -2,6 +2,7 @@
 
 #include "apps/drivers/coupled/report.h"
 #include "apps/drivers/particles/break_results.h"
+#include "apps/drivers/parts/drawn_curve.h"
 #include "apps/drivers/parts/duration.h"
 #include "apps/drivers/parts/left_out_of_balance.h"
 #include "apps/drivers/parts/specimen_packing.h"
@@ -152,22 +153,17 @@ namespace apps
     postprocess::write_pvd(location / "coupled.pvd", parts);
   }
 
-  CoupledReport CoupledRun::report(const postprocess::CsvTable &series, const double wall_seconds) const
-  {
-    return {request,
-            model,
-            *body,
-            materials,
-            start,
-            series,
-            wall_seconds,
-            left_out_of_balance(*model.particles.material.materials().bonds(model.particles.physics),
-                                body->particles().specimen().particles().radius)};
-  }
-
   RunFindings CoupledRun::findings(const postprocess::CsvTable &series, const double wall_seconds)
   {
-    const CoupledReport found = report(series, wall_seconds);
+    const CoupledReport found{request,
+                              model,
+                              *body,
+                              materials,
+                              start,
+                              series,
+                              wall_seconds,
+                              left_out_of_balance(*model.particles.material.materials().bonds(model.particles.physics),
+                                                  body->particles().specimen().particles().radius)};
     return {found.summary(), found.text(), std::shared_ptr<const dem::Specimen>(body, &body->particles().specimen())};
   }
 
@@ -185,6 +181,7 @@ namespace apps
     warn_of_missing("coupled.png", body->draw(folder / "coupled.png", title));
     warn_of_missing("damage.png", body->draw_damage(folder / "damage.png", title));
     warn_of_missing("promoted.png", body->draw_promotion(folder / "promoted.png", title));
-    report(series, 0).draw_curve(folder);
+    const auto [horizontal, vertical] = model.curve(body->columns(), body->told());
+    write_curve(folder, series, horizontal, vertical, title);
   }
 } // namespace apps

@@ -13,8 +13,6 @@
 
 namespace apps
 {
-  struct CoupledReport;
-
   /**
    * The work of a scene of kind "coupled".
    *
@@ -50,8 +48,6 @@ namespace apps
     void record_row(const Record &record);
     void snapshot();
     void list_together() const;
-
-    CoupledReport report(const postprocess::CsvTable &series, double wall_seconds) const;
 
     RunRequest                                request;
     const CoupledModel                       &model;

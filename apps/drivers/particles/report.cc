@@ -59,12 +59,6 @@ namespace apps
                              {"wall_seconds", wall_seconds}});
   }
 
-  void ParticlesReport::draw_curve(const std::filesystem::path &folder) const
-  {
-    if (model.draws_curve())
-      common().draw_curve(folder, model.curve_horizontal(), model.curve_vertical());
-  }
-
   std::string ParticlesReport::text() const
   {
     std::string text;

@@ -25,8 +25,6 @@ namespace apps
     const dem::LabTest          *slower = nullptr; ///< the test's loading at half the speed; nullptr: there was none
 
     nlohmann::json summary() const;
-    /** curve.png, where the scene asks for one. */
-    void draw_curve(const std::filesystem::path &folder) const;
     /** Last value of every gauge, what ended the run, energy balance and cost. */
     std::string text() const;
 

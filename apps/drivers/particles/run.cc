@@ -3,6 +3,7 @@
 #include "apps/drivers/particles/break_results.h"
 #include "apps/drivers/particles/laboratory_report.h"
 #include "apps/drivers/particles/report.h"
+#include "apps/drivers/parts/drawn_curve.h"
 #include "apps/drivers/parts/duration.h"
 #include "apps/drivers/parts/left_out_of_balance.h"
 #include "apps/drivers/parts/specimen_packing.h"
@@ -282,22 +283,18 @@ namespace apps
                                             slab);
   }
 
-  ParticlesReport ParticlesRun::report(const postprocess::CsvTable &series, const double wall_seconds) const
-  {
-    return {request,
-            model,
-            *body,
-            materials,
-            start,
-            series,
-            wall_seconds,
-            left_out_of_balance(*model.material.materials().bonds(model.physics), body->specimen().particles().radius),
-            slow ? slow->test() : nullptr};
-  }
-
   RunFindings ParticlesRun::findings(const postprocess::CsvTable &series, const double wall_seconds)
   {
-    const ParticlesReport found = report(series, wall_seconds);
+    const ParticlesReport found{
+      request,
+      model,
+      *body,
+      materials,
+      start,
+      series,
+      wall_seconds,
+      left_out_of_balance(*model.material.materials().bonds(model.physics), body->specimen().particles().radius),
+      slow ? slow->test() : nullptr};
     return {found.summary(), grown_text + found.text(), std::shared_ptr<const dem::Specimen>(body, &body->specimen())};
   }
 
@@ -310,9 +307,10 @@ namespace apps
         warn_of_missing("crack.png", draw_crack(folder / "crack.png"));
         BreakResults{body->specimen(), packing.material_names}.write(folder);
       }
+    const std::string title = std::filesystem::path(request.scene_file).stem().string();
     if (body->test())
-      LaboratoryReport{model.laboratory, *body->test(), slow ? slow->test() : nullptr}.write(
-        folder, std::filesystem::path(request.scene_file).stem().string());
-    report(series, 0).draw_curve(folder);
+      LaboratoryReport{model.laboratory, *body->test(), slow ? slow->test() : nullptr}.write(folder, title);
+    if (model.draws_curve())
+      write_curve(folder, series, model.curve_horizontal(), model.curve_vertical(), title);
   }
 } // namespace apps

@@ -14,8 +14,6 @@
 
 namespace apps
 {
-  struct ParticlesReport;
-
   /**
    * The work of a scene of kind "particles".
    *
@@ -74,8 +72,6 @@ namespace apps
     /** The row of now: recorded, and looked at by the stop conditions. */
     void        record_row(const Record &record);
     std::string draw_crack(const std::filesystem::path &file) const;
-
-    ParticlesReport report(const postprocess::CsvTable &series, double wall_seconds) const;
 
     RunRequest                     request;
     ParticlesModel                 model;

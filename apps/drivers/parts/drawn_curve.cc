@@ -1,5 +1,6 @@
 #include "apps/drivers/parts/drawn_curve.h"
 
+#include "apps/results/warning.h"
 #include "apps/scene/nearest_name.h"
 #include "base/errors.h"
 #include "postprocess/drawn_unit.h"
@@ -57,6 +58,23 @@ namespace apps
     curve.y         = std::move(y.values);
     panel.series.push_back(std::move(curve));
     return panel;
+  }
+
+  void write_curve(const std::filesystem::path &folder,
+                   const postprocess::CsvTable &series,
+                   const std::string           &horizontal,
+                   const std::string           &vertical,
+                   const std::string           &title,
+                   const bool                   from_rest)
+  {
+    postprocess::PlotPanel panel = drawn_curve(series, horizontal, vertical, title);
+    if (from_rest)
+      {
+        postprocess::PlotSeries &curve = panel.series.front();
+        curve.x.insert(curve.x.begin(), 0.0);
+        curve.y.insert(curve.y.begin(), 0.0);
+      }
+    warn_of_missing("curve.png", postprocess::plot(folder / "curve.png", {panel}));
   }
 
   std::string chosen_column(const std::vector<std::string> &columns,

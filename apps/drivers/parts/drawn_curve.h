@@ -3,6 +3,7 @@
 #include "postprocess/csv_table.h"
 #include "postprocess/plot.h"
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,14 @@ namespace apps
                                      const std::string           &horizontal,
                                      const std::string           &vertical,
                                      const std::string           &title);
+
+  /** The same as curve.png in a folder, or a warning where that cannot be drawn. @param from_rest both are zero before the first row */
+  void write_curve(const std::filesystem::path &folder,
+                   const postprocess::CsvTable &series,
+                   const std::string           &horizontal,
+                   const std::string           &vertical,
+                   const std::string           &title,
+                   bool                         from_rest = false);
 
   /**
    * The column that an entry of section Output asks for.

@@ -1,11 +1,9 @@
 #include "apps/drivers/parts/motion_report.h"
 
 #include "apps/drivers/parts/deep_overlap.h"
-#include "apps/drivers/parts/drawn_curve.h"
 #include "apps/drivers/parts/left_out_of_balance.h"
 #include "apps/drivers/parts/series_figures.h"
 #include "apps/drivers/parts/summary_head.h"
-#include "apps/results/warning.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -46,15 +44,6 @@ namespace apps
     if (start)
       summary["initial_equilibrium"] = json_of(*start);
     return summary;
-  }
-
-  void MotionReport::draw_curve(const std::filesystem::path &folder,
-                                const std::string           &horizontal,
-                                const std::string           &vertical) const
-  {
-    const std::string title = std::filesystem::path(request.scene_file).stem().string();
-    warn_of_missing("curve.png",
-                    postprocess::plot(folder / "curve.png", {drawn_curve(series, horizontal, vertical, title)}));
   }
 
   std::string MotionReport::text() const

@@ -32,9 +32,6 @@ namespace apps
 
     /** @param energy its terms by name, to which the balance is added */
     nlohmann::json summary(const nlohmann::json &figures, nlohmann::json energy, nlohmann::json cost) const;
-    /** curve.png: a column over another. */
-    void
-    draw_curve(const std::filesystem::path &folder, const std::string &horizontal, const std::string &vertical) const;
     /** Lines for the terminal: what ended the run, its start, the balance of its energy. */
     std::string text() const;
 

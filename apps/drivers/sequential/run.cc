@@ -136,8 +136,7 @@ namespace apps
     , particles(model.particles, running, asked.deciding_text)
   {
     for (const std::string &doubt : ground.doubts)
-      for (RunObserver *observer : request.observers)
-        observer->warns(doubt);
+      tell(request, &RunObserver::warns, doubt);
     options.strength = model.tensile_strength();
   }
 
@@ -151,7 +150,7 @@ namespace apps
       return false;
     law         = identification.result();
     options.law = law->found.law;
-    says(law->text());
+    tell(request, &RunObserver::says, law->text());
     return true;
   }
 
@@ -178,12 +177,6 @@ namespace apps
     return left_out_of_balance(*event.material.materials().bonds(event.physics), radius);
   }
 
-  void SequentialRun::says(const std::string &lines) const
-  {
-    for (RunObserver *observer : request.observers)
-      observer->says(lines);
-  }
-
   RunResult SequentialRun::interrupted() const { return ended(folder.interrupted()); }
 
   RunResult SequentialRun::finish(nlohmann::json json, std::string words)
@@ -199,8 +192,7 @@ namespace apps
 
   RunResult SequentialRun::ended(RunResult result) const
   {
-    for (RunObserver *observer : request.observers)
-      observer->ends(result);
+    tell(request, &RunObserver::ends, result);
     return result;
   }
 
@@ -210,7 +202,7 @@ namespace apps
     ProgressLine           line;
     RunRequest             part = request;
     part.observers.clear();
-    if (!request.observers.empty())
+    if (shows_progress(request))
       part.observers.push_back(&line);
     part.output_folder = running / continuation_name(number);
     part.deciding_text += fmt::format("\n# continuation {}", number);
@@ -218,15 +210,15 @@ namespace apps
       return earlier_result(part.output_folder);
     part.resume      = std::filesystem::exists(part.output_folder / "running" / checkpoint_name);
     const auto field = coupling::particle_field(outcome.state, model.transfer.field);
-    const auto tell  = [&](const TransferredState &state) {
+    const auto note  = [&](const TransferredState &state) {
       record.write(number, outcome, field, options, state);
-      says(lines_of(outcome, field, state));
+      tell(request, &RunObserver::says, lines_of(outcome, field, state));
     };
     const Stopwatch watch;
     try
       {
         return in_case(
-          outcome, [&] { return continue_from(part, model.continuum, field, options, model.study.least_force, tell); });
+          outcome, [&] { return continue_from(part, model.continuum, field, options, model.study.least_force, note); });
       }
     catch (
       const base::NumericalError &failure) // there is nothing to carry on: the study says so, and the other cases go on
@@ -285,7 +277,7 @@ namespace apps
         const TransferredState        state =
           in_case(outcome, [&] { return initialise_only(model.continuum, field, options, mesh); });
         record.write(k, outcome, field, options, state);
-        says(lines_of(outcome, field, state));
+        tell(request, &RunObserver::says, lines_of(outcome, field, state));
         record.add(k, state.mesh_file);
       }
     nlohmann::json json = summary();

@@ -30,7 +30,6 @@ namespace apps
     RunResult      continue_case(std::size_t number, TransferRecord &record) const;
     nlohmann::json summary() const;
     std::string    not_in_balance() const; ///< see left_out_of_balance()
-    void           says(const std::string &lines) const;
     RunResult      interrupted() const;
     RunResult      finish(nlohmann::json json, std::string words);
     RunResult      ended(RunResult result) const;

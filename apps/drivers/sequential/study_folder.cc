@@ -27,8 +27,7 @@ namespace apps
       require_same_content(request.inputs, postprocess::numeric_text::read_whole(mark));
     postprocess::write_text(folder.running() / "scene.prm", request.scene_text);
     postprocess::write_text(mark, listed(request.inputs)); // states and continuations have checkpoints of their own
-    for (RunObserver *observer : request.observers)
-      observer->saved(way_to_go_on(request));
+    tell(request, &RunObserver::saved, way_to_go_on(request));
   }
 
   RunResult StudyFolder::interrupted() const

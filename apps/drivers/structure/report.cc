@@ -89,17 +89,6 @@ namespace apps
     return summary;
   }
 
-  void StructureReport::draw_curve(const std::filesystem::path &folder) const
-  {
-    const auto [horizontal, vertical] = structure.curve();
-    postprocess::PlotPanel panel =
-      drawn_curve(series, horizontal, vertical, std::filesystem::path(request.scene_file).stem().string());
-    postprocess::PlotSeries &curve = panel.series.front(); // from the state before the first point
-    curve.x.insert(curve.x.begin(), 0.0);
-    curve.y.insert(curve.y.begin(), 0.0);
-    warn_of_missing("curve.png", postprocess::plot(folder / "curve.png", {panel}));
-  }
-
   std::string StructureReport::text() const
   {
     std::string text;

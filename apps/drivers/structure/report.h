@@ -22,9 +22,7 @@ namespace apps
     double                       wall_seconds;
 
     nlohmann::json summary() const;
-    /** curve.png. */
-    void        draw_curve(const std::filesystem::path &folder) const;
-    std::string text() const;
+    std::string    text() const;
 
   private:
     nlohmann::json figures() const;

@@ -1,5 +1,6 @@
 #include "apps/drivers/structure/run.h"
 
+#include "apps/drivers/parts/drawn_curve.h"
 #include "apps/drivers/parts/specimen_packing.h"
 #include "apps/drivers/parts/specimen_picture.h"
 #include "apps/drivers/structure/report.h"
@@ -157,14 +158,9 @@ namespace apps
                                             slab);
   }
 
-  StructureReport StructureRun::report(const postprocess::CsvTable &series, const double wall_seconds) const
-  {
-    return {request, model, structure(), media, series, wall_seconds};
-  }
-
   RunFindings StructureRun::findings(const postprocess::CsvTable &series, const double wall_seconds)
   {
-    const StructureReport found = report(series, wall_seconds);
+    const StructureReport found{request, model, structure(), media, series, wall_seconds};
     return {found.summary(), found.text(), nullptr};
   }
 
@@ -173,6 +169,7 @@ namespace apps
     if (particles && !snapshot_due())
       snapshot();
     warn_of_missing("crack.png", draw_crack(folder / "crack.png"));
-    report(series, 0).draw_curve(folder);
+    const auto [horizontal, vertical] = structure().curve();
+    write_curve(folder, series, horizontal, vertical, std::filesystem::path(request.scene_file).stem().string(), true);
   }
 } // namespace apps

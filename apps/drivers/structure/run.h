@@ -11,8 +11,6 @@
 
 namespace apps
 {
-  struct StructureReport;
-
   /**
    * The work of a scene of kind "structure".
    *
@@ -53,8 +51,6 @@ namespace apps
     void        snapshot();
     void        list_together() const;
     std::string draw_crack(const std::filesystem::path &file) const;
-
-    StructureReport report(const postprocess::CsvTable &series, double wall_seconds) const;
 
     RunRequest                                request;
     const StructureModel                     &model;
