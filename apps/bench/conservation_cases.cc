@@ -266,12 +266,14 @@ namespace apps
 
     coupling::SurfaceCouplingParameters surface_of(const CouplingCase &which)
     {
+      dem::LinearContactParameters rough;
+      rough.effective_modulus    = 1e8;
+      rough.stiffness_ratio      = 2.5;
+      rough.friction_coefficient = 0.4;
       coupling::SurfaceCouplingParameters p;
-      p.name                         = which.name;
-      p.contact.effective_modulus    = 1e8;
-      p.contact.stiffness_ratio      = 2.5;
-      p.contact.friction_coefficient = 0.4;
-      p.pressure                     = which.choice == pressure;
+      p.name     = which.name;
+      p.contact  = rough;
+      p.pressure = which.choice == pressure;
       if (which.choice == footprint)
         p.spreading = coupling::Spreading::footprint;
       if (which.choice == glue)

@@ -13,8 +13,6 @@ namespace coupling
   PreparedCell::PreparedCell(const dem::Packing       &packing,
                              const dem::LinkMaterials &materials,
                              const CellParameters     &parameters)
-    : radius(packing.radius)
-    , material(packing.material)
   {
     if (!packing.periodic_cell)
       throw base::InputError("cells: the packing has no periodic cell. Take one of breccia pack, or the generator.");
@@ -51,15 +49,6 @@ namespace coupling
       for (const int out_of_plane : {2, 3, 4})
         whole(out_of_plane, out_of_plane) = stiffness()(5, 5);
     return whole;
-  }
-
-  double PreparedCell::density(const std::vector<double> &of_materials) const
-  {
-    double mass = 0;
-    for (std::size_t i = 0; i < radius.size(); ++i)
-      mass += of_materials.at(material.empty() ? 0 : static_cast<std::size_t>(material[i])) * 4.0 / 3.0 * M_PI *
-              std::pow(radius[i], 3);
-    return mass / volume();
   }
 
   std::unique_ptr<dem::RespondingCell> PreparedCell::promoted_at(const base::Voigt &strain,

@@ -48,8 +48,6 @@ namespace coupling
     std::size_t     particles() const { return network->network.particles(); }
     std::size_t     links() const { return network->network.bonds(); }
     std::size_t     waiting_contacts() const { return network->network.links.size() - links(); }
-    /** Density of the bulk for particles of these densities [kg/m^3]. */
-    double density(const std::vector<double> &of_materials) const;
 
     /** Whether elasticity is left (or every cell is promoted from the start). */
     bool is_left_by(const base::Voigt &strain) const { return !range || range->left_by(strain); }
@@ -71,8 +69,6 @@ namespace coupling
     std::optional<ElasticRange>                 range;
     std::unique_ptr<const dem::RespondingCell>  virgin;
     Eigen::Vector3d                             edges;
-    std::vector<double>                         radius;
-    std::vector<std::int32_t>                   material;
     mutable std::deque<dem::CellSystem>         systems; ///< of each thread
   };
 } // namespace coupling

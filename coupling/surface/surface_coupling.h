@@ -24,7 +24,7 @@ namespace coupling
   {
     std::string                  name;             ///< for messages
     std::vector<std::string>     boundaries;       ///< of the mesh; empty: all of it
-    dem::LinearContactParameters contact;          ///< with any particle
+    dem::LinkMaterials           contact = dem::LinearContactParameters(); ///< law of contacts with any particle
     bool                         pressure = false; ///< particles press on areas, not at points (dem/facets/pressure.h)
     double                   skin = 0; ///< in which pressure builds up [m]; 0: a twentieth of the smallest facet's size
     std::vector<std::size_t> particles = {};              ///< that touch it, by their number in the packing; empty: all

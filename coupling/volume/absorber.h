@@ -47,7 +47,6 @@ namespace coupling
     /** What damping over a time [s] changes of velocities [m/s]. */
     CarrierChanges changes(const CarrierRows &particles, const CarrierRows &nodes, double time) const;
 
-    double largest_rate() const { return fastest; } ///< not below the largest eigenvalue of the damping [1/s]
     /** Longest time that may be damped in one go [s]. */
     double longest_time() const { return fastest > 0 ? own.phase / fastest : std::numeric_limits<double>::infinity(); }
 
@@ -72,7 +71,7 @@ namespace coupling
     dem::FineScaleFilter     filter;
     std::vector<std::size_t> row_of;       ///< of each carrier in the filter's order
     base::Column             inverse_mass; ///< of the carriers in that order; of points none, whose nodes move
-    double                   fastest = 0;
+    double                   fastest = 0; ///< not below the largest eigenvalue of the damping [1/s]
     mutable base::Column     velocity, force;     ///< of all carriers, during a call
     mutable CarrierRows      at_points, on_nodes; ///< likewise
   };

@@ -177,7 +177,10 @@ namespace dem
         ++links_of_law[contacts.kind_of_line(l)];
     std::vector<std::size_t> to = merged.resize_by_law(links_of_law, particles.count);
     for (const auto &account : contacts.accounts)
-      merged.accounts[0].friction += account.friction;
+      {
+        merged.accounts[0].friction += account.friction;
+        merged.accounts[0].viscous += account.viscous;
+      }
 
     const auto before = [](const LinkSet &a, const std::size_t i, const LinkSet &b, const std::size_t j) {
       return std::make_tuple(a.kind_of_line(i), a.first[i], a.second[i]) <

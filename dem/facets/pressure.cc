@@ -40,7 +40,7 @@ namespace dem
                      const double                  thickness,
                      std::vector<VertexPart>      &parts)
   {
-    const double bedding = surface.contact.normal / surface.skin; // [N/m^3]
+    const double bedding = surface.law.linear()->normal / surface.skin; // [N/m^3]
     const bool   plane   = surface.mesh.corners == 2;
     const auto  *first   = plane ? std::begin(of_segment) : std::begin(of_triangle);
     const auto  *last    = plane ? std::end(of_segment) : std::end(of_triangle);

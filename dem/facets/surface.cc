@@ -1,5 +1,6 @@
 #include "dem/facets/surface.h"
 
+#include "base/errors.h"
 #include "dem/kernels/kinematics.h"
 
 #include <Eigen/Geometry>
@@ -12,14 +13,6 @@ namespace dem
 {
   namespace
   {
-    LinearContactConstants constants(const LinearContactParameters &parameters, const bool friction)
-    {
-      LinearContactConstants made(parameters);
-      if (!friction)
-        made.friction = std::numeric_limits<double>::max(); // sticks for ever, as contacts of particles do then
-      return made;
-    }
-
     /** x turned about the origin by the rotation vector. */
     Eigen::Vector3d turned(const Eigen::Vector3d &turn, const Eigen::Vector3d &x)
     {
@@ -29,10 +22,10 @@ namespace dem
     }
   } // namespace
 
-  Surface::Surface(const SurfaceParameters &p, const bool friction, std::vector<bool> particles)
+  Surface::Surface(const SurfaceParameters &p, const Physics &physics, std::vector<bool> particles)
     : name(p.name)
     , mesh(p.mesh)
-    , contact(constants(p.contact, friction))
+    , law(p.contact, physics, p.name)
     , skin(p.skin)
     , footprint(p.spread ? Footprint(p.mesh) : Footprint())
     , meets(std::move(particles))
@@ -43,6 +36,10 @@ namespace dem
     , turn_impulse(motion)
     , stiffness(place.size(), 0.0)
   {
+    if (skin > 0 && !law.linear())
+      throw base::InputError(
+        "wall " + name +
+        ": pressure on areas takes linear contacts without a dashpot. Let its contacts act at points.");
     for (std::size_t facet = 0; skin > 0 && facet < mesh.size(); ++facet)
       {
         const auto corner = [&](const std::size_t c) { return place[static_cast<std::size_t>(mesh.facet[facet][c])]; };

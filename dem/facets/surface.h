@@ -4,7 +4,7 @@
 #include "base/state.h"
 #include "dem/facets/facet_mesh.h"
 #include "dem/facets/footprint.h"
-#include "dem/laws/linear_contact.h"
+#include "dem/facets/surface_law.h"
 
 #include <cstdint>
 #include <memory>
@@ -13,8 +13,6 @@
 
 namespace dem
 {
-  class LinkLaw;
-
   /**
    * Particles that are glued to a surface from the start, of those that touch it: by links to the facets nearest to them
    * (surface_bonds.h). Until one is torn off it has no other contact with the surface.
@@ -28,10 +26,10 @@ namespace dem
   /** A surface that particles touch, before it is one of a specimen. */
   struct SurfaceParameters
   {
-    std::string             name; ///< for messages
-    FacetMesh               mesh;
-    LinearContactParameters contact; ///< with any particle of radius r: k_n = A E* / r, A = pi r^2 (discs 2 r t)
-    double skin = 0; ///< thickness in which pressure builds up [m] (pressure.h); 0: contacts act at a point
+    std::string   name; ///< for messages
+    FacetMesh     mesh;
+    LinkMaterials contact = LinearContactParameters(); ///< law of contacts with any particle (surface_law.h)
+    double skin = 0; ///< thickness in which pressure builds up [m] (pressure.h), linear; 0: contacts act at a point
     std::vector<std::size_t> particles = {}; ///< that touch it, by their number in the packing; empty: all
     SurfaceGlue              glue      = {}; ///< of those that touch it
     bool spread = false; ///< contacts at a point are spread over the facets under the sphere (footprint.h)
@@ -73,20 +71,20 @@ namespace dem
       by_vertex ///< somebody else, each vertex on its own
     };
 
-    std::string            name;
-    FacetMesh              mesh;
-    LinearContactConstants contact;
-    double                 skin = 0; ///< [m]; 0: contacts act at a point
-    std::vector<double>    area; ///< of the facets as they were made, segments their length [m^2, m]; of a skin only
-    Footprint              footprint; ///< given where contacts are spread
-    std::vector<bool>      meets;     ///< each particle, in the order of Particles; empty: all
-    base::Column           cut;       ///< how deep each may reach in without force, likewise [m]; empty: not at all
-    Led                    led      = Led::rigidly;
-    Eigen::Vector3d        velocity = {0, 0, 0}, spin = {0, 0, 0}; ///< of a rigid one [m/s], [rad/s]
-    Eigen::Vector3d        centre = {0, 0, 0};                     ///< that it spins about; moves with it [m]
-    Eigen::Vector3d        turn   = {0, 0, 0};                     ///< rotation vector of its last step, if rigid
-    Eigen::Vector3d        travel = {0, 0, 0};                     ///< of the centre since the start [m]
-    ForceServo             servo;
+    std::string         name;
+    FacetMesh           mesh;
+    SurfaceLaw          law;
+    double              skin = 0;  ///< [m]; 0: contacts act at a point
+    std::vector<double> area;      ///< of the facets as they were made, segments their length [m^2, m]; of a skin only
+    Footprint           footprint; ///< given where contacts are spread
+    std::vector<bool>   meets;     ///< each particle, in the order of Particles; empty: all
+    base::Column        cut;       ///< how deep each may reach in without force, likewise [m]; empty: not at all
+    Led                 led      = Led::rigidly;
+    Eigen::Vector3d     velocity = {0, 0, 0}, spin = {0, 0, 0}; ///< of a rigid one [m/s], [rad/s]
+    Eigen::Vector3d     centre = {0, 0, 0};                     ///< that it spins about; moves with it [m]
+    Eigen::Vector3d     turn   = {0, 0, 0};                     ///< rotation vector of its last step, if rigid
+    Eigen::Vector3d     travel = {0, 0, 0};                     ///< of the centre since the start [m]
+    ForceServo          servo;
 
     std::vector<Eigen::Vector3d> place, motion; ///< of vertices: now [m], displacement of the last step [m]
     std::vector<Eigen::Vector3d> rate;          ///< velocities given to the vertices, if they are led one by one [m/s]
@@ -104,7 +102,7 @@ namespace dem
     std::int64_t glued = 0, torn = 0; ///< particles that are glued to it at t_n, and that were torn off since the start
 
     /** @param particles that touch it, in the order of Particles; empty: all */
-    Surface(const SurfaceParameters &parameters, bool friction, std::vector<bool> particles = {});
+    Surface(const SurfaceParameters &parameters, const Physics &physics, std::vector<bool> particles = {});
 
     bool   meets_particle(const std::int32_t i) const { return meets.empty() || meets[static_cast<std::size_t>(i)]; }
     double cut_of(const std::int32_t i) const { return cut.empty() ? 0.0 : cut[static_cast<std::size_t>(i)]; }

@@ -15,22 +15,21 @@ namespace dem
     return branch.cross(sheared);
   }
 
-  std::size_t SurfaceContacts::add(const SurfaceParameters &parameters,
-                                   const int                dimension,
-                                   const bool               friction,
-                                   std::vector<bool>        meets)
+  std::size_t SurfaceContacts::add(const SurfaceParameters &parameters, const Physics &physics, std::vector<bool> meets)
   {
-    check_facets(parameters.mesh, parameters.name, dimension);
-    all.emplace_back(parameters, friction, std::move(meets));
+    check_facets(parameters.mesh, parameters.name, physics.dimension);
+    all.emplace_back(parameters, physics, std::move(meets));
     forget_places();
     return all.size() - 1;
   }
 
-  const std::vector<std::int32_t> &SurfaceContacts::find_forces(const Particles &particles, const ParticleShape &shape)
+  const std::vector<std::int32_t> &
+  SurfaceContacts::find_forces(const Particles &particles, const ParticleShape &shape, const double per_second)
   {
     born.clear();
     if (found)
       return born;
+    rate = per_second;
     clear_forces();
     if (!contacts.empty() || near.can_touch())
       {
@@ -74,6 +73,16 @@ namespace dem
   bool SurfaceContacts::spread() const
   {
     return std::any_of(all.begin(), all.end(), [](const Surface &surface) { return surface.footprint.given(); });
+  }
+
+  bool SurfaceContacts::remembers() const
+  {
+    return std::any_of(all.begin(), all.end(), [](const Surface &surface) { return !surface.law.linear(); });
+  }
+
+  bool SurfaceContacts::viscous() const
+  {
+    return std::any_of(all.begin(), all.end(), [](const Surface &surface) { return surface.law.viscous(); });
   }
 
   bool SurfaceContacts::holding() const
@@ -188,6 +197,8 @@ namespace dem
             SurfaceContact gone = *old++;
             gone.spring         = 0; // only shear is left
             let_go += stored(gone, shape, particles);
+            if (gone.dashpot != 0)
+              damped += last_of_dashpot(gone, particles);
           }
         else if (old == contacts.end() || !same(*old, *next))
           {
@@ -197,7 +208,8 @@ namespace dem
           }
         else
           {
-            if (next->stiffness > old->stiffness && all[static_cast<std::size_t>(next->surface)].skin > 0 &&
+            const Surface &surface = all[static_cast<std::size_t>(next->surface)];
+            if (next->stiffness > old->stiffness && (surface.skin > 0 || surface.law.stiffens()) &&
                 (born.empty() || born.back() != next->particle))
               born.push_back(next->particle);
             ++old, ++next;
@@ -207,6 +219,7 @@ namespace dem
     for (const SurfaceContact &contact : contacts)
       {
         slid += contact.dissipated;
+        damped += contact.viscous;
         all[static_cast<std::size_t>(contact.surface)].made += contact.made;
       }
   }
@@ -217,10 +230,13 @@ namespace dem
       records.assign(record_size * particles.count, 0.0);
     for (const SurfaceContact &contact : contacts)
       {
-        Surface     &surface = all[static_cast<std::size_t>(contact.surface)];
-        const double radius  = particles.radius_of(static_cast<std::size_t>(contact.particle));
-        const double normal = contact.stiffness, shear = contact.area(shape, radius) * surface.contact.shear / radius;
-        double      *sum             = &records[record_size * static_cast<std::size_t>(contact.particle)];
+        Surface     &surface         = all[static_cast<std::size_t>(contact.surface)];
+        const double radius          = particles.radius_of(static_cast<std::size_t>(contact.particle));
+        const auto  &linear          = surface.law.linear();
+        const double normal          = contact.stiffness,
+                     shear           = linear ? contact.area(shape, radius) * linear->shear / radius :
+                                                surface.law.shear_stiffness(contact.of_law(shape, radius), contact.memory);
+        double               *sum    = &records[record_size * static_cast<std::size_t>(contact.particle)];
         const Eigen::Vector3d branch = contact.distance * contact.direction, sheared = contact.force - contact.push;
         const Eigen::Vector3d moment = contact.moment();
         for (int c = 0; c < 3; ++c)

@@ -32,6 +32,9 @@ namespace dem
     double          stiffness;                ///< across the surface [N/m]
     double          spring;                   ///< stored by it [J]
     FacePoint       stands;                   ///< where it is spread over a flat face
+    FaceMemory      memory{};                 ///< of a law that is not linear
+    double          dashpot = 0; ///< force of a dashpot on the particle, away from the surface positive [N]
+    double          viscous = 0; ///< dissipated by it in this step [J]
     double made = 0; ///< in this step, with others of its particle and surface: pushes that are no slope of energy [J]
 
     /** On the particle, about its centre: pressure points to it [N m]. */
@@ -41,6 +44,11 @@ namespace dem
     {
       return share * shape.link_area(radius, radius);
     }
+    /** The same as the law of the surface takes it. @param before overlap a step ago [m] */
+    FaceContact of_law(const ParticleShape &shape, const double radius, const double before = 0) const
+    {
+      return {radius, shape.link_area(radius, radius), share, overlap, before};
+    }
   };
 
   /** Of all contacts with surfaces [J]. */
@@ -49,6 +57,7 @@ namespace dem
     double stored   = 0;
     double friction = 0; ///< dissipated since the start
     double damage   = 0; ///< dissipated in glue since the start
+    double viscous  = 0; ///< dissipated by dashpots since the start
     double released = 0; ///< still stored in shear where contacts ended, and in torn bonds, since the start
   };
 
@@ -62,10 +71,10 @@ namespace dem
     bool empty() const { return all.empty(); }
 
     /**
-     * @param friction whether it limits shear @param meets which particles touch it, in the order of Particles; empty: all
+     * @param meets which particles touch it, in the order of Particles; empty: all
      * @throws base::InputError for a surface that is none
      */
-    std::size_t add(const SurfaceParameters &parameters, int dimension, bool friction, std::vector<bool> meets = {});
+    std::size_t add(const SurfaceParameters &parameters, const Physics &physics, std::vector<bool> meets = {});
     /**
      * Glue particles that it meets to a surface, to which they have no other contact until they are torn off.
      * @return which @throws base::InputError where nobody is near, someone lies in it, or it is an unbounded plane
@@ -83,9 +92,12 @@ namespace dem
     /**
      * Forces of all contacts where everything is now, unless they are known already: what find_forces() of a step finds, that step
      * integrates.
+     * @param per_second one over the length of the step that led here [1/s]; 0: no time has passed
      * @return particles that have a contact that they did not have before, or a stiffer one
      */
-    const std::vector<std::int32_t> &find_forces(const Particles &particles, const ParticleShape &shape);
+    const std::vector<std::int32_t>      &
+    find_forces(const Particles &particles, const ParticleShape &shape, double per_second = 0);
+    bool viscous() const; ///< the law of some surface is
     /** @throws base::InputError for a particle behind a surface or in it by more than half its radius */
     void check_start(const Particles &particles);
     /** What of particles reaches through a surface is cut off: they touch it without force. @throws base::InputError */
@@ -146,6 +158,7 @@ namespace dem
     void visit_state(base::StateVisitor &visitor);
 
   private:
+    void visit_memories(base::StateVisitor &visitor, const std::vector<SurfaceContact> &of);
     struct Room;
     struct Block;
     using Known = std::vector<SurfaceContact>::const_iterator;
@@ -155,10 +168,13 @@ namespace dem
     void for_parts(const SurfaceContact &contact, const Use &use);
 
     double friction() const;
+    /** What the dashpot of a contact that has ended took in the step in which it did [J]. */
+    double last_of_dashpot(const SurfaceContact &gone, const Particles &particles) const;
     double damage() const;
     double released() const;
     bool   holding() const;
-    bool   spread() const; ///< contacts of some surface are
+    bool   spread() const;    ///< contacts of some surface are
+    bool   remembers() const; ///< the law of some surface is not linear
     void   clear_forces();
     void   find_bonds(const Particles &particles);
     /** Contacts of a particle with a surface that it was glued to, or is from now on. */
@@ -175,6 +191,17 @@ namespace dem
                 const SurfaceContact    *before,
                 SurfaceContact          &now,
                 std::vector<VertexPart> &parts_of_now) const;
+    /**
+     * What the law answers to a step of it, the shear turned and with the step's increment.
+     * @param opening of its place away from the sphere in the step [m] @param lost of shear so far [J] @return force on the particle besides the pressure at rest [N]
+     */
+    Eigen::Vector3d answer(const Particles      &particles,
+                           const ParticleShape  &shape,
+                           const SurfaceContact *before,
+                           const Vec<double, 3> &added,
+                           double                opening,
+                           double                lost,
+                           SurfaceContact       &now) const;
     /**
      * What contacts of one particle and surface, the last of the block, have made in this step with those before them, because their pushes
      * are not the slope of what they store [J]: nothing is pushed, stored or taken twice, but in dents weights change, and caps part.
@@ -207,7 +234,8 @@ namespace dem
     base::Column                records;
     std::vector<std::int32_t>   born;
     bool                        found = false; ///< forces are those of where everything is
-    double                      slid = 0, let_go = 0;
+    double                      slid = 0, let_go = 0, damped = 0;
+    double                      rate = 0; ///< one over the length of the step that led here [1/s]
   };
 
   template <typename Use>

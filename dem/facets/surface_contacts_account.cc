@@ -74,11 +74,14 @@ namespace dem
   double
   SurfaceContacts::stored(const SurfaceContact &contact, const ParticleShape &shape, const Particles &particles) const
   {
-    const double                    radius = particles.radius_of(static_cast<std::size_t>(contact.particle));
+    const double radius = particles.radius_of(static_cast<std::size_t>(contact.particle));
+    const auto  &law    = all[static_cast<std::size_t>(contact.surface)].law;
+    if (!law.linear())
+      return contact.spring + law.stored_in_shear(contact.of_law(shape, radius), contact.shear, contact.memory);
     LinearContact::State<double, 3> state;
     state.shear[0] = {{contact.shear[0], contact.shear[1], contact.shear[2]}};
-    return contact.spring + LinearContact::stored(all[static_cast<std::size_t>(contact.surface)].contact,
-                                                  {0, contact.distance, radius, contact.area(shape, radius)}, state);
+    return contact.spring +
+           LinearContact::stored(*law.linear(), {0, contact.distance, radius, contact.area(shape, radius)}, state);
   }
 
   double SurfaceContacts::stored(const ParticleShape &shape, const Particles &particles) const
@@ -96,14 +99,16 @@ namespace dem
                                 const ParticleShape  &shape,
                                 const bool            rotations) const
   {
-    const auto   i          = static_cast<std::size_t>(contact.particle);
-    const double radius     = particles.radius_of(i);
-    const auto  &law        = all[static_cast<std::size_t>(contact.surface)].contact;
-    const double lever      = rotations ? particles.mass[i] * radius * radius / particles.inertia[i] : 0.0;
-    const double at_a_point = shape.link_area(radius, radius) / radius, shear = law.shear * (1 + lever);
+    const auto   i      = static_cast<std::size_t>(contact.particle);
+    const double radius = particles.radius_of(i);
+    const auto  &law    = all[static_cast<std::size_t>(contact.surface)].law;
+    const double lever  = rotations ? particles.mass[i] * radius * radius / particles.inertia[i] : 0.0;
+    if (!law.linear())
+      return law.stiffness_of_step(contact.of_law(shape, radius), lever, contact.memory);
+    const double at_a_point = shape.link_area(radius, radius) / radius, shear = law.linear()->shear * (1 + lever);
     if (all[static_cast<std::size_t>(contact.surface)].skin > 0)
       return std::max(contact.stiffness, contact.share * at_a_point * shear);
-    return at_a_point * std::max(law.normal, shear);
+    return at_a_point * std::max(law.linear()->normal, shear);
   }
 
   std::vector<double>
@@ -138,7 +143,22 @@ namespace dem
 
   SurfaceEnergies SurfaceContacts::energies(const ParticleShape &shape, const Particles &particles) const
   {
-    return {stored(shape, particles), friction(), damage(), released()};
+    return {stored(shape, particles), friction(), damage(), damped, released()};
+  }
+
+  double SurfaceContacts::last_of_dashpot(const SurfaceContact &gone, const Particles &particles) const
+  {
+    const Surface  &surface = all[static_cast<std::size_t>(gone.surface)];
+    Eigen::Vector3d under   = Eigen::Vector3d::Zero();
+    if (surface.mesh.is_plane())
+      under = surface.motion.front();
+    else
+      for (int c = 0; c < surface.mesh.corners; ++c)
+        under += surface.motion[static_cast<std::size_t>(
+                   surface.mesh.facet[static_cast<std::size_t>(gone.facet)][static_cast<std::size_t>(c)])] /
+                 surface.mesh.corners;
+    const Eigen::Vector3d moved(&particles.motion[record_size * static_cast<std::size_t>(gone.particle)]);
+    return 0.5 * gone.dashpot * gone.direction.dot(moved - under);
   }
 
   double SurfaceContacts::friction() const

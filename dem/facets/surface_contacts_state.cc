@@ -41,6 +41,28 @@ namespace dem
     }
   } // namespace
 
+  /** What laws that are not linear remember. @param of the contacts before a state was read, if one is */
+  void SurfaceContacts::visit_memories(base::StateVisitor &visitor, const std::vector<SurfaceContact> &of)
+  {
+    if (!remembers())
+      return;
+    base::Column rows;
+    for (const SurfaceContact &contact : of)
+      {
+        rows.insert(rows.end(), contact.memory.begin(), contact.memory.end());
+        rows.push_back(contact.dashpot);
+      }
+    visitor.column("surface_contacts/memory", rows);
+    visitor.scalar("surface_contacts/viscous", damped);
+    const double *row = rows.data();
+    for (SurfaceContact &contact : contacts)
+      {
+        std::copy_n(row, contact.memory.size(), contact.memory.begin());
+        contact.dashpot = row[contact.memory.size()];
+        row += contact.memory.size() + 1;
+      }
+  }
+
   void SurfaceContacts::visit_state(base::StateVisitor &visitor)
   {
     if (all.empty())
@@ -67,10 +89,12 @@ namespace dem
     visitor.scalar("surface_contacts/released", let_go);
     std::int64_t is_found = found ? 1 : 0;
     visitor.scalar("surface_contacts/found", is_found);
-    found = is_found != 0;
+    found                                    = is_found != 0;
+    const std::vector<SurfaceContact> before = contacts;
     contacts.clear();
     for (std::size_t c = 0; c < indices.size() / indices_of_contact; ++c)
       contacts.push_back(get(&numbers[numbers_of_contact * c], &indices[indices_of_contact * c]));
+    visit_memories(visitor, before);
     vertex_parts.clear();
     for (std::size_t k = 0; k < vertices.size(); ++k)
       {

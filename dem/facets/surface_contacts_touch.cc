@@ -315,6 +315,26 @@ namespace dem
         block.room->standing.push_back(sphere(*other));
   }
 
+  namespace
+  {
+    /** Pressure at rest, its slope, and what it stores. */
+    void press(const Surface &surface, const ParticleShape &shape, const double radius, SurfaceContact &now)
+    {
+      if (const auto &linear = surface.law.linear())
+        {
+          now.stiffness = now.area(shape, radius) * linear->normal / radius;
+          now.pressing  = now.stiffness * now.overlap;
+          now.spring    = 0.5 * now.pressing * now.overlap;
+          return;
+        }
+      const FaceContact  face  = now.of_law(shape, radius);
+      const FacePressure found = surface.law.press(face, surface.law.begin(radius, face.area, 0));
+      now.stiffness            = found.stiffness;
+      now.pressing             = found.force;
+      now.spring               = found.stored;
+    }
+  } // namespace
+
   void SurfaceContacts::add_zones(const Surface         &surface,
                                   const ParticleShape   &shape,
                                   const double           radius,
@@ -345,16 +365,14 @@ namespace dem
         if (!(zone.overlap > 0)) // looked for further than it reaches
           continue;
         SurfaceContact now{};
-        now.facet       = zone.facet;
-        now.place       = zone.place;
-        now.direction   = zone.direction;
-        now.distance    = zone.distance;
-        now.share       = zone.share;
-        now.overlap     = zone.overlap;
-        now.stiffness   = now.area(shape, radius) * surface.contact.normal / radius;
-        now.pressing    = now.stiffness * now.overlap;
+        now.facet     = zone.facet;
+        now.place     = zone.place;
+        now.direction = zone.direction;
+        now.distance  = zone.distance;
+        now.share     = zone.share;
+        now.overlap   = zone.overlap;
+        press(surface, shape, radius, now);
         now.push        = -now.pressing * now.direction;
-        now.spring      = 0.5 * now.pressing * now.overlap;
         now.parts_begin = static_cast<std::int32_t>(block.parts.size());
         const auto add  = [&](const std::int32_t vertex, const double weight) {
           if (weight != 0)
@@ -391,7 +409,7 @@ namespace dem
     now.place     = patch.place;
     now.distance  = (patch.place - centre).norm();
     now.direction = (patch.place - centre) / now.distance;
-    now.share     = patch.stiffness * radius / (shape.link_area(radius, radius) * surface.contact.normal);
+    now.share     = patch.stiffness * radius / (shape.link_area(radius, radius) * surface.law.linear()->normal);
     now.overlap   = patch.deepest;
     now.stiffness = patch.stiffness;
     now.pressing  = patch.total;
@@ -434,26 +452,52 @@ namespace dem
     if (before && surface.skin > 0)
       {
         // A patch that grows pulls no more for that, and what is gone of it takes its pull along: shear can only lose energy.
-        const double grown = now.share / before->share, spring = 0.5 * area * radius * surface.contact.shear;
+        const double grown = now.share / before->share, spring = 0.5 * area * radius * surface.law.linear()->shear;
         const double was = spring / grown * dot(shear, shear);
         if (grown > 1)
           shear = (1 / grown) * shear;
         lost = was - spring * dot(shear, shear);
       }
-    shear = carried(n0, n1, 1 / (1 + dot(n0, n1)), shear, added);
-
-    // The overlap that presses as much at a point.
-    const double     strain = -now.pressing / (area * surface.contact.normal);
-    LinkWork<double> work;
-    const auto answer = linear_contact_force<LinearContactConstants, double, 3>(surface.contact, strain, area, radius,
-                                                                                added, shear, work);
-    now.shear         = vector(shear);
-    now.force         = now.push + vector(answer.shear);
-    now.dissipated    = work.friction + lost;
+    now.shear                     = vector(carried(n0, n1, 1 / (1 + dot(n0, n1)), shear, added));
+    const Eigen::Vector3d besides = answer(particles, shape, before, added, now.direction.dot(opening), lost, now);
+    now.force                     = now.push + besides;
     for (std::int32_t k = now.parts_begin; k < now.parts_end; ++k)
       {
         VertexPart &part = parts_of_now[static_cast<std::size_t>(k)];
-        part.force -= part.weight * vector(answer.shear);
+        part.force -= part.weight * besides;
       }
+  }
+
+  Eigen::Vector3d SurfaceContacts::answer(const Particles      &particles,
+                                          const ParticleShape  &shape,
+                                          const SurfaceContact *before,
+                                          const Vec<double, 3> &added,
+                                          const double          opening,
+                                          const double          lost,
+                                          SurfaceContact       &now) const
+  {
+    const auto        i      = static_cast<std::size_t>(now.particle);
+    const SurfaceLaw &law    = all[static_cast<std::size_t>(now.surface)].law;
+    const double      radius = particles.radius_of(i);
+    if (const auto &linear = law.linear())
+      {
+        // The overlap that presses as much at a point.
+        const double     area = now.area(shape, radius), strain = -now.pressing / (area * linear->normal);
+        Vec<double, 3>   shear = plain(now.shear);
+        LinkWork<double> work;
+        const auto       sheared =
+          linear_contact_force<LinearContactConstants, double, 3>(*linear, strain, area, radius, added, shear, work);
+        now.shear      = vector(shear);
+        now.dissipated = work.friction + lost;
+        return vector(sheared.shear);
+      }
+    const FaceContact face = now.of_law(shape, radius, before ? before->overlap : now.overlap + opening);
+    now.memory =
+      before ? before->memory : law.begin(radius, face.area, shape.denser(particles, i) * shape.mass(radius));
+    const FaceAnswer besides = law.follow(face, now.direction, vector(added), rate, now.shear, now.memory);
+    now.dissipated           = besides.friction + lost;
+    now.viscous              = besides.viscous;
+    now.dashpot              = besides.dashpot;
+    return besides.force;
   }
 } // namespace dem

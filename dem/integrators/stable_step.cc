@@ -15,8 +15,9 @@ namespace dem
     class StiffnessSeen
     {
     public:
-      StiffnessSeen(const Particles &particles, const LawfulLinks &of, const bool particles_rotate)
+      StiffnessSeen(const Particles &particles, const LawfulLinks &of, const bool particles_rotate, const double ahead_)
         : p(particles)
+        , ahead(ahead_)
         , links(of.links)
         , rotations(particles_rotate)
         , has_moment(of.law.has_moment())
@@ -32,7 +33,7 @@ namespace dem
                      arm             = 0.5 * (branch_of(p, links, l).norm() + eccentric),
                      lever           = rotations && p.inertia[i] > 0 ? p.mass[i] * arm * arm / p.inertia[i] : 0.0;
         reader.read(l, Geometry::present);
-        const LinkStiffnesses s = reader.closed_stiffness();
+        const LinkStiffnesses s = reader.stiffness_of_step(ahead);
         const double seen = links.area[l] / links.reference_length[l] * std::max(s.normal, s.shear * (1.0 + lever));
         if (!has_moment)
           return seen;
@@ -43,16 +44,18 @@ namespace dem
 
     private:
       const Particles &p;
+      double           ahead;
       const LinkSet   &links;
       bool             rotations, has_moment;
       LinkReader       reader;
     };
 
     /** Sum of kappa_c over one particle's links [N/m]. */
-    double stiffness_around(const Particles &p, const LawfulLinks &of, const bool rotations, const std::int32_t i)
+    double stiffness_around(
+      const Particles &p, const LawfulLinks &of, const bool rotations, const std::int32_t i, const double ahead)
     {
       const LinkSet &links = of.links;
-      StiffnessSeen  seen(p, of, rotations);
+      StiffnessSeen  seen(p, of, rotations, ahead);
       double         sum = 0;
       for (std::int32_t o = links.own_begin[i]; o < links.own_begin[i + 1]; ++o)
         if (links.is_alive(links.own(o)))
@@ -67,13 +70,14 @@ namespace dem
   double stable_step(const Particles                &particles,
                      const std::vector<LawfulLinks> &all,
                      const bool                      rotations,
-                     const std::vector<double>      &of_surfaces)
+                     const std::vector<double>      &of_surfaces,
+                     const double                    ahead)
   {
     std::vector<double> sum = of_surfaces;
     sum.resize(particles.count, 0.0);
     for (const LawfulLinks &of : all)
       {
-        StiffnessSeen seen(particles, of, rotations);
+        StiffnessSeen seen(particles, of, rotations, ahead);
         for (std::size_t l = 0; l < of.links.count; ++l)
           if (of.links.is_alive(l))
             {
@@ -92,11 +96,12 @@ namespace dem
                           const std::vector<LawfulLinks> &all,
                           const bool                      rotations,
                           const std::int32_t              particle,
-                          const double                    of_surfaces)
+                          const double                    of_surfaces,
+                          const double                    ahead)
   {
     double sum = of_surfaces;
     for (const LawfulLinks &of : all)
-      sum += stiffness_around(particles, of, rotations, particle);
+      sum += stiffness_around(particles, of, rotations, particle, ahead);
     return sum;
   }
 
@@ -104,11 +109,12 @@ namespace dem
                         const std::vector<LawfulLinks> &all,
                         const bool                      rotations,
                         const std::int32_t              particle,
-                        const double                    of_surfaces)
+                        const double                    of_surfaces,
+                        const double                    ahead)
   {
     if (!(particles.mass[particle] > 0))
       return std::numeric_limits<double>::infinity();
     return std::sqrt(2.0 * particles.mass[particle] /
-                     stiffness_around(particles, all, rotations, particle, of_surfaces));
+                     stiffness_around(particles, all, rotations, particle, of_surfaces, ahead));
   }
 } // namespace dem

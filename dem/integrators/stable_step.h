@@ -25,25 +25,29 @@ namespace dem
  * they soften. Infinite when no particle has a link.
  *
  * @param of_surfaces sum of kappa_c over contacts with surfaces, of each particle [N/m]; empty: none
+ * @param ahead contacts whose stiffness grows count with an overlap larger by this than now [m]
  */
   double stable_step(const Particles                &particles,
                      const std::vector<LawfulLinks> &links,
                      bool                            rotations,
-                     const std::vector<double>      &of_surfaces = {});
+                     const std::vector<double>      &of_surfaces = {},
+                     double                          ahead       = 0);
 
   /** Sum of kappa_c over one particle's links, as the bound has it [N/m], in time proportional to their number. */
   double stiffness_around(const Particles                &particles,
                           const std::vector<LawfulLinks> &links,
                           bool                            rotations,
                           std::int32_t                    particle,
-                          double                          of_surfaces = 0);
+                          double                          of_surfaces = 0,
+                          double                          ahead       = 0);
 
   /** The same bound of one particle alone [s], in time proportional to its links. @pre something acts on it */
   double stable_step_of(const Particles                &particles,
                         const std::vector<LawfulLinks> &links,
                         bool                            rotations,
                         std::int32_t                    particle,
-                        double                          of_surfaces = 0);
+                        double                          of_surfaces = 0,
+                        double                          ahead       = 0);
 
   /**
  * Sharp critical step 2/sqrt(largest eigenvalue of M^-1 K) of the undamaged links at the present positions [s], by Lanczos iteration

@@ -34,6 +34,30 @@ namespace dem
     return false;
   }
 
+  /** Law::viscous, false for a law that does not speak of it. */
+  template <typename Law>
+  constexpr bool law_is_viscous(decltype(Law::viscous, 0))
+  {
+    return Law::viscous;
+  }
+  template <typename Law>
+  constexpr bool law_is_viscous(...)
+  {
+    return false;
+  }
+
+  /** Law::stiffens, false for a law that does not speak of it. */
+  template <typename Law>
+  constexpr bool law_stiffens(decltype(Law::stiffens, 0))
+  {
+    return Law::stiffens;
+  }
+  template <typename Law>
+  constexpr bool law_stiffens(...)
+  {
+    return false;
+  }
+
   /** Whether a law speaks of a shear vector that may rest. */
   template <typename Law>
   constexpr bool has_resting_shear(decltype(Law::resting_shear, 0))
@@ -76,7 +100,8 @@ namespace dem
    * `Law` is a type without data. doc/theory/link-laws.md tells what it declares:
    *
    *   name, bonds, moment, breaks_in_place, records                 constants
-   *   waits                                                         constant, if its contacts may wait (LinkLaw::waits)
+   *   waits, viscous, stiffens                                      constants, where they hold (LinkLaw)
+   *   damping_ratio(constants)                                      of a viscous law
    *   resting_shear, acts(state, strain)                            place of a shear vector that stays zero while acts() is false,
    *                                                                 for laws with a moment: it is neither turned nor written then
    *   Constants, State<T, m>                                        types; State is a LinkState
@@ -126,6 +151,21 @@ namespace dem
     bool        breaks_in_place() const override { return Law::breaks_in_place; }
     bool        bonds() const override { return Law::bonds; }
     bool        waits() const override { return law_waits<Law>(0); }
+    bool        viscous() const override
+    {
+      for (std::size_t pair = 0; pair < all.size(); ++pair)
+        if (damping_ratio(pair) > 0)
+          return true;
+      return false;
+    }
+    bool   stiffens() const override { return law_stiffens<Law>(0); }
+    double damping_ratio([[maybe_unused]] const std::size_t pair) const override
+    {
+      if constexpr (law_is_viscous<Law>(0))
+        return Law::damping_ratio(all[pair]);
+      else
+        return 0.0;
+    }
 
     LinkPass pass(const Mixture mixture) const override
     {
@@ -245,6 +285,7 @@ namespace dem
       result.friction = work.friction;
       result.damage   = work.damage;
       result.released = work.released;
+      result.viscous  = work.viscous;
       result.slides   = answer.slides;
       if constexpr (Law::moment)
         result.moment = vector(answer.bending_moment) + answer.twisting_moment * step.direction;
@@ -344,6 +385,7 @@ namespace dem
       motion.reference         = step.geometry.reference;
       motion.inverse_reference = 1.0 / step.geometry.reference;
       motion.area              = step.geometry.area;
+      motion.per_second        = step.per_second;
       for (int c = 0; c < 3; ++c)
         motion.direction[c] = step.direction[c];
       motion.twist_increment = step.twist_increment;
@@ -351,6 +393,8 @@ namespace dem
         {
           motion.shear_increment[c]   = step.shear_increment[c];
           motion.bending_increment[c] = step.bending_increment[c];
+          if (step.carried)
+            continue;
           for (int i = 0; i < state.shears; ++i)
             state.shear[i][c] += step.shear_increment[c];
           for (int i = 0; i < state.bendings; ++i)

@@ -56,10 +56,10 @@ namespace dem::link_update
       return advance_shear<P::rotations>(pair_motion<P>(ends, eccentric), inverse_reference, state.shear);
   }
 
-  /** Lengths and directions of a frame, as the law takes them. */
+  /** Lengths and directions of a frame, as the law takes them. @param per_second one over the length of the step [1/s] */
   template <typename P, typename Frame>
-  BRECCIA_KERNEL LinkMotion<Pack, P::across>
-                 stretch_of(const Frame &frame, const Pack &reference, const Pack &inverse_reference, const Pack &area)
+  BRECCIA_KERNEL LinkMotion<Pack, P::across> stretch_of(
+    const Frame &frame, const Pack &reference, const Pack &inverse_reference, const Pack &area, const double per_second)
   {
     LinkMotion<Pack, P::across> motion;
     motion.strain            = (frame.length - reference) * inverse_reference;
@@ -68,6 +68,8 @@ namespace dem::link_update
     motion.reference         = reference;
     motion.inverse_reference = inverse_reference;
     motion.area              = area;
+    if constexpr (law_is_viscous<typename P::Law>(0))
+      motion.per_second = per_second;
     return motion;
   }
 
@@ -124,7 +126,7 @@ namespace dem::link_update
       {
         const auto              pair = moment_pair_motion<P>(ends, eccentric);
         const TurningLink<Pack> frame(pair, inverse_reference);
-        auto                    motion = stretch_of<P>(frame, reference, inverse_reference, area);
+        auto                    motion = stretch_of<P>(frame, reference, inverse_reference, area, links.per_second);
         motion.shear_increment         = frame.across(frame.slip);
         motion.bending_increment       = frame.across(pair.turned);
         motion.twist_increment         = frame.along(pair.turned);
@@ -145,7 +147,7 @@ namespace dem::link_update
     else
       {
         const auto frame         = advance<P>(ends, eccentric, reference, inverse_reference, state);
-        auto       motion        = stretch_of<P>(frame, reference, inverse_reference, area);
+        auto       motion        = stretch_of<P>(frame, reference, inverse_reference, area, links.per_second);
         motion.shear_increment   = frame.increment;
         motion.bending_increment = {};
         motion.twist_increment   = Pack(0.0);
@@ -212,6 +214,8 @@ namespace dem::link_update
     account.friction += sum_of(sums.work.friction);
     account.damage += sum_of(sums.work.damage);
     account.released += sum_of(sums.work.released);
+    if constexpr (law_is_viscous<typename P::Law>(0))
+      account.viscous += sum_of(sums.work.viscous);
     account.event = any(sums.event);
     if (links.periodic)
       for (int c = 0; c < 9; ++c)

@@ -21,6 +21,7 @@ namespace dem
     T         reference;         ///< L0 [m]
     T         inverse_reference; ///< 1/L0 [1/m]
     T         area;              ///< A [m^2]
+    T         per_second; ///< one over the length of the step, zero where no time passes [1/s]; of viscous laws only
     Vec<T, m> shear_increment; ///< tangential displacement of this step at the contact point, over the reference length
     Vec<T, m> bending_increment; ///< relative rotation across the link of this step [rad]; moments only
     Vec<T, m> direction;         ///< n, in space, of laws with axes only
@@ -63,5 +64,6 @@ namespace dem
     T friction{0.0}; ///< dissipated by sliding
     T damage{0.0};   ///< dissipated by damage, where no closed form of the state tells it
     T released{0.0}; ///< stored in bonds at the moment they broke
+    T viscous{0.0};  ///< dissipated by dashpots
   };
 } // namespace dem

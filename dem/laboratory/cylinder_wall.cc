@@ -23,7 +23,7 @@ namespace dem
   CylinderWall::CylinderWall(Specimen                      &body,
                              const ParticleOutput          &particles,
                              const int                      axis,
-                             const LinearContactParameters &contact)
+                             const LinkMaterials &contact)
     : specimen(&body)
   {
     const BodyExtent extent(particles);

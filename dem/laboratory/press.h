@@ -21,10 +21,10 @@ namespace dem
       rollers  ///< two rollers below and one above: a beam in three-point bending
     };
 
-    Kind                    kind = Kind::platens;
-    int                     axis = 2;           ///< of the load
-    LinearContactParameters contact;            ///< of platens and rollers with particles
-    double                  smoothing = 0;      ///< depth at which the specimen's ends are cut off under platens [m]
+    Kind          kind      = Kind::platens;
+    int           axis      = 2;                         ///< of the load
+    LinkMaterials contact   = LinearContactParameters(); ///< of platens and rollers with particles
+    double        smoothing = 0;                ///< depth at which the specimen's ends are cut off under platens [m]
     std::optional<std::array<double, 2>> stand; ///< where platens stand along the axis, low and high: cut off there [m]
     double                               layer  = 0; ///< thickness of what is glued, from the outermost centre [m]
     int                                  along  = 0; ///< axis of the beam

@@ -10,7 +10,7 @@ namespace dem
 {
   using Eigen::Vector3d;
 
-  SideWalls::SideWalls(Specimen &body_, const BodyExtent &body, const int axis, const LinearContactParameters &contact)
+  SideWalls::SideWalls(Specimen &body_, const BodyExtent &body, const int axis, const LinkMaterials &contact)
     : specimen(&body_)
   {
     const int dimension = specimen->parameters().physics.dimension;

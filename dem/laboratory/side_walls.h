@@ -2,7 +2,7 @@
 
 #include "dem/laboratory/membrane.h"
 #include "dem/laboratory/particle_gauges.h"
-#include "dem/laws/linear_contact.h"
+#include "dem/model/materials.h"
 #include "dem/specimen/specimen.h"
 
 #include <array>
@@ -19,7 +19,7 @@ namespace dem
   {
   public:
     /** Before the first step: they touch the outermost particles. @param axis of the load, along which there are none */
-    SideWalls(Specimen &specimen, const BodyExtent &body, int axis, const LinearContactParameters &contact);
+    SideWalls(Specimen &specimen, const BodyExtent &body, int axis, const LinkMaterials &contact);
 
     /** From the next step on. @param pressure [Pa] @param largest_speed [m/s] @param gain see ForceServo */
     void hold(double pressure, const EndPlanes &ends, double largest_speed, double gain);

@@ -17,6 +17,16 @@ namespace dem
     require(p.effective_modulus > 0, "Effective modulus", p.effective_modulus, "must be above 0 Pa.");
     require(p.stiffness_ratio > 0, "Stiffness ratio", p.stiffness_ratio, "must be above 0.");
     require(p.friction_coefficient >= 0, "Friction coefficient", p.friction_coefficient, "must not be negative.");
+    require(p.restitution >= smallest_restitution && p.restitution <= 1, "Restitution", p.restitution,
+            "must be in [0.001, 1].");
+    require(p.restitution == 1 || p.normal_force == NormalForce::absolute, "Restitution", p.restitution,
+            "must be 1 where Normal force = incremental.");
+  }
+
+  DampedContactConstants::DampedContactConstants(const LinearContactParameters &p)
+    : LinearContactConstants(p)
+    , damping(2 * damping_ratio_of(p.restitution))
+  {
   }
 
   Eigen::Matrix3d linear_contact_tangent(const LinearContactConstants &k,
@@ -82,20 +92,33 @@ namespace dem
     between.effective_modulus       = mean(a.effective_modulus, b.effective_modulus);
     between.stiffness_ratio         = mean(a.stiffness_ratio, b.stiffness_ratio);
     between.friction_coefficient    = mean_friction(a.friction_coefficient, b.friction_coefficient);
+    between.restitution             = mean(a.restitution, b.restitution);
     return between;
   }
+
+  namespace
+  {
+    template <typename Law>
+    std::shared_ptr<const LinkLaw>
+    law_of(const std::vector<LinearContactParameters> &pairs, const Physics &physics, const int vector_dimension)
+    {
+      std::vector<typename Law::Constants> constants(pairs.begin(), pairs.end());
+      if (!physics.friction)
+        for (auto &k : constants)
+          k.friction = std::numeric_limits<double>::max(); // sticks for ever: shear stays elastic
+      return std::make_shared<LinkLawOf<Law>>(std::move(constants), vector_dimension, physics.rotations);
+    }
+  } // namespace
 
   std::shared_ptr<const LinkLaw> LinearContactLaw::contacts(const std::vector<LinearContactParameters> &pairs,
                                                             const Physics                              &physics,
                                                             const int vector_dimension)
   {
-    std::vector<LinearContactConstants> constants(pairs.begin(), pairs.end());
-    if (!physics.friction)
-      for (auto &k : constants)
-        k.friction = std::numeric_limits<double>::max(); // sticks for ever: shear stays elastic
     if (!pairs.empty() && pairs.front().normal_force == NormalForce::incremental)
-      return std::make_shared<LinkLawOf<IncrementalContact>>(std::move(constants), vector_dimension, physics.rotations);
-    return std::make_shared<LinkLawOf<LinearContact>>(std::move(constants), vector_dimension, physics.rotations);
+      return law_of<IncrementalContact>(pairs, physics, vector_dimension);
+    if (std::any_of(pairs.begin(), pairs.end(), [](const auto &pair) { return pair.restitution < 1; }))
+      return law_of<DampedContact>(pairs, physics, vector_dimension);
+    return law_of<LinearContact>(pairs, physics, vector_dimension);
   }
 
   // Nothing bonds: links live where particles meet, and the specimen makes none at the start.

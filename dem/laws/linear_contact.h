@@ -1,6 +1,7 @@
 #pragma once
 
-#include "dem/kernels/link_law_of.h"
+#include "dem/laws/contact_defaults.h"
+#include "dem/laws/restitution.h"
 #include "dem/model/materials.h"
 
 #include <algorithm>
@@ -30,6 +31,7 @@ namespace dem
     double friction_coefficient = 0;   ///< mu [-]
 
     NormalForce normal_force = NormalForce::absolute;
+    double      restitution  = 1; ///< e, speed after a head-on impact over that before [-]
   };
 
   /** The same as an update takes them. */
@@ -91,12 +93,11 @@ namespace dem
    * Links of the linear contact law. While the particles are apart the force and the elastic shear are zero by the update itself (there is
    * no strength, everything slides and dissipates nothing), so a link may be there long before and after they touch.
    */
-  struct LinearContact
+  struct LinearContact : UndamagedContact
   {
     using Constants = LinearContactConstants;
 
-    static constexpr const char *name  = "linear";
-    static constexpr bool        bonds = false, moment = false, breaks_in_place = false, waits = true;
+    static constexpr const char *name    = "linear";
     static constexpr int         records = 1;
 
     template <typename T, int m>
@@ -142,11 +143,6 @@ namespace dem
     {
       return link.strain < 0 ? LinkStiffnesses{k.normal, k.shear, 0, 0} : LinkStiffnesses{};
     }
-    template <typename S>
-    static LinkPhase phase(const Constants &, const LinkGeometry &link, const S &)
-    {
-      return link.strain > 0 ? LinkPhase::apart : LinkPhase::broken;
-    }
     /** 1/2 F_n^2/k_n + 1/2 F_s^2/k_s */
     template <typename S>
     static double stored(const Constants &k, const LinkGeometry &link, const S &state)
@@ -156,26 +152,10 @@ namespace dem
              (k.normal * overlap * overlap + k.shear * dot(state.shear[0], state.shear[0]));
     }
     template <typename S>
-    static double damage_dissipation(const Constants &, const LinkGeometry &, const S &)
-    {
-      return 0;
-    }
-    template <typename S>
-    static LinkLoss damage(const Constants &, const LinkGeometry &, const S &)
-    {
-      return {1, 1};
-    }
-    template <typename S>
-    static double damaging_strain(const Constants &, const S &)
-    {
-      return std::numeric_limits<double>::infinity();
-    }
-    template <typename S>
     static LinkExertion
     exertion(const Constants &k, const LinkGeometry &, const S &, const double normal, const double shear)
     {
-      const double strength = -k.friction * normal;
-      return {0, shear == 0 ? 0.0 : strength > 0 ? shear / strength : std::numeric_limits<double>::infinity()};
+      return friction_used(-k.friction * normal, shear);
     }
     static base::Matrix6 tangent(const Constants        &k,
                                  const LinkStep         &step,
@@ -236,13 +216,102 @@ namespace dem
                                  LinkTangent             kind);
   };
 
+  struct DampedContactConstants : LinearContactConstants
+  {
+    double damping; ///< 2 zeta [-]: viscous force 2 zeta sqrt(k_n m*) times the speed of approach
+
+    /** @throws base::InputError likewise */
+    explicit DampedContactConstants(const LinearContactParameters &parameters);
+  };
+
+  /**
+   * The same with a dashpot beside the normal spring, F_n = k_n g + 2 zeta sqrt(k_n m*) g' while the particles overlap: it may pull a
+   * little just before they part. Friction is in proportion to the spring's force (doc/theory/linear-contact.md, 2).
+   */
+  struct DampedContact : LinearContact
+  {
+    using Constants = DampedContactConstants;
+
+    static constexpr bool viscous = true;
+
+    /** What the history's numbers are. */
+    enum Remembered
+    {
+      effective_mass, ///< m* [kg]
+      viscous_force   ///< of the last step [N]
+    };
+    template <typename T, int m>
+    using State = LinkState<T, m, 2, 1, 0>;
+
+    template <typename Number>
+    struct Numbers : LinearContactNumbers<Number>
+    {
+      Number damping;
+    };
+
+    static std::array<LinkQuantity, 3> history()
+    {
+      return {
+        {{"effective_mass", "kg", "m*, product of the masses over their sum; against a face the mass"},
+         {"viscous_force", "N", "part of the normal force that depends on the speed of approach, pressure positive"},
+         LinearContact::history()[0]}};
+    }
+    static void put(const Constants &k, double *record)
+    {
+      LinearContact::put(k, record);
+      record[3] = k.damping;
+    }
+    BRECCIA_KERNEL static Numbers<Pack> gathered(const Pack (&c)[1][pack_size], const Constants &)
+    {
+      return {{c[0][0], c[0][1], c[0][2]}, c[0][3]};
+    }
+    static void begin(const Constants &, const NewLink &link, double *numbers)
+    {
+      numbers[effective_mass] = link.effective_mass;
+      numbers[viscous_force]  = 0;
+    }
+
+    template <typename N, typename T, int m>
+    BRECCIA_KERNEL static LinkForce<T, m>
+    update(const N &k, const LinkMotion<T, m> &motion, State<T, m> &state, LinkWork<T> &work)
+    {
+      auto    answer  = linear_contact_force(k, motion.strain, motion.area, motion.reference, motion.shear_increment,
+                                             state.shear[0], work);
+      const T spring  = motion.area * T(k.normal) / motion.reference;
+      const T nearer  = motion.reference * (motion.strain_before - motion.strain);
+      const T dashpot = T(k.damping) * square_root(spring * state.number[effective_mass]);
+      const T viscous = select(motion.strain < T(0.0), dashpot * (nearer * motion.per_second), T(0.0));
+      work.viscous += T(0.5) * (state.number[viscous_force] + viscous) * nearer;
+      state.number[viscous_force] = viscous;
+      answer.normal               = answer.normal - viscous;
+      return answer;
+    }
+    template <typename S>
+    BRECCIA_KERNEL static unsigned changes_numbers(const S &, const S &)
+    {
+      return 1u << viscous_force;
+    }
+    static double        damping_ratio(const Constants &k) { return 0.5 * k.damping; }
+    static base::Matrix6 tangent(const Constants        &k,
+                                 const LinkStep         &step,
+                                 const State<double, 3> &before,
+                                 const State<double, 3> &,
+                                 const LinkTangent kind)
+    {
+      LinearContact::State<double, 3> shear;
+      shear.shear[0] = before.shear[0];
+      return LinearContact::tangent(k, step, shear, shear, kind);
+    }
+  };
+
   /** Linear contacts as a scene chooses them. */
   struct LinearContactLaw
   {
     using Parameters = LinearContactParameters;
 
-    static constexpr const char *name    = "linear";
-    static constexpr const char *meaning = "Linear contact with Coulomb friction: no tension, no moment";
+    static constexpr const char *name         = "linear";
+    static constexpr const char *meaning      = "Linear contact with Coulomb friction: no tension, no moment";
+    static constexpr bool        touches_only = true;
 
     /** Means of modulus and stiffness ratio, and of the friction angle. @throws base::InputError if their normal forces differ in kind */
     static LinearContactParameters mean_of(const Material<LinearContactParameters> &one,
@@ -268,6 +337,7 @@ namespace dem
              {{"absolute", NormalForce::absolute}, {"incremental", NormalForce::incremental}},
              "absolute: from the overlap; incremental: summed up since they touched, overlaps at the start are without "
              "force");
+      number("Restitution", p.restitution, "-", restitution_meaning, smallest_restitution, 1.0, false);
     }
   };
 } // namespace dem

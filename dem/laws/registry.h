@@ -60,10 +60,11 @@ namespace dem
   class LinkLawKind
   {
   public:
-    virtual ~LinkLawKind()                                   = default;
-    virtual std::string                    name() const      = 0;
-    virtual std::string                    meaning() const   = 0;
-    virtual std::shared_ptr<LinkConstants> constants() const = 0; ///< with their defaults
+    virtual ~LinkLawKind()                                      = default;
+    virtual std::string                    name() const         = 0;
+    virtual std::string                    meaning() const      = 0;
+    virtual bool                           touches_only() const = 0; ///< it bonds nothing: surfaces can have it
+    virtual std::shared_ptr<LinkConstants> constants() const    = 0; ///< with their defaults
     /** @pre constants of this law @param between pairs that do not take the means of two materials */
     virtual LinkMaterials materials(const std::vector<NamedConstants> &of,
                                     const std::vector<PairConstants>  &between = {}) const = 0;
@@ -76,6 +77,18 @@ namespace dem
   /** Before scenes are read: a test, or a program that brings a law of its own. */
   void add_link_law(std::shared_ptr<const LinkLawKind> law);
 
+  /** Law::touches_only, false for a law that does not speak of it. */
+  template <typename Law>
+  constexpr bool law_touches_only(decltype(Law::touches_only, 0))
+  {
+    return Law::touches_only;
+  }
+  template <typename Law>
+  constexpr bool law_touches_only(...)
+  {
+    return false;
+  }
+
   /** The kind of a law that describes itself: name, meaning, Parameters, describe(), check(), mean_of(), bonds(), contacts(). */
   template <typename Law>
   class LinkLawKindOf final : public LinkLawKind
@@ -85,6 +98,7 @@ namespace dem
 
     std::string                    name() const override { return Law::name; }
     std::string                    meaning() const override { return Law::meaning; }
+    bool                           touches_only() const override { return law_touches_only<Law>(0); }
     std::shared_ptr<LinkConstants> constants() const override { return std::make_shared<Constants>(); }
     LinkMaterials                  materials(const std::vector<NamedConstants> &of,
                                              const std::vector<PairConstants>  &between) const override

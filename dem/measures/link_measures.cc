@@ -141,6 +141,14 @@ namespace dem
     return sum;
   }
 
+  double viscous_dissipation(const LinkSet &links)
+  {
+    double sum = 0;
+    for (const auto &account : links.accounts)
+      sum += account.viscous;
+    return sum;
+  }
+
   double released_in_place(const LinkSet &links)
   {
     double sum = 0;

@@ -67,6 +67,15 @@ namespace dem
       closed.strain       = -1;
       return law.stiffness(pair, closed, row.data());
     }
+    /**
+     * The same as an explicit step sees it; of a law that stiffens, with the two this much nearer to each other than they are [m].
+     */
+    LinkStiffnesses stiffness_of_step(const double ahead) const
+    {
+      LinkGeometry closed = place;
+      closed.strain       = law.stiffens() ? std::min(place.strain, 0.0) - ahead / place.reference : -1;
+      return law.stiffness_of_step(pair, closed, row.data());
+    }
     LinkStiffnesses damaged_stiffness() const { return law.damaged_stiffness(pair, place, row.data()); }
     LinkExertion    exertion() const { return law.exertion(pair, place, seen.direction, seen.force, row.data()); }
 
@@ -100,6 +109,8 @@ namespace dem
 
   /** Dissipated by sliding since the start [J]. */
   double plastic_dissipation(const LinkSet &links);
+  /** Dissipated by dashpots since the start [J]. */
+  double viscous_dissipation(const LinkSet &links);
   /** Set free since the start by bonds that broke in their place [J]. */
   double released_in_place(const LinkSet &links);
 

@@ -73,6 +73,18 @@ namespace dem
     return std::all_of(law.begin(), law.end(), [](const auto &each) { return each->waits(); });
   }
 
+  bool LawsByPair::viscous() const
+  {
+    return std::any_of(law.begin(), law.end(), [](const auto &each) { return each->viscous(); });
+  }
+
+  bool LawsByPair::stiffens() const
+  {
+    return std::any_of(law.begin(), law.end(), [](const auto &each) { return each->stiffens(); });
+  }
+
+  double LawsByPair::damping_ratio(const std::size_t pair) const { return law_of(pair).damping_ratio(pair); }
+
   bool LawsByPair::bonds() const
   {
     return std::any_of(law.begin(), law.end(), [](const auto &each) { return each->bonds(); });

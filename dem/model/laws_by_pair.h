@@ -32,6 +32,9 @@ namespace dem
     bool                      breaks_in_place() const override;
     bool                      bonds() const override;
     bool                      waits() const override;
+    bool                      viscous() const override;
+    bool                      stiffens() const override;
+    double                    damping_ratio(std::size_t pair) const override;
     std::vector<std::int32_t> kinds() const override { return kind; }
 
     double reference_length(std::size_t pair, const NewLink &link) const override;

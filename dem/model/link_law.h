@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -51,8 +52,10 @@ namespace dem
   {
     double distance     = 0;                    ///< of the centres [m]
     double first_radius = 0, second_radius = 0; ///< [m]
-    double area      = 0;                       ///< A [m^2]
-    double thickness = 0;                       ///< of discs [m]; 0: spheres
+    double area           = 0;                  ///< A [m^2]
+    double thickness      = 0;                  ///< of discs [m]; 0: spheres
+    double effective_mass = 0;     ///< product of both particles' masses over their sum; on a face the particle's [kg]
+    bool   on_face        = false; ///< the second end is a face of a surface, and has no radius
 
     std::int64_t    first_number = 0, second_number = 1; ///< of the particles, which never change
     Eigen::Vector3d direction = {1, 0, 0};               ///< n, from the first end to the second
@@ -115,6 +118,8 @@ namespace dem
                                          0}; ///< tangential displacement over the reference length, perpendicular to n
     Eigen::Vector3d bending_increment = {0, 0, 0}; ///< relative rotation across n [rad]
     double          twist_increment   = 0;         ///< relative rotation about n [rad]
+    double          per_second        = 0;         ///< one over its length [1/s]; 0: no time passes, nothing is viscous
+    bool            carried = false; ///< the history's vectors have been turned, and hold the increments already
   };
 
   /** What the link answers to such a step: on its first end. */
@@ -122,7 +127,8 @@ namespace dem
   {
     Eigen::Vector3d force = {0, 0, 0}, moment = {0, 0, 0};  ///< [N], [N m], at the contact point
     double          friction = 0, damage = 0, released = 0; ///< dissipated and set free in the step [J]
-    bool            slides = false;
+    double          viscous = 0;                            ///< dissipated by a dashpot in the step [J]
+    bool            slides  = false;
   };
 
   /** Which linearisation is wanted of a link, and which branch of the law it is on. */
@@ -160,6 +166,12 @@ namespace dem
     virtual bool                      bonds() const = 0; ///< carries tension; otherwise it lives only in contact
     /** Its contacts may be made before the particles touch, and remain when they part: nothing is made or deleted at each touch. */
     virtual bool waits() const { return false; }
+    /** Its force depends on the speed. */
+    virtual bool viscous() const { return false; }
+    /** Part of the critical damping that its dashpots have, zeta [-]. */
+    virtual double damping_ratio(std::size_t) const { return 0.0; }
+    /** Its stiffness grows with the overlap, so that the stable step shrinks in the course of a contact. */
+    virtual bool stiffens() const { return false; }
     /** Where pairs of materials obey laws of different kinds, the number of each one's law; empty: all obey the same. */
     virtual std::vector<std::int32_t> kinds() const { return {}; }
 
@@ -169,6 +181,18 @@ namespace dem
     virtual void begin(std::size_t pair, const NewLink &link, double *history) const = 0;
 
     virtual LinkStiffnesses stiffness(std::size_t pair, const LinkGeometry &link, const double *history) const = 0;
+    /** The same as an explicit step sees it: with a dashpot the spring seems stiffer (doc/theory/integration.md, 3). */
+    LinkStiffnesses stiffness_of_step(std::size_t pair, const LinkGeometry &link, const double *history) const
+    {
+      LinkStiffnesses s    = stiffness(pair, link, history);
+      const double    zeta = damping_ratio(pair);
+      if (zeta > 0)
+        {
+          const double by = std::sqrt(1 + zeta * zeta) + zeta;
+          s.normal *= by * by;
+        }
+      return s;
+    }
     /** The same as it is damaged now (secant); a closed link as a whole one. */
     virtual LinkStiffnesses damaged_stiffness(std::size_t pair, const LinkGeometry &link, const double *history) const
     {

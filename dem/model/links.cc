@@ -36,6 +36,7 @@ namespace dem
     logs_breaks   = links_law.breaks_in_place();
     quantities    = links_law.columns();
     kinds         = links_law.kinds();
+    viscous       = links_law.viscous();
     history.resize(quantities.size());
   }
 
@@ -49,6 +50,7 @@ namespace dem
     other.logs_breaks   = logs_breaks;
     other.quantities    = quantities;
     other.kinds         = kinds;
+    other.viscous       = viscous;
     other.history.resize(quantities.size());
     return other;
   }
@@ -233,6 +235,7 @@ namespace dem
         kept.accounts[0].friction += account.friction;
         kept.accounts[0].damage += account.damage;
         kept.accounts[0].released += account.released;
+        kept.accounts[0].viscous += account.viscous;
       }
     kept.tabulate(particles);
     *this = std::move(kept);
@@ -276,9 +279,14 @@ namespace dem
         fresh.second_radius = particles.radius_of(K);
         fresh.area          = shape.link_area(fresh.first_radius, fresh.second_radius);
         fresh.thickness     = shape.dimension == 3 ? 0 : shape.thickness;
-        fresh.first_number  = particles.number[J];
-        fresh.second_number = particles.number[K];
-        fresh.direction     = branch_of(particles, links, l).normalized();
+        const auto mass     = [&](const std::int32_t i, const double radius) {
+          return shape.denser(particles, static_cast<std::size_t>(i)) * shape.mass(radius);
+        };
+        const double first_mass = mass(J, fresh.first_radius), second_mass = mass(K, fresh.second_radius);
+        fresh.effective_mass = first_mass * second_mass / (first_mass + second_mass);
+        fresh.first_number   = particles.number[J];
+        fresh.second_number  = particles.number[K];
+        fresh.direction      = branch_of(particles, links, l).normalized();
 
         links.reference_length[l] = law.reference_length(links.pair_of(l), fresh);
         links.area[l]             = fresh.area;
@@ -328,6 +336,15 @@ namespace dem
         accounts[b].friction = sums[3 * b];
         accounts[b].damage   = sums[3 * b + 1];
         accounts[b].released = sums[3 * b + 2];
+      }
+    if (viscous)
+      {
+        base::Column lost;
+        for (const LinkBlockAccount &account : accounts)
+          lost.push_back(account.viscous);
+        visitor.column(name + "/viscous", lost);
+        for (std::size_t b = 0; b < accounts.size(); ++b)
+          accounts[b].viscous = lost.at(b);
       }
     if (periodic)
       stress_moments.assign(stress_record * accounts.size(), 0.0); // of the step to come

@@ -24,6 +24,7 @@ namespace dem
     double friction = 0;     ///< dissipated by sliding since the start [J]
     double damage   = 0;     ///< dissipated by damage since the start [J], where no closed form tells it
     double released = 0;     ///< set free since the start by bonds that broke in their place [J]
+    double viscous  = 0;     ///< dissipated by dashpots since the start [J]
     bool   event    = false; ///< in this step some link broke or is gone
   };
 
@@ -46,10 +47,11 @@ namespace dem
     bool streams     = false; ///< too many for the caches: force records are written past them
     bool logs_breaks = false; ///< broken ones may stay: `noted` tells which the crack log has
 
-    std::vector<LinkQuantity> quantities;  ///< what the columns of the history are, as the law declares them
-    std::vector<std::int32_t> kinds;       ///< of each pair of materials the number of its law; empty: there is one
-    std::vector<std::int32_t> first_block; ///< of each of several laws, and behind the last
-    std::size_t               padding = 0; ///< lines between the laws, which are no links
+    std::vector<LinkQuantity> quantities;      ///< what the columns of the history are, as the law declares them
+    std::vector<std::int32_t> kinds;           ///< of each pair of materials the number of its law; empty: there is one
+    std::vector<std::int32_t> first_block;     ///< of each of several laws, and behind the last
+    bool                      viscous = false; ///< forces depend on speeds
+    std::size_t               padding = 0;     ///< lines between the laws, which are no links
 
     std::vector<std::int32_t> first,
       second;                        ///< particle numbers in the order of Particles, first < second (<= if periodic)
@@ -64,6 +66,7 @@ namespace dem
     base::Column
       moment; ///< half records: moment m on the first end at the contact point (3) [N m] | 0; only with moments, in space
     std::vector<LinkBlockAccount> accounts;
+    double per_second = 0; ///< one over the length of the step that leads to the next update [1/s]; 0: no time passes
     base::Column
       stress_moments; ///< of each block a record of 16: sum l (x) f by rows (9) [N m] | 0 ..; only if periodic
 

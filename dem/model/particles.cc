@@ -67,10 +67,9 @@ namespace dem
       {
         const double radius = packing.radius[p.number[i]];
         place(p, i, packing.centre[p.number[i]], radius);
-        const double denser =
-          shape.densities.empty() || p.material.empty() ? 1.0 : shape.densities[p.material[i]] / shape.density;
-        p.mass[i]    = denser * shape.mass(radius);
-        p.inertia[i] = denser * shape.inertia(radius);
+        const double denser = shape.denser(p, i);
+        p.mass[i]           = denser * shape.mass(radius);
+        p.inertia[i]        = denser * shape.inertia(radius);
         set_inverse_mass(p, i, shape, rotations);
       }
     place(p, p.count, Eigen::Vector3d::Zero(), 0.5);

@@ -71,6 +71,13 @@ namespace dem
     std::vector<double> densities = {}; ///< of each material [kg/m^3]; empty: all have the density above
 
     double volume(double radius) const;
+    /** Density of a particle's material over the density above. */
+    double denser(const Particles &particles, const std::size_t i) const
+    {
+      return densities.empty() || particles.material.empty() ?
+               1.0 :
+               densities[static_cast<std::size_t>(particles.material[i])] / density;
+    }
     double mass(double radius) const { return density * volume(radius); } ///< at the density above
     /** (2/5) m r^2 of a sphere, (1/2) m r^2 of a disc. */
     double inertia(double radius) const;

@@ -25,18 +25,20 @@ namespace dem
       void add(const double           mass,
                const Eigen::Vector3d &position,
                const Eigen::Vector3d &travelled,
-               const Eigen::Vector3d &velocity)
+               const Eigen::Vector3d &velocity,
+               const Eigen::Vector3d &spin)
       {
         of.mass += mass;
         of.position += mass * position;
         of.travelled += mass * travelled;
         of.velocity += mass * velocity;
+        of.spin += mass * spin;
       }
 
       GroupMotion mean() const
       {
         GroupMotion found = of;
-        for (Eigen::Vector3d *sum : {&found.position, &found.travelled, &found.velocity})
+        for (Eigen::Vector3d *sum : {&found.position, &found.travelled, &found.velocity, &found.spin})
           *sum /= of.mass;
         return found;
       }
@@ -52,7 +54,7 @@ namespace dem
       {
         if (const auto clump = specimen.clump_of(i); clump && whole[*clump])
           continue;
-        sums.add(p.mass[i], p.position[i], p.displacement[i], p.velocity[i]);
+        sums.add(p.mass[i], p.position[i], p.displacement[i], p.velocity[i], p.angular_velocity[i]);
         sums.of.kinetic_energy +=
           0.5 * p.mass[i] *
           (p.velocity[i].squaredNorm() + gyrate * p.radius[i] * p.radius[i] * p.angular_velocity[i].squaredNorm());
@@ -61,7 +63,7 @@ namespace dem
       if (whole[clump])
         {
           const ClumpState body = specimen.clump(clump);
-          sums.add(body.mass, body.position, body.travelled, body.velocity);
+          sums.add(body.mass, body.position, body.travelled, body.velocity, body.spin);
           sums.of.kinetic_energy += body.kinetic_energy();
         }
     return sums.mean();

@@ -18,6 +18,7 @@ namespace dem
     Eigen::Vector3d position       = Eigen::Vector3d::Zero(); ///< of the centre of mass [m]
     Eigen::Vector3d travelled      = Eigen::Vector3d::Zero(); ///< by it since the start [m]
     Eigen::Vector3d velocity       = Eigen::Vector3d::Zero(); ///< of it, half a step back [m/s]
+    Eigen::Vector3d spin           = Eigen::Vector3d::Zero(); ///< mean of particles and bodies by mass [rad/s]
     double          kinetic_energy = 0;                       ///< of translation and rotation, half a step back [J]
   };
 

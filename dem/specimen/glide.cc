@@ -2,6 +2,7 @@
 
 #include "dem/specimen/glide.h"
 
+#include "base/errors.h"
 #include "dem/specimen/implementation.h"
 
 #include <algorithm>
@@ -11,6 +12,10 @@ namespace dem
 {
   void Specimen::Implementation::begin_glide()
   {
+    if (surfaces.viscous())
+      throw base::InputError(
+        "Surfaces take no steps of their own within those of particles where their contacts have a "
+        "restitution below 1. Let both sides take the same steps.");
     if (step_count == 0)
       begin();
     before_glide      = surfaces.energies(shape, particles);

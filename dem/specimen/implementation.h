@@ -229,8 +229,14 @@ namespace dem
     /** Look how deep particles are pressed into each other, as often as they might pass through. @throws base::NumericalError if they do */
     void           watch_overlaps();
     DeepestOverlap deepest() const { return deepest_overlap(particles, bonds, contacts); }
-    double         path_unlooked = 0; ///< not below the way of any particle since then [m]
-    double         deepest_seen  = 0; ///< until then
+    /** Contacts whose stiffness grows: find the stable step again before it might become shorter. */
+    void watch_stiffening();
+    /** By how much an overlap may grow, at least, before the stable step is found again [m]. */
+    double overlap_ahead_of_all() const { return contact_law->stiffens() ? 1e-3 * smallest_radius : 0.0; }
+    double overlap_ahead   = 0; ///< that the step in use allows for, beyond the overlaps when it was found [m]
+    double path_since_step = 0; ///< not below the way of any particle since then [m]
+    double path_unlooked   = 0; ///< not below the way of any particle since then [m]
+    double deepest_seen    = 0; ///< until then
     /** Take out contacts that wait for particles far away by now. */
     void drop_distant_contacts();
     /** Not below the largest displacement of a particle in the step [m]. */

@@ -41,7 +41,7 @@ namespace dem
     e.damage   = damage_dissipation(s.particles, s.bonds, *s.bond_law) + s.broken_damage + of_surfaces.damage;
     e.friction = plastic_dissipation(s.bonds) + plastic_dissipation(s.contacts) + of_surfaces.friction;
     e.released = s.released + released_in_place(s.bonds) + of_surfaces.released;
-    e.damping  = s.damped_before + s.damped_now;
+    e.damping  = s.damped_before + s.damped_now + viscous_dissipation(s.contacts) + of_surfaces.viscous;
     e.rounding = s.rounding_energy;
     return e;
   }

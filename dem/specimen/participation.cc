@@ -52,7 +52,7 @@ namespace dem
   double Specimen::stiffness_around(const std::size_t number) const
   {
     return dem::stiffness_around(self->particles, self->all_links(), self->parameters.physics.rotations,
-                                 self->slot.at(number));
+                                 self->slot.at(number), 0, self->overlap_ahead);
   }
 
   void Specimen::add_force(const std::size_t particle, const Eigen::Vector3d &force, const Eigen::Vector3d &couple)

@@ -145,6 +145,7 @@ namespace dem
     for (std::size_t i = 0; i < particles.count; ++i)
       slot[particles.number[i]] = static_cast<std::int32_t>(i);
     link();
+    overlap_ahead   = overlap_ahead_of_all();
     space_per_solid = volume_per_solid(particles, shape);
     longest_step = time_step = parameters.step_factor * (bond_law->bonds() ? stable() : step_of_lone_particles());
     if (!std::isfinite(time_step))
@@ -206,11 +207,19 @@ namespace dem
 
   double Specimen::Implementation::step_of_lone_particles() const
   {
-    std::vector<double> none(contact_law->columns().size(), 0.0);
+    std::vector<double> history(contact_law->columns().size());
     const auto          stiffness = [&](const std::size_t i, const std::size_t pair, const double lever) {
-      constexpr double      neighbours = 12; // as many equal spheres touch one
-      const double          r = particles.radius_of(i), area = shape.link_area(r, r);
-      const LinkStiffnesses s = contact_law->stiffness(pair, {-1e-9, 2 * r, 2 * r, area}, none.data());
+      constexpr double neighbours = 12; // as many equal spheres touch one
+      const double     r = particles.radius_of(i), area = shape.link_area(r, r);
+      NewLink          fresh;
+      fresh.distance     = 2 * r;
+      fresh.first_radius = fresh.second_radius = r;
+      fresh.area                               = area;
+      fresh.thickness                          = shape.dimension == 3 ? 0 : shape.thickness;
+      std::fill(history.begin(), history.end(), 0.0);
+      contact_law->begin(pair, fresh, history.data());
+      const double          strain = contact_law->stiffens() ? -overlap_ahead / (2 * r) : -1e-9;
+      const LinkStiffnesses s = contact_law->stiffness_of_step(pair, {strain, 2 * r, 2 * r, area}, history.data());
       return neighbours * area / (2 * r) * std::max(s.normal, s.shear * (1 + lever));
     };
     double smallest = std::numeric_limits<double>::infinity();
@@ -488,6 +497,11 @@ namespace dem
                                                                   {"largest_turn", &s.largest_turn},
                                                                   {"path_unlooked", &s.path_unlooked}})
       visitor.scalar(name, *value);
+    if (s.contact_law->stiffens())
+      {
+        visitor.scalar("overlap_ahead", s.overlap_ahead);
+        visitor.scalar("path_since_step", s.path_since_step);
+      }
     for (std::size_t g = 0; g < s.grips.size(); ++g)
       {
         const std::string name = "grips/" + std::to_string(g);

@@ -15,6 +15,8 @@ namespace dem
   {
     /** How often the state is looked at for NaN. */
     constexpr std::int64_t steps_between_checks = 100;
+    /** For how many of them the stable step of contacts that stiffen is found in advance. */
+    constexpr double steps_ahead = 50;
     /** Deleted links stay as idle lines until they are this part of all. */
     constexpr double idle_lines_allowed = 0.05;
   } // namespace
@@ -34,6 +36,7 @@ namespace dem
 
   void Specimen::Implementation::find_link_forces()
   {
+    contacts.per_second = contact_law->viscous() && last_step > 0 ? 1 / last_step : 0.0;
     bond_pass(bonds, particles, *bond_law, bonds.whole());
     if (contacts.alive > 0)
       contact_pass(contacts, particles, *contact_law, contacts.whole());
@@ -74,6 +77,8 @@ namespace dem
     if (parameters.physics.contacts)
       {
         watch_overlaps();
+        if (contact_law->stiffens())
+          watch_stiffening();
         make_contacts();
       }
     if (step_count % steps_between_checks != 0)
@@ -258,8 +263,9 @@ namespace dem
 
   double Specimen::Implementation::stable() const
   {
-    double smallest = dem::stable_step(particles, all_links(), parameters.physics.rotations,
-                                       surfaces.stiffness_seen(particles, shape, parameters.physics.rotations));
+    double smallest =
+      dem::stable_step(particles, all_links(), parameters.physics.rotations,
+                       surfaces.stiffness_seen(particles, shape, parameters.physics.rotations), overlap_ahead);
     for (std::size_t clump = 0; clump < clumps.size(); ++clump)
       smallest = std::min(smallest, stable_of_clump(clump));
     return smallest;
@@ -270,7 +276,7 @@ namespace dem
     return clumps.stable_step(particles, clump, [this](const std::int32_t pebble) {
       const bool rotations = parameters.physics.rotations;
       return dem::stiffness_around(particles, all_links(), rotations, pebble,
-                                   surfaces.stiffness_seen(particles, shape, rotations, pebble));
+                                   surfaces.stiffness_seen(particles, shape, rotations, pebble), overlap_ahead);
     });
   }
 
@@ -280,7 +286,7 @@ namespace dem
       return stable_of_clump(static_cast<std::size_t>(clump));
     const bool rotations = parameters.physics.rotations;
     return stable_step_of(particles, all_links(), rotations, particle,
-                          surfaces.stiffness_seen(particles, shape, rotations, particle));
+                          surfaces.stiffness_seen(particles, shape, rotations, particle), overlap_ahead);
   }
 
   void Specimen::Implementation::watch_overlaps()
@@ -306,6 +312,18 @@ namespace dem
       message << " and would pass through";
     message << ": their contact is too soft for what it has to stop. Make it stiffer or what meets slower.";
     throw base::NumericalError(message.str());
+  }
+
+  void Specimen::Implementation::watch_stiffening()
+  {
+    const double largest = largest_displacement();
+    path_since_step += largest;
+    if (2 * (path_since_step + largest) <= overlap_ahead) // two of them come nearer by twice the path
+      return;
+    overlap_ahead   = std::max(overlap_ahead_of_all(), 2 * steps_ahead * largest);
+    path_since_step = 0;
+    longest_step    = std::min(longest_step, parameters.step_factor * stable());
+    time_step       = std::min(time_step, longest_step);
   }
 
   void Specimen::Implementation::make_contacts()

@@ -72,7 +72,8 @@ namespace dem
     if (glides) // forces that were found before have worked until here, and new ones from half of the way on
       gliding.pushes.add_work(surfaces, particles.motion);
     const UnseenMotion shown(particles, gliding.under_way ? nullptr : &unseen);
-    for (const std::int32_t i : surfaces.find_forces(particles, shape))
+    const double       per_second = last_step > 0 ? 1 / last_step : 0.0;
+    for (const std::int32_t i : surfaces.find_forces(particles, shape, per_second))
       longest_step = std::min(longest_step, parameters.step_factor * stable(i));
     time_step = std::min(time_step, longest_step);
     log_torn_glue();
@@ -157,8 +158,7 @@ namespace dem
           throw base::InputError("wall " + surface.name + ": there is no particle " + std::to_string(number + 1) + ".");
         meets[static_cast<std::size_t>(self->slot[number])] = true;
       }
-    const Physics    &physics = self->parameters.physics;
-    const std::size_t added   = self->surfaces.add(surface, physics.dimension, physics.friction, std::move(meets));
+    const std::size_t added = self->surfaces.add(surface, self->parameters.physics, std::move(meets));
     if (surface.glue.within != 0)
       self->glue(added, surface.glue);
     return added;

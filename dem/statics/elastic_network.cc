@@ -98,8 +98,14 @@ namespace dem
       shape.thickness = p.thickness;
       link.area       = shape.link_area(r_J, r_K);
       link.reference  = length;
-      link.made       = {length,     r_J,         r_K,           link.area, p.dimension == 2 ? p.thickness : 0.0,
-                         pair.first, pair.second, link.direction};
+      link.made.distance      = length;
+      link.made.first_radius  = r_J;
+      link.made.second_radius = r_K;
+      link.made.area          = link.area;
+      link.made.thickness     = p.dimension == 2 ? p.thickness : 0.0;
+      link.made.first_number  = pair.first;
+      link.made.second_number = pair.second;
+      link.made.direction     = link.direction;
       return link;
     }
 

@@ -283,11 +283,12 @@ namespace
     for (std::size_t i = 0; i < impact.above.size(); ++i)
       {
         specimen.set_velocity(i, impact.velocity + impact.apart * Vector3d(i == 0 ? -1 : 1, 0, 0), Vector3d::Zero());
-        coupling::SurfaceCouplingParameters top{"top" + std::to_string(i), {"5"}, rough()};
-        top.spreading                    = impact.spreading;
-        top.contact.effective_modulus    = impact.modulus;
-        top.contact.friction_coefficient = 0;
-        top.particles                    = {i};
+        dem::LinearContactParameters smooth = rough();
+        smooth.effective_modulus            = impact.modulus;
+        smooth.friction_coefficient         = 0;
+        coupling::SurfaceCouplingParameters top{"top" + std::to_string(i), {"5"}, smooth};
+        top.spreading = impact.spreading;
+        top.particles = {i};
         for (std::size_t k = 1; k < impact.above.size() && impact.together; ++k)
           top.particles.push_back(k);
         if (i == 0 || !impact.together)
@@ -362,11 +363,12 @@ TEST_CASE("spreading: balls that go apart side by side move the bounds of each o
 TEST_CASE("spreading: a ball rolls over small faces of a block with constant force", "[coupling]")
 {
   // Led over the stiff block at one height: the force is that of the height, wherever it is.
-  Block<3>                            block(10, stands);
-  dem::Specimen                       specimen = ball(0.02, {0.03, 0.04, 0.1199}, {0, 0, 0}, {0, 0, 0});
-  coupling::SurfaceCouplingParameters top{"top", {"5"}, rough()};
-  top.spreading                    = coupling::Spreading::footprint;
-  top.contact.friction_coefficient = 0;
+  Block<3>                     block(10, stands);
+  dem::Specimen                specimen = ball(0.02, {0.03, 0.04, 0.1199}, {0, 0, 0}, {0, 0, 0});
+  dem::LinearContactParameters smooth   = rough();
+  smooth.friction_coefficient           = 0;
+  coupling::SurfaceCouplingParameters top{"top", {"5"}, smooth};
+  top.spreading = coupling::Spreading::footprint;
   coupling::SurfaceCoupling<3> surface(specimen, block.solid, *block.participant, top);
   dem::Grip                    grip;
   grip.particles       = {0};

@@ -1,6 +1,6 @@
 // A path that goes on in another network than it began in.
-#include "dem/statics/quasi_static_path.h"
 #include "clusters.h"
+#include "dem/statics/quasi_static_path.h"
 
 #include <catch2/catch.hpp>
 

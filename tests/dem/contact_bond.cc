@@ -104,7 +104,7 @@ TEST_CASE("contact-bonded body of two materials that breaks has the same bits fo
       specimen.set_velocity(i, 40.0 * body.centre[i], Vector3d(30, -20, 10));
     return specimen;
   };
-  check_same_bits(made, 300, 300, 10);
+  check_same_bits(made, 300, 300, 11);
   dem::Specimen one = made();
   one.advance(600);
   CHECK(one.energy().balance_error() < 1e-2);

@@ -1,8 +1,8 @@
 // Consistent tangent of the CPM update against differences of the update itself.
-#include "dem/laws/cpm.h"
 #include "dem/laws/cpm_tangent.h"
 
 #include "dem/core/uniform_random.h"
+#include "dem/laws/cpm.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>

@@ -69,7 +69,7 @@ TEST_CASE("a couple becomes the smallest forces on the corners of a facet that a
             mesh.vertex.back().z() = 0;
         }
       mesh.facet = {{0, 1, plane ? 0 : 2}};
-      const dem::Surface      surface({"facet", mesh, contact()}, true);
+      const dem::Surface      surface({"facet", mesh, contact()}, dem::Physics());
       const dem::FacetSpin    spin(surface, 0);
       const Vector3d          couple = plane ? Vector3d(0, 0, 1) : random_place(random, 1);
       const auto              force  = spin.forces(couple);

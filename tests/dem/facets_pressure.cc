@@ -72,7 +72,7 @@ TEST_CASE("a sphere presses on a skin as the integral over its cap says", "[face
   double       error[2];
   for (const int level : {0, 1})
     {
-      const dem::Surface      surface(with_skin(carpet(20 << level, 0.012, 0)), true);
+      const dem::Surface      surface(with_skin(carpet(20 << level, 0.012, 0)), dem::Physics());
       const dem::PressedPatch found = patch_of(surface, {1.3e-4, -0.7e-4, distance});
       error[level]                  = std::fabs(found.push.z() / force - 1) + std::fabs(found.spring / energy - 1);
       CHECK(found.push.head<2>().norm() < 0.01 * force);
@@ -84,7 +84,7 @@ TEST_CASE("a sphere presses on a skin as the integral over its cap says", "[face
 
 TEST_CASE("forces of a skin are the slope of its energy, for the sphere and for every vertex", "[facets]")
 {
-  dem::Surface                 surface(with_skin(carpet(8, 0.012, 5e-4)), true);
+  dem::Surface                 surface(with_skin(carpet(8, 0.012, 5e-4)), dem::Physics());
   const Vector3d               centre(1e-3, 2e-3, 8.5e-3);
   std::vector<dem::VertexPart> parts;
   const dem::PressedPatch      found = patch_of(surface, centre, &parts);

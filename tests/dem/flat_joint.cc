@@ -513,6 +513,6 @@ TEST_CASE("flat-jointed body that breaks has the same bits with 1, 2 and 4 threa
           }
         return specimen;
       };
-      check_same_bits(made, 100, 300, 5);
+      check_same_bits(made, 100, 300, 6);
     }
 }

@@ -66,12 +66,14 @@ namespace
 
   dem::LabParameters between_platens(const double speed)
   {
+    dem::LinearContactParameters platens;
+    platens.effective_modulus = modulus;
     dem::LabParameters p;
-    p.test                            = Test::compression;
-    p.press.axis                      = 1;
-    p.press.contact.effective_modulus = modulus;
-    p.speed                           = speed;
-    p.stop_strain                     = 2e-4;
+    p.test          = Test::compression;
+    p.press.axis    = 1;
+    p.press.contact = platens;
+    p.speed         = speed;
+    p.stop_strain   = 2e-4;
     return p;
   }
 

@@ -18,7 +18,7 @@ namespace
   template <>
   struct Driver<dem::CpmLaw>
   {
-    using State    = dem::CpmState<double, 3>;
+    using State = dem::CpmState<double, 3>;
     struct Response : dem::CpmResponse<double, 3>
     {
       double damage_work; ///< in this update, where shear damages [J/m^3]

@@ -129,13 +129,15 @@ namespace
 
   dem::LabParameters crushing()
   {
+    dem::LinearContactParameters platens;
+    platens.effective_modulus = 8e9;
     dem::LabParameters p;
-    p.test                            = dem::LabParameters::Test::compression;
-    p.press.axis                      = 1;
-    p.press.contact.effective_modulus = 8e9;
-    p.press.stand                     = {0.0, 0.02};
-    p.speed                           = 0.02;
-    p.stop_strain                     = 4e-3;
+    p.test          = dem::LabParameters::Test::compression;
+    p.press.axis    = 1;
+    p.press.contact = platens;
+    p.press.stand   = {0.0, 0.02};
+    p.speed         = 0.02;
+    p.stop_strain   = 4e-3;
     return p;
   }
 

@@ -23,11 +23,12 @@ namespace
       const char *key, double &member, const char *, const char *meaning, double, double, const bool required) override
     {
       CHECK_FALSE(std::string(meaning).empty());
-      const std::map<std::string, double> values = {
-        {"Normal modulus", 25e9},       {"Effective modulus", 25e9}, {"Shear ratio", 0.2},
-        {"Limit elastic strain", 1e-4}, {"Relative ductility", 5},   {"Cohesion", 3e6},
-        {"Friction coefficient", 0.8},  {"Tensile strength", 4e6},   {"Friction angle", 30}};
-      const auto found = values.find(key);
+      const std::map<std::string, double> values = {{"Normal modulus", 25e9},      {"Effective modulus", 25e9},
+                                                    {"Shear ratio", 0.2},          {"Limit elastic strain", 1e-4},
+                                                    {"Relative ductility", 5},     {"Cohesion", 3e6},
+                                                    {"Friction coefficient", 0.8}, {"Tensile strength", 4e6},
+                                                    {"Friction angle", 30},        {"Young modulus", 25e9}};
+      const auto                          found  = values.find(key);
       INFO("a typical value of \"" << key << "\" is wanted here");
       CHECK((found != values.end() || !required));
       if (found != values.end())

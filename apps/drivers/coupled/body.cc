@@ -87,7 +87,7 @@ namespace apps
         for (const CouplingSection &coupling : model.couplings.couplings)
           both.add_surface({coupling.name,
                             coupling.boundaries(),
-                            coupling.contact,
+                            coupling.contact.materials(),
                             coupling.pressure,
                             coupling.skin,
                             coupling.particles(body.all_groups()),

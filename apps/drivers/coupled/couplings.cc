@@ -1,6 +1,5 @@
 #include "apps/drivers/coupled/couplings.h"
 
-#include "apps/drivers/particles/contact_entries.h"
 #include "apps/scene/name_list.h"
 
 #include <algorithm>
@@ -30,7 +29,7 @@ namespace apps
         "layer of particles presses evenly whatever the size of the faces; automatic: where a particle is larger "
         "than the smallest face; none: on the face at the point alone")
       .only_if([this] { return !pressure; }, "Contact = point");
-    declare_contact(s, contact);
+    contact.declare(s);
     s.find_entry("Effective modulus")
       ->means(
         "E*: at a point, normal stiffness with a sphere of radius r is pi r E*, with a disc 2 t E*; pressure is E* "
@@ -75,6 +74,7 @@ namespace apps
                                  ": a name without commas and quotes, please: it is part of columns of series.csv.");
         for (const std::string &group : names_in(coupling.group))
           groups.require(section, "Groups", group);
+        coupling.contact.check(section);
         coupling.bond.validate(section);
       }
   }

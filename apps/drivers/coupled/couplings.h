@@ -3,8 +3,8 @@
 #include "apps/drivers/continuum/model.h"
 #include "apps/drivers/coupled/bond.h"
 #include "apps/drivers/particles/groups.h"
+#include "apps/scene/contact_law.h"
 #include "coupling/surface/surface_coupling.h"
-#include "dem/laws/linear_contact.h"
 
 #include <list>
 #include <string>
@@ -18,7 +18,7 @@ namespace apps
     std::string                  name;
     std::string                  boundary; ///< names, separated by commas; "": all of it
     std::string                  group;    ///< names, separated by commas; "": all particles
-    dem::LinearContactParameters contact;
+    ContactLaw                   contact;
     bool                         pressure     = false;                          ///< on areas, not at points
     double                       skin         = 0;                              ///< [m]; 0: by the size of the facets
     coupling::Spreading          spreading    = coupling::Spreading::automatic; ///< of points

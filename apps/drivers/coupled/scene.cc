@@ -39,11 +39,11 @@ namespace apps
       return static_cast<double>(body.windows()) + std::max(0.0, end_time - body.time()) / body.steps().window;
     }
 
-    std::optional<dem::LinearContactParameters> surface_contact(const CoupledModel &model)
+    std::optional<dem::LinkMaterials> surface_contact(const CoupledModel &model)
     {
       if (model.couplings.couplings.empty())
         return std::nullopt;
-      return model.couplings.couplings.front().contact;
+      return model.couplings.couplings.front().contact.materials();
     }
 
     /** Rows of the series, and snapshots. */

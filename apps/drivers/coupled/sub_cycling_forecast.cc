@@ -1,5 +1,7 @@
 #include "apps/drivers/coupled/sub_cycling_forecast.h"
 
+#include "dem/facets/surface_law.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -42,6 +44,7 @@ namespace apps
       {
         if (coupling.pressure)
           continue;
+        const dem::SurfaceLaw    law(coupling.contact.materials(), specimen.parameters().physics, coupling.name);
         std::vector<std::size_t> members = coupling.particles(body.particles().all_groups());
         if (members.empty())
           {
@@ -52,7 +55,10 @@ namespace apps
           {
             const dem::ParticleState p    = specimen.particle(i);
             const double             area = thickness > 0 ? 2 * p.radius * thickness : M_PI * p.radius * p.radius;
-            const ImpactLoss found        = loss_of(coupling.contact.effective_modulus * area / p.radius, p.mass, body);
+            // Of a law that stiffens: at an overlap of a hundredth of the radius.
+            const dem::FacePressure pressed =
+              law.press({p.radius, area, 1, 0.01 * p.radius, 0.01 * p.radius}, law.begin(p.radius, area, p.mass));
+            const ImpactLoss found = loss_of(pressed.stiffness, p.mass, body);
             if (found.part > worst.part)
               worst = found;
           }

@@ -16,6 +16,7 @@ namespace apps
              {{"position", Quantity::position},
               {"displacement", Quantity::displacement},
               {"velocity", Quantity::velocity},
+              {"spin", Quantity::spin},
               {"distance", Quantity::distance},
               {"reaction", Quantity::reaction},
               {"reaction moment", Quantity::reaction_moment},
@@ -30,7 +31,8 @@ namespace apps
               {"unbalanced ratio", Quantity::unbalanced_ratio}},
              Need::required)
       .means(
-        "position, displacement, velocity: of the centre of mass of the group; distance: from it to that of the "
+        "position, displacement, velocity: of the centre of mass of the group; spin: mean of its particles (and rigid "
+        "bodies) by mass; distance: from it to that of the "
         "other group; reaction: force that the prescribed motion exerts on the group; reaction moment: sum of its "
         "moments on the particles about their own centres; reaction torque: moment of its forces and moments about "
         "Point; wall force, wall moment: of the particles on the wall, the moment about Point; wall travel: of the "
@@ -77,6 +79,8 @@ namespace apps
       {
       case Quantity::velocity:
         return "m/s";
+      case Quantity::spin:
+        return "rad/s";
       case Quantity::reaction:
       case Quantity::wall_force:
       case Quantity::force:
@@ -161,6 +165,8 @@ namespace apps
           return motion_of(gauge.group, seen).travelled;
         case Quantity::velocity:
           return motion_of(gauge.group, seen).velocity;
+        case Quantity::spin:
+          return motion_of(gauge.group, seen).spin;
         case Quantity::distance:
           return motion_of(gauge.other, seen).position - motion_of(gauge.group, seen).position;
         case Quantity::reaction:

@@ -19,6 +19,7 @@ namespace apps
       position,
       displacement,
       velocity,
+      spin,
       distance,
       reaction,
       reaction_moment,

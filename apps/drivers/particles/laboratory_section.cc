@@ -1,7 +1,5 @@
 #include "apps/drivers/particles/laboratory_section.h"
 
-#include "apps/drivers/particles/contact_entries.h"
-
 #include <algorithm>
 
 namespace apps
@@ -58,9 +56,7 @@ namespace apps
     s.choice("Moving sides", asked.press.both, {{"both", true}, {"high", false}}, Need::optional)
       .means("both: each at half the speed; high: that of the larger coordinates alone")
       .only_if(any, "Test is not none");
-    declare_contact(s, asked.press.contact);
-    for (const char *entry : {"Effective modulus", "Stiffness ratio", "Friction coefficient"})
-      s.find_entry(entry)->only_if(platens, "Test is of platens or rollers");
+    contact.declare(s, platens, "Test is of platens or rollers");
     s.find_entry("Friction coefficient")->means("Of platens, walls and rollers");
     s.choice("Platens", at_vessel, {{"outermost particles", false}, {"vessel walls", true}}, Need::optional)
       .means(
@@ -171,6 +167,7 @@ namespace apps
   dem::LabParameters SpecimenTestSection::parameters(const dem::Vessel &vessel, const double thickness) const
   {
     dem::LabParameters made = asked;
+    made.press.contact      = contact.materials();
     if (at_vessel && flat_platens())
       {
         const int axis   = asked.press.axis;

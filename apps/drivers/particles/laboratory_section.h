@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/drivers/particles/published_figures.h"
+#include "apps/scene/contact_law.h"
 #include "apps/scene/section.h"
 #include "apps/scene/specimen_section.h"
 #include "dem/genesis/vessel.h"
@@ -28,6 +29,7 @@ namespace apps
 
     Test               test = Test::none;
     dem::LabParameters asked;
+    ContactLaw         contact; ///< of platens, walls and rollers with particles
     PublishedFigures   published;
     bool               check_speed = false; ///< load once more at half the speed, from where the loading began
     bool               at_vessel   = false; ///< platens stand where the walls stood in which the specimen grew

@@ -66,9 +66,9 @@ namespace apps
 
   dem::Specimen LatticeOfParticles::apart() const { return body(far_away); }
 
-  double dearer_step_when_piled_up(const ParticlesModel                              &model,
-                                   const dem::Specimen                               &now,
-                                   const std::optional<dem::LinearContactParameters> &ground)
+  double dearer_step_when_piled_up(const ParticlesModel                    &model,
+                                   const dem::Specimen                     &now,
+                                   const std::optional<dem::LinkMaterials> &ground)
   {
     constexpr double  of_each = 2.5; // contacts in a pile: two share one
     const dem::Counts counts  = now.counts();

@@ -9,11 +9,11 @@ namespace apps
   /** Equal particles without weight, as they are in a cubic or square lattice. */
   struct LatticeOfParticles
   {
-    dem::SpecimenParameters                     parameters;
-    dem::LinkMaterials                          materials; ///< they are of the first
-    std::size_t                                 number;    ///< about so many
-    double                                      radius;    ///< [m]
-    std::optional<dem::LinearContactParameters> ground;    ///< of an open box around them; absent: there is none
+    dem::SpecimenParameters           parameters;
+    dem::LinkMaterials                materials; ///< they are of the first
+    std::size_t                       number;    ///< about so many
+    double                            radius;    ///< [m]
+    std::optional<dem::LinkMaterials> ground;    ///< of an open box around them; absent: there is none
 
     /** Each touches its neighbours, and those outside the box. */
     dem::Specimen piled_up() const;
@@ -31,7 +31,7 @@ namespace apps
    * of bonded or single particles.
    * @param now its contacts are not counted again @param ground contact with what they lie on, if there is anything
    */
-  double dearer_step_when_piled_up(const ParticlesModel                              &model,
-                                   const dem::Specimen                               &now,
-                                   const std::optional<dem::LinearContactParameters> &ground);
+  double dearer_step_when_piled_up(const ParticlesModel                    &model,
+                                   const dem::Specimen                     &now,
+                                   const std::optional<dem::LinkMaterials> &ground);
 } // namespace apps

@@ -22,11 +22,11 @@ namespace apps
 {
   namespace
   {
-    std::optional<dem::LinearContactParameters> ground_of(const ParticlesModel &model)
+    std::optional<dem::LinkMaterials> ground_of(const ParticlesModel &model)
     {
       if (model.walls.walls.empty())
         return std::nullopt;
-      return model.walls.walls.front().contact;
+      return model.walls.walls.front().contact.materials();
     }
   } // namespace
 

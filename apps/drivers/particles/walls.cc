@@ -1,6 +1,5 @@
 #include "apps/drivers/particles/walls.h"
 
-#include "apps/drivers/particles/contact_entries.h"
 #include "apps/drivers/particles/wall_files.h"
 #include "apps/scene/same_name.h"
 #include "dem/facets/shapes.h"
@@ -26,7 +25,7 @@ namespace apps
     declare_box(s);
     declare_cylinder(s);
     declare_file(s);
-    declare_contact(s, contact);
+    contact.declare(s);
     declare_control(s);
   }
 
@@ -143,6 +142,7 @@ namespace apps
       section.refuse("Shape", "in two dimensions walls are built in: plane, plate, box or cylinder.");
     if (shape == Shape::cylinder && dimension == 3 && from == to)
       section.refuse("To", "is the same place as From: the cylinder has no length.");
+    contact.check(section);
     if (control == Control::force)
       {
         if (!force.given())
@@ -186,7 +186,7 @@ namespace apps
   void WallsSection::declare(Section &root)
   {
     root
-      .section("Walls", "One sub-section per wall that particles touch, in linear contact with friction. What belongs "
+      .section("Walls", "One sub-section per wall that particles touch, in contact with friction. What belongs "
                         "together should be one wall: a sphere has one contact with it, also over edges")
       .named_sections("WALL", [this](Section &opened) {
         WallSection &added = walls.emplace_back();
@@ -220,7 +220,8 @@ namespace apps
   {
     for (std::size_t w = 0; w < walls.size(); ++w)
       {
-        body.add_surface({walls[w].name, walls[w].mesh(body.parameters().physics.dimension), walls[w].contact});
+        body.add_surface(
+          {walls[w].name, walls[w].mesh(body.parameters().physics.dimension), walls[w].contact.materials()});
         if (walls[w].control == WallSection::Control::motion)
           body.set_surface_motion(w, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), vector(walls[w].centre));
         for (const Expressions *formulas : {&walls[w].velocity, &walls[w].spin})

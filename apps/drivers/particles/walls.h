@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/scene/contact_law.h"
 #include "apps/scene/vector_formula.h"
 #include "dem/facets/surface.h"
 #include "dem/specimen/specimen.h"
@@ -41,7 +42,7 @@ namespace apps
     std::string           file;
     double                scale = 1;
 
-    dem::LinearContactParameters contact;
+    ContactLaw contact;
 
     Control               control = Control::motion;
     Expressions           velocity, spin;

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "apps/scene/section.h"
+#include "dem/laws/linear_contact.h"
+#include "dem/laws/registry.h"
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+
+namespace apps
+{
+  /** How particles touch a wall or the surface of a body: linear contacts, or another law that has nothing but contacts. */
+  class ContactLaw
+  {
+  public:
+    /** @param used whether there are such contacts at all @param words the same for messages; both empty: there are */
+    void declare(Section &section, const std::function<bool()> &used = {}, const std::string &words = "");
+    /** @throws base::InputError for constants that the law cannot have */
+    void               check(const Section &section) const;
+    dem::LinkMaterials materials() const;
+
+  private:
+    dem::LinearContactParameters                               linear;
+    const dem::LinkLawKind                                    *other = nullptr; ///< nullptr: linear
+    std::map<std::string, std::shared_ptr<dem::LinkConstants>> constants;       ///< of every other law, by its name
+  };
+} // namespace apps
