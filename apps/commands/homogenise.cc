@@ -67,7 +67,7 @@ namespace apps
                                 }),
                  said.end());
       assign(root, said, scene);
-      materials.validate(root, dimension);
+      materials.check(root, dimension);
       materials.assign(packing, dimension, scene);
       return materials.materials();
     }

@@ -63,7 +63,7 @@ namespace apps
       }
   }
 
-  void ContactLaw::check(const Section &section) const
+  void ContactLaw::check(const base::EntryPath &section) const
   {
     try
       {

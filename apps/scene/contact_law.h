@@ -18,7 +18,7 @@ namespace apps
     /** @param used whether there are such contacts at all @param words the same for messages; both empty: there are */
     void declare(Section &section, const std::function<bool()> &used = {}, const std::string &words = "");
     /** @throws base::InputError for constants that the law cannot have */
-    void               check(const Section &section) const;
+    void               check(const base::EntryPath &at) const;
     dem::LinkMaterials materials() const;
 
   private:

@@ -47,6 +47,16 @@ namespace apps
       return *this;
     }
 
+    /** Tell a member whether the scene has given a value. */
+    Entry &notes(bool &given)
+    {
+      store = [&given, keep = std::move(store)](const std::string &text, const Place &from) {
+        given = true;
+        return keep(text, from);
+      };
+      return *this;
+    }
+
     /** The results do not depend on this entry: a run may be resumed with another value. */
     Entry &housekeeping()
     {

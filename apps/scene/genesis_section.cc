@@ -85,11 +85,11 @@ namespace apps
     }
   } // namespace
 
-  void AggregatesSection::validate(const Section &genesis, const dem::Vessel &vessel, const double tolerance) const
+  void AggregatesSection::check(const base::EntryPath &genesis, const dem::Vessel &vessel, const double tolerance) const
   {
     if (!given())
       return;
-    const Section &section = *genesis.find_section("Aggregates");
+    const base::EntryPath section = genesis.at("Aggregates");
     if (vessel.dimension != 2)
       section.refuse("Content", "aggregates are polygons in the plane, and Physics/Dimension is 3.");
     if (most_corners < fewest_corners)
@@ -278,7 +278,8 @@ namespace apps
     return found;
   }
 
-  void GenesisSection::require_enough_room(const Section &genesis, const int dimension, const char *sizes_from) const
+  void
+  GenesisSection::require_enough_room(const base::EntryPath &genesis, const int dimension, const char *sizes_from) const
   {
     const dem::Vessel room = vessel(dimension);
     const auto        one  = classes_in_vessel(dimension);
@@ -326,9 +327,9 @@ namespace apps
                         aggregates.mortar, aggregates.aggregate);
   }
 
-  void GenesisSection::validate(const Section &specimen, const int dimension) const
+  void GenesisSection::check(const base::EntryPath &specimen, const int dimension) const
   {
-    const Section &section = *specimen.find_section("Genesis");
+    const base::EntryPath section = specimen.at("Genesis");
     if (laboratory_porosity > 0 && dimension != 2)
       section.refuse("Laboratory porosity", "is for discs. In space the porosity is that of the laboratory: Porosity.");
     if (sizes == Sizes::file && !std::filesystem::is_regular_file(file))
@@ -343,7 +344,7 @@ namespace apps
       {
         section.refuse("Size", refused.what());
       }
-    aggregates.validate(section, vessel(dimension), size_tolerance);
+    aggregates.check(section, vessel(dimension), size_tolerance);
     std::size_t all = 0;
     try
       {

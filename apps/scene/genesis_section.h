@@ -22,7 +22,7 @@ namespace apps
 
     void declare(Section &genesis);
     /** @param vessel that they lie in, valid @param tolerance part of it by which a class may miss what the grading gives */
-    void                     validate(const Section &genesis, const dem::Vessel &vessel, double tolerance) const;
+    void                     check(const base::EntryPath &genesis, const dem::Vessel &vessel, double tolerance) const;
     bool                     given() const { return content > 0; }
     dem::AggregateParameters parameters(std::uint64_t seed) const;
   };
@@ -61,7 +61,7 @@ namespace apps
 
     /** @param chosen whether the scene asks for it */
     void declare(Section &specimen, const int &dimension, const std::function<bool()> &chosen);
-    void validate(const Section &specimen, int dimension) const;
+    void check(const base::EntryPath &specimen, int dimension) const;
 
     dem::Vessel vessel(int dimension) const;
     double      full_porosity() const; ///< at full size, in the plane or in space
@@ -77,6 +77,6 @@ namespace apps
     void finish(dem::Packing &packing) const;
 
   private:
-    void require_enough_room(const Section &genesis, int dimension, const char *sizes_from) const;
+    void require_enough_room(const base::EntryPath &genesis, int dimension, const char *sizes_from) const;
   };
 } // namespace apps

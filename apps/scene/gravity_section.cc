@@ -12,9 +12,9 @@ namespace apps
              "supports held; none: the weight acts suddenly");
   }
 
-  void GravitySection::validate(const Section &root, const int dimension) const
+  void GravitySection::check(const base::EntryPath &root, const int dimension) const
   {
     if (dimension == 2 && acceleration[2] != 0)
-      root.find_section("Gravity")->refuse("Acceleration", "in two dimensions it lies in the plane: its z must be 0.");
+      root.at("Gravity").refuse("Acceleration", "in two dimensions it lies in the plane: its z must be 0.");
   }
 } // namespace apps

@@ -21,7 +21,7 @@ namespace apps
     /** @param meaning of the section */
     void declare(Section &root, const char *meaning = "Weight of the particles");
     /** @param root holds the section, as in declare() */
-    void            validate(const Section &root, int dimension) const;
+    void            check(const base::EntryPath &root, int dimension) const;
     Eigen::Vector3d vector() const { return {acceleration[0], acceleration[1], acceleration[2]}; }
     /** There is an equilibrium to find. */
     bool asks_for_equilibrium() const { return start == Start::statics && !vector().isZero(0); }

@@ -46,7 +46,7 @@ namespace apps
       .only_if(between, "Gauge length = planes");
   }
 
-  void GripEntries::validate(const Section &loading) const
+  void GripEntries::check(const base::EntryPath &loading) const
   {
     const auto number = number_in(trimmed(area));
     if (trimmed(area) != nominal && !(number && *number > 0))

@@ -19,7 +19,7 @@ namespace apps
     /** @param gripped whether there are grips at all, @param words the same in words; both may be left out: always. */
     void declare(Section &loading, const std::function<bool()> &gripped = {}, const std::string &words = "");
     /** @throws base::InputError naming the entry */
-    void                validate(const Section &loading) const;
+    void                check(const base::EntryPath &loading) const;
     dem::GripParameters parameters() const;
   };
 

@@ -51,12 +51,12 @@ namespace apps
       .means("The test ends at this strain at the latest");
   }
 
-  void UniaxialLoadingSection::validate(const Section &root, const int dimension) const
+  void UniaxialLoadingSection::check(const base::EntryPath &root, const int dimension) const
   {
-    const Section &section = *root.find_section("Loading");
+    const base::EntryPath section = root.at("Loading");
     if (dimension == 2 && axis == 2)
       section.refuse("Axis", "in two dimensions the specimen lies in the plane z = 0. Load it along x or y.");
-    grips.validate(section);
+    grips.check(section);
   }
 
   bool UniaxialLoadingSection::asks_for(const UniaxialLoad load) const

@@ -27,15 +27,15 @@ namespace apps
       double stop_strain   = 0; ///< magnitude
     };
 
-    std::vector<UniaxialLoad> tests           = {UniaxialLoad::tension, UniaxialLoad::compression};
-    int                       axis            = 2;
+    std::vector<UniaxialLoad> tests = {UniaxialLoad::tension, UniaxialLoad::compression};
+    int                       axis  = 2;
     GripEntries               grips;
     bool                      lateral_blocked = false, spin_blocked = false;
     Test                      tension, compression;
 
     UniaxialLoadingSection();
     void declare(Section &root);
-    void validate(const Section &root, int dimension) const;
+    void check(const base::EntryPath &root, int dimension) const;
     bool asks_for(UniaxialLoad load) const;
     /** The test as dem runs it: the rate with its sign. */
     dem::UniaxialParameters parameters(UniaxialLoad load) const;

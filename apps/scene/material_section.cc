@@ -20,6 +20,7 @@ namespace apps
     section
       .choice_of(
         "Law", names, 0, [this, &laws](const std::size_t chosen) { law = laws.at(chosen).get(); }, Need::required)
+      .notes(given)
       .means("Law of the links; the section of its name holds its constants");
     std::vector<std::string> of_contacts = {"own"};
     of_contacts.insert(of_contacts.end(), names.begin(), names.end());
@@ -132,55 +133,44 @@ namespace apps
 
   namespace
   {
-    bool sets_anything(const Section &section)
+    void check_material(const NamedMaterial &material, const base::EntryPath &section)
     {
-      return std::any_of(section.entries().begin(), section.entries().end(), [](const auto &e) { return e->set; }) ||
-             std::any_of(section.sections().begin(), section.sections().end(),
-                         [](const auto &s) { return sets_anything(*s); });
-    }
-
-    void validate_material(const NamedMaterial &material, const Section &section)
-    {
-      const std::string where = section.place().text() + ": " + section.path();
       if (!dem::is_material_name(material.name))
-        throw base::InputError(where + ": " + dem::material_name_rule() + ".");
+        section.refuse(dem::material_name_rule() + std::string("."));
       try
         {
           material.law.check();
         }
       catch (const base::InputError &refusal)
         {
-          throw base::InputError(where + "/" + refusal.what());
+          section.refuse_within(refusal.what());
         }
     }
   } // namespace
 
-  void MaterialSection::validate(const Section &root, const int dimension) const
+  void MaterialSection::check(const base::EntryPath &root, const int dimension) const
   {
-    const Section &materials_section = *root.find_section("Materials"), &places = *root.find_section("Regions");
+    const base::EntryPath materials_section = root.at("Materials"), places = root.at("Regions");
     if (named.empty())
       {
         only.check();
         if (!interfaces.empty())
-          throw base::InputError(root.find_section("Interfaces")->sections().front()->place().text() +
-                                 ": Interfaces: the scene has no section Materials to join.");
+          root.at("Interfaces").at(interfaces.front().name).refuse("the scene has no section Materials to join.");
         if (!regions.empty())
-          throw base::InputError(places.sections().front()->place().text() + ": " + places.path() +
-                                 ": the scene has no section Materials to take their materials from.");
+          places.at(regions.front().name).refuse("the scene has no section Materials to take their materials from.");
         return;
       }
-    const std::string where = materials_section.sections().front()->place().text() + ": " + materials_section.path();
-    if (sets_anything(*root.find_section("Material")))
-      throw base::InputError(where + ": the scene has a section Material as well. Keep one of the two.");
+    if (only.given)
+      materials_section.at(named.front().name).refuse("the scene has a section Material as well. Keep one of the two.");
     for (const NamedMaterial &material : named)
       {
-        const Section &section = *materials_section.find_section(material.name);
-        validate_material(material, section);
+        const base::EntryPath section = materials_section.at(material.name);
+        check_material(material, section);
         if (material.law.contacts != named.front().law.contacts)
           section.refuse("Contacts", "all materials of a scene must have the same, as the first of them.");
       }
-    validate_interfaces(root);
-    validate_pairs(root);
+    check_interfaces(root);
+    check_pairs(root);
     try
       {
         materials().bonds(dem::Physics());
@@ -188,24 +178,24 @@ namespace apps
       }
     catch (const base::InputError &refusal)
       {
-        throw base::InputError(where + ": " + refusal.what());
+        materials_section.at(named.front().name).refuse(refusal.what());
       }
     const std::vector<std::string> known = names();
     for (const MaterialRegion &region : regions)
       {
-        const Section &section = *places.find_section(region.name);
+        const base::EntryPath section = places.at(region.name);
         if (std::find(known.begin(), known.end(), region.material) == known.end())
           section.refuse("Material", "is not in section Materials. " + did_you_mean(region.material, known));
-        region.region.validate(section, dimension);
+        region.region.check(section, dimension);
       }
   }
 
-  void MaterialSection::validate_interfaces(const Section &root) const
+  void MaterialSection::check_interfaces(const base::EntryPath &root) const
   {
     const std::vector<std::string> known = names();
     for (const MaterialInterface &each : interfaces)
       {
-        const Section &section = *root.find_section("Interfaces")->find_section(each.name);
+        const base::EntryPath section = root.at("Interfaces").at(each.name);
         for (const auto &[entry, name] : {std::pair{"Material", each.one}, std::pair{"Other material", each.other}})
           if (std::find(known.begin(), known.end(), name) == known.end())
             section.refuse(entry, "is not in section Materials. " + did_you_mean(name, known));
@@ -218,12 +208,12 @@ namespace apps
           }
         catch (const base::InputError &refusal)
           {
-            throw base::InputError(section.place().text() + ": " + section.path() + "/" + refusal.what());
+            section.refuse_within(refusal.what());
           }
       }
   }
 
-  void MaterialSection::validate_pairs(const Section &root) const
+  void MaterialSection::check_pairs(const base::EntryPath &root) const
   {
     const auto laws = laws_of_pairs();
     const auto at   = [this](const std::int32_t number) -> const NamedMaterial   &{
@@ -232,11 +222,11 @@ namespace apps
     for (std::int32_t one = 0; one < static_cast<std::int32_t>(named.size()); ++one)
       for (std::int32_t other = 0; other < one; ++other)
         if (laws[static_cast<std::size_t>(dem::material_pair(one, other))] == nullptr)
-          root.find_section("Materials")
-            ->find_section(at(one).name)
-            ->refuse("Law", fmt::format("links with {} ({}) have none. Choose it: add to Interfaces a sub-section with "
-                                        "Material = {}, Other material = {} and their Law.",
-                                        at(other).name, at(other).law.law->name(), at(other).name, at(one).name));
+          root.at("Materials")
+            .at(at(one).name)
+            .refuse("Law", fmt::format("links with {} ({}) have none. Choose it: add to Interfaces a sub-section with "
+                                       "Material = {}, Other material = {} and their Law.",
+                                       at(other).name, at(other).law.law->name(), at(other).name, at(one).name));
   }
 
   const MaterialInterface *MaterialSection::between(const std::int32_t one, const std::int32_t other) const

@@ -18,6 +18,7 @@ namespace apps
   {
     const dem::LinkLawKind                                    *law      = nullptr; ///< the chosen one
     const dem::LinkLawKind                                    *contacts = nullptr; ///< likewise; none: that of `law`
+    bool                                                       given    = false;   ///< somebody has chosen it
     std::map<std::string, std::shared_ptr<dem::LinkConstants>> constants;          ///< of every law, by its name
 
     void declare(Section &section);
@@ -62,7 +63,7 @@ namespace apps
     /** @param inertia whether densities matter */
     void declare(Section &root, bool inertia = true);
     /** Rules between the constants of the selected laws, and between names. @throws base::InputError. */
-    void validate(const Section &root, int dimension) const;
+    void check(const base::EntryPath &root, int dimension) const;
 
     dem::LinkMaterials       materials() const;
     std::vector<std::string> names() const; ///< empty where there is one
@@ -82,9 +83,9 @@ namespace apps
     void require_all(const dem::Packing &packing, const std::string &origin) const;
 
   private:
-    void validate_interfaces(const Section &root) const;
+    void check_interfaces(const base::EntryPath &root) const;
     /** Every pair of materials has a law. @throws base::InputError */
-    void validate_pairs(const Section &root) const;
+    void check_pairs(const base::EntryPath &root) const;
     /** The interface of a pair of materials, by their numbers: the last of several; nullptr if there is none. */
     const MaterialInterface *between(std::int32_t one, std::int32_t other) const;
     /** Law of the links of each pair of materials, in the order of dem::material_pair(); nullptr: none follows from the scene. */

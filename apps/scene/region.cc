@@ -35,7 +35,7 @@ namespace apps
          is_round, "sphere or cylinder");
   }
 
-  void Region::validate(const Section &section, const int dimension) const
+  void Region::check(const base::EntryPath &section, const int dimension) const
   {
     for (int d = 0; d < dimension && shape == Shape::box; ++d)
       if (!(lower[d] < upper[d]))

@@ -29,7 +29,7 @@ namespace apps
     /** @param asked whether there is a region at all, @param words the same in words; both may be left out: always. */
     void declare(Section &section, const std::function<bool()> &asked = {}, const std::string &words = "");
     /** @throws base::InputError for a box inside out, or a cylinder without length. */
-    void validate(const Section &section, int dimension) const;
+    void check(const base::EntryPath &section, int dimension) const;
     /** In two dimensions z is not looked at: a rectangle, a circle, a strip. Its border belongs to it. */
     bool holds(const Eigen::Vector3d &place, int dimension) const;
   };

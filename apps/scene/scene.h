@@ -43,7 +43,7 @@ namespace apps
   /**
    * A kind of scene: its parameters, and what to do with them. One class per kind, listed in apps/drivers/all.h.
    *
-   * Order: declare(), then the reader fills the members, validate(), and then either forecast() or run().
+   * Order: declare(), then the reader fills the members, check(), and then either forecast() or run().
    */
   class Scene
   {
@@ -53,8 +53,8 @@ namespace apps
     /** Bind every parameter of the kind. The object must stay where it is from now on. */
     virtual void declare(Section &root) = 0;
 
-    /** Rules between entries. @throws base::InputError, see Section::refuse(). */
-    virtual void validate(const Section &root) const = 0;
+    /** Rules between entries. @throws base::EntryError naming the entry, base::InputError */
+    virtual void check() const = 0;
 
     /**
      * What a run would take, as text for the terminal; sets the model up, but writes nothing.

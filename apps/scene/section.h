@@ -2,7 +2,7 @@
 
 #include "apps/scene/entry.h"
 #include "apps/scene/expression.h"
-#include "base/errors.h"
+#include "base/entry_path.h"
 
 #include <array>
 #include <cstdint>

@@ -108,10 +108,14 @@ namespace apps
       section.number("Density", density, "kg/m^3", Range::positive(), Need::required)
         .means("Of the particles, not of the bulk: bulk density over packing fraction");
     if (use.other_particles)
-      interaction_ratio = 1;
+      {
+        interaction_ratio = 1;
+        says_distance     = false;
+      }
     section
       .number("Interaction ratio", interaction_ratio, "-", Range::between(1, 10),
               use.other_particles ? Need::optional : Need::required)
+      .notes(says_distance)
       .means(use.other_particles ?
                "iota: particles closer than iota times the sum of their radii are linked, if the law bonds them; "
                "about 1.5 for concrete. A law without bonds does not ask for it" :
@@ -119,6 +123,7 @@ namespace apps
                "model, about 1.5");
     if (use.other_particles)
       section.number("Installation gap", installation_gap, "m", Range::at_least(0), Need::optional)
+        .notes(says_distance)
         .means("Particles whose surfaces are nearer than this are linked as well, if the law bonds them");
     if (use.box)
       section
@@ -137,23 +142,23 @@ namespace apps
       genesis.declare(section, dimension, [this] { return source == Source::genesis; });
   }
 
-  void SpecimenSection::validate(const Section &root, const int dimension) const
+  void SpecimenSection::check(const base::EntryPath &root, const int dimension) const
   {
-    const Section &section = *root.find_section("Specimen");
+    const base::EntryPath section = root.at("Specimen");
     if (source == Source::file && !std::filesystem::is_regular_file(file))
       section.refuse("File",
                      "there is no such file (" + std::filesystem::absolute(file).lexically_normal().string() + ").");
     if (source == Source::genesis)
-      genesis.validate(section, dimension);
+      genesis.check(section, dimension);
     if (source != Source::generator)
       return;
     if (generator.cell_count > 0 && generator.cell_count < 8)
-      section.find_section("Generator")->refuse("Cell particles", "must be 0, or at least 8.");
+      section.at("Generator").refuse("Cell particles", "must be 0, or at least 8.");
     if (generator.faces == Faces::moulded && body == Body::cell)
-      section.find_section("Generator")->refuse("Faces", "a periodic cell has none: leave it out, or set Body = box.");
+      section.at("Generator").refuse("Faces", "a periodic cell has none: leave it out, or set Body = box.");
     if (generator.faces == Faces::moulded && generator.cell_count > 0)
-      section.find_section("Generator")
-        ->refuse("Cell particles", "a moulded box is made in one piece: leave it out, or set Faces = cut.");
+      section.at("Generator")
+        .refuse("Cell particles", "a moulded box is made in one piece: leave it out, or set Faces = cut.");
     if (dimension == 2)
       section.refuse(
         "Source",

@@ -75,15 +75,17 @@ namespace apps
     std::array<double, 3>               box     = {0, 0, 0}; ///< [m]; all zero: the file's particles as they are
     double                              density = 0;         ///< [kg/m^3]
     double                              interaction_ratio = 0;
-    double                              installation_gap  = 0; ///< [m]
-    double                              thickness         = 0; ///< [m], of discs
-    LoosePieces                         loose_pieces      = LoosePieces::refuse;
-    bool bonded = true; ///< false: by its law no particle is linked, so that pieces mean nothing
+    bool                                says_distance =
+      true; ///< up to which distance particles are linked: by one of the two; a scene may leave both out
+    double      installation_gap = 0; ///< [m]
+    double      thickness        = 0; ///< [m], of discs
+    LoosePieces loose_pieces     = LoosePieces::refuse;
+    bool        bonded           = true; ///< false: by its law no particle is linked, so that pieces mean nothing
 
     /** @param dimension chosen in section "Physics"; read only after reading. */
     void declare(Section &root, const int &dimension, const Use &use);
     void declare(Section &root, const int &dimension) { declare(root, dimension, Use()); }
-    void validate(const Section &root, int dimension) const;
+    void check(const base::EntryPath &root, int dimension) const;
     /** Of the generator, for the body that is asked for, or the cell of which it is like. */
     dem::CompactionParameters compaction() const;
     /** Whether the box is compacted between plates instead of being cut out of a cell. */

@@ -23,9 +23,9 @@ namespace apps
              "empty: Damping throughout");
   }
 
-  void TimeSection::validate_by_time(const Section &root) const
+  void TimeSection::check_by_time(const base::EntryPath &root) const
   {
-    const Section &section = *root.find_section("Time");
+    const base::EntryPath section = root.at("Time");
     if (damping_in_time.varies_in_space())
       section.refuse("Damping in time", "all particles have the same damping: a formula of t alone.");
     damping_at(0);

@@ -19,7 +19,7 @@ namespace apps
     /** For kinds of scene whose damping may change on the way: the formula as well. @pre declare() */
     void declare_by_time(Section &root);
     /** @throws base::InputError for a formula of place. */
-    void validate_by_time(const Section &root) const;
+    void check_by_time(const base::EntryPath &root) const;
     /** Damping at a time [s]. @throws base::InputError for a formula that leaves [0, 1) */
     double damping_at(double time) const;
   };

@@ -36,7 +36,7 @@ namespace
     try
       {
         assign(root, apps::read_overrides(all), "test");
-        event.validate(root);
+        event.check({});
       }
     catch (const base::InputError &refused)
       {

@@ -35,7 +35,7 @@ namespace
                                           "Time/Damping=0"};
       entries.insert(entries.end(), more.begin(), more.end());
       assign(root, apps::read_overrides(entries), "test");
-      model.validate(root);
+      model.check({});
       packing = model.packing();
       body    = std::make_unique<apps::ParticlesBody>(model, packing);
       body->start();

@@ -91,7 +91,7 @@ namespace
       s.number("End time", model.end_time, "s", Range::positive(), Need::optional).means("Of the motion");
       s.number("Steps", model.steps, "-", Range::positive(), Need::optional).means("Until then");
     }
-    void            validate(const apps::Section &) const override {}
+    void            check() const override {}
     std::string     forecast() const override { return "  steps        " + std::to_string(model.steps) + "\n"; }
     apps::RunResult run(const apps::RunRequest &request) const override
     {

@@ -81,17 +81,18 @@ namespace apps
       }
   }
 
-  void CellScene::validate(const Section &root) const
+  void CellScene::check() const
   {
-    source.validate(root, physics.dimension);
-    material.validate(root, physics.dimension);
+    const base::EntryPath root;
+    source.check(root, physics.dimension);
+    material.check(root, physics.dimension);
     for (int i = 0; i < legs; ++i)
       for (int c = 0; c < 6; ++c)
         if (!aim_in(path[i].target[c]))
-          root.find_section("Loading")
-            ->find_section(fmt::format("Leg {}", i + 1))
-            ->refuse(base::voigt_names[c],
-                     "expected \"strain VALUE\" or \"stress VALUE\", e.g. strain 1e-4 or stress -2e6.");
+          root.at("Loading")
+            .at(fmt::format("Leg {}", i + 1))
+            .refuse(base::voigt_names[c],
+                    "expected \"strain VALUE\" or \"stress VALUE\", e.g. strain 1e-4 or stress -2e6.");
   }
 
   CellModel CellScene::model() const

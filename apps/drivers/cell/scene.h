@@ -29,7 +29,7 @@ namespace apps
     static constexpr int most_legs = 9;
 
     void        declare(Section &root) override;
-    void        validate(const Section &root) const override;
+    void        check() const override;
     std::string forecast() const override;
     RunResult   run(const RunRequest &request) const override;
 

@@ -87,17 +87,17 @@ namespace apps
     material.declare(block, false);
   }
 
-  void CellsConstants::refuse_motion(const Section &block) const
+  void CellsConstants::refuse_motion(const base::EntryPath &block) const
   {
     if (moves)
       block.refuse("Answer", "particles that move want time, and a static analysis has none. Set Model/Analysis = "
                              "explicit, or Answer = equilibrium.");
   }
 
-  void CellsConstants::validate(const Section &block) const
+  void CellsConstants::check(const base::EntryPath &block) const
   {
-    source.validate(block, dimension);
-    material.validate(block, dimension);
+    source.check(block, dimension);
+    material.check(block, dimension);
     if (moves && (localised == coupling::Localised::crack_band || localised == coupling::Localised::refuse))
       block.refuse("When localised", "a cell in motion has no tangent, and cannot be asked twice. Take stop or go on, "
                                      "or Answer = equilibrium.");

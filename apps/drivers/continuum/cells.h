@@ -21,11 +21,11 @@ namespace apps
     /** Everything else: packing and material of the particles, what becomes of cells that localise. */
     void declare(Section &block);
     /** @throws base::InputError */
-    void validate(const Section &block) const;
+    void check(const base::EntryPath &block) const;
     /** Particles and links of a cell, for `check`. Makes the packings. */
     std::string forecast() const;
     /** @throws base::InputError for particles that move behind a solid in equilibrium step by step */
-    void refuse_motion(const Section &block) const;
+    void refuse_motion(const base::EntryPath &block) const;
 
     std::unique_ptr<fem::MaterialPoints> make_points(fem::Plane plane) const override;
 

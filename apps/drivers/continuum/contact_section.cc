@@ -36,15 +36,13 @@ namespace apps
     s.named_sections("CONTACT", [this](Section &opened) { contacts.emplace_back().declare(opened); });
   }
 
-  void ContactsSection::validate(const Section &root) const
+  void ContactsSection::check(const base::EntryPath &root, const bool moves) const
   {
-    const Section &all = *root.find_section("Contacts");
-    if (!empty() && !all.needed())
-      throw base::InputError(all.find_section(contacts.front().name)->place().text() + ": Contacts/" +
-                             contacts.front().name + ": goes with " + all.condition() + ".");
+    const base::EntryPath all = root.at("Contacts");
+    if (!empty() && !moves)
+      all.at(contacts.front().name).refuse("goes with Model/Analysis = explicit.");
     for (const ContactSection &contact : contacts)
       if (contact.name.find_first_of(",\"") != std::string::npos)
-        throw base::InputError(all.find_section(contact.name)->place().text() + ": Contacts/" + contact.name +
-                               ": a name without commas and quotes, please: it is part of columns of series.csv.");
+        all.at(contact.name).refuse("a name without commas and quotes, please: it is part of columns of series.csv.");
   }
 } // namespace apps

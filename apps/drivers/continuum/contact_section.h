@@ -25,7 +25,7 @@ namespace apps
 
     void declare(Section &root, std::function<bool()> is_explicit);
     /** @throws base::InputError for a name that cannot be part of a column, and contacts of what does not move */
-    void validate(const Section &root) const;
+    void check(const base::EntryPath &root, bool moves) const;
     bool empty() const { return contacts.empty(); }
   };
 } // namespace apps

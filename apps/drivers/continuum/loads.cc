@@ -57,23 +57,23 @@ namespace apps
     });
   }
 
-  void LoadsSection::validate(const Section &root, const int dimension) const
+  void LoadsSection::check(const base::EntryPath &root, const int dimension) const
   {
     for (const auto &support : supports)
       if (support->is_box)
         for (std::size_t i = 0; i < 3; ++i)
           if (support->to[i] < support->from[i])
-            root.find_section("Supports")
-              ->find_section(support->name)
-              ->refuse("To", std::string("its ") + "xyz"[i] + " is below that of From.");
+            root.at("Supports")
+              .at(support->name)
+              .refuse("To", std::string("its ") + "xyz"[i] + " is below that of From.");
     if (dimension == 3)
       return;
     const auto refuse_z = [&](const char *section, const std::string &name, const char *entry, const Expression &z) {
-      const Section *s = root.find_section(section);
+      base::EntryPath s = root.at(section);
       if (!name.empty())
-        s = s->find_section(name);
+        s = s.at(name);
       if (z.given())
-        s->refuse(entry, "a plane model has no displacement along z (Model/Dimension = 2). Leave it out.");
+        s.refuse(entry, "a plane model has no displacement along z (Model/Dimension = 2). Leave it out.");
     };
     for (const auto &b : boundaries)
       {

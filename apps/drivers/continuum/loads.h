@@ -53,6 +53,6 @@ namespace apps
 
     void declare(Section &root);
     /** Nothing may act along z in two dimensions. @throws base::InputError. */
-    void validate(const Section &root, int dimension) const;
+    void check(const base::EntryPath &root, int dimension) const;
   };
 } // namespace apps

@@ -152,20 +152,20 @@ namespace apps
     });
   }
 
-  void MaterialsSection::validate(const Section &root, const bool large_displacement) const
+  void MaterialsSection::check(const base::EntryPath &root, const bool large_displacement) const
   {
     for (const auto &group : groups)
       {
-        const Section &s = *root.find_section("Materials")->find_section(group->group);
+        const base::EntryPath s = root.at("Materials").at(group->group);
         if (large_displacement && !group->law->takes_large_strains())
           s.refuse("Law", "is a small-strain law. Large displacements need an elastic material.");
         const std::string &file = group->chosen().stiffness_file;
         if (!file.empty() && !std::filesystem::is_regular_file(file))
-          s.find_section(group->law->name())
-            ->refuse("Stiffness file",
-                     "there is no such file (" + std::filesystem::absolute(file).lexically_normal().string() + ").");
+          s.at(group->law->name())
+            .refuse("Stiffness file",
+                    "there is no such file (" + std::filesystem::absolute(file).lexically_normal().string() + ").");
         if (const CellsConstants *cells = group->cells())
-          cells->validate(*s.find_section(group->law->name()));
+          cells->check(s.at(group->law->name()));
         else if (!group->is_homogenised())
           group->make_points(fem::Plane::strain); // refuses constants that do not fit together
       }

@@ -55,6 +55,6 @@ namespace apps
     std::vector<std::unique_ptr<MaterialOfGroup>> groups;
 
     void declare(Section &root, std::function<bool()> is_explicit, bool holds_particles = false);
-    void validate(const Section &root, bool large_displacement) const;
+    void check(const base::EntryPath &root, bool large_displacement) const;
   };
 } // namespace apps

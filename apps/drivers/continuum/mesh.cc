@@ -26,7 +26,7 @@ namespace apps
         }
     }
 
-    void require_edges(const Section &box, const std::array<double, 3> &size, const int dimension)
+    void require_edges(const base::EntryPath &box, const std::array<double, 3> &size, const int dimension)
     {
       for (std::size_t i = 0; i < static_cast<std::size_t>(dimension); ++i)
         if (!(size[i] > 0))
@@ -202,28 +202,28 @@ namespace apps
       .only_if(solid, "Model/Dimension = 3");
   }
 
-  void MeshSection::validate(const Section &root, const int dimension) const
+  void MeshSection::check(const base::EntryPath &root, const int dimension) const
   {
-    const Section &s = *root.find_section("Mesh");
+    const base::EntryPath s = root.at("Mesh");
     if (source == Source::file && !std::filesystem::is_regular_file(file))
       s.refuse("File", "there is no such file (" + std::filesystem::absolute(file).lexically_normal().string() + ").");
     if (source == Source::cylinder && dimension == 2)
       s.refuse("Source", "a cylinder is a body in three dimensions, and Model/Dimension is 2. Take a box.");
     if (source == Source::box)
-      require_edges(*s.find_section("Box"), box_size, dimension);
+      require_edges(s.at("Box"), box_size, dimension);
     if (source == Source::bodies)
-      validate_bodies(s, dimension);
+      check_bodies(s, dimension);
   }
 
-  void MeshSection::validate_bodies(const Section &mesh, const int dimension) const
+  void MeshSection::check_bodies(const base::EntryPath &mesh, const int dimension) const
   {
     if (boxes.empty() && balls.empty())
       mesh.refuse("Source", "there is no body. Give each a section Mesh/Boxes/NAME or Mesh/Balls/NAME.");
     for (const BoxSection &box : boxes)
-      require_edges(*mesh.find_section("Boxes")->find_section(box.name), box.size, dimension);
+      require_edges(mesh.at("Boxes").at(box.name), box.size, dimension);
     for (const BallSection &ball : balls)
       if (ball.divisions % 2 != 0)
-        mesh.find_section("Balls")->find_section(ball.name)->refuse("Divisions", "must be even.");
+        mesh.at("Balls").at(ball.name).refuse("Divisions", "must be even.");
   }
 
   namespace

@@ -73,11 +73,11 @@ namespace apps
     std::int64_t                    axial_divisions = 8;
 
     void declare(Section &root, const int &dimension);
-    void validate(const Section &root, int dimension) const;
+    void check(const base::EntryPath &root, int dimension) const;
 
   private:
     void declare_bodies(Section &mesh, const int &dimension);
-    void validate_bodies(const Section &mesh, int dimension) const;
+    void check_bodies(const base::EntryPath &mesh, int dimension) const;
     void declare_beam(Section &mesh, const int &dimension);
     void declare_plate(Section &mesh, const int &dimension);
   };

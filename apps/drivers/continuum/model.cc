@@ -11,12 +11,11 @@ namespace apps
 {
   namespace
   {
-    void refuse_moving_cells(const Section &root, const MaterialsSection &materials)
+    void refuse_moving_cells(const base::EntryPath &root, const MaterialsSection &materials)
     {
       for (const auto &group : materials.groups)
         if (const CellsConstants *cells = group->cells())
-          cells->refuse_motion(
-            *root.find_section("Materials")->find_section(group->group)->find_section(group->law->name()));
+          cells->refuse_motion(root.at("Materials").at(group->group).at(group->law->name()));
     }
   } // namespace
 
@@ -92,11 +91,9 @@ namespace apps
       .means("Of the iterative solver");
   }
 
-  void ControlSection::validate(const Section &root, const std::vector<std::string> &points) const
+  void ControlSection::check(const base::EntryPath &root, const std::vector<std::string> &points) const
   {
-    const Section &s = *root.find_section("Control");
-    if (!s.needed())
-      return;
+    const base::EntryPath s = root.at("Control");
     if (smallest() > first() || first() > largest() * (1 + 1e-12))
       s.refuse("First step", "it must lie between the smallest and the largest step.");
     if (relax && follow != Follow::time)
@@ -193,42 +190,43 @@ namespace apps
     loads.declare(root);
   }
 
-  void ContinuumModel::validate(const Section &root) const
+  void ContinuumModel::check(const base::EntryPath &root) const
   {
-    validate_as_part(root);
+    check_as_part(root);
     std::vector<std::string> points;
     for (const auto &point : loads.points)
       points.push_back(point->name);
-    control.validate(root, points);
+    if (is_static())
+      control.check(root, points);
   }
 
-  void ContinuumModel::validate_as_part(const Section &root) const
+  void ContinuumModel::check_as_part(const base::EntryPath &root) const
   {
-    const Section &s = *root.find_section("Model");
+    const base::EntryPath s = root.at("Model");
     if (solid.large_displacement && solid.mean_dilatation)
       s.refuse("Mean dilatation", "is a small-strain form. Switch it off with large displacements.");
     if (!motion.rigid.empty() && !solid.large_displacement)
-      root.find_section("Motion")->refuse("Rigid bodies", "they turn: Model/Large displacement = true goes with them.");
-    mesh.validate(root, solid.dimension);
-    materials.validate(root, solid.large_displacement);
+      root.at("Motion").refuse("Rigid bodies", "they turn: Model/Large displacement = true goes with them.");
+    mesh.check(root, solid.dimension);
+    materials.check(root, solid.large_displacement);
     if (is_static())
       refuse_moving_cells(root, materials);
-    loads.validate(root, solid.dimension);
+    loads.check(root, solid.dimension);
     require_upright_names(*this, body_force_at_once(*this));
-    contacts.validate(root);
+    contacts.check(root, !is_static());
   }
 
-  void ContinuumModel::validate_as_static_part(const Section &root) const
+  void ContinuumModel::check_as_static_part(const base::EntryPath &root) const
   {
-    const Section &s = *root.find_section("Model");
+    const base::EntryPath s = root.at("Model");
     if (!is_static())
       s.refuse("Analysis", "nothing moves in time here: static.");
     if (solid.large_displacement)
       s.refuse("Large displacement", "the solid around particles in equilibrium is linear. Switch it off.");
-    mesh.validate(root, solid.dimension);
-    materials.validate(root, solid.large_displacement);
+    mesh.check(root, solid.dimension);
+    materials.check(root, solid.large_displacement);
     refuse_moving_cells(root, materials);
-    loads.validate(root, solid.dimension);
+    loads.check(root, solid.dimension);
     require_upright_names(*this, body_force_at_once(*this));
   }
 

@@ -56,7 +56,7 @@ namespace apps
     double                linear_tolerance = 1e-10;
 
     void declare(Section &root, std::function<bool()> is_static);
-    void validate(const Section &root, const std::vector<std::string> &points) const;
+    void check(const base::EntryPath &root, const std::vector<std::string> &points) const;
 
     double first() const { return first_step > 0 ? first_step : end / 20; }
     double largest() const { return largest_step > 0 ? largest_step : first(); }
@@ -103,9 +103,9 @@ namespace apps
     /** Those of a solid in equilibrium with something else. */
     void declare_as_static_part(Section &root);
     /** Rules between entries. @throws base::InputError. */
-    void validate(const Section &root) const;
-    void validate_as_part(const Section &root) const;
-    void validate_as_static_part(const Section &root) const;
+    void check(const base::EntryPath &root) const;
+    void check_as_part(const base::EntryPath &root) const;
+    void check_as_static_part(const base::EntryPath &root) const;
 
     bool is_static() const { return solid.analysis == SolidSection::Analysis::statics; }
 

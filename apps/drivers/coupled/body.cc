@@ -94,7 +94,7 @@ namespace apps
                             {coupling.bond.within, coupling.bond.links(what.particles.physics)},
                             coupling.spreading});
         refuse_shared_couplings();
-        model.validate_columns(columns(), told());
+        model.check_columns(columns(), told());
       }
 
       StaticStart start() override

@@ -35,7 +35,7 @@ namespace apps
       }
   }
 
-  void BondSection::validate(const Section &coupling) const
+  void BondSection::check(const base::EntryPath &coupling) const
   {
     if (law == nullptr)
       return;
@@ -45,8 +45,7 @@ namespace apps
       }
     catch (const base::InputError &refusal)
       {
-        const Section &section = *coupling.find_section("Bond");
-        throw base::InputError(section.place().text() + ": " + section.path() + "/" + refusal.what());
+        coupling.at("Bond").refuse_within(refusal.what());
       }
   }
 

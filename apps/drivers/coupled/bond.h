@@ -20,7 +20,7 @@ namespace apps
     bool given() const { return within > 0; }
     void declare(Section &coupling);
     /** Rules between the constants. @throws base::InputError */
-    void validate(const Section &coupling) const;
+    void check(const base::EntryPath &coupling) const;
     /** nullptr: that of the particles. @pre validated */
     std::shared_ptr<const dem::LinkLaw> links(const dem::Physics &physics) const;
   };

@@ -60,22 +60,21 @@ namespace apps
       .named_sections("COUPLING", [this](Section &opened) { couplings.emplace_back().declare(opened); });
   }
 
-  void CouplingsSection::validate(const Section &root, const GroupNames &groups, const bool alone) const
+  void CouplingsSection::check(const base::EntryPath &root, const GroupNames &groups, const bool alone) const
   {
-    const Section &all = *root.find_section("Couplings");
+    const base::EntryPath all = root.at("Couplings");
     if (couplings.empty() && alone)
       throw base::InputError("Couplings: there is none. Name a surface of the solid that particles touch: subsection "
                              "Couplings/NAME with set Boundary and set Effective modulus.");
     for (const CouplingSection &coupling : couplings)
       {
-        const Section &section = *all.find_section(coupling.name);
+        const base::EntryPath section = all.at(coupling.name);
         if (coupling.name.find_first_of(",\"") != std::string::npos)
-          throw base::InputError(section.place().text() + ": Couplings/" + coupling.name +
-                                 ": a name without commas and quotes, please: it is part of columns of series.csv.");
+          section.refuse("a name without commas and quotes, please: it is part of columns of series.csv.");
         for (const std::string &group : names_in(coupling.group))
           groups.require(section, "Groups", group);
         coupling.contact.check(section);
-        coupling.bond.validate(section);
+        coupling.bond.check(section);
       }
   }
 } // namespace apps

@@ -15,15 +15,15 @@ namespace apps
   /** Sub-section of "Couplings": particles on a part of the boundary of the solid. */
   struct CouplingSection
   {
-    std::string                  name;
-    std::string                  boundary; ///< names, separated by commas; "": all of it
-    std::string                  group;    ///< names, separated by commas; "": all particles
-    ContactLaw                   contact;
-    bool                         pressure     = false;                          ///< on areas, not at points
-    double                       skin         = 0;                              ///< [m]; 0: by the size of the facets
-    coupling::Spreading          spreading    = coupling::Spreading::automatic; ///< of points
-    double                       energy_limit = 0.01; ///< that it may make, over the largest energy
-    BondSection                  bond;
+    std::string         name;
+    std::string         boundary; ///< names, separated by commas; "": all of it
+    std::string         group;    ///< names, separated by commas; "": all particles
+    ContactLaw          contact;
+    bool                pressure     = false;                          ///< on areas, not at points
+    double              skin         = 0;                              ///< [m]; 0: by the size of the facets
+    coupling::Spreading spreading    = coupling::Spreading::automatic; ///< of points
+    double              energy_limit = 0.01;                           ///< that it may make, over the largest energy
+    BondSection         bond;
 
     void                     declare(Section &section);
     std::vector<std::string> boundaries() const;
@@ -38,6 +38,6 @@ namespace apps
 
     void declare(Section &root);
     /** @param alone nothing else couples. @throws base::InputError where nothing is coupled, or a group that is not there */
-    void validate(const Section &root, const GroupNames &groups, bool alone) const;
+    void check(const base::EntryPath &root, const GroupNames &groups, bool alone) const;
   };
 } // namespace apps

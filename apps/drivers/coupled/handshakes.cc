@@ -164,14 +164,13 @@ namespace apps
       });
   }
 
-  void HandshakesSection::validate(const Section &root, const int dimension) const
+  void HandshakesSection::check(const base::EntryPath &root, const int dimension) const
   {
     for (const HandshakeSection &h : handshakes)
       {
-        const Section &s = *root.find_section("Handshakes")->find_section(h.name);
+        const base::EntryPath s = root.at("Handshakes").at(h.name);
         if (h.name.find_first_of(",\"") != std::string::npos)
-          throw base::InputError(s.place().text() + ": Handshakes/" + h.name +
-                                 ": a name without commas and quotes, please: it is part of columns of series.csv.");
+          s.refuse("a name without commas and quotes, please: it is part of columns of series.csv.");
         for (int c = 0; c < dimension && h.region == HandshakeSection::Region::box; ++c)
           if (!(h.low[static_cast<std::size_t>(c)] < h.high[static_cast<std::size_t>(c)]))
             s.refuse("High", "must be above Low along each axis.");

@@ -78,7 +78,7 @@ namespace apps
     /** @param around, moves as above */
     void declare(Section &root, const ContinuumModel &around, bool moves = true);
     /** @throws base::InputError for a region that is none, or a method that wants an overlap without one */
-    void validate(const Section &root, int dimension) const;
+    void check(const base::EntryPath &root, int dimension) const;
     bool empty() const { return handshakes.empty(); }
 
     /** What of the solid counts at a place, in (0, 1]; empty: all, everywhere. */

@@ -28,7 +28,7 @@ namespace apps
 
   namespace
   {
-    void require(const Section                  &section,
+    void require(const base::EntryPath          &section,
                  const char                     *entry,
                  const std::string              &name,
                  const std::vector<std::string> &names,
@@ -39,14 +39,14 @@ namespace apps
     }
   } // namespace
 
-  void LaboratorySection::validate(const Section          &root,
-                                   const CouplingsSection &couplings,
-                                   const LoadsSection     &loads,
-                                   const int               dimension) const
+  void LaboratorySection::check(const base::EntryPath  &root,
+                                const CouplingsSection &couplings,
+                                const LoadsSection     &loads,
+                                const int               dimension) const
   {
     if (!given())
       return;
-    const Section           &section = *root.find_section("Laboratory");
+    const base::EntryPath    section = root.at("Laboratory");
     std::vector<std::string> known, points;
     for (const CouplingSection &coupling : couplings.couplings)
       known.push_back(coupling.name);

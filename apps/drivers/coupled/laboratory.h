@@ -24,8 +24,10 @@ namespace apps
 
     void declare(Section &root);
     /** @throws base::InputError for a coupling or point that is not there */
-    void
-    validate(const Section &root, const CouplingsSection &couplings, const LoadsSection &loads, int dimension) const;
+    void check(const base::EntryPath  &root,
+               const CouplingsSection &couplings,
+               const LoadsSection     &loads,
+               int                     dimension) const;
     bool given() const { return !high.empty(); }
 
     /** Columns that it adds; none where there is no such test. */

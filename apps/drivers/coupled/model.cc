@@ -44,21 +44,21 @@ namespace apps
       .only_if([this] { return largest_ratio > 1; }, "Largest ratio > 1");
   }
 
-  void CoupledModel::validate(const Section &scene) const
+  void CoupledModel::check(const base::EntryPath &scene) const
   {
-    const Section &solid = *scene.find_section("Continuum"), &body = *scene.find_section("Particles");
-    continuum.validate_as_part(solid);
+    const base::EntryPath solid = scene.at("Continuum"), body = scene.at("Particles");
+    continuum.check_as_part(solid);
     if (continuum.is_static())
-      solid.find_section("Model")->refuse("Analysis", "particles move, and so does what they touch: explicit.");
+      solid.at("Model").refuse("Analysis", "particles move, and so does what they touch: explicit.");
     if (particles.physics.dimension != continuum.solid.dimension)
-      solid.find_section("Model")->refuse("Dimension", "must be that of the particles (Particles/Physics/Dimension).");
-    const GroupNames groups = particles.validate_as_part(body);
-    particles.time.validate_by_time(scene);
-    particles.gravity.validate(scene, dimension());
-    couplings.validate(scene, groups, continuum.contacts.empty() && handshakes.empty());
-    handshakes.validate(scene, dimension());
-    validate_sides(scene);
-    laboratory.validate(scene, couplings, continuum.loads, dimension());
+      solid.at("Model").refuse("Dimension", "must be that of the particles (Particles/Physics/Dimension).");
+    const GroupNames groups = particles.check_as_part(body);
+    particles.time.check_by_time(scene);
+    particles.gravity.check(scene, dimension());
+    couplings.check(scene, groups, continuum.contacts.empty() && handshakes.empty());
+    handshakes.check(scene, dimension());
+    check_sides(scene);
+    laboratory.check(scene, couplings, continuum.loads, dimension());
     for (const CouplingSection &coupling : couplings.couplings)
       {
         if (particles.walls.knows(coupling.name))
@@ -67,14 +67,14 @@ namespace apps
           continue;
         const auto links = coupling.bond.links(particles.physics);
         if (!(links ? links->bonds() : particles.bonded()))
-          section_of(coupling).find_section("Bond")->refuse(
+          path_of(coupling).at("Bond").refuse(
             "Law", "links of this law carry no tension: nothing could be glued. Take one that bonds.");
       }
   }
 
-  const Section &CoupledModel::section_of(const CouplingSection &coupling) const
+  base::EntryPath CoupledModel::path_of(const CouplingSection &coupling) const
   {
-    return *root->find_section("Couplings")->find_section(coupling.name);
+    return base::EntryPath().at("Couplings").at(coupling.name);
   }
 
   void CoupledModel::refuse_unknown_boundaries(const std::vector<std::string> &known) const
@@ -82,11 +82,11 @@ namespace apps
     for (const CouplingSection &coupling : couplings.couplings)
       for (const std::string &name : coupling.boundaries())
         if (std::find(known.begin(), known.end(), name) == known.end())
-          section_of(coupling).refuse("Boundary", fmt::format("the mesh has no boundary \"{}\". {} It has: {}.", name,
-                                                              did_you_mean(name, known), fmt::join(known, ", ")));
+          path_of(coupling).refuse("Boundary", fmt::format("the mesh has no boundary \"{}\". {} It has: {}.", name,
+                                                           did_you_mean(name, known), fmt::join(known, ", ")));
   }
 
-  void CoupledModel::validate_sides(const Section &scene) const
+  void CoupledModel::check_sides(const base::EntryPath &scene) const
   {
     const Eigen::Vector3d weight = particles.gravity.vector();
     require_upright_names(continuum, weight);
@@ -95,7 +95,7 @@ namespace apps
     for (const CouplingSection &coupling : couplings.couplings)
       for (const std::string &boundary : coupling.boundaries())
         if (const std::string fault = fault_of_side(boundary, weight); !fault.empty())
-          scene.find_section("Couplings")->find_section(coupling.name)->refuse("Boundary", fault);
+          scene.at("Couplings").at(coupling.name).refuse("Boundary", fault);
   }
 
   dem::Packing CoupledModel::packing(std::optional<dem::Packing> *const cell) const
@@ -124,11 +124,11 @@ namespace apps
     }
   } // namespace
 
-  void CoupledModel::validate_columns(const std::vector<postprocess::SeriesColumn> &columns,
-                                      const std::vector<postprocess::SeriesColumn> &told) const
+  void CoupledModel::check_columns(const std::vector<postprocess::SeriesColumn> &columns,
+                                   const std::vector<postprocess::SeriesColumn> &told) const
   {
     std::vector<std::string> names = names_of(columns);
-    particles.stops.validate(*root, names);
+    particles.stops.check({}, names);
     curve(columns, told);
     std::sort(names.begin(), names.end());
     if (const auto twice = std::adjacent_find(names.begin(), names.end()); twice != names.end())

@@ -26,14 +26,14 @@ namespace apps
 
     void declare(Section &root);
     /** @throws base::InputError. */
-    void validate(const Section &root) const;
+    void check(const base::EntryPath &root) const;
     /** Of couplings. @param known of the mesh @throws base::InputError */
-    void           refuse_unknown_boundaries(const std::vector<std::string> &known) const;
-    const Section &section_of(const CouplingSection &coupling) const;
+    void            refuse_unknown_boundaries(const std::vector<std::string> &known) const;
+    base::EntryPath path_of(const CouplingSection &coupling) const;
 
     /** What can be said once the solid is made. @throws base::InputError for a stop or a curve of a column that there is not */
-    void validate_columns(const std::vector<postprocess::SeriesColumn> &columns,
-                          const std::vector<postprocess::SeriesColumn> &told) const;
+    void check_columns(const std::vector<postprocess::SeriesColumn> &columns,
+                       const std::vector<postprocess::SeriesColumn> &told) const;
     /** Columns of the curve. @throws base::InputError */
     std::pair<std::string, std::string> curve(const std::vector<postprocess::SeriesColumn> &columns,
                                               const std::vector<postprocess::SeriesColumn> &told) const;
@@ -48,6 +48,6 @@ namespace apps
   private:
     void declare_sub_cycling(Section &time);
     /** @throws base::InputError for a side that "top" or "bottom" does not tell, where there is weight */
-    void validate_sides(const Section &root) const;
+    void check_sides(const base::EntryPath &root) const;
   };
 } // namespace apps

@@ -164,9 +164,10 @@ namespace apps
       .means("Unbalanced force over link forces");
   }
 
-  void HomogenisationScene::validate(const Section &root) const
+  void HomogenisationScene::check() const
   {
-    const Section &s = *root.find_section(section_name);
+    const base::EntryPath root;
+    const base::EntryPath s = root.at(section_name);
     if (numbers_in(interaction_ratios, interaction_range).empty())
       s.refuse("Interaction ratios", "expected numbers from 1 to 10, separated by commas, e.g. 1.05, 1.25, 1.5.");
     if (numbers_in(shear_ratios, shear_range).empty())

@@ -88,12 +88,12 @@ namespace apps
       });
   }
 
-  void ClumpsSection::validate(const Section &root, const int dimension, GroupNames &names) const
+  void ClumpsSection::check(const base::EntryPath &root, const int dimension, GroupNames &names) const
   {
-    const Section &all = *root.find_section("Clumps");
+    const base::EntryPath all = root.at("Clumps");
     for (const ClumpSection &given : clumps)
       {
-        const Section &section = *all.find_section(given.group);
+        const base::EntryPath section = all.at(given.group);
         if (dimension == 3 && given.inertia > 0)
           section.refuse("Inertia",
                          "in three dimensions it is that of the shape or of the particles, in proportion to the mass. "
@@ -116,7 +116,8 @@ namespace apps
         if (given.inside)
           names.names.push_back(given.group);
       }
-    names.require_sections(all);
+    for (const ClumpSection &given : clumps)
+      names.require_section(all, given.group);
   }
 
   void ClumpsSection::find_pebbles(const dem::Packing &packing, const int dimension, ParticleGroups &found) const

@@ -32,7 +32,7 @@ namespace apps
 
     void declare(Section &root);
     /** @param names takes those of shapes whose pebbles lie inside. @throws base::InputError. */
-    void validate(const Section &root, int dimension, GroupNames &names) const;
+    void check(const base::EntryPath &root, int dimension, GroupNames &names) const;
     /** Add the groups of shapes whose pebbles are what lies inside. @throws base::InputError for one with fewer than three */
     void find_pebbles(const dem::Packing &packing, int dimension, ParticleGroups &found) const;
     /** Whether two particles are of one clump. @param particles how many there are of all */

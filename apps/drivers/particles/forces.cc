@@ -15,13 +15,14 @@ namespace apps
       });
   }
 
-  void ForcesSection::validate(const Section &root, const int dimension, const GroupNames &names) const
+  void ForcesSection::check(const base::EntryPath &root, const int dimension, const GroupNames &names) const
   {
-    const Section &all = *root.find_section("Forces");
-    names.require_sections(all);
+    const base::EntryPath all = root.at("Forces");
+    for (const GroupForce &given : forces)
+      names.require_section(all, given.group);
     for (const GroupForce &given : forces)
       if (dimension == 2 && given.force[2].given())
-        all.find_section(given.group)->refuse("Force z", "in two dimensions forces lie in the plane.");
+        all.at(given.group).refuse("Force z", "in two dimensions forces lie in the plane.");
   }
 
   AppliedForces::AppliedForces(dem::Specimen &body, const ForcesSection &section, const ParticleGroups &found)

@@ -24,7 +24,7 @@ namespace apps
 
     void declare(Section &root);
     /** @throws base::InputError. */
-    void validate(const Section &root, int dimension, const GroupNames &names) const;
+    void check(const base::EntryPath &root, int dimension, const GroupNames &names) const;
   };
 
   /** Pushes the particles of a specimen as a scene says. Both must outlive it. */

@@ -57,10 +57,10 @@ namespace apps
       .only_if([this] { return is_vector(); }, "Quantity is a vector");
   }
 
-  void GaugeSection::validate(const Section                 &section,
-                              const GroupNames              &names,
-                              const PrescribedMotionSection &motion,
-                              const WallsSection            &walls) const
+  void GaugeSection::check(const base::EntryPath         &section,
+                           const GroupNames              &names,
+                           const PrescribedMotionSection &motion,
+                           const WallsSection            &walls) const
   {
     names.require(section, "Group", group);
     if (quantity == Quantity::distance)
@@ -115,29 +115,26 @@ namespace apps
   namespace
   {
     /** The name of a gauge is that of a column. */
-    void refuse_name(const Section &gauge)
+    void refuse_name(const base::EntryPath &gauge, const std::string &name)
     {
-      const std::string &name = gauge.name();
       const auto fits = [](const unsigned char c) { return std::isalnum(c) || c == '_' || c == '-' || c == '.'; };
       if (!std::all_of(name.begin(), name.end(), fits))
-        throw base::InputError(gauge.place().text() + ": " + gauge.path() +
-                               ": the name of a gauge is that of a column: letters, digits and . _ - only.");
+        gauge.refuse("the name of a gauge is that of a column: letters, digits and . _ - only.");
       if (name == "time" || name == "links" || name == "broken_links" || name == "contacts" ||
           name.rfind("energy_", 0) == 0)
-        throw base::InputError(gauge.place().text() + ": " + gauge.path() +
-                               ": series.csv has a column of this name already. Choose another.");
+        gauge.refuse("series.csv has a column of this name already. Choose another.");
     }
   } // namespace
 
-  void GaugesSection::validate(const Section                 &root,
-                               const GroupNames              &names,
-                               const PrescribedMotionSection &motion,
-                               const WallsSection            &walls) const
+  void GaugesSection::check(const base::EntryPath         &root,
+                            const GroupNames              &names,
+                            const PrescribedMotionSection &motion,
+                            const WallsSection            &walls) const
   {
     for (const GaugeSection &gauge : gauges)
-      refuse_name(*root.find_section("Gauges")->find_section(gauge.name));
+      refuse_name(root.at("Gauges").at(gauge.name), gauge.name);
     for (const GaugeSection &gauge : gauges)
-      gauge.validate(*root.find_section("Gauges")->find_section(gauge.name), names, motion, walls);
+      gauge.check(root.at("Gauges").at(gauge.name), names, motion, walls);
   }
 
   namespace

@@ -50,10 +50,10 @@ namespace apps
 
     void declare(Section &section);
     /** @throws base::InputError. */
-    void        validate(const Section                 &section,
-                         const GroupNames              &names,
-                         const PrescribedMotionSection &motion,
-                         const WallsSection            &walls) const;
+    void        check(const base::EntryPath         &section,
+                      const GroupNames              &names,
+                      const PrescribedMotionSection &motion,
+                      const WallsSection            &walls) const;
     bool        of_grip() const { return quantity >= Quantity::reaction && quantity <= Quantity::reaction_torque; }
     bool        of_wall() const { return quantity >= Quantity::wall_force && quantity <= Quantity::wall_impulse; }
     bool        is_vector() const { return quantity < Quantity::kinetic_energy; }
@@ -69,10 +69,10 @@ namespace apps
 
     void declare(Section &root);
     /** @throws base::InputError. */
-    void validate(const Section                 &root,
-                  const GroupNames              &names,
-                  const PrescribedMotionSection &motion,
-                  const WallsSection            &walls) const;
+    void check(const base::EntryPath         &root,
+               const GroupNames              &names,
+               const PrescribedMotionSection &motion,
+               const WallsSection            &walls) const;
   };
 
   /** What a specimen looks like at one moment, for all gauges. */

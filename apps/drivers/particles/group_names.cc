@@ -23,20 +23,18 @@ namespace apps
     return std::any_of(names.begin(), names.end(), [&](const std::string &known) { return same_name(known, name); });
   }
 
-  void GroupNames::require(const Section &section, const std::string &entry, const std::string &name) const
+  void GroupNames::require(const base::EntryPath &section, const std::string &entry, const std::string &name) const
   {
     if (!knows(name))
       section.refuse(entry, fmt::format("there is no such group. {} Groups: {}.", did_you_mean(name, names),
                                         fmt::join(names, ", ")));
   }
 
-  void GroupNames::require_sections(const Section &sections) const
+  void GroupNames::require_section(const base::EntryPath &sections, const std::string &name) const
   {
-    for (const auto &section : sections.sections())
-      if (!knows(section->name()))
-        throw base::InputError(fmt::format("{}: section \"{}\" must be named after a group, and there is none of that "
-                                           "name. {} Groups: {}.",
-                                           section->place().text(), section->path(),
-                                           did_you_mean(section->name(), names), fmt::join(names, ", ")));
+    if (!knows(name))
+      sections.at(name).refuse(
+        fmt::format("must be named after a group, and there is none of that name. {} Groups: {}.",
+                    did_you_mean(name, names), fmt::join(names, ", ")));
   }
 } // namespace apps

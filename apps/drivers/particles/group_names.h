@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/scene/section.h"
+#include "base/entry_path.h"
 
 #include <string>
 #include <vector>
@@ -22,8 +22,8 @@ namespace apps
 
     bool knows(const std::string &name) const;
     /** @throws base::InputError where the value of an entry, a name, is none of them */
-    void require(const Section &section, const std::string &entry, const std::string &name) const;
-    /** The same for sub-sections that are named after groups. */
-    void require_sections(const Section &sections) const;
+    void require(const base::EntryPath &section, const std::string &entry, const std::string &name) const;
+    /** The same for a sub-section that is named after a group. */
+    void require_section(const base::EntryPath &sections, const std::string &name) const;
   };
 } // namespace apps

@@ -30,10 +30,10 @@ namespace apps
       .only_if(by(Members::file), "Members = file");
   }
 
-  void GroupSection::validate(const Section &section, const int dimension) const
+  void GroupSection::check(const base::EntryPath &section, const int dimension) const
   {
     if (members == Members::region)
-      region.validate(section, dimension);
+      region.check(section, dimension);
     if (members == Members::layer && axis >= dimension)
       section.refuse("Axis", "in two dimensions the axes are x and y.");
     if (members == Members::file && !std::filesystem::is_regular_file(file))
@@ -69,16 +69,15 @@ namespace apps
       });
   }
 
-  void GroupsSection::validate(const Section &root, const int dimension, GroupNames &names) const
+  void GroupsSection::check(const base::EntryPath &root, const int dimension, GroupNames &names) const
   {
     for (const GroupSection &group : groups)
       {
-        const Section &section = *root.find_section("Groups")->find_section(group.name);
+        const base::EntryPath section = root.at("Groups").at(group.name);
         if (names.knows(group.name))
-          throw base::InputError(section.place().text() + ": " + section.path() +
-                                 ": there is a group of this name already (all particles are \"all\", and each "
-                                 "sub-section of More particles is a group). Choose another.");
-        group.validate(section, dimension);
+          section.refuse("there is a group of this name already (all particles are \"all\", and each "
+                         "sub-section of More particles is a group). Choose another.");
+        group.check(section, dimension);
         names.names.push_back(group.name);
       }
   }

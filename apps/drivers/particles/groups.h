@@ -34,7 +34,7 @@ namespace apps
 
     void declare(Section &section);
     /** @throws base::InputError. */
-    void                     validate(const Section &section, int dimension) const;
+    void                     check(const base::EntryPath &section, int dimension) const;
     std::vector<std::size_t> find(const dem::Packing &packing, int dimension) const;
   };
 
@@ -45,7 +45,7 @@ namespace apps
 
     void declare(Section &root);
     /** @param names known already; those of this section are added. @throws base::InputError. */
-    void validate(const Section &root, int dimension, GroupNames &names) const;
+    void check(const base::EntryPath &root, int dimension, GroupNames &names) const;
     /** Add the groups of this section, and that of all. @throws base::InputError for a group without particles */
     void find(const dem::Packing &packing, int dimension, ParticleGroups &found) const;
   };

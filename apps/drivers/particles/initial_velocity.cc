@@ -19,12 +19,14 @@ namespace apps
       });
   }
 
-  void InitialVelocitySection::validate(const Section &root, const dem::Physics &physics, const GroupNames &names) const
+  void
+  InitialVelocitySection::check(const base::EntryPath &root, const dem::Physics &physics, const GroupNames &names) const
   {
-    const Section &all = *root.find_section("Initial velocity");
-    names.require_sections(all);
+    const base::EntryPath all = root.at("Initial velocity");
     for (const MotionFormulas &given : velocities)
-      given.validate(*all.find_section(given.group), physics);
+      names.require_section(all, given.group);
+    for (const MotionFormulas &given : velocities)
+      given.check(all.at(given.group), physics);
   }
 
   void

@@ -11,7 +11,7 @@ namespace apps
 
     void declare(Section &root);
     /** @throws base::InputError. */
-    void validate(const Section &root, const dem::Physics &physics, const GroupNames &names) const;
+    void check(const base::EntryPath &root, const dem::Physics &physics, const GroupNames &names) const;
     /** Set them, by the places of the particles, before the first step. */
     void give(dem::Specimen &specimen, const dem::Packing &packing, const ParticleGroups &groups) const;
   };

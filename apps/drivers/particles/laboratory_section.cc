@@ -134,15 +134,15 @@ namespace apps
       .only_if(membrane, "Confinement = membrane");
   }
 
-  void SpecimenTestSection::validate(const Section                  &root,
-                                     const SpecimenSection          &specimen,
-                                     const dem::Physics             &physics,
-                                     const std::vector<std::string> &other) const
+  void SpecimenTestSection::check(const base::EntryPath          &root,
+                                  const SpecimenSection          &specimen,
+                                  const dem::Physics             &physics,
+                                  const std::vector<std::string> &other) const
   {
     if (!given())
       return;
-    const Section &s     = *root.find_section("Laboratory");
-    const bool     plane = physics.dimension == 2;
+    const base::EntryPath s     = root.at("Laboratory");
+    const bool            plane = physics.dimension == 2;
     if (at_vessel && flat_platens() && specimen.source != SpecimenSection::Source::genesis)
       s.refuse("Platens", "only a specimen of Specimen/Source = genesis has a vessel.");
     if (test == Test::biaxial && !plane)

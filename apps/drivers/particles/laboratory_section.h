@@ -36,10 +36,10 @@ namespace apps
 
     void declare(Section &root);
     /** @param other names of columns that the series has already @throws base::InputError. */
-    void validate(const Section                  &root,
-                  const SpecimenSection          &specimen,
-                  const dem::Physics             &physics,
-                  const std::vector<std::string> &other) const;
+    void check(const base::EntryPath          &root,
+               const SpecimenSection          &specimen,
+               const dem::Physics             &physics,
+               const std::vector<std::string> &other) const;
     bool given() const { return test != Test::none; }
     bool confined() const { return test == Test::biaxial || test == Test::triaxial; }
     /** @param vessel in which the specimen grew @param thickness of discs [m] @pre given() */

@@ -70,41 +70,41 @@ namespace apps
     declare_output(root, output, horizontal, vertical);
   }
 
-  void ParticlesModel::validate(const Section &root) const
+  void ParticlesModel::check(const base::EntryPath &root) const
   {
-    validate_as_part(root);
-    time.validate_by_time(root);
-    gravity.validate(root, physics.dimension);
-    laboratory.validate(root, source, physics, names_before_test());
+    check_as_part(root);
+    time.check_by_time(root);
+    gravity.check(root, physics.dimension);
+    laboratory.check(root, source, physics, names_before_test());
     if (laboratory.given() && gravity.asks_for_equilibrium())
-      root.find_section("Gravity")->refuse(
-        "Initial equilibrium", "platens of section Laboratory stand where the packing ends, and would not know of "
-                               "an equilibrium that moves it. Choose none.");
-    stops.validate(root, column_names());
+      root.at("Gravity").refuse("Initial equilibrium",
+                                "platens of section Laboratory stand where the packing ends, and would not know of "
+                                "an equilibrium that moves it. Choose none.");
+    stops.check(root, column_names());
     curve_horizontal();
     curve_vertical();
   }
 
-  GroupNames ParticlesModel::validate_as_part(const Section &root) const
+  GroupNames ParticlesModel::check_as_part(const base::EntryPath &root) const
   {
-    source.validate(root, physics.dimension);
-    material.validate(root, physics.dimension);
-    const Section &specimen = *root.find_section("Specimen");
-    if (bonded() && !specimen.find_entry("Interaction ratio")->set && !specimen.find_entry("Installation gap")->set)
+    source.check(root, physics.dimension);
+    material.check(root, physics.dimension);
+    const base::EntryPath specimen = root.at("Specimen");
+    if (bonded() && !source.says_distance)
       specimen.refuse("Interaction ratio",
                       "the law links particles from the start: say up to which distance. Concrete: "
                       "about 1.5; 1.05 links spheres that touch. Or say Installation gap.");
     if (source.source == SpecimenSection::Source::none && more.added.empty())
       specimen.refuse("Source", "there is no particle at all. Give some in section More particles.");
     GroupNames names;
-    more.validate(root, physics.dimension, material, names);
-    groups.validate(root, physics.dimension, names);
-    clumps.validate(root, physics.dimension, names);
-    motion.validate(root, physics, names);
-    forces.validate(root, physics.dimension, names);
-    walls.validate(root, physics.dimension);
-    initial_velocity.validate(root, physics, names);
-    gauges.validate(root, names, motion, walls);
+    more.check(root, physics.dimension, material, names);
+    groups.check(root, physics.dimension, names);
+    clumps.check(root, physics.dimension, names);
+    motion.check(root, physics, names);
+    forces.check(root, physics.dimension, names);
+    walls.check(root, physics.dimension);
+    initial_velocity.check(root, physics, names);
+    gauges.check(root, names, motion, walls);
     return names;
   }
 

@@ -44,9 +44,9 @@ namespace apps
     /** How it goes on: sections Time, Gravity, Stop and Output. @param weight meaning of section Gravity */
     void declare_course(Section &root, const char *weight = "Weight of the particles");
     /** @throws base::InputError. */
-    void validate(const Section &root) const;
+    void check(const base::EntryPath &root) const;
     /** The same but for the course. @return the names of its groups */
-    GroupNames validate_as_part(const Section &root) const;
+    GroupNames check_as_part(const base::EntryPath &root) const;
 
     /** Whether the law links particles from the start. @pre validated */
     bool bonded() const { return material.materials().bonds(physics)->bonds(); }

@@ -44,7 +44,8 @@ namespace apps
       .means("Name of a section in Materials; empty: as Regions say, or the file");
   }
 
-  void AddedParticles::validate(const Section &section, const int dimension, const MaterialSection &materials) const
+  void
+  AddedParticles::check(const base::EntryPath &section, const int dimension, const MaterialSection &materials) const
   {
     if (source == Source::file && !std::filesystem::is_regular_file(file))
       section.refuse("File", "there is no such file.");
@@ -98,18 +99,17 @@ namespace apps
       });
   }
 
-  void MoreParticlesSection::validate(const Section         &root,
-                                      const int              dimension,
-                                      const MaterialSection &materials,
-                                      GroupNames            &names) const
+  void MoreParticlesSection::check(const base::EntryPath &root,
+                                   const int              dimension,
+                                   const MaterialSection &materials,
+                                   GroupNames            &names) const
   {
     for (const AddedParticles &one : added)
       {
-        const Section &section = *root.find_section("More particles")->find_section(one.name);
+        const base::EntryPath section = root.at("More particles").at(one.name);
         if (names.knows(one.name))
-          throw base::InputError(section.place().text() + ": " + section.path() +
-                                 ": all particles are the group \"all\". Choose another name.");
-        one.validate(section, dimension, materials);
+          section.refuse("all particles are the group \"all\". Choose another name.");
+        one.check(section, dimension, materials);
         names.names.push_back(one.name);
       }
   }

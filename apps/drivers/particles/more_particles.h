@@ -36,7 +36,7 @@ namespace apps
     std::string material; ///< "": as Regions and file say
 
     void declare(Section &section);
-    void validate(const Section &section, int dimension, const MaterialSection &materials) const;
+    void check(const base::EntryPath &section, int dimension, const MaterialSection &materials) const;
     /** @param dimension of the scene */
     dem::Packing particles(int dimension) const;
   };
@@ -51,7 +51,7 @@ namespace apps
 
     void declare(Section &root);
     /** @param names takes theirs. @throws base::InputError. */
-    void validate(const Section &root, int dimension, const MaterialSection &materials, GroupNames &names) const;
+    void check(const base::EntryPath &root, int dimension, const MaterialSection &materials, GroupNames &names) const;
     /** Specimen and added particles together, loose ones last, with their materials. @param one_body what may overlap in it @param cell as specimen_particles() has it @throws base::InputError, and as make_packing() */
     dem::Packing compose(const SpecimenSection                              &specimen,
                          const MaterialSection                              &materials,

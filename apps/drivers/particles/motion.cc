@@ -27,7 +27,7 @@ namespace apps
     declare_components(section, "Spin", spin, "rad/s", when + ". Of each particle about its own centre");
   }
 
-  void MotionFormulas::validate(const Section &section, const dem::Physics &physics) const
+  void MotionFormulas::check(const base::EntryPath &section, const dem::Physics &physics) const
   {
     for (int c = 0; c < 6; ++c)
       if (component(c).given() && !exists(c, physics))
@@ -43,6 +43,7 @@ namespace apps
                        "Of the group as a rigid body about Centre, by time t; empty: none. Velocity is then that of "
                        "Centre, by time t");
     section.vector("Centre", centre, "m", Range(), Need::optional)
+      .notes(centre_given)
       .means("That the group turns about; moves with Velocity")
       .only_if([this] { return turns(); }, "Turn x, Turn y or Turn z is given");
   }
@@ -63,10 +64,10 @@ namespace apps
     return false;
   }
 
-  void PrescribedFormulas::validate(const Section &section, const dem::Physics &physics) const
+  void PrescribedFormulas::check(const base::EntryPath &section, const dem::Physics &physics) const
   {
-    MotionFormulas::validate(section, physics);
-    if (!turns() && section.find_entry("Centre")->set)
+    MotionFormulas::check(section, physics);
+    if (!turns() && centre_given)
       section.refuse("Centre", "the group does not turn. Give Turn x, y or z, or leave it out.");
     if (!turns())
       return;
@@ -95,13 +96,15 @@ namespace apps
       });
   }
 
-  void
-  PrescribedMotionSection::validate(const Section &root, const dem::Physics &physics, const GroupNames &names) const
+  void PrescribedMotionSection::check(const base::EntryPath &root,
+                                      const dem::Physics    &physics,
+                                      const GroupNames      &names) const
   {
-    const Section &all = *root.find_section("Motion");
-    names.require_sections(all);
+    const base::EntryPath all = root.at("Motion");
     for (const PrescribedFormulas &motion : motions)
-      motion.validate(*all.find_section(motion.group), physics);
+      names.require_section(all, motion.group);
+    for (const PrescribedFormulas &motion : motions)
+      motion.check(all.at(motion.group), physics);
   }
 
   namespace

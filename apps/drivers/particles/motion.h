@@ -25,18 +25,19 @@ namespace apps
       return c < 3 ? velocity[static_cast<std::size_t>(c)] : spin[static_cast<std::size_t>(c - 3)];
     }
     /** A component that particles of this physics do not have is refused. @throws base::InputError. */
-    void validate(const Section &section, const dem::Physics &physics) const;
+    void check(const base::EntryPath &section, const dem::Physics &physics) const;
   };
 
   /** The same of a group of section "Motion", which may also turn as a whole about an axis, as walls do. */
   struct PrescribedFormulas : MotionFormulas
   {
-    Expressions           turn;               ///< [rad/s], by time
-    std::array<double, 3> centre = {0, 0, 0}; ///< that it turns about; moves with the velocity
+    Expressions           turn;                     ///< [rad/s], by time
+    std::array<double, 3> centre       = {0, 0, 0}; ///< that it turns about; moves with the velocity
+    bool                  centre_given = false;
 
     void declare(Section &section);
     /** @throws base::InputError. */
-    void validate(const Section &section, const dem::Physics &physics) const;
+    void check(const base::EntryPath &section, const dem::Physics &physics) const;
     bool turns() const { return any_given(turn); }
     /** Whether a component of the particles' motion is prescribed: by a formula, or by the turn. */
     bool prescribes(int component) const;
@@ -50,7 +51,7 @@ namespace apps
 
     void declare(Section &root);
     /** @throws base::InputError. */
-    void validate(const Section &root, const dem::Physics &physics, const GroupNames &names) const;
+    void check(const base::EntryPath &root, const dem::Physics &physics, const GroupNames &names) const;
   };
 
   /** Holds and moves the groups of a specimen as a scene prescribes. The specimen must outlive it. */

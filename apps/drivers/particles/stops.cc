@@ -29,12 +29,12 @@ namespace apps
       });
   }
 
-  void StopsSection::validate(const Section &root, const std::vector<std::string> &columns) const
+  void StopsSection::check(const base::EntryPath &root, const std::vector<std::string> &columns) const
   {
     for (const StopSection &stop : stops)
       if (std::find(columns.begin(), columns.end(), stop.column) == columns.end())
-        root.find_section("Stop")->find_section(stop.name)->refuse("Column", "series.csv has no such column. " +
-                                                                               did_you_mean(stop.column, columns));
+        root.at("Stop").at(stop.name).refuse("Column",
+                                             "series.csv has no such column. " + did_you_mean(stop.column, columns));
   }
 
   std::string StopsSection::duration_line(const double set_up, const double motion, const double end_time) const

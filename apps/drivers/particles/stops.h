@@ -31,7 +31,7 @@ namespace apps
 
     void declare(Section &root);
     /** @throws base::InputError for a column that the series does not have */
-    void validate(const Section &root, const std::vector<std::string> &columns) const;
+    void check(const base::EntryPath &root, const std::vector<std::string> &columns) const;
     /** The line of a forecast. @param set_up before the motion [s] @param motion all of it [s] */
     std::string duration_line(double set_up, double motion, double end_time) const;
     /** Name of the first condition that a row fulfils; "" if none does. @param row its first number is the time */

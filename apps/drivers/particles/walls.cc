@@ -131,7 +131,7 @@ namespace apps
       .only_if(held, "Control = force");
   }
 
-  void WallSection::validate(const Section &section, const int dimension) const
+  void WallSection::check(const base::EntryPath &section, const int dimension) const
   {
     for (int d = 0; d < dimension && shape == Shape::box; ++d)
       if (!(lower[static_cast<std::size_t>(d)] < upper[static_cast<std::size_t>(d)]))
@@ -195,10 +195,10 @@ namespace apps
       });
   }
 
-  void WallsSection::validate(const Section &root, const int dimension) const
+  void WallsSection::check(const base::EntryPath &root, const int dimension) const
   {
     for (const WallSection &wall : walls)
-      wall.validate(*root.find_section("Walls")->find_section(wall.name), dimension);
+      wall.check(root.at("Walls").at(wall.name), dimension);
   }
 
   bool WallsSection::knows(const std::string &name) const

@@ -53,7 +53,7 @@ namespace apps
 
     void declare(Section &section);
     /** @throws base::InputError. */
-    void validate(const Section &section, int dimension) const;
+    void check(const base::EntryPath &section, int dimension) const;
     /** @throws base::InputError for a file that holds no wall */
     dem::FacetMesh mesh(int dimension) const;
     bool           is_plane() const { return shape == Shape::plane; }
@@ -74,7 +74,7 @@ namespace apps
 
     void declare(Section &root);
     /** @throws base::InputError. */
-    void                     validate(const Section &root, int dimension) const;
+    void                     check(const base::EntryPath &root, int dimension) const;
     bool                     knows(const std::string &name) const;
     std::vector<std::string> names() const;
   };

@@ -131,19 +131,20 @@ namespace apps
       .means("The test ends at this strain at the latest");
   }
 
-  void QuasiStaticScene::validate(const Section &root) const
+  void QuasiStaticScene::check() const
   {
-    asked.source.validate(root, asked.dimension);
-    asked.material.validate(root, asked.dimension);
-    const Section &loading = *root.find_section("Loading");
+    const base::EntryPath root;
+    asked.source.check(root, asked.dimension);
+    asked.material.check(root, asked.dimension);
+    const base::EntryPath loading = root.at("Loading");
     if (asked.dimension == 2 && asked.axis == 2)
       loading.refuse("Axis", "in two dimensions the specimen lies in the plane z = 0. Load it along x or y.");
     if (!asked.is_cell())
-      asked.grips.validate(loading);
+      asked.grips.check(loading);
     for (const UniaxialLoad load : asked.tests)
       if (const auto steps = asked.steps(load); steps.end_strain < steps.strain_step)
-        loading.find_section(load == UniaxialLoad::tension ? "Tension" : "Compression")
-          ->refuse("Stop strain", "must not be below the strain step.");
+        loading.at(load == UniaxialLoad::tension ? "Tension" : "Compression")
+          .refuse("Stop strain", "must not be below the strain step.");
   }
 
   std::string QuasiStaticScene::forecast() const

@@ -108,28 +108,28 @@ namespace apps
       .means("After which the run ends in any case");
   }
 
-  void ParticleEventSection::validate(const Section &root) const
+  void ParticleEventSection::check(const base::EntryPath &root) const
   {
-    const Section &s = *root.find_section("Particles");
+    const base::EntryPath s = root.at("Particles");
     if (source == Source::file)
       {
         if (files_asked().empty())
           s.refuse("Files", "expected file names, separated by commas.");
         return;
       }
-    specimen.validate(s, physics.dimension);
-    material.validate(s, physics.dimension);
-    gravity.validate(s, physics.dimension);
+    specimen.check(s, physics.dimension);
+    material.check(s, physics.dimension);
+    gravity.check(s, physics.dimension);
     if (source == Source::impact)
       {
         if (velocities_asked().empty())
-          s.find_section("Impact")->refuse("Striker velocities", "expected numbers above 0, separated by commas.");
+          s.at("Impact").refuse("Striker velocities", "expected numbers above 0, separated by commas.");
         return;
       }
-    validate_uniaxial(*s.find_section("Uniaxial"));
+    check_uniaxial(s.at("Uniaxial"));
   }
 
-  void ParticleEventSection::validate_uniaxial(const Section &section) const
+  void ParticleEventSection::check_uniaxial(const base::EntryPath &section) const
   {
     const auto when = instants_asked();
     if (when.empty())
@@ -140,7 +140,7 @@ namespace apps
         section.refuse("Instants", "the strains must have one sign: all tension or all compression.");
     if (end_strain != 0 && std::signbit(end_strain) != std::signbit(when.front().forward))
       section.refuse("End strain", "must have the sign of the instants.");
-    grips.validate(section);
+    grips.check(section);
     if (physics.dimension == 2 && axis == 2)
       section.refuse("Axis", "in two dimensions the specimen lies in the plane z = 0. Load it along x or y.");
   }

@@ -54,7 +54,7 @@ namespace apps
     std::function<bool()> strained_too; ///< its specimen is also strained between grips, whatever the source
 
     void declare(Section &root);
-    void validate(const Section &root) const;
+    void check(const base::EntryPath &root) const;
 
     std::vector<Instant>     instants_asked() const;
     std::vector<double>      velocities_asked() const;
@@ -66,7 +66,7 @@ namespace apps
   private:
     void declare_uniaxial(Section &particles);
     void declare_impact(Section &particles);
-    void validate_uniaxial(const Section &section) const;
+    void check_uniaxial(const base::EntryPath &section) const;
   };
 
   /** The packing that the cases of an event share; empty for saved states. */

@@ -76,31 +76,31 @@ namespace apps
       .housekeeping();
   }
 
-  void SequentialScene::validate(const Section &scene) const
+  void SequentialScene::check() const
   {
-    model.particles.validate(scene);
-    model.transfer.validate(scene);
+    const base::EntryPath scene;
+    model.particles.check(scene);
+    model.transfer.check(scene);
     if (model.transfer.identifies() && model.particles.source == ParticleEventSection::Source::file)
-      scene.find_section("Transfer")
-        ->find_section("Mapping law")
-        ->refuse(
+      scene.at("Transfer")
+        .at("Mapping law")
+        .refuse(
           "Law",
           "saved states do not say what their particles are made of. Identify the law with the scene that made them "
           "(breccia transfer --identify), and give its constants: Law = own.");
-    const Section &continuum = *scene.find_section("Continuum");
-    model.continuum.validate(continuum);
+    const base::EntryPath continuum = scene.at("Continuum");
+    model.continuum.check(continuum);
     if (!model.continuum.is_static())
-      continuum.find_section("Model")->refuse("Analysis", "a transferred state is carried on in equilibrium: static.");
+      continuum.at("Model").refuse("Analysis", "a transferred state is carried on in equilibrium: static.");
     if (model.particles.source != ParticleEventSection::Source::file &&
         model.particles.physics.dimension != model.continuum.solid.dimension)
-      continuum.find_section("Model")->refuse("Dimension",
-                                              "must be that of the particles (Particles/Physics/Dimension).");
+      continuum.at("Model").refuse("Dimension", "must be that of the particles (Particles/Physics/Dimension).");
     if (model.study.sign != 1 && model.study.sign != -1)
-      scene.find_section("Study")->refuse("Sign", "must be 1 or -1.");
+      scene.at("Study").refuse("Sign", "must be 1 or -1.");
     if (model.receivers().empty())
-      continuum.find_section("Materials")
-        ->refuse("Law",
-                 "at least one group must be " + names_of_receiving_laws() + ", or there is nothing to transfer to.");
+      continuum.at("Materials")
+        .refuse("Law",
+                "at least one group must be " + names_of_receiving_laws() + ", or there is nothing to transfer to.");
   }
 
   SequentialGroundwork SequentialScene::groundwork() const

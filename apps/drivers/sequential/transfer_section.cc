@@ -131,10 +131,10 @@ namespace apps
       .housekeeping();
   }
 
-  void TransferSection::validate(const Section &root) const
+  void TransferSection::check(const base::EntryPath &root) const
   {
-    const Section &l     = *root.find_section("Transfer")->find_section("Mapping law");
-    const auto     names = law_names();
+    const base::EntryPath l     = root.at("Transfer").at("Mapping law");
+    const auto            names = law_names();
     if (std::find(names.begin(), names.end(), law) == names.end())
       l.refuse("Law", "there is no such law. " + did_you_mean(law, names));
     if (has_own() && !identified_for.empty() && !LawOrigin::read(identified_for))

@@ -19,7 +19,7 @@ namespace apps
 
     void declare(Section &root);
     /** Rules between entries. @throws base::InputError. */
-    void validate(const Section &root) const;
+    void check(const base::EntryPath &root) const;
 
     bool identifies() const; ///< the law is found by the run itself
     bool has_own() const;    ///< the scene gives the constants

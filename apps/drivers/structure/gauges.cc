@@ -20,14 +20,13 @@ namespace apps
       });
   }
 
-  void DisplacementGaugesSection::validate(const Section &root, const int dimension, const GroupNames &names) const
+  void DisplacementGaugesSection::check(const base::EntryPath &root, const int dimension, const GroupNames &names) const
   {
     for (const DisplacementGauge &gauge : gauges)
       {
-        const Section &s = *root.find_section("Gauges")->find_section(gauge.name);
+        const base::EntryPath s = root.at("Gauges").at(gauge.name);
         if (gauge.name.find_first_of(",\"") != std::string::npos)
-          throw base::InputError(s.place().text() + ": Gauges/" + gauge.name +
-                                 ": a name without commas and quotes, please: it is a column of series.csv.");
+          s.refuse("a name without commas and quotes, please: it is a column of series.csv.");
         names.require(s, "Group", gauge.group);
         if (!gauge.other.empty())
           names.require(s, "Other group", gauge.other);

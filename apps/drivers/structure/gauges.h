@@ -25,7 +25,7 @@ namespace apps
 
     void declare(Section &root);
     /** @throws base::InputError */
-    void validate(const Section &root, int dimension, const GroupNames &names) const;
+    void check(const base::EntryPath &root, int dimension, const GroupNames &names) const;
 
     std::vector<postprocess::SeriesColumn> columns() const;
     /** @param displacement of each particle [m] */

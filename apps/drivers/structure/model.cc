@@ -26,10 +26,10 @@ namespace apps
       .means("Local (Cundall) damping where cracks run away and dynamics looks for the next equilibrium");
   }
 
-  void PathSection::validate(const Section &root) const
+  void PathSection::check(const base::EntryPath &root) const
   {
     if (step > end)
-      root.find_section("Path")->refuse("Step", "must not be above End.");
+      root.at("Path").refuse("Step", "must not be above End.");
   }
 
   dem::QuasiStaticParameters PathSection::parameters() const
@@ -92,24 +92,24 @@ namespace apps
       .housekeeping();
   }
 
-  void StructureModel::validate(const Section &root) const
+  void StructureModel::check(const base::EntryPath &root) const
   {
-    source.validate(root, dimension);
-    material.validate(root, dimension);
+    source.check(root, dimension);
+    material.check(root, dimension);
     for (const VoidSection &empty : voids)
-      empty.region.validate(*root.find_section("Voids")->find_section(empty.name), dimension);
+      empty.region.check(root.at("Voids").at(empty.name), dimension);
     GroupNames names;
-    groups.validate(root, dimension, names);
-    supports.validate(root, dimension, names);
-    gauges.validate(root, dimension, names);
-    path.validate(root);
+    groups.check(root, dimension, names);
+    supports.check(root, dimension, names);
+    gauges.check(root, dimension, names);
+    path.check(root);
     if (!has_solid())
       return;
-    const Section &solid = *root.find_section("Continuum");
-    continuum.validate_as_static_part(solid);
+    const base::EntryPath solid = root.at("Continuum");
+    continuum.check_as_static_part(solid);
     if (continuum.solid.dimension != dimension)
-      solid.find_section("Model")->refuse("Dimension", "must be that of the particles (Physics/Dimension).");
-    handshakes.validate(root, dimension);
+      solid.at("Model").refuse("Dimension", "must be that of the particles (Physics/Dimension).");
+    handshakes.check(root, dimension);
     if (handshakes.promote() && any_given(continuum.loads.body_force))
       solid.refuse("Body force", "elements that become particles would lose it: leave out Promote at, or the force.");
   }

@@ -32,7 +32,7 @@ namespace apps
 
     void declare(Section &root);
     /** @throws base::InputError */
-    void                       validate(const Section &root) const;
+    void                       check(const base::EntryPath &root) const;
     dem::QuasiStaticParameters parameters() const;
   };
 
@@ -56,7 +56,7 @@ namespace apps
 
     void declare(Section &root);
     /** @throws base::InputError */
-    void validate(const Section &root) const;
+    void check(const base::EntryPath &root) const;
 
     bool has_solid() const { return !handshakes.empty(); }
     bool is_void(const Eigen::Vector3d &place) const;

@@ -19,13 +19,14 @@ namespace apps
       });
   }
 
-  void ParticleSupportsSection::validate(const Section &root, const int dimension, const GroupNames &names) const
+  void ParticleSupportsSection::check(const base::EntryPath &root, const int dimension, const GroupNames &names) const
   {
-    const Section &all = *root.find_section("Supports");
-    names.require_sections(all);
+    const base::EntryPath all = root.at("Supports");
+    for (const ParticleSupport &support : supports)
+      names.require_section(all, support.group);
     for (const ParticleSupport &support : supports)
       {
-        const Section &s = *all.find_section(support.group);
+        const base::EntryPath s = all.at(support.group);
         for (int c = 0; c < 3; ++c)
           {
             if (!support.leads(c))

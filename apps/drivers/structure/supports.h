@@ -27,7 +27,7 @@ namespace apps
 
     void declare(Section &root);
     /** @throws base::InputError for a group or an axis that there is not, or a displacement that is not in proportion to t */
-    void validate(const Section &root, int dimension, const GroupNames &names) const;
+    void check(const base::EntryPath &root, int dimension, const GroupNames &names) const;
     /** @throws base::InputError where two supports lead one particle along the same axis */
     void lead(dem::LoadedNetwork &loaded, const ParticleGroups &groups) const;
   };

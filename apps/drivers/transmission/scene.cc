@@ -131,9 +131,10 @@ namespace apps
     return one;
   }
 
-  void TransmissionScene::validate(const Section &root) const
+  void TransmissionScene::check() const
   {
-    const Section &s = *root.find_section(transmission_section);
+    const base::EntryPath root;
+    const base::EntryPath s = root.at(transmission_section);
     if (lengths().empty())
       s.refuse("Wavelengths", fmt::format("expected numbers from {} to {} m, 4 to 10000 spacings, separated by commas.",
                                           4 * common.medium.spacing, 1e4 * common.medium.spacing));

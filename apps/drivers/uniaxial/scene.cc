@@ -33,12 +33,13 @@ namespace apps
     output.declare(root);
   }
 
-  void UniaxialScene::validate(const Section &root) const
+  void UniaxialScene::check() const
   {
-    specimen.validate(root, physics.dimension);
-    material.validate(root, physics.dimension);
-    gravity.validate(root, physics.dimension);
-    loading.validate(root, physics.dimension);
+    const base::EntryPath root;
+    specimen.check(root, physics.dimension);
+    material.check(root, physics.dimension);
+    gravity.check(root, physics.dimension);
+    loading.check(root, physics.dimension);
   }
 
   dem::Packing UniaxialModel::packing() const { return make_packing(source, material, specimen.physics.dimension); }

@@ -14,7 +14,7 @@ namespace apps
   {
   public:
     void        declare(Section &root) override;
-    void        validate(const Section &root) const override;
+    void        check() const override;
     std::string forecast() const override;
     RunResult   run(const RunRequest &request) const override;
 
