@@ -130,23 +130,6 @@ namespace apps
     }
   } // namespace
 
-  namespace
-  {
-    /** Say where in the text the refused entry stands, and its value. @throws base::InputError always */
-    [[noreturn]] void refuse_in_text(const Section &root, const base::EntryError &refused)
-    {
-      const Section *section = &root;
-      for (const std::string &name : refused.sections)
-        if (section != nullptr)
-          section = section->find_section(name);
-      if (section == nullptr)
-        throw base::InputError(refused.what());
-      if (!refused.entry.empty())
-        section->refuse(refused.entry, refused.rule);
-      throw base::InputError(section->place().text() + ": " + section->path() + refused.separator + refused.rule);
-    }
-  } // namespace
-
   CheckedScene read_scene(const std::string &file, const std::vector<std::string> &overrides)
   {
     std::vector<Assignment> assignments = read_parameter_file(file);
@@ -169,14 +152,7 @@ namespace apps
     declare_all(read);
     refuse_of_other_kinds(read, assignments);
     assign(*read.root, assignments, file);
-    try
-      {
-        read.scene->check();
-      }
-    catch (const base::EntryError &refused)
-      {
-        refuse_in_text(*read.root, refused);
-      }
+    check_in_text(*read.root, [&] { read.scene->check(); });
     return read;
   }
 

@@ -17,6 +17,14 @@ namespace apps
   public:
     /** @param used whether there are such contacts at all @param words the same for messages; both empty: there are */
     void declare(Section &section, const std::function<bool()> &used = {}, const std::string &words = "");
+    /** From code: a law by its constants, e.g. dem::HertzMindlinParameters. */
+    template <typename Parameters>
+    void choose(const Parameters &parameters)
+    {
+      using Law            = typename Parameters::Law;
+      other                = dem::find_link_law(Law::name);
+      constants[Law::name] = dem::LinkLawKindOf<Law>::constants_of(parameters);
+    }
     /** @throws base::InputError for constants that the law cannot have */
     void               check(const base::EntryPath &at) const;
     dem::LinkMaterials materials() const;

@@ -22,6 +22,16 @@ namespace apps
     std::map<std::string, std::shared_ptr<dem::LinkConstants>> constants;          ///< of every law, by its name
 
     void declare(Section &section);
+    /** From code: a law by its constants, e.g. dem::LinearContactParameters. */
+    template <typename Parameters>
+    void choose(const Parameters &parameters)
+    {
+      using Law = typename Parameters::Law;
+      law       = dem::find_link_law(Law::name);
+      given     = true;
+
+      constants[Law::name] = dem::LinkLawKindOf<Law>::constants_of(parameters);
+    }
     /** Constants of the chosen law. */
     const dem::LinkConstants &chosen() const { return *constants.at(law->name()); }
     /** Rules between the constants of the chosen laws. @throws base::InputError */

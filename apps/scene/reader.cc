@@ -45,7 +45,10 @@ namespace apps
       std::string              message = assignment.place.text() + ": \"" + assignment.path() + "\" is not known. ";
       std::vector<std::string> elsewhere;
       collect_paths(root, assignment.entry, elsewhere);
-      if (const std::string answer = absent(assignment.entry); !answer.empty() && elsewhere.empty())
+      // What does not exist here may be a constant of something else; that is meant only where it lies further in.
+      const auto further_in = [&](const std::string &path) { return path.rfind(section.path(), 0) == 0; };
+      if (const std::string answer = absent(assignment.entry);
+          !answer.empty() && std::none_of(elsewhere.begin(), elsewhere.end(), further_in))
         message += answer;
       else if (!elsewhere.empty())
         message += "Did you mean \"" + elsewhere.front() + "\"?";
@@ -117,5 +120,25 @@ namespace apps
       if (targets[i].second)
         store(*targets[i].first, *targets[i].second, assignments[i]);
     refuse_missing(root, source);
+  }
+
+  void check_in_text(const Section &root, const std::function<void()> &check)
+  {
+    try
+      {
+        check();
+      }
+    catch (const base::EntryError &refused)
+      {
+        const Section *section = &root;
+        for (const std::string &name : refused.sections)
+          if (section != nullptr)
+            section = section->find_section(name);
+        if (section == nullptr)
+          throw base::InputError(refused.what());
+        if (!refused.entry.empty())
+          section->refuse(refused.entry, refused.rule);
+        throw base::InputError(section->place().text() + ": " + section->path() + refused.separator + refused.rule);
+      }
   }
 } // namespace apps

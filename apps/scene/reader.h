@@ -3,6 +3,7 @@
 #include "apps/scene/assignment.h"
 #include "apps/scene/section.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,4 +18,11 @@ namespace apps
    * was found and what is allowed for a wrong value; and what to add for a needed constant that nobody set.
    */
   void assign(Section &root, const std::vector<Assignment> &assignments, const std::string &source);
+
+  /**
+   * Check a model that a section tree has filled: a base::EntryError becomes a message with the place of the entry in the text and its
+   * value.
+   * @throws base::InputError.
+   */
+  void check_in_text(const Section &root, const std::function<void()> &check);
 } // namespace apps

@@ -100,8 +100,15 @@ namespace dem
     std::string                    meaning() const override { return Law::meaning; }
     bool                           touches_only() const override { return law_touches_only<Law>(0); }
     std::shared_ptr<LinkConstants> constants() const override { return std::make_shared<Constants>(); }
-    LinkMaterials                  materials(const std::vector<NamedConstants> &of,
-                                             const std::vector<PairConstants>  &between) const override
+    /** Constants that a program has at hand. */
+    static std::shared_ptr<LinkConstants> constants_of(const Parameters &parameters)
+    {
+      auto made        = std::make_shared<Constants>();
+      made->parameters = parameters;
+      return made;
+    }
+    LinkMaterials materials(const std::vector<NamedConstants> &of,
+                            const std::vector<PairConstants>  &between) const override
     {
       std::vector<Material<Parameters>> list;
       for (const NamedConstants &material : of)
