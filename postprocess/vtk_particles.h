@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dem/specimen/specimen.h"
+#include "dem/specimen/results.h"
 
 #include <filesystem>
 

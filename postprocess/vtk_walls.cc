@@ -1,6 +1,7 @@
 #include "postprocess/vtk_walls.h"
 
 #include "dem/facets/surface.h"
+#include "dem/specimen/specimen.h"
 #include "postprocess/vtk_file.h"
 
 #include <vtkCellArray.h>

@@ -1,8 +1,11 @@
 #pragma once
 
-#include "dem/specimen/specimen.h"
-
 #include <filesystem>
+
+namespace dem
+{
+  class Specimen;
+}
 
 namespace postprocess
 {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "dem/model/particles.h"
-#include "dem/specimen/specimen.h"
+#include "dem/specimen/results.h"
 
 namespace dem
 {

@@ -6,6 +6,8 @@
 
 namespace dem
 {
+  class Specimen;
+
   /**
    * What a continuum needs to know of a specimen to carry on from it: places, shares of volume and stress of the particles, and the
    * damage of all cohesive links that they were made with. Whoever made it, this program or another.

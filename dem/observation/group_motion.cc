@@ -1,5 +1,7 @@
 #include "dem/observation/group_motion.h"
 
+#include "dem/specimen/specimen.h"
+
 namespace dem
 {
   namespace

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dem/specimen/specimen.h"
+#include "dem/specimen/results.h"
 
 #include <Eigen/Core>
 
@@ -8,6 +8,8 @@
 
 namespace dem
 {
+  class Specimen;
+
   /**
    * How a group of particles moves as a whole. A rigid clump all of whose pebbles are of it counts as the body that it is, with its own mass,
    * centre and inertia; of another one each pebble counts with its part of the mass.

@@ -1,5 +1,7 @@
 #include "dem/observation/link_images.h"
 
+#include "dem/specimen/specimen.h"
+
 #include <Eigen/LU>
 
 namespace dem

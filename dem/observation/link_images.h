@@ -1,11 +1,13 @@
 #pragma once
 
-#include "dem/specimen/specimen.h"
+#include "dem/specimen/results.h"
 
 #include <vector>
 
 namespace dem
 {
+  class Specimen;
+
   /** Where a link of a periodic cell leads to: what to add to the place of its second particle. Zero within the cell. */
   struct LinkImage
   {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "dem/measures/damage_tensor.h"
-#include "dem/specimen/specimen.h"
+#include "dem/specimen/results.h"
 
 namespace dem
 {

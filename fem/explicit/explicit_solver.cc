@@ -2,9 +2,8 @@
 
 #include "base/errors.h"
 #include "base/number_text.h"
-#include "fem/solid/element_kernel.h"
+#include "fem/explicit/element_mass.h"
 
-#include <Eigen/Eigenvalues>
 #include <deal.II/base/mpi.h>
 #include <deal.II/fe/fe_values.h>
 
@@ -50,75 +49,6 @@ namespace fem
     held.resize(u.locally_owned_size());
     for (unsigned int i = 0; i < held.size(); ++i)
       held[i] = solid.constraints().is_constrained(u.get_partitioner()->local_to_global(i));
-  }
-
-  namespace
-  {
-    /// What counts of an element at its points; empty: all of it. @pre `values` knows where they are
-    template <int dim>
-    std::vector<double> shares_of(const SolidOptions &options, const FEValues<dim> &values)
-    {
-      std::vector<double> shares;
-      if (!options.share)
-        return shares;
-      for (const auto &place : values.get_quadrature_points())
-        shares.push_back(share_at(options, place));
-      return std::any_of(shares.begin(), shares.end(), [](const double s) { return s != 1; }) ? shares :
-                                                                                                std::vector<double>{};
-    }
-
-    /// Where only a part of the element counts: sums over the rows of the consistent mass, which keep its centre. Positive of linear elements.
-    template <int dim>
-    void mass_of_shares(const FEValues<dim>       &values,
-                        const double               density,
-                        const std::vector<double> &shares,
-                        std::vector<double>       &mass)
-    {
-      for (unsigned int i = 0; i < mass.size(); ++i)
-        {
-          mass[i] = 0;
-          for (unsigned int q = 0; q < shares.size(); ++q)
-            mass[i] += shares[q] * density * values.shape_value(i, q) * values.JxW(q);
-        }
-    }
-
-    /// Diagonal of the consistent mass scaled to the element's mass, component by component: where the share varies evenly, that of what lies
-    /// nearest to the node of a linear element.
-    template <int dim>
-    void element_mass(const FEValues<dim>       &values,
-                      const double               density,
-                      const std::vector<double> &shares,
-                      const SharedMass           shared,
-                      std::vector<double>       &mass)
-    {
-      // Rows of quadratic elements have sums of nothing and less, where their share varies.
-      const auto &fe = values.get_fe();
-      if (!shares.empty() && shared == SharedMass::rows && fe.degree == 1)
-        return mass_of_shares(values, density, shares, mass);
-      const auto density_at = [&](const unsigned int q) { return shares.empty() ? density : shares[q] * density; };
-      double     whole = 0, diagonal = 0;
-      for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
-        whole += density_at(q) * values.JxW(q);
-      for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
-        {
-          mass[i] = 0;
-          for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
-            mass[i] += density_at(q) * values.shape_value(i, q) * values.shape_value(i, q) * values.JxW(q);
-          if (fe.system_to_component_index(i).first == 0)
-            diagonal += mass[i];
-        }
-      for (double &m : mass)
-        m *= whole / diagonal;
-    }
-
-    template <int dim>
-    std::map<types::material_id, double> density_by_id(const Solid<dim> &solid, const ExplicitOptions &options)
-    {
-      std::map<types::material_id, double> by_id;
-      for (const auto &[name, id] : solid.mesh().materials)
-        by_id[id] = options.density.at(name);
-      return by_id;
-    }
   }
 
   template <int dim>
@@ -167,64 +97,6 @@ namespace fem
             if (weight.in_local_range(indices[i]))
               weight[indices[i]] = lumped[indices[i]] * options.gravity[fe.system_to_component_index(i).first];
         }
-  }
-
-  template <int dim>
-  void ExplicitSolver<dim>::find_step()
-  {
-    const auto         &fe = solid.dofs().get_fe();
-    const unsigned int  n  = fe.n_dofs_per_cell();
-    FEValues<dim>       values(solid.mapping(), fe, solid.quadrature(),
-                               update_values | update_gradients | update_JxW_values | update_quadrature_points);
-    ElementKernel<dim>  kernel(fe, solid.quadrature().size(), false, solid.options().mean_dilatation);
-    std::vector<double> mass(n);
-    const auto          density = density_by_id(solid, options);
-    // Elements of one shape and material share an eigenvalue: a regular mesh costs one eigenvalue problem.
-    std::map<std::vector<long long>, double> known;
-    double                                   largest = 0;
-    std::size_t                              next    = 0;
-    for (const auto &cell : solid.dofs().active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          const auto            &points = solid.element_points()[next++];
-          std::vector<long long> shape{static_cast<long long>(cell->material_id())};
-          const double           unit = 1e-9 * cell->diameter();
-          shape.push_back(std::llround(std::log(cell->diameter()) * 1e9));
-          for (unsigned int w = 1; w < cell->n_vertices(); ++w)
-            for (unsigned int d = 0; d < dim; ++d)
-              shape.push_back(std::llround((cell->vertex(w)[d] - cell->vertex(0)[d]) / unit));
-          std::vector<double> shares;
-          if (solid.options().share)
-            {
-              values.reinit(cell);
-              shares = shares_of(solid.options(), values);
-            }
-          for (const double share : shares)
-            shape.push_back(std::llround(share * 1e9));
-          const auto found = known.find(shape);
-          if (found != known.end())
-            continue;
-          if (!solid.options().share)
-            values.reinit(cell);
-          element_mass(values, density.at(cell->material_id()), shares, options.shared, mass);
-          kernel.reinit(values, Eigen::VectorXd::Zero(n));
-          for (unsigned int q = 0; q < shares.size(); ++q)
-            kernel.share(q, shares[q]);
-          Eigen::MatrixXd k = Eigen::MatrixXd::Zero(n, n);
-          for (unsigned int q = 0; q < solid.quadrature().size(); ++q)
-            {
-              kernel.strain(q);
-              kernel.add_stiffness(base::Voigt::Zero(), points.material->elastic_stiffness(), k);
-            }
-          for (unsigned int i = 0; i < n; ++i)
-            for (unsigned int j = 0; j < n; ++j)
-              k(i, j) /= std::sqrt(mass[i] * mass[j]);
-          const double top =
-            Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(k, Eigen::EigenvaluesOnly).eigenvalues()[n - 1];
-          known[shape] = top;
-          largest      = std::max(largest, top);
-        }
-    step_limit = 2 / std::sqrt(Utilities::MPI::max(largest, solid.communicator()));
   }
 
   template <int dim>
@@ -449,6 +321,8 @@ namespace fem
     current_time += length;
     find_external_force();
     keep_account(length, pushed);
+    if (solid.options().large_displacement)
+      follow_deformation();
   }
 
   template <int dim>
@@ -491,7 +365,8 @@ namespace fem
   template <int dim>
   ExplicitState ExplicitSolver<dim>::state() const
   {
-    return {current_time, started, last_length, account, u, v, f_int, mean, moved, outside, f_ext};
+    return {current_time, started, last_length, account, u,        v,         f_int,
+            mean,         moved,   outside,     f_ext,   elements, since_look};
   }
 
   template <int dim>
@@ -511,8 +386,16 @@ namespace fem
     outside = saved.outside;
     for (const auto &then : outside.driven)
       held[then.first] = true;
-    f_ext = saved.external_force;
+    f_ext      = saved.external_force;
+    elements   = saved.elements;
+    since_look = saved.since_look;
     u.update_ghost_values();
+    if (elements.empty())
+      return;
+    double largest = 0;
+    for (const ElementStep &element : elements)
+      largest = std::max(largest, element.eigenvalue);
+    limit_step(largest);
   }
 
   template class ExplicitSolver<2>;

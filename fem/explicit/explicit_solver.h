@@ -44,24 +44,34 @@ namespace fem
     double work = 0, damped = 0, start = 0; ///< what changes since the last step add to the account, on this rank [J]
   };
 
+  /// What the stable step of a deformed element was found with.
+  struct ElementStep
+  {
+    std::vector<double> distances;      ///< squared, of its vertices from each other [m^2]
+    double              eigenvalue = 0; ///< largest, of lumped mass and stiffness [1/s^2]
+  };
+
   /// All that a motion remembers besides the histories of its points.
   struct ExplicitState
   {
-    double          time        = 0;
-    bool            started     = false;
-    double          last_length = 0; ///< of the step that led here [s]
-    ExplicitEnergy  energy;
-    Vector          displacement, velocity, internal_force, mean_velocity;
-    Vector          last_motion; ///< displacement in the last step [m]
-    ExplicitOutside outside;
-    Vector          external_force; ///< as it was added up: what pushed and was taken back leaves its rounding
+    double                   time        = 0;
+    bool                     started     = false;
+    double                   last_length = 0; ///< of the step that led here [s]
+    ExplicitEnergy           energy;
+    Vector                   displacement, velocity, internal_force, mean_velocity;
+    Vector                   last_motion; ///< displacement in the last step [m]
+    ExplicitOutside          outside;
+    Vector                   external_force; ///< as it was added up: what pushed and was taken back leaves its rounding
+    std::vector<ElementStep> elements;       ///< locally owned ones, with large displacements
+    std::int64_t             since_look = 0;
   };
 
   /**
    * Motion of a solid by central differences with a lumped mass.
    *
    * Mass lumped by scaling the diagonal of the consistent one (Hinton, Rock and Zienkiewicz 1976): positive for all elements.
-   * Critical step 2 / omega with the largest eigenvalue of any element, which bounds that of the mesh (Irons and Treharne 1971).
+   * Critical step 2 / omega with the largest eigenvalue of any element, which bounds that of the mesh (Irons and Treharne 1971). With large
+   * displacements it follows the deformation: an element is looked at again when lengths in it have changed.
    */
   template <int dim>
   class ExplicitSolver
@@ -70,7 +80,8 @@ namespace fem
     /// @throws base::InputError for a missing or non-positive density, a safety outside (0, 1], or negative damping.
     ExplicitSolver(Solid<dim> &solid, const ExplicitOptions &options);
 
-    double critical_step() const { return step_limit; } ///< [s], of the undeformed elements
+    /// [s]; with large displacements of the elements as they are deformed now, to some per cent.
+    double critical_step() const { return step_limit; }
     double step() const { return options.safety * step_limit; }
 
     /// Velocity at the start [m/s]; only before the first step.
@@ -132,9 +143,13 @@ namespace fem
     void restore(const ExplicitState &saved);
 
   private:
-    void   lump_mass();
-    void   find_weight();
-    void   find_step();
+    void lump_mass();
+    void find_weight();
+    void find_step();
+    void limit_step(double largest_eigenvalue); ///< of this rank's elements
+    void follow_deformation();                  ///< the step of elements whose lengths have changed
+    /// Squared distances of an element's vertices where they are now [m^2].
+    std::vector<double> vertex_distances(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell) const;
     double kicked(unsigned int i, double old, double kick) const; ///< velocity after a kick by the present forces
     void   find_forces_of_start();
     double next_velocity(unsigned int i, double length, double kick) const; ///< @pre `target` is that of the step's end
@@ -143,18 +158,20 @@ namespace fem
     void   find_external_force();
     unsigned int local(dealii::types::global_dof_index dof) const;
 
-    Solid<dim>       &solid;
-    ExplicitOptions   options;
-    std::vector<char> held; ///< whether each owned displacement is prescribed
-    ExplicitOutside   outside;
-    double            last_length = 0;
-    Vector            u, v, f_int, f_ext, lumped;
-    Vector            weight;                            ///< of every displacement along its own axis [N]; empty: none
-    Vector            mean;                              ///< velocity at the last whole step, for the damping work
-    Vector            moved, target, f_before, e_before; ///< of a step
-    double            step_limit   = 0;
-    double            current_time = 0;
-    bool              started      = false;
-    ExplicitEnergy    account;
+    Solid<dim>              &solid;
+    ExplicitOptions          options;
+    std::vector<char>        held; ///< whether each owned displacement is prescribed
+    ExplicitOutside          outside;
+    double                   last_length = 0;
+    Vector                   u, v, f_int, f_ext, lumped;
+    Vector                   weight; ///< of every displacement along its own axis [N]; empty: none
+    Vector                   mean;   ///< velocity at the last whole step, for the damping work
+    Vector                   moved, target, f_before, e_before; ///< of a step
+    std::vector<ElementStep> elements;                          ///< locally owned ones, with large displacements only
+    std::int64_t             since_look   = 0;                  ///< steps since lengths were last compared
+    double                   step_limit   = 0;
+    double                   current_time = 0;
+    bool                     started      = false;
+    ExplicitEnergy           account;
   };
 }

@@ -233,3 +233,47 @@ TEST_CASE("explicit: linear solids in plane stress have the fast kernel, with th
       CHECK(fast.linfty_norm() <= 1e-10 * slow.linfty_norm());
     }
 }
+
+TEST_CASE("explicit: the step follows elements that stiffen as they are stretched", "[fem]")
+{
+  // Green strain with a constant modulus: along the bar the stiffness is E (3 s^2 - 1)/2 at the stretch s, 2.44 E at 1.4. Steps of the
+  // undeformed bar would be beyond the critical one from s = 1.04 on.
+  constexpr double  length = 1, stretch = 1.4, moved_in = 0.02;
+  fem::SolidOptions large;
+  large.large_displacement = true;
+  fem::Solid<3> solid(
+    fem::make_mesh<3>(box<3>({length, length / 8, length / 8}, {8, 1, 1}), ElementFamily::hypercube, MPI_COMM_SELF),
+    large);
+  solid.assign("0", fem::make_points(elastic(young, 0), fem::Plane::strain));
+  fem::Loads<3> loads;
+  const auto    zero = [](const Point<3> &, double) { return 0.0; };
+  for (const auto &[side, axis] : {std::pair{"0", 0u}, std::pair{"2", 1u}, std::pair{"4", 2u}})
+    loads.displacements.push_back({side, axis, zero});
+  loads.displacements.push_back(
+    {"1", 0, [&](const Point<3> &, const double t) { return (stretch - 1) * length * std::min(t / moved_in, 1.0); }});
+  solid.set_loads(loads);
+  fem::ExplicitOptions options = plain();
+  options.safety               = 0.95;
+  fem::ExplicitSolver<3> motion(solid, options);
+  const double           undeformed = motion.critical_step();
+  double                 worst = 0, shortest = undeformed;
+  for (int step = 0; motion.time() < 2 * moved_in; ++step)
+    {
+      motion.advance(motion.step());
+      worst    = std::max(worst, std::fabs(motion.energy().balance()));
+      shortest = std::min(shortest, motion.critical_step());
+    }
+  CHECK(shortest < 0.75 * undeformed);
+  CHECK(shortest > 0.55 * undeformed); // of a wave along the bar 1/sqrt(2.44), of waves in it somewhat more
+  CHECK(worst < 1e-3);
+
+  // What is saved goes on to the same bits.
+  const fem::ExplicitState saved = motion.state();
+  const double             next  = motion.step();
+  motion.advance(next);
+  const double after = motion.critical_step();
+  motion.restore(saved);
+  CHECK(motion.step() == next);
+  motion.advance(next);
+  CHECK(motion.critical_step() == after);
+}

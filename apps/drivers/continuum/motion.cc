@@ -56,6 +56,29 @@ namespace apps
       visitor.scalar("outside_damped", outside.damped);
       visitor.scalar("outside_start", outside.start);
     }
+
+    /** What the step of deformed elements was found with; all have the same number of distances. */
+    void visit_elements(base::StateVisitor &visitor, fem::ExplicitState &saved)
+    {
+      if (saved.elements.empty())
+        return;
+      base::Column distances, eigenvalues;
+      for (const fem::ElementStep &element : saved.elements)
+        {
+          distances.insert(distances.end(), element.distances.begin(), element.distances.end());
+          eigenvalues.push_back(element.eigenvalue);
+        }
+      visitor.column("element_distances", distances);
+      visitor.column("element_eigenvalues", eigenvalues);
+      visitor.scalar("since_look", saved.since_look);
+      const double *next = distances.data();
+      for (std::size_t e = 0; e < saved.elements.size(); ++e)
+        {
+          for (double &distance : saved.elements[e].distances)
+            distance = *next++;
+          saved.elements[e].eigenvalue = eigenvalues.at(e);
+        }
+    }
   } // namespace
 
   template <int dim>
@@ -92,6 +115,7 @@ namespace apps
     visitor.scalar("last_length", saved.last_length);
     visit_outside(visitor, saved.outside, solid);
     visit_vector(visitor, "external_force", saved.external_force);
+    visit_elements(visitor, saved);
     motion.restore(saved);
     visit_histories(visitor, solid);
   }

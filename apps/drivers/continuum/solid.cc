@@ -40,7 +40,7 @@ namespace apps
       if (model.mesh.source != MeshSection::Source::file)
         return "";
       static constexpr const char *kinds[4] = {"Point", "Curve", "Surface", "Volume"};
-      const fem::GmshFile content = fem::read_gmsh_file(model.mesh.file, model.solid.dimension);
+      const fem::GmshFile          content  = fem::read_gmsh_file(model.mesh.file, model.solid.dimension);
       for (const auto &[dimension, groups] : content.groups)
         for (const auto &group : groups)
           if (group.second == name && dimension != wanted)

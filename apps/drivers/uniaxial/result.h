@@ -6,7 +6,7 @@
 #include "base/column.h"
 #include "base/state.h"
 #include "dem/model/energy.h"
-#include "dem/specimen/specimen.h"
+#include "dem/specimen/results.h"
 
 #include <cstdint>
 
