@@ -11,7 +11,7 @@
 #include "dem/core/floating_point_traps.h"
 #include "dem/core/kernel_vectors.h"
 #include "dem/packing/compaction.h"
-#include "postprocess/errors.h"
+#include "postprocess/files/errors.h"
 
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>

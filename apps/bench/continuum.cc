@@ -5,7 +5,7 @@
 #include "apps/bench/results.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/mpi_session.h"
-#include "postprocess/atomic_file.h"
+#include "postprocess/files/atomic_file.h"
 
 #include <fmt/format.h>
 

@@ -6,8 +6,8 @@
 #include "apps/process/stopwatch.h"
 #include "base/voigt.h"
 #include "dem/laws/elastic_links.h"
+#include "dem/linear/dynamic_relaxation.h"
 #include "dem/loading/periodic_cell.h"
-#include "dem/statics/dynamic_relaxation.h"
 
 #include <fmt/format.h>
 

@@ -2,8 +2,8 @@
 
 #include "apps/process/exit_status.h"
 #include "apps/results/warning.h"
-#include "postprocess/atomic_file.h"
-#include "postprocess/errors.h"
+#include "postprocess/files/atomic_file.h"
+#include "postprocess/files/errors.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "postprocess/plot.h"
+#include "postprocess/pictures/plot.h"
 
 #include <filesystem>
 #include <string>

@@ -9,9 +9,9 @@
 #include "apps/scene/constant_entries.h"
 #include "apps/scene/overrides.h"
 #include "apps/scene/reader.h"
-#include "postprocess/atomic_file.h"
-#include "postprocess/plot.h"
-#include "postprocess/summary.h"
+#include "postprocess/files/atomic_file.h"
+#include "postprocess/files/summary.h"
+#include "postprocess/pictures/plot.h"
 
 #include <CLI/Validators.hpp>
 #include <fmt/format.h>

@@ -15,8 +15,8 @@
 #include "apps/scene/value_text.h"
 #include "base/errors.h"
 #include "dem/packing/compaction.h"
-#include "postprocess/packing_io.h"
-#include "postprocess/summary.h"
+#include "postprocess/files/summary.h"
+#include "postprocess/packings/packing_io.h"
 
 #include <CLI/Validators.hpp>
 #include <fmt/format.h>

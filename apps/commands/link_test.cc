@@ -6,8 +6,8 @@
 #include "apps/process/exit_status.h"
 #include "apps/scene/nearest_name.h"
 #include "apps/scene/same_name.h"
-#include "postprocess/atomic_file.h"
-#include "postprocess/csv_table.h"
+#include "postprocess/files/atomic_file.h"
+#include "postprocess/files/csv_table.h"
 
 #include <fmt/format.h>
 

@@ -4,8 +4,8 @@
 #include "apps/results/result_folder.h"
 #include "base/errors.h"
 #include "dem/observation/measured_state.h"
-#include "postprocess/discrete_state_hdf5.h"
-#include "postprocess/summary.h"
+#include "postprocess/files/summary.h"
+#include "postprocess/hdf5/discrete_state_hdf5.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

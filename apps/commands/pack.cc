@@ -11,7 +11,7 @@
 #include "base/errors.h"
 #include "dem/packing/box_cell.h"
 #include "dem/packing/moulded_box.h"
-#include "postprocess/packing_io.h"
+#include "postprocess/packings/packing_io.h"
 
 #include <CLI/Validators.hpp>
 #include <fmt/format.h>

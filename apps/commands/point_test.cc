@@ -8,8 +8,8 @@
 #include "apps/scene/reader.h"
 #include "apps/scene/same_name.h"
 #include "base/voigt.h"
-#include "postprocess/atomic_file.h"
-#include "postprocess/csv_table.h"
+#include "postprocess/files/atomic_file.h"
+#include "postprocess/files/csv_table.h"
 
 #include <fmt/format.h>
 

@@ -9,7 +9,7 @@
 #include "apps/scene/same_name.h"
 #include "apps/scene/time_table.h"
 #include "apps/scene/value_text.h"
-#include "postprocess/digest.h"
+#include "postprocess/files/digest.h"
 
 #include <filesystem>
 

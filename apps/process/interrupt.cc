@@ -1,7 +1,7 @@
 #include "apps/process/interrupt.h"
 
 #include "apps/process/exit_status.h"
-#include "postprocess/gnuplot.h"
+#include "postprocess/pictures/gnuplot.h"
 
 #include <fcntl.h>
 #include <unistd.h>

@@ -1,7 +1,7 @@
 #include "apps/process/mpi_session.h"
 
 #include "base/errors.h"
-#include "postprocess/errors.h"
+#include "postprocess/files/errors.h"
 
 #include <deal.II/base/mpi.h>
 

@@ -1,7 +1,7 @@
 #include "apps/results/result_folder.h"
 
 #include "base/errors.h"
-#include "postprocess/errors.h"
+#include "postprocess/files/errors.h"
 
 #include <fcntl.h>
 #include <sys/file.h>

@@ -1,9 +1,9 @@
 #include "apps/results/run_files.h"
 
 #include "apps/results/input_files.h"
-#include "postprocess/atomic_file.h"
-#include "postprocess/csv_table.h"
-#include "postprocess/summary.h"
+#include "postprocess/files/atomic_file.h"
+#include "postprocess/files/csv_table.h"
+#include "postprocess/files/summary.h"
 
 namespace apps
 {

@@ -3,7 +3,7 @@
 #include "apps/results/result_folder.h"
 #include "apps/results/run_work.h"
 #include "apps/scene/scene.h"
-#include "postprocess/checkpoint.h"
+#include "postprocess/hdf5/checkpoint.h"
 
 #include <memory>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/results/run_work.h"
-#include "postprocess/csv_table.h"
+#include "postprocess/files/csv_table.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/results/run_state.h"
-#include "postprocess/series.h"
+#include "postprocess/files/series.h"
 
 #include <nlohmann/json.hpp>
 

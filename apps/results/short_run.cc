@@ -4,8 +4,8 @@
 #include "apps/results/result_folder.h"
 #include "apps/results/run_observer.h"
 #include "base/errors.h"
-#include "postprocess/atomic_file.h"
-#include "postprocess/summary.h"
+#include "postprocess/files/atomic_file.h"
+#include "postprocess/files/summary.h"
 
 namespace apps
 {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/results/run_state.h"
-#include "postprocess/pvd.h"
+#include "postprocess/vtk/pvd.h"
 
 #include <optional>
 

@@ -4,7 +4,7 @@
 #include "apps/scene/value_text.h"
 #include "base/errors.h"
 #include "base/length_unit.h"
-#include "postprocess/csv_table.h"
+#include "postprocess/files/csv_table.h"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 #include "apps/scene/same_name.h"
 #include "apps/scene/value_text.h"
 #include "base/errors.h"
-#include "postprocess/csv_table.h"
+#include "postprocess/files/csv_table.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

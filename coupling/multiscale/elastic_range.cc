@@ -2,7 +2,7 @@
 
 #include "base/errors.h"
 #include "base/number_text.h"
-#include "dem/statics/waiting_contacts.h"
+#include "dem/network/waiting_contacts.h"
 
 #include <Eigen/Cholesky>
 

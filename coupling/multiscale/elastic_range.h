@@ -3,7 +3,7 @@
 #include "base/voigt.h"
 #include "dem/homogenisation/relaxed_stiffness.h"
 #include "dem/model/materials.h"
-#include "dem/statics/elastic_network.h"
+#include "dem/network/elastic_network.h"
 
 #include <Eigen/Core>
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "coupling/multiscale/elastic_range.h"
+#include "dem/cells/responding_cell.h"
 #include "dem/model/packing.h"
-#include "dem/statics/responding_cell.h"
 
 #include <deque>
 #include <memory>

@@ -2,7 +2,7 @@
 
 #include "coupling/volume/overlap.h"
 #include "coupling/volume/turning.h"
-#include "dem/statics/elastic_network.h"
+#include "dem/network/elastic_network.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "coupling/volume/overlap.h"
+#include "dem/network/elastic_network.h"
 #include "dem/specimen/specimen.h"
-#include "dem/statics/elastic_network.h"
 
 #include <vector>
 

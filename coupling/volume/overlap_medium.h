@@ -2,7 +2,7 @@
 
 #include "base/voigt.h"
 #include "coupling/volume/overlap.h"
-#include "dem/statics/elastic_network.h"
+#include "dem/network/elastic_network.h"
 #include "fem/solid/solid.h"
 
 #include <vector>

@@ -2,7 +2,7 @@
 
 #include "coupling/volume/bond_ends.h"
 #include "coupling/volume/parameters.h"
-#include "dem/statics/loaded_network.h"
+#include "dem/network/loaded_network.h"
 #include "fem/solvers/condensed_solid.h"
 
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/matrix6.h"
-#include "dem/statics/elastic_network.h"
+#include "dem/network/elastic_network.h"
 
 #include <Eigen/Core>
 

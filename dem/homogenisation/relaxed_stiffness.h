@@ -1,7 +1,7 @@
 #pragma once
 
 #include "dem/homogenisation/macroscopic_stiffness.h"
-#include "dem/statics/linear_solver.h"
+#include "dem/linear/linear_solver.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #include "dem/homogenisation/resisted_strains.h"
 
 #include "dem/core/symmetric_modes.h"
-#include "dem/statics/mechanisms.h"
+#include "dem/network/mechanisms.h"
 
 #include <vector>
 

@@ -1,11 +1,11 @@
 #include "base/errors.h"
 #include "dem/kernels/kinematics.h"
+#include "dem/linear/linear_solver.h"
 #include "dem/measures/link_measures.h"
+#include "dem/network/loaded_hinges.h"
+#include "dem/network/loaded_network.h"
+#include "dem/network/rigid_motions.h"
 #include "dem/specimen/implementation.h"
-#include "dem/statics/linear_solver.h"
-#include "dem/statics/loaded_hinges.h"
-#include "dem/statics/loaded_network.h"
-#include "dem/statics/rigid_motions.h"
 
 #include <algorithm>
 #include <cmath>

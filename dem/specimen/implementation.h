@@ -8,9 +8,9 @@
 #include "dem/kernels/particle_pass.h"
 #include "dem/measures/link_measures.h"
 #include "dem/model/materials.h"
+#include "dem/network/rigid_motions.h"
 #include "dem/specimen/clumps.h"
 #include "dem/specimen/specimen.h"
-#include "dem/statics/rigid_motions.h"
 
 #include <array>
 #include <vector>

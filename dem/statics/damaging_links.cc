@@ -1,7 +1,7 @@
 #include "dem/statics/damaging_links.h"
 
 #include "base/state_vectors.h"
-#include "dem/statics/waiting_contacts.h"
+#include "dem/network/waiting_contacts.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "base/state.h"
 #include "dem/model/materials.h"
-#include "dem/statics/loaded_network.h"
+#include "dem/network/loaded_network.h"
 
 #include <optional>
 #include <vector>

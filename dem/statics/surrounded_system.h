@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dem/statics/loaded_network.h"
+#include "dem/network/loaded_network.h"
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>

@@ -1,6 +1,6 @@
 #include "dem/statics/tangent_iteration.h"
 
-#include "dem/statics/slip_matrices.h"
+#include "dem/network/slip_matrices.h"
 
 #include <algorithm>
 

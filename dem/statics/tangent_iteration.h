@@ -1,7 +1,7 @@
 #pragma once
 
-#include "dem/statics/loaded_network.h"
-#include "dem/statics/minimal_residuals.h"
+#include "dem/linear/minimal_residuals.h"
+#include "dem/network/loaded_network.h"
 
 #include <array>
 #include <vector>

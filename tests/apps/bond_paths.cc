@@ -1,5 +1,5 @@
 // One link of each bonded law along paths of displacements and forces: the exact answers T1 to T12 of doc/theory, to the digits given.
-#include "postprocess/csv_table.h"
+#include "postprocess/files/csv_table.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scratch_folder.h"
 

@@ -1,5 +1,5 @@
 // What ParaView would read of a continuum run, read by VTK.
-#include "postprocess/csv_table.h"
+#include "postprocess/files/csv_table.h"
 #include "tests/apps/continuum_scenes.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scratch_folder.h"

@@ -1,7 +1,7 @@
 // doc/formats.md against what runs write.
 #include "dem/laws/all.h"
-#include "postprocess/csv_table.h"
-#include "postprocess/fields.h"
+#include "postprocess/files/csv_table.h"
+#include "postprocess/vtk/fields.h"
 #include "tests/apps/continuum_scenes.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scenes.h"

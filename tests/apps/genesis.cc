@@ -1,5 +1,5 @@
 // Particles grown by a scene, through the program: what it leaves, resuming, aggregates, refusals.
-#include "postprocess/packing_io.h"
+#include "postprocess/packings/packing_io.h"
 #include "tests/apps/interrupted_runs.h"
 #include "tests/apps/scene_runs.h"
 #include "tests/apps/scenes.h"

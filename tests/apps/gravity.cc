@@ -1,4 +1,4 @@
-#include "postprocess/csv_table.h"
+#include "postprocess/files/csv_table.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scenes.h"
 #include "tests/apps/scratch_folder.h"
@@ -21,8 +21,9 @@ namespace
   /** The scene of a packing file with gravity of 1e5 m/s^2, one test, few steps. */
   std::vector<std::string> heavy(std::vector<std::string> arguments)
   {
-    for (const char *entry : {"Gravity/Acceleration=0, 0, -1e5", "Loading/Tests=compression",
-                              "Loading/Compression/Stop strain=1e-4", "Loading/Compression/Strain rate=5", "Output/Samples=20"})
+    for (const char *entry :
+         {"Gravity/Acceleration=0, 0, -1e5", "Loading/Tests=compression", "Loading/Compression/Stop strain=1e-4",
+          "Loading/Compression/Strain rate=5", "Output/Samples=20"})
       {
         arguments.emplace_back("-s");
         arguments.emplace_back(entry);

@@ -4,8 +4,8 @@
 #include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
 #include "base/errors.h"
-#include "postprocess/atomic_file.h"
-#include "postprocess/errors.h"
+#include "postprocess/files/atomic_file.h"
+#include "postprocess/files/errors.h"
 #include "tests/apps/scratch_folder.h"
 
 #include <catch2/catch.hpp>

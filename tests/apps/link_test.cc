@@ -1,4 +1,4 @@
-#include "postprocess/csv_table.h"
+#include "postprocess/files/csv_table.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scratch_folder.h"
 #include "tests/places.h"
@@ -143,7 +143,8 @@ TEST_CASE("link-test drives every law there is, whatever the case of its name", 
   CHECK(linear.column("normal_stress")[0] == Approx(-1e5)); // E* times the strain
   CHECK(linear.column("shear_stress_1")[1] == Approx(4e4)); // E*/2.5, below 0.5 of the pressure
   CHECK(linear.column("normal_stress")[2] == 0);
-  const auto bond = of({"parallel-bond", "-s", "Effective modulus=1e9", "-s", "Tensile strength=1.5e5", "-s", "Cohesion=1e6"});
+  const auto bond =
+    of({"parallel-bond", "-s", "Effective modulus=1e9", "-s", "Tensile strength=1.5e5", "-s", "Cohesion=1e6"});
   CHECK(bond.column("normal_stress")[0] == Approx(-2e5)); // bond and contact
   CHECK(bond.column("broken") == std::vector<double>{0, 0, 1});
   CHECK(bond.column("normal_stress")[2] == 0);

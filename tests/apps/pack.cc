@@ -1,4 +1,4 @@
-#include "postprocess/packing_io.h"
+#include "postprocess/packings/packing_io.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scratch_folder.h"
 

@@ -1,6 +1,6 @@
 #include "apps/drivers/parts/packing_cache.h"
 
-#include "postprocess/packing_io.h"
+#include "postprocess/packings/packing_io.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scratch_folder.h"
 #include "tests/environment.h"

@@ -1,5 +1,5 @@
 // Scenes of kind "particles", through the program: closed forms, groups, stops, resuming, refusals.
-#include "postprocess/packing_io.h"
+#include "postprocess/packings/packing_io.h"
 #include "tests/apps/interrupted_runs.h"
 #include "tests/apps/scene_runs.h"
 #include "tests/apps/scenes.h"

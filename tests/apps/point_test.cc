@@ -1,4 +1,4 @@
-#include "postprocess/csv_table.h"
+#include "postprocess/files/csv_table.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scratch_folder.h"
 

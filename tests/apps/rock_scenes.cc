@@ -1,5 +1,5 @@
 // Section Laboratory of scenes of kind "particles", through the program: the shipped tests on rock, refusals, resuming.
-#include "postprocess/csv_table.h"
+#include "postprocess/files/csv_table.h"
 #include "tests/apps/interrupted_runs.h"
 #include "tests/apps/scene_runs.h"
 #include "tests/apps/scratch_folder.h"

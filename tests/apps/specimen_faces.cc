@@ -1,5 +1,5 @@
 // Faces of generated boxes: cut out of a cell, or moulded; what is said of them before a run, and what they make of a specimen.
-#include "postprocess/packing_io.h"
+#include "postprocess/packings/packing_io.h"
 #include "tests/apps/scene_runs.h"
 #include "tests/apps/scratch_folder.h"
 #include "tests/places.h"

@@ -3,7 +3,7 @@
 #include "closed_system.h"
 #include "dem/kernels/kinematics.h"
 #include "dem/laws/cpm.h"
-#include "dem/statics/elastic_network.h"
+#include "dem/network/elastic_network.h"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>

@@ -4,8 +4,8 @@
 #include "dem/core/uniform_random.h"
 #include "dem/homogenisation/relaxed_stiffness.h"
 #include "dem/model/packing.h"
+#include "dem/network/elastic_network.h"
 #include "dem/packing/sequential_placement.h"
-#include "dem/statics/elastic_network.h"
 
 #include <Eigen/Geometry>
 

@@ -2,8 +2,8 @@
 #include "dem/laws/parallel_bond.h"
 
 #include "clusters.h"
-#include "dem/statics/elastic_network.h"
-#include "dem/statics/linear_solver.h"
+#include "dem/linear/linear_solver.h"
+#include "dem/network/elastic_network.h"
 #include "held_pair.h"
 #include "same_bits.h"
 

@@ -1,5 +1,5 @@
 // A periodic cell as a material point: strain in, stress and consistent tangent out.
-#include "dem/statics/responding_cell.h"
+#include "dem/cells/responding_cell.h"
 
 #include "dem/homogenisation/relaxed_stiffness.h"
 #include "dem/laws/cpm.h"

@@ -1,10 +1,10 @@
 // The linear systems of cells by iteration, against their factors and closed forms.
 #include "dem/statics/tangent_iteration.h"
 
+#include "dem/cells/cell_system.h"
 #include "dem/laws/cpm.h"
-#include "dem/statics/cell_system.h"
+#include "dem/linear/minimal_residuals.h"
 #include "dem/statics/damaging_links.h"
-#include "dem/statics/minimal_residuals.h"
 #include "tests/dem/homogenisation_fixture.h"
 
 #include <Eigen/LU>

@@ -1,11 +1,11 @@
 // Particles of a cell that no link joins, and that come to touch under strain.
-#include "dem/statics/waiting_contacts.h"
+#include "dem/network/waiting_contacts.h"
 
+#include "dem/cells/responding_cell.h"
 #include "dem/laws/cpm.h"
 #include "dem/laws/parallel_bond.h"
 #include "dem/loading/periodic_cell.h"
 #include "dem/packing/compaction.h"
-#include "dem/statics/responding_cell.h"
 #include "memory_state.h"
 #include "tests/dem/homogenisation_fixture.h"
 

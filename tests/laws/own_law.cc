@@ -2,10 +2,10 @@
 #include "apps/drivers/paths/link_path.h"
 #include "dem/kernels/link_update.h"
 #include "dem/laws/registry.h"
+#include "dem/network/elastic_network.h"
 #include "dem/specimen/specimen.h"
-#include "dem/statics/elastic_network.h"
 #include "dem/statics/quasi_static_path.h"
-#include "postprocess/vtk_links.h"
+#include "postprocess/vtk/vtk_links.h"
 #include "tests/apps/scratch_folder.h"
 #include "tests/dem/memory_state.h"
 

@@ -10,7 +10,7 @@
 #include "coupling/sequential/transfer.h"
 #include "fem/materials/refuse.h"
 #include "fem/points/material_kind_of.h"
-#include "postprocess/csv_table.h"
+#include "postprocess/files/csv_table.h"
 #include "tests/apps/scratch_folder.h"
 #include "tests/coupling/field_fixture.h"
 #include "tests/dem/memory_state.h"

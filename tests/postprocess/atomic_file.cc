@@ -1,7 +1,7 @@
-#include "postprocess/atomic_file.h"
+#include "postprocess/files/atomic_file.h"
 
 #include "full_disk.h"
-#include "postprocess/errors.h"
+#include "postprocess/files/errors.h"
 #include "scratch_folder.h"
 
 #include <catch2/catch.hpp>

@@ -1,10 +1,10 @@
-#include "postprocess/checkpoint.h"
+#include "postprocess/hdf5/checkpoint.h"
 
 #include "base/errors.h"
 #include "full_disk.h"
-#include "postprocess/errors.h"
-#include "postprocess/hdf5_file.h"
-#include "postprocess/pvd.h"
+#include "postprocess/files/errors.h"
+#include "postprocess/hdf5/hdf5_file.h"
+#include "postprocess/vtk/pvd.h"
 #include "scratch_folder.h"
 
 #include <catch2/catch.hpp>

@@ -1,7 +1,7 @@
 // Bytes of a file that were changed on a disk or on the way: what is read is what was written, or nothing.
 #include "base/errors.h"
-#include "postprocess/discrete_state_hdf5.h"
-#include "postprocess/packing_hdf5.h"
+#include "postprocess/hdf5/discrete_state_hdf5.h"
+#include "postprocess/packings/packing_hdf5.h"
 #include "scratch_folder.h"
 
 #include <catch2/catch.hpp>

@@ -1,6 +1,6 @@
 #include "base/errors.h"
-#include "postprocess/discrete_state_hdf5.h"
-#include "postprocess/hdf5_file.h"
+#include "postprocess/hdf5/discrete_state_hdf5.h"
+#include "postprocess/hdf5/hdf5_file.h"
 #include "scratch_folder.h"
 
 #include <catch2/catch.hpp>

@@ -1,7 +1,7 @@
 #include "base/errors.h"
-#include "postprocess/errors.h"
-#include "postprocess/hdf5_file.h"
-#include "postprocess/packing_io.h"
+#include "postprocess/files/errors.h"
+#include "postprocess/hdf5/hdf5_file.h"
+#include "postprocess/packings/packing_io.h"
 #include "scratch_folder.h"
 
 #include <catch2/catch.hpp>

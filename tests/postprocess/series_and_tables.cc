@@ -1,8 +1,8 @@
 #include "base/errors.h"
 #include "full_disk.h"
-#include "postprocess/csv_table.h"
-#include "postprocess/errors.h"
-#include "postprocess/series.h"
+#include "postprocess/files/csv_table.h"
+#include "postprocess/files/errors.h"
+#include "postprocess/files/series.h"
 #include "scratch_folder.h"
 
 #include <catch2/catch.hpp>

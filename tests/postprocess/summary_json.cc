@@ -1,4 +1,4 @@
-#include "postprocess/summary.h"
+#include "postprocess/files/summary.h"
 #include "scratch_folder.h"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // Hard case S5, continuum: through the program, on a mesh of Gmsh.
-#include "postprocess/csv_table.h"
+#include "postprocess/files/csv_table.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scratch_folder.h"
 #include "tests/places.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "postprocess/csv_table.h"
+#include "postprocess/files/csv_table.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scratch_folder.h"
 #include "tests/places.h"

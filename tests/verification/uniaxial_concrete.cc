@@ -7,7 +7,7 @@
 #include "dem/packing/compaction.h"
 #include "dem/packing/tiling.h"
 #include "dem/statics/quasi_static_path.h"
-#include "postprocess/packing_io.h"
+#include "postprocess/packings/packing_io.h"
 #include "tests/places.h"
 
 #include <catch2/catch.hpp>

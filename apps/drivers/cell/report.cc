@@ -6,7 +6,7 @@
 #include "apps/process/progress.h"
 #include "apps/scene/tension_beyond_apex.h"
 #include "base/voigt.h"
-#include "postprocess/plot.h"
+#include "postprocess/pictures/plot.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

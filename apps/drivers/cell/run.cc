@@ -6,7 +6,7 @@
 #include "apps/results/life_cycle.h"
 #include "apps/results/warning.h"
 #include "base/voigt.h"
-#include "postprocess/specimen_picture.h"
+#include "postprocess/pictures/specimen_picture.h"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 #include "apps/drivers/continuum/contact_section.h"
 #include "apps/drivers/parts/contact_figures.h"
 #include "coupling/contact/solid_contacts.h"
-#include "postprocess/series.h"
+#include "postprocess/files/series.h"
 
 namespace apps
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "postprocess/series.h"
+#include "postprocess/files/series.h"
 
 #include <string>
 

@@ -3,8 +3,8 @@
 #include "apps/drivers/continuum/picture_facets.h"
 #include "apps/process/mpi_session.h"
 #include "coupling/multiscale/cell_points.h"
-#include "postprocess/field_picture.h"
-#include "postprocess/picture_axes.h"
+#include "postprocess/pictures/field_picture.h"
+#include "postprocess/pictures/picture_axes.h"
 
 #include <deal.II/base/mpi.h>
 #include <fmt/format.h>

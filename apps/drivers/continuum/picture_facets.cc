@@ -1,6 +1,6 @@
 #include "apps/drivers/continuum/picture_facets.h"
 
-#include "postprocess/picture_axes.h"
+#include "postprocess/pictures/picture_axes.h"
 
 #include <deal.II/base/mpi.h>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fem/solid/solid.h"
-#include "postprocess/field_picture.h"
+#include "postprocess/pictures/field_picture.h"
 
 #include <array>
 #include <map>

@@ -6,7 +6,7 @@
 #include "apps/results/run_result.h"
 #include "apps/results/run_work.h"
 #include "apps/scene/scene.h"
-#include "postprocess/pvd.h"
+#include "postprocess/vtk/pvd.h"
 
 #include <memory>
 #include <optional>

@@ -2,8 +2,8 @@
 
 #include "apps/process/mpi_session.h"
 #include "fem/output/snapshot.h"
-#include "postprocess/errors.h"
-#include "postprocess/vtk_solid.h"
+#include "postprocess/files/errors.h"
+#include "postprocess/vtk/vtk_solid.h"
 
 #include <deal.II/base/mpi.h>
 #include <fmt/format.h>

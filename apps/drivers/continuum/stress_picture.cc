@@ -2,7 +2,7 @@
 
 #include "apps/drivers/continuum/picture_facets.h"
 #include "apps/process/mpi_session.h"
-#include "postprocess/picture_axes.h"
+#include "postprocess/pictures/picture_axes.h"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 #include "apps/process/mpi_session.h"
 #include "apps/process/progress.h"
 #include "apps/results/warning.h"
-#include "postprocess/plot.h"
+#include "postprocess/pictures/plot.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -4,7 +4,7 @@
 #include "apps/drivers/parts/contact_figures.h"
 #include "apps/scene/scene.h"
 #include "fem/output/solid_extremes.h"
-#include "postprocess/csv_table.h"
+#include "postprocess/files/csv_table.h"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -15,7 +15,7 @@
 #include "coupling/concurrent/concurrent_motion.h"
 #include "coupling/volume/overlap_medium.h"
 #include "dem/facets/surface.h"
-#include "postprocess/specimen_picture.h"
+#include "postprocess/pictures/specimen_picture.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>

@@ -4,7 +4,7 @@
 #include "apps/drivers/coupled/model.h"
 #include "apps/drivers/particles/body.h"
 #include "apps/results/run_state.h"
-#include "postprocess/series.h"
+#include "postprocess/files/series.h"
 
 #include <filesystem>
 #include <map>

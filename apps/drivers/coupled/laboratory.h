@@ -2,8 +2,8 @@
 
 #include "apps/drivers/coupled/couplings.h"
 #include "dem/loading/curve_figures.h"
-#include "postprocess/csv_table.h"
-#include "postprocess/series.h"
+#include "postprocess/files/csv_table.h"
+#include "postprocess/files/series.h"
 
 #include <string>
 #include <vector>

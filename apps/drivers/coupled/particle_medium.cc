@@ -6,7 +6,7 @@
 #include "dem/homogenisation/relaxed_stiffness.h"
 #include "dem/homogenisation/resisted_strains.h"
 #include "dem/model/particles.h"
-#include "postprocess/summary.h"
+#include "postprocess/files/summary.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

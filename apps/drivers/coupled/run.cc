@@ -11,7 +11,7 @@
 #include "apps/results/snapshots.h"
 #include "apps/results/warning.h"
 #include "dem/observation/discrete_state.h"
-#include "postprocess/discrete_state_hdf5.h"
+#include "postprocess/hdf5/discrete_state_hdf5.h"
 
 #include <fmt/format.h>
 

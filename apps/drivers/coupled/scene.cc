@@ -12,7 +12,7 @@
 #include "apps/drivers/parts/specimen_snapshots.h"
 #include "apps/process/mpi_session.h"
 #include "apps/scene/tension_beyond_apex.h"
-#include "postprocess/pvd.h"
+#include "postprocess/vtk/pvd.h"
 
 #include <fmt/format.h>
 

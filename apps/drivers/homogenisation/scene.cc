@@ -9,9 +9,9 @@
 #include "apps/results/warning.h"
 #include "apps/scene/length_unit_entry.h"
 #include "apps/scene/value_text.h"
-#include "postprocess/atomic_file.h"
-#include "postprocess/packing_io.h"
-#include "postprocess/plot.h"
+#include "postprocess/files/atomic_file.h"
+#include "postprocess/packings/packing_io.h"
+#include "postprocess/pictures/plot.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

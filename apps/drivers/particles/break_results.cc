@@ -2,9 +2,9 @@
 
 #include "apps/results/warning.h"
 #include "dem/facets/surface.h"
-#include "postprocess/break_log.h"
-#include "postprocess/break_pictures.h"
-#include "postprocess/force_chains.h"
+#include "postprocess/pictures/break_pictures.h"
+#include "postprocess/pictures/force_chains.h"
+#include "postprocess/vtk/break_log.h"
 
 #include <fmt/format.h>
 

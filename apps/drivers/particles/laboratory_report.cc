@@ -2,8 +2,8 @@
 
 #include "apps/drivers/parts/summary_head.h"
 #include "apps/results/warning.h"
-#include "postprocess/plot.h"
-#include "postprocess/series.h"
+#include "postprocess/files/series.h"
+#include "postprocess/pictures/plot.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -6,7 +6,7 @@
 #include "apps/scene/specimen_section.h"
 #include "dem/genesis/vessel.h"
 #include "dem/laboratory/lab_test.h"
-#include "postprocess/series.h"
+#include "postprocess/files/series.h"
 
 #include <string>
 #include <vector>

@@ -10,7 +10,7 @@
 #include "apps/scene/gravity_section.h"
 #include "apps/scene/output_section.h"
 #include "apps/scene/time_section.h"
-#include "postprocess/series.h"
+#include "postprocess/files/series.h"
 
 #include <limits>
 

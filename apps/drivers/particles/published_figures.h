@@ -2,7 +2,7 @@
 
 #include "apps/scene/section.h"
 #include "dem/laboratory/test_figures.h"
-#include "postprocess/plot.h"
+#include "postprocess/pictures/plot.h"
 
 #include <nlohmann/json_fwd.hpp>
 

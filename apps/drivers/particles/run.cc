@@ -11,9 +11,9 @@
 #include "apps/results/life_cycle.h"
 #include "apps/results/warning.h"
 #include "dem/observation/discrete_state.h"
-#include "postprocess/discrete_state_hdf5.h"
-#include "postprocess/packing_io.h"
-#include "postprocess/specimen_picture.h"
+#include "postprocess/hdf5/discrete_state_hdf5.h"
+#include "postprocess/packings/packing_io.h"
+#include "postprocess/pictures/specimen_picture.h"
 
 #include <fmt/format.h>
 

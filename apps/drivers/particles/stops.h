@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/scene/section.h"
-#include "postprocess/csv_table.h"
+#include "postprocess/files/csv_table.h"
 
 #include <list>
 #include <string>

@@ -3,7 +3,7 @@
 #include "base/errors.h"
 #include "dem/facets/slivers.h"
 #include "fem/mesh/gmsh_file.h"
-#include "postprocess/numeric_text.h"
+#include "postprocess/files/numeric_text.h"
 
 #include <fmt/format.h>
 

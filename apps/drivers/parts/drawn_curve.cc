@@ -3,7 +3,7 @@
 #include "apps/results/warning.h"
 #include "apps/scene/nearest_name.h"
 #include "base/errors.h"
-#include "postprocess/drawn_unit.h"
+#include "postprocess/pictures/drawn_unit.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "postprocess/csv_table.h"
-#include "postprocess/plot.h"
+#include "postprocess/files/csv_table.h"
+#include "postprocess/pictures/plot.h"
 
 #include <filesystem>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "dem/model/energy.h"
-#include "postprocess/series.h"
+#include "postprocess/files/series.h"
 
 #include <nlohmann/json_fwd.hpp>
 

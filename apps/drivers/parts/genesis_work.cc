@@ -6,9 +6,9 @@
 #include "apps/process/version.h"
 #include "apps/results/warning.h"
 #include "dem/genesis/contact_areas.h"
-#include "postprocess/atomic_file.h"
-#include "postprocess/packing_io.h"
-#include "postprocess/packing_picture.h"
+#include "postprocess/files/atomic_file.h"
+#include "postprocess/packings/packing_io.h"
+#include "postprocess/pictures/packing_picture.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -5,7 +5,7 @@
 #include "dem/grips/grip_layers.h"
 #include "dem/loading/curve_figures.h"
 #include "dem/observation/crack.h"
-#include "postprocess/plot.h"
+#include "postprocess/pictures/plot.h"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -4,7 +4,7 @@
 #include "apps/drivers/parts/static_start.h"
 #include "apps/scene/scene.h"
 #include "dem/specimen/specimen.h"
-#include "postprocess/csv_table.h"
+#include "postprocess/files/csv_table.h"
 
 #include <nlohmann/json_fwd.hpp>
 

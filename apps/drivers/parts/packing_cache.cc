@@ -1,9 +1,9 @@
 #include "apps/drivers/parts/packing_cache.h"
 
 #include "base/errors.h"
-#include "postprocess/digest.h"
-#include "postprocess/errors.h"
-#include "postprocess/hdf5_file.h"
+#include "postprocess/files/digest.h"
+#include "postprocess/files/errors.h"
+#include "postprocess/hdf5/hdf5_file.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "apps/drivers/parts/packing_file.h"
 
 #include "base/errors.h"
-#include "postprocess/packing_io.h"
+#include "postprocess/packings/packing_io.h"
 
 #include <fmt/format.h>
 

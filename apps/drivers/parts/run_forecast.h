@@ -2,8 +2,8 @@
 
 #include "apps/drivers/parts/duration.h"
 #include "apps/process/progress.h"
-#include "postprocess/errors.h"
-#include "postprocess/scratch_folder.h"
+#include "postprocess/files/errors.h"
+#include "postprocess/files/scratch_folder.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "postprocess/csv_table.h"
+#include "postprocess/files/csv_table.h"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -11,7 +11,7 @@
 #include "dem/packing/moulded_box.h"
 #include "dem/packing/overlaps.h"
 #include "dem/packing/tiling.h"
-#include "postprocess/packing_io.h"
+#include "postprocess/packings/packing_io.h"
 
 #include <fmt/format.h>
 

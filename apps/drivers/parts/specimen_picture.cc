@@ -1,6 +1,6 @@
 #include "apps/drivers/parts/specimen_picture.h"
 
-#include "postprocess/picture_axes.h"
+#include "postprocess/pictures/picture_axes.h"
 
 #include <Eigen/Geometry>
 

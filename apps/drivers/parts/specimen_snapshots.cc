@@ -2,10 +2,10 @@
 
 #include "apps/results/snapshots.h"
 #include "dem/observation/link_images.h"
-#include "postprocess/break_log.h"
-#include "postprocess/vtk_links.h"
-#include "postprocess/vtk_particles.h"
-#include "postprocess/vtk_walls.h"
+#include "postprocess/vtk/break_log.h"
+#include "postprocess/vtk/vtk_links.h"
+#include "postprocess/vtk/vtk_particles.h"
+#include "postprocess/vtk/vtk_walls.h"
 
 namespace apps
 {

@@ -2,7 +2,7 @@
 
 #include "apps/results/run_state.h"
 #include "dem/specimen/specimen.h"
-#include "postprocess/pvd.h"
+#include "postprocess/vtk/pvd.h"
 
 #include <filesystem>
 #include <optional>

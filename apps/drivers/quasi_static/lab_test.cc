@@ -3,9 +3,9 @@
 #include "apps/results/snapshots.h"
 #include "apps/results/warning.h"
 #include "dem/observation/path_output.h"
-#include "postprocess/specimen_picture.h"
-#include "postprocess/vtk_links.h"
-#include "postprocess/vtk_particles.h"
+#include "postprocess/pictures/specimen_picture.h"
+#include "postprocess/vtk/vtk_links.h"
+#include "postprocess/vtk/vtk_particles.h"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 #include "apps/results/run_work.h"
 #include "apps/results/warning.h"
 #include "dem/observation/link_images.h"
-#include "postprocess/pvd.h"
+#include "postprocess/vtk/pvd.h"
 
 #include <filesystem>
 #include <memory>

@@ -5,7 +5,7 @@
 #include "apps/drivers/continuum/solid.h"
 #include "apps/process/mpi_session.h"
 #include "coupling/sequential/transfer.h"
-#include "postprocess/errors.h"
+#include "postprocess/files/errors.h"
 
 namespace apps
 {

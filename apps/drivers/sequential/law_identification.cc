@@ -6,9 +6,9 @@
 #include "apps/drivers/sequential/scene.h"
 #include "apps/results/warning.h"
 #include "coupling/sequential/damage_observation.h"
-#include "postprocess/atomic_file.h"
-#include "postprocess/plot.h"
-#include "postprocess/summary.h"
+#include "postprocess/files/atomic_file.h"
+#include "postprocess/files/summary.h"
+#include "postprocess/pictures/plot.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -3,7 +3,7 @@
 #include "apps/drivers/sequential/transfer_section.h"
 #include "apps/scene/value_text.h"
 #include "base/errors.h"
-#include "postprocess/digest.h"
+#include "postprocess/files/digest.h"
 
 #include <fmt/format.h>
 

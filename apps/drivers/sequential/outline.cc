@@ -5,7 +5,7 @@
 #include "apps/process/mpi_session.h"
 #include "apps/scene/nearest_name.h"
 #include "fem/mesh/extent.h"
-#include "postprocess/discrete_state_hdf5.h"
+#include "postprocess/hdf5/discrete_state_hdf5.h"
 
 #include <deal.II/grid/grid_tools.h>
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 
 #include "apps/drivers/sequential/study.h"
 #include "dem/model/packing.h"
-#include "postprocess/series.h"
+#include "postprocess/files/series.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #include "apps/drivers/sequential/particle_case.h"
 
 #include "apps/drivers/parts/duration.h"
-#include "postprocess/discrete_state_hdf5.h"
+#include "postprocess/hdf5/discrete_state_hdf5.h"
 
 #include <fmt/format.h>
 

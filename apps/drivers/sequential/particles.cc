@@ -3,10 +3,10 @@
 #include "apps/process/interrupt.h"
 #include "apps/process/progress.h"
 #include "apps/results/life_cycle.h"
-#include "postprocess/atomic_file.h"
-#include "postprocess/checkpoint.h"
-#include "postprocess/discrete_state_hdf5.h"
-#include "postprocess/errors.h"
+#include "postprocess/files/atomic_file.h"
+#include "postprocess/files/errors.h"
+#include "postprocess/hdf5/checkpoint.h"
+#include "postprocess/hdf5/discrete_state_hdf5.h"
 
 #include <fmt/format.h>
 

@@ -9,8 +9,8 @@
 #include "apps/process/stopwatch.h"
 #include "apps/results/terminal.h"
 #include "apps/results/warning.h"
-#include "postprocess/atomic_file.h"
-#include "postprocess/summary.h"
+#include "postprocess/files/atomic_file.h"
+#include "postprocess/files/summary.h"
 
 #include <fmt/format.h>
 

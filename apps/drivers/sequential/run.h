@@ -4,7 +4,7 @@
 #include "apps/drivers/sequential/scene.h"
 #include "apps/drivers/sequential/study_folder.h"
 #include "apps/results/run_result.h"
-#include "postprocess/scratch_folder.h"
+#include "postprocess/files/scratch_folder.h"
 
 #include <memory>
 

@@ -3,8 +3,8 @@
 #include "apps/results/input_files.h"
 #include "apps/results/life_cycle.h"
 #include "apps/results/run_observer.h"
-#include "postprocess/atomic_file.h"
-#include "postprocess/numeric_text.h"
+#include "postprocess/files/atomic_file.h"
+#include "postprocess/files/numeric_text.h"
 
 namespace apps
 {

@@ -1,6 +1,6 @@
 #include "apps/drivers/sequential/study.h"
-#include "postprocess/drawn_unit.h"
-#include "postprocess/plot.h"
+#include "postprocess/pictures/drawn_unit.h"
+#include "postprocess/pictures/plot.h"
 
 #include <algorithm>
 #include <cmath>

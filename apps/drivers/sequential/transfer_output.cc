@@ -1,7 +1,7 @@
 #include "apps/drivers/sequential/transfer_output.h"
 
-#include "postprocess/errors.h"
-#include "postprocess/vtk_points.h"
+#include "postprocess/files/errors.h"
+#include "postprocess/vtk/vtk_points.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

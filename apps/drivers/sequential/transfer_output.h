@@ -2,7 +2,7 @@
 
 #include "coupling/sequential/particle_field.h"
 #include "coupling/sequential/transfer_report.h"
-#include "postprocess/pvd.h"
+#include "postprocess/vtk/pvd.h"
 
 #include <nlohmann/json_fwd.hpp>
 

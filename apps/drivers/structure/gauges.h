@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/drivers/particles/groups.h"
-#include "postprocess/series.h"
+#include "postprocess/files/series.h"
 
 #include <Eigen/Core>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "dem/statics/quasi_static_path.h"
-#include "postprocess/csv_table.h"
+#include "postprocess/files/csv_table.h"
 
 #include <optional>
 #include <vector>

@@ -8,7 +8,7 @@
 #include "apps/results/warning.h"
 #include "apps/scene/tension_beyond_apex.h"
 #include "dem/observation/crack.h"
-#include "postprocess/plot.h"
+#include "postprocess/pictures/plot.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

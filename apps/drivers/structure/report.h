@@ -2,7 +2,7 @@
 
 #include "apps/drivers/structure/structure.h"
 #include "apps/scene/scene.h"
-#include "postprocess/csv_table.h"
+#include "postprocess/files/csv_table.h"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -8,9 +8,9 @@
 #include "apps/results/life_cycle.h"
 #include "apps/results/snapshots.h"
 #include "apps/results/warning.h"
-#include "postprocess/specimen_picture.h"
-#include "postprocess/vtk_links.h"
-#include "postprocess/vtk_particles.h"
+#include "postprocess/pictures/specimen_picture.h"
+#include "postprocess/vtk/vtk_links.h"
+#include "postprocess/vtk/vtk_particles.h"
 
 #include <fmt/format.h>
 

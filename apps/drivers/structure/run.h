@@ -3,7 +3,7 @@
 #include "apps/drivers/structure/promotion.h"
 #include "apps/results/run_result.h"
 #include "apps/scene/scene.h"
-#include "postprocess/pvd.h"
+#include "postprocess/vtk/pvd.h"
 
 #include <filesystem>
 #include <optional>

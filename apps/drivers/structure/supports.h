@@ -2,7 +2,7 @@
 
 #include "apps/drivers/particles/groups.h"
 #include "apps/scene/vector_formula.h"
-#include "dem/statics/loaded_network.h"
+#include "dem/network/loaded_network.h"
 
 #include <list>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/drivers/transmission/wave_case.h"
-#include "postprocess/plot.h"
+#include "postprocess/pictures/plot.h"
 
 #include <nlohmann/json_fwd.hpp>
 

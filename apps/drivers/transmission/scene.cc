@@ -11,7 +11,7 @@
 #include "apps/scene/name_list.h"
 #include "apps/scene/number_list.h"
 #include "apps/scene/value_text.h"
-#include "postprocess/atomic_file.h"
+#include "postprocess/files/atomic_file.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -8,10 +8,10 @@
 #include "coupling/concurrent/concurrent_motion.h"
 #include "dem/homogenisation/relaxed_stiffness.h"
 #include "dem/laws/elastic_links.h"
+#include "dem/network/elastic_network.h"
 #include "dem/packing/compaction.h"
 #include "dem/packing/tiling.h"
 #include "dem/specimen/specimen.h"
-#include "dem/statics/elastic_network.h"
 #include "fem/materials/anisotropic_elastic.h"
 #include "fem/mesh/shapes.h"
 

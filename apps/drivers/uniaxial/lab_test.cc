@@ -6,8 +6,8 @@
 #include "apps/results/warning.h"
 #include "base/errors.h"
 #include "dem/observation/discrete_state.h"
-#include "postprocess/discrete_state_hdf5.h"
-#include "postprocess/specimen_picture.h"
+#include "postprocess/hdf5/discrete_state_hdf5.h"
+#include "postprocess/pictures/specimen_picture.h"
 
 #include <fmt/format.h>
 

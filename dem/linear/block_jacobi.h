@@ -1,0 +1,28 @@
+#pragma once
+
+#include "dem/linear/preconditioner.h"
+
+namespace dem
+{
+  /**
+   * Inverse of each particle's own 6 x 6 block.
+   *
+   * A motion to which none of the particle's links answers (a floater's, or the spin of a particle with two links) gives a
+   * singular block; the pseudo-inverse leaves that motion where it is.
+   */
+  class BlockJacobi : public Preconditioner
+  {
+  public:
+    explicit BlockJacobi(const StiffnessOperator &stiffness);
+    void apply(const Fields &r, Fields &z) const override;
+
+  private:
+    std::vector<Block> inverse;
+  };
+
+  /**
+   * Pseudo-inverse of a symmetric positive semi-definite block; eigenvalues below `cut` times the largest count as zero.
+   * Rows and columns of held motions are left out and come back as zero.
+   */
+  Block pseudo_inverse(const Block &block, HeldMotions held, double cut);
+} // namespace dem

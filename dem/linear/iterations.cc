@@ -1,0 +1,176 @@
+#include "dem/linear/iterations.h"
+
+#include "base/errors.h"
+#include "dem/core/simd.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace dem
+{
+  namespace
+  {
+    using Lanes = Pack;
+
+    /** Values per chunk; sums run over chunks in order, so that threads change no bit. */
+    constexpr std::int64_t chunk = 128 * motions * load_lanes;
+
+    Lanes pack_of(const std::array<double, load_lanes> &values) { return Lanes::load_unaligned(values.data()); }
+
+    /** a/b where b > 0, else 0; never divides by zero. */
+    Lanes quotient(const Lanes &a, const Lanes &b)
+    {
+      const auto safe = b > Lanes(0.0);
+      return select(safe, a / select(safe, b, Lanes(1.0)), Lanes(0.0));
+    }
+
+    /** Visit all values eight lanes at a time and add up what the body returns. */
+    template <typename Body>
+    Lanes sum_over(const std::size_t size, const Body &body)
+    {
+      const std::int64_t n      = static_cast<std::int64_t>(size);
+      const std::int64_t chunks = (n + chunk - 1) / chunk;
+      base::Column       partial(chunks * load_lanes);
+#pragma omp parallel for schedule(static)
+      for (std::int64_t k = 0; k < chunks; ++k)
+        {
+          Lanes sum = 0.0;
+          for (std::int64_t i = k * chunk; i < std::min(n, (k + 1) * chunk); i += load_lanes)
+            sum += body(i);
+          store(sum, &partial[k * load_lanes]);
+        }
+      Lanes sum = 0.0;
+      for (std::int64_t k = 0; k < chunks; ++k)
+        sum += load(&partial[k * load_lanes]);
+      return sum;
+    }
+
+    Lanes dot(const Fields &a, const Fields &b)
+    {
+      return sum_over(a.size(), [&](const std::int64_t i) { return load(&a[i]) * load(&b[i]); });
+    }
+
+    /** x += alpha p, r -= alpha q; returns r.r. */
+    Lanes advance(const Lanes &alpha, const Fields &p, const Fields &q, Fields &x, Fields &r)
+    {
+      return sum_over(x.size(), [&](const std::int64_t i) {
+        store(multiply_add(alpha, load(&p[i]), load(&x[i])), &x[i]);
+        const Lanes next = negative_multiply_add(alpha, load(&q[i]), load(&r[i]));
+        store(next, &r[i]);
+        return next * next;
+      });
+    }
+
+    /** p = z + beta p */
+    void turn(const Lanes &beta, const Fields &z, Fields &p)
+    {
+      sum_over(p.size(), [&](const std::int64_t i) {
+        store(multiply_add(beta, load(&p[i]), load(&z[i])), &p[i]);
+        return Lanes(0.0);
+      });
+    }
+
+    /** r = b - K x, zero in held motions; returns r.r. */
+    Lanes residual(const StiffnessOperator &stiffness, const Fields &b, const Fields &x, Fields &r)
+    {
+      stiffness.apply(x, r);
+      sum_over(r.size(), [&](const std::int64_t i) {
+        store(load(&b[i]) - load(&r[i]), &r[i]);
+        return Lanes(0.0);
+      });
+      stiffness.mask(r);
+      return dot(r, r);
+    }
+
+    void require_numbers(const Lanes &squares, const int iteration)
+    {
+      for (int lane = 0; lane < load_lanes; ++lane)
+        if (!std::isfinite(static_cast<double>(squares[lane])))
+          throw base::NumericalError("static solution: the residual of load case " + std::to_string(lane + 1) +
+                                     " is not a number after " + std::to_string(iteration) + " iterations.");
+    }
+
+    void conclude(const Lanes &squares, const Lanes &target, const Lanes &scale, IterationReport &report)
+    {
+      report.converged     = !any(squares > target);
+      const Lanes relative = square_root(quotient(squares, scale * scale));
+      for (int lane = 0; lane < load_lanes; ++lane)
+        report.residual[lane] = relative[lane];
+    }
+  } // namespace
+
+  double IterationReport::largest_residual() const { return *std::max_element(residual.begin(), residual.end()); }
+
+  IterationReport conjugate_gradients(const StiffnessOperator              &stiffness,
+                                      const Preconditioner                 &preconditioner,
+                                      const Fields                         &b,
+                                      Fields                               &x,
+                                      const std::array<double, load_lanes> &reference,
+                                      const IterationLimits                &limits)
+  {
+    const Lanes     scale  = pack_of(reference);
+    const Lanes     target = Lanes(limits.tolerance * limits.tolerance) * scale * scale;
+    Fields          r(x.size()), z(x.size()), p(x.size(), 0.0), q(x.size());
+    IterationReport report;
+
+    // A restart from the true residual costs one product and takes back what rounding has let the recurrence lose.
+    constexpr int most_restarts = 5;
+    Lanes         squares       = residual(stiffness, b, x, r);
+    for (int restart = 0; restart <= most_restarts && report.iterations < limits.max_iterations; ++restart)
+      {
+        require_numbers(squares, report.iterations);
+        if (!any(squares > target))
+          break;
+        Lanes rz = 0.0, current = squares;
+        while (any(current > target) && report.iterations < limits.max_iterations)
+          {
+            preconditioner.apply(r, z);
+            const Lanes next = dot(r, z);
+            turn(quotient(next, rz), z, p);
+            rz = next;
+            stiffness.apply(p, q);
+            if (stiffness.anything_held())
+              stiffness.mask(q);
+            const Lanes alpha = select(current > target, quotient(rz, dot(p, q)), Lanes(0.0));
+            current           = advance(alpha, p, q, x, r);
+            ++report.iterations;
+            require_numbers(current, report.iterations);
+          }
+        squares = residual(stiffness, b, x, r);
+      }
+
+    conclude(squares, target, scale, report);
+    return report;
+  }
+
+  IterationReport refine(const StiffnessOperator              &stiffness,
+                         const Preconditioner                 &factor,
+                         const Fields                         &b,
+                         Fields                               &x,
+                         const std::array<double, load_lanes> &reference,
+                         const IterationLimits                &limits)
+  {
+    const Lanes     scale  = pack_of(reference);
+    const Lanes     target = Lanes(limits.tolerance * limits.tolerance) * scale * scale;
+    Fields          r(x.size()), z(x.size());
+    IterationReport report;
+    Lanes           squares = residual(stiffness, b, x, r);
+    require_numbers(squares, 0);
+    while (any(squares > target) && report.iterations < limits.max_iterations)
+      {
+        factor.apply(r, z);
+        const Lanes step = select(squares > target, Lanes(1.0), Lanes(0.0));
+        sum_over(x.size(), [&](const std::int64_t i) {
+          store(load(&x[i]) + step * load(&z[i]), &x[i]);
+          return Lanes(0.0);
+        });
+        squares = residual(stiffness, b, x, r);
+        ++report.iterations;
+        require_numbers(squares, report.iterations);
+      }
+    conclude(squares, target, scale, report);
+    return report;
+  }
+} // namespace dem

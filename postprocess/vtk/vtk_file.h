@@ -1,0 +1,75 @@
+#pragma once
+
+#include "postprocess/vtk/fields.h"
+
+#include <Eigen/Core>
+#include <vtkCellArray.h>
+#include <vtkDataArray.h>
+#include <vtkDataSet.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/** Columns as VTK arrays, and a VTK file written atomically: what the writers share. */
+namespace postprocess::vtk_file
+{
+  using Array = vtkSmartPointer<vtkDataArray>;
+
+  Array make_array(const std::string &name, const std::vector<double> &values);
+  Array make_array(const std::string &name, const std::vector<std::int32_t> &values);
+  Array make_array(const std::string &name, const std::vector<Eigen::Vector3d> &values);
+  /** Symmetric tensor in VTK's order XX YY ZZ XY YZ XZ. */
+  Array make_array(const std::string &name, const std::vector<Eigen::Matrix3d> &values);
+  /** Rows of 1, 3 (vector) or 6 numbers (symmetric tensor, in VTK's order). */
+  Array make_array(const std::string &name, const std::vector<float> &values, int components);
+  /** 1, 2, ... */
+  Array make_numbering(const std::string &name, std::size_t count);
+
+  /** Names the components of a tensor as ParaView shows them. */
+  void name_components(vtkDataArray &array);
+
+  /** Adds arrays to a data set as its kind of file declares them: point or cell data, with the unit. */
+  class FieldWriter
+  {
+  public:
+    FieldWriter(const FieldFile &what, vtkDataSet *where)
+      : file(what)
+      , data(where)
+    {
+    }
+
+    /** @throws std::logic_error if the field is not declared, or with other components */
+    void add(const Array &array) const;
+
+    template <typename Values>
+    void add(const std::string &name, const Values &values) const
+    {
+      add(make_array(name, values));
+    }
+
+    /** Cell data that a link law or a material of its own declares, in its names. */
+    void add_own(const std::string &name, const std::string &unit, const std::vector<double> &values) const;
+
+  private:
+    const FieldFile &file;
+    vtkDataSet      *data;
+  };
+
+  vtkSmartPointer<vtkPoints> make_points(const std::vector<Eigen::Vector3d> &position);
+
+  /** One vertex cell per point: what ParaView shows and picks, and its threshold filter works on. */
+  vtkSmartPointer<vtkCellArray> one_vertex_each(std::size_t count);
+
+  /** Refuse columns of unequal length. @throws std::invalid_argument naming the caller and the column. */
+  void check_length(const char *caller, const char *column, std::size_t length, std::size_t expected);
+
+  /** Write as .vtp or .vtu (binary, compressed by zlib) with its time [s]. @throws OutputError. */
+  void write(const std::filesystem::path &path, vtkPolyData *data, double time);
+  void write(const std::filesystem::path &path, vtkUnstructuredGrid *data, double time);
+} // namespace postprocess::vtk_file
