@@ -3,6 +3,7 @@
 #include "apps/drivers/read_scene.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
+#include "apps/scene/reader.h"
 
 #include <fmt/format.h>
 
@@ -17,7 +18,9 @@ namespace apps
       use_threads(options.threads);
       const CheckedScene scene = read_scene(options.scene, options.overrides);
       catch_interrupts();
-      fmt::print("{}: valid\n{}", options.scene, scene.scene->forecast());
+      std::string forecast;
+      with_places(*scene.root, [&] { forecast = scene.scene->forecast(); });
+      fmt::print("{}: valid\n{}", options.scene, forecast);
       return exit_success;
     }
   } // namespace

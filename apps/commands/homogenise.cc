@@ -67,7 +67,7 @@ namespace apps
                                 }),
                  said.end());
       assign(root, said, scene);
-      check_in_text(root, [&] { materials.check({}, dimension); });
+      with_places(root, [&] { materials.check({}, dimension); });
       materials.assign(packing, dimension, scene);
       return materials.materials();
     }

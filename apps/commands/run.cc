@@ -5,6 +5,7 @@
 #include "apps/process/interrupt.h"
 #include "apps/results/run_result.h"
 #include "apps/results/terminal.h"
+#include "apps/scene/reader.h"
 
 #include <memory>
 
@@ -34,7 +35,9 @@ namespace apps
       request.overrides  = options.overrides;
       Terminal terminal;
       request.observers = {&terminal};
-      return scene.scene->run(request).exit_status();
+      int status        = exit_success;
+      with_places(*scene.root, [&] { status = scene.scene->run(request).exit_status(); });
+      return status;
     }
   } // namespace
 

@@ -152,7 +152,7 @@ namespace apps
     declare_all(read);
     refuse_of_other_kinds(read, assignments);
     assign(*read.root, assignments, file);
-    check_in_text(*read.root, [&] { read.scene->check(); });
+    with_places(*read.root, [&] { read.scene->check(); });
     return read;
   }
 

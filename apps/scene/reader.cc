@@ -122,11 +122,11 @@ namespace apps
     refuse_missing(root, source);
   }
 
-  void check_in_text(const Section &root, const std::function<void()> &check)
+  void with_places(const Section &root, const std::function<void()> &work)
   {
     try
       {
-        check();
+        work();
       }
     catch (const base::EntryError &refused)
       {

@@ -20,9 +20,9 @@ namespace apps
   void assign(Section &root, const std::vector<Assignment> &assignments, const std::string &source);
 
   /**
-   * Check a model that a section tree has filled: a base::EntryError becomes a message with the place of the entry in the text and its
-   * value.
-   * @throws base::InputError.
+   * Check, or work with, a model that a section tree has filled: a base::EntryError becomes a message with the place of the entry in the
+   * text and its value.
+   * @throws base::InputError, and what `work` throws.
    */
-  void check_in_text(const Section &root, const std::function<void()> &check);
+  void with_places(const Section &root, const std::function<void()> &work);
 } // namespace apps

@@ -2,6 +2,7 @@
 
 #include "base/errors.h"
 #include "base/number_text.h"
+#include "dem/specimen/specimen.h"
 
 #include <cmath>
 #include <sstream>

@@ -10,6 +10,7 @@
 #include "dem/laws/contact_bond.h"
 #include "dem/laws/cpm.h"
 #include "dem/laws/flat_joint.h"
+#include "dem/laws/hertz_mindlin.h"
 #include "dem/laws/linear_contact.h"
 #include "dem/laws/parallel_bond.h"
 #include "dem/packing/compaction.h"
@@ -35,14 +36,15 @@ namespace
   /** How hard the links work while they are timed. */
   enum class State
   {
-    elastic,   ///< below the onset of damage
-    softening, ///< every link stretched past it and further at every step: the exponential is evaluated for all
-    materials, ///< elastic, and every other particle of a second material: each link gathers its constants
-    cemented,  ///< links with moments: linear parallel bonds below their strength
-    glued,     ///< contact bonds below their strength
-    touching,  ///< linear contacts, pressed
-    jointed,   ///< flat joints of four elements, all bonded
-    slit       ///< flat joints of four elements, none bonded: each is looked at
+    elastic,         ///< below the onset of damage
+    softening,       ///< every link stretched past it and further at every step: the exponential is evaluated for all
+    materials,       ///< elastic, and every other particle of a second material: each link gathers its constants
+    cemented,        ///< links with moments: linear parallel bonds below their strength
+    glued,           ///< contact bonds below their strength
+    touching,        ///< linear contacts, pressed
+    elastic_spheres, ///< contacts after Hertz and Mindlin with a dashpot, pressed
+    jointed,         ///< flat joints of four elements, all bonded
+    slit             ///< flat joints of four elements, none bonded: each is looked at
   };
 
   const char *name_of(const State state)
@@ -61,6 +63,8 @@ namespace
         return "contact bond";
       case State::touching:
         return "linear contact";
+      case State::elastic_spheres:
+        return "hertz-mindlin";
       case State::jointed:
         return "flat joint";
       case State::slit:
@@ -110,6 +114,15 @@ namespace
     return p;
   }
 
+  dem::HertzMindlinParameters glass()
+  {
+    dem::HertzMindlinParameters p;
+    p.young_modulus        = 25e9;
+    p.friction_coefficient = 0.8;
+    p.restitution          = 0.8;
+    return p;
+  }
+
   dem::FlatJointParameters joints(const bool slit)
   {
     dem::FlatJointParameters p;
@@ -134,6 +147,8 @@ namespace
         return glue();
       case State::touching:
         return grains();
+      case State::elastic_spheres:
+        return glass();
       case State::jointed:
       case State::slit:
         return joints(state == State::slit);
@@ -193,7 +208,8 @@ namespace
     parameters.density           = 4800;
     parameters.interaction_ratio = 1.5;
     parameters.damping           = 0.3;
-    dem::Packing      particles  = state == State::touching ? pressed(packing) : packing;
+    const bool        contacts   = state == State::touching || state == State::elastic_spheres;
+    dem::Packing      particles  = contacts ? pressed(packing) : packing;
     dem::CpmMaterials materials  = concrete();
     if (state == State::materials)
       {
@@ -217,7 +233,7 @@ namespace
     for (std::size_t i = 0; i < packing.size(); ++i)
       specimen.set_velocity(i, rate * packing.centre[i],
                             plane ? Eigen::Vector3d(0, 0, 0.5) : Eigen::Vector3d(1.0, -2.0, 0.5));
-    if (state == State::touching)
+    if (contacts)
       hold_edges(specimen, particles, plane);
     return specimen;
   }
@@ -335,7 +351,7 @@ int main(int argc, char **argv)
   for (const double size : sizes)
     print_case(cube(cell, size), few, most_threads,
                {State::elastic, State::softening, State::materials, State::cemented, State::glued, State::touching,
-                State::jointed, State::slit});
+                State::elastic_spheres, State::jointed, State::slit});
   std::printf("\nDiscs in the plane:\n\n%s", header.c_str());
   const auto discs = [](const double count) {
     const int edge = static_cast<int>(std::sqrt(count));
@@ -343,5 +359,5 @@ int main(int argc, char **argv)
   };
   for (const double size : sizes)
     print_case(discs(size), discs(400), most_threads,
-               {State::cemented, State::glued, State::touching, State::jointed, State::slit});
+               {State::cemented, State::glued, State::touching, State::elastic_spheres, State::jointed, State::slit});
 }
