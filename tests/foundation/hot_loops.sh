@@ -5,7 +5,8 @@
 #
 # A kernel is one straight line of arithmetic on registers. Where the compiler stops inlining half-way it passes packs through memory,
 # at a fraction of the speed, and nothing else tells of it. What may be called: branches that are kept out of the line on purpose
-# (BRECCIA_BRANCH, BRECCIA_RARE), fma and what stands for it on processors without the instruction, and outside the loops the runtime of OpenMP and what sets sums to zero.
+# (BRECCIA_BRANCH, BRECCIA_RARE), fma and what stands for it on processors without the instruction, and outside the loops the runtime of
+# OpenMP and what sets sums to zero.
 set -euo pipefail
 
 objdump=$1
