@@ -2,6 +2,7 @@
 
 #include "dem/core/inline.h"
 #include "dem/core/multiply_add.h"
+#include "dem/core/vector_signs.h"
 #include "dem/core/vector_width.h"
 
 #include <cmath>
@@ -44,7 +45,6 @@ namespace dem::native
   BRECCIA_KERNEL __m256d minimum(const __m256d a, const __m256d b) { return _mm256_min_pd(a, b); }
   BRECCIA_KERNEL __m256d square_root(const __m256d a) { return _mm256_sqrt_pd(a); }
   BRECCIA_KERNEL void    stream(const __m256d a, double *to) { _mm256_stream_pd(to, a); }
-  BRECCIA_KERNEL bool    any_signs(const __m256d a) { return _mm256_movemask_pd(a) != 0; }
 #endif
 
 #if defined(__SSE2__)
@@ -52,7 +52,6 @@ namespace dem::native
   BRECCIA_KERNEL __m128d minimum(const __m128d a, const __m128d b) { return _mm_min_pd(a, b); }
   BRECCIA_KERNEL __m128d square_root(const __m128d a) { return _mm_sqrt_pd(a); }
   BRECCIA_KERNEL void    stream(const __m128d a, double *to) { _mm_stream_pd(to, a); }
-  BRECCIA_KERNEL bool    any_signs(const __m128d a) { return _mm_movemask_pd(a) != 0; }
 #elif defined(__aarch64__)
   BRECCIA_KERNEL float64x2_t maximum(const float64x2_t a, const float64x2_t b)
   {
@@ -64,7 +63,6 @@ namespace dem::native
   }
   BRECCIA_KERNEL float64x2_t square_root(const float64x2_t a) { return vsqrtq_f64(a); }
   BRECCIA_KERNEL void        stream(const float64x2_t a, double *to) { vst1q_f64(to, a); }
-  BRECCIA_KERNEL bool        any_signs(const float64x2_t a) { return vmaxvq_u32(vreinterpretq_u32_f64(a)) >> 31 != 0; }
 #endif
 
 #if defined(__FMA__)

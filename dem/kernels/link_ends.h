@@ -1,5 +1,6 @@
 #pragma once
 
+#include "dem/core/apart.h"
 #include "dem/kernels/kinematics.h"
 #include "dem/kernels/moment_kinematics.h"
 #include "dem/model/links.h"
@@ -21,9 +22,10 @@ namespace dem::link_update
   /** Second ends are images of particles. */
   BRECCIA_KERNEL void reach_to_images(const Particles &particles, const LinkSet &links, const std::size_t l, Ends &ends)
   {
+    const std::int32_t *images = apart(&links.image[l]);
     for (int lane = 0; lane < pack_size; ++lane)
       {
-        const std::size_t image = record_size * static_cast<std::size_t>(links.image[l + lane]);
+        const std::size_t image = record_size * static_cast<std::size_t>(images[lane]);
         ends.pose[lane] += load(&particles.cell.offset[image]);
         ends.motion[lane] += load(&particles.cell.motion[image]);
       }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "dem/core/apart.h"
 #include "dem/core/simd.h"
 #include "dem/core/streaming.h"
 #include "dem/core/vector.h"
@@ -13,8 +14,15 @@ namespace dem::link_update
   BRECCIA_KERNEL void put_records(Pack (&out)[8], double *record, const bool streams)
   {
     transpose(out);
-    for (int lane = 0; lane < pack_size; ++lane)
-      put(out[lane], record + record_size * lane, streams);
+    if (streams)
+      {
+        double *const lines = apart(record);
+        for (int lane = 0; lane < pack_size; ++lane)
+          stream(out[lane], lines + record_size * lane);
+      }
+    else
+      for (int lane = 0; lane < pack_size; ++lane)
+        store(out[lane], record + record_size * lane);
   }
 
   /**

@@ -80,8 +80,8 @@ namespace postprocess
       const double       scale = set_axes(job, frame).per_metre;
       job.data["particles"]    = outline_rows(particles, view, shown, scale);
       job.script += "set title " + gnuplot_quoted(title) +
-                    " noenhanced\nset style fill solid 1 border lc rgb '#c8c8c8'\n" +
-                    "set key outside below center Left reverse samplen 2\nplot 'particles' using 1:2:3 with circles fc "
+                    " noenhanced\nset style fill solid 1 border lc rgb '#c8c8c8'\n" + legend_below() +
+                    "plot 'particles' using 1:2:3 with circles fc "
                     "rgb '#f2f2f2' notitle";
       for (const Mode &mode : modes)
         {

@@ -105,8 +105,8 @@ namespace postprocess
         append_row(outlines, {scale * view.on_paper(i).x(), scale * view.on_paper(i).y(), scale * particles.radius[i]});
       job.data["particles"] = outlines;
       job.script += "set title " + gnuplot_quoted(title) +
-                    " noenhanced\nset style fill solid 1 border lc rgb '#e0e0e0'\n"
-                    "set key outside below center Left reverse samplen 2\nplot 'particles' using 1:2:3 with circles fc "
+                    " noenhanced\nset style fill solid 1 border lc rgb '#e0e0e0'\n" + legend_below() +
+                    "plot 'particles' using 1:2:3 with circles fc "
                     "rgb '#fafafa' notitle";
       const std::string width  = numeric_text::rounded(widest);
       const bool        pushed = add_chains(job, chains, false, largest, scale);

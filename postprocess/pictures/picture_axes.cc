@@ -95,6 +95,11 @@ namespace postprocess
     return unit;
   }
 
+  std::string legend_below()
+  {
+    return "set key outside below center Left reverse samplen 2 height 1\n"; // without more height the two touch
+  }
+
   std::string colour_bar(const GnuplotJob &job, const PictureFrame &frame)
   {
     constexpr double least = 200; // [pixel]

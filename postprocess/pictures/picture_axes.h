@@ -46,6 +46,9 @@ namespace postprocess
    */
   LengthUnit set_axes(GnuplotJob &job, const PictureFrame &frame);
 
+  /** A legend below the picture, clear of the label of the axis above it: the line of a script. */
+  std::string legend_below();
+
   /** Place of the colour bar, for a script after set_axes(): beside a flat body it is higher than the body, so that its ticks have room. */
   std::string colour_bar(const GnuplotJob &job, const PictureFrame &frame);
 } // namespace postprocess

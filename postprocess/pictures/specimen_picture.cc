@@ -240,7 +240,7 @@ namespace postprocess
         job.script += "set title " + gnuplot_quoted(title) + " noenhanced\nset cblabel 'Damage'\nset cbrange [0:1]\n" +
                       colour_bar(job, frame) +
                       "set palette defined (0 '#f0f0f0', 1 '#5b7fb0')\nset style fill solid 1 noborder\n" +
-                      "set key outside below center Left reverse samplen 2\nplot ";
+                      legend_below() + "plot ";
         if (!slab.bodies.empty())
           {
             job.data["bodies"] = body_rows(slab.bodies, scale);

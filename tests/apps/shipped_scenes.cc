@@ -51,6 +51,7 @@ TEST_CASE("The first scene that a reader runs ends without a warning", "[apps][s
   INFO(outcome.err << outcome.out);
   REQUIRE(outcome.status == 0);
   CHECK_THAT(outcome.out, !Contains("warning"));
+  CHECK_THAT(outcome.err, !Contains("note:"));
   const auto summary = nlohmann::json::parse(content_of(folder / "results/summary.json"));
   CHECK(summary["warnings"].empty());
   for (const auto &test : summary["tests"])

@@ -129,6 +129,70 @@ TEST_CASE("a multiply-add in parts is rounded as the fused one", "[dem]")
   CHECK(wrong == 0);
 }
 
+TEST_CASE("a multiply-add in parts is rounded as the fused one where rounding twice would err", "[dem]")
+{
+  // Few bits, or all of them, make ties of the second rounding: with c a power of two near a unit of the product above all.
+  using Two [[gnu::vector_size(16)]] = double;
+  dem::UniformRandom random(3);
+  const auto         whole  = [&](const int below) { return static_cast<int>(below * random()); };
+  const auto         number = [&] {
+    const double scale = std::ldexp(1.0, whole(53)), fraction = 1 + random();
+    const double bits = random() < 0.5 ? std::floor(fraction * scale) / scale : 2 - 1 / (2 * scale);
+    return std::ldexp(random() < 0.5 ? bits : -bits, whole(60) - 30);
+  };
+  int wrong = 0, twice = 0;
+  for (int n = 0; n < 1000000; ++n)
+    {
+      const double a = number(), b = number(), product = a * b;
+      const double c =
+        std::ldexp(n % 2 == 0 ? 1.0 : number(), std::ilogb(product) + whole(112) - 56) + (n % 3 == 0 ? -product : 0.0);
+      const double fused = std::fma(a, b, c);
+      wrong += bits_of(dem::multiply_add_in_parts(Two{a, b}, Two{b, a}, Two{c, c})[n % 2]) != bits_of(fused);
+      twice += product + c != fused;
+    }
+  CHECK(wrong == 0);
+  CHECK(twice > 10000); // what a test could not miss
+}
+
+TEST_CASE("a multiply-add in parts is rounded as the fused one at both ends of the range, with the sign of zeros",
+          "[dem]")
+{
+  using Two [[gnu::vector_size(16)]] = double;
+  using Limits                       = std::numeric_limits<double>;
+  dem::UniformRandom random(4);
+  const double       ends[] = {
+          0.0, 1.0, Limits::denorm_min(), Limits::min(), Limits::max(), Limits::infinity(), Limits::quiet_NaN()};
+  // Of any size, the ends themselves, and pairs whose product lies around the smallest or the largest numbers.
+  const auto sized = [&](const int exponent) {
+    return std::ldexp(random() < 0.5 ? -1 - random() : 1 + random(), exponent);
+  };
+  const auto number = [&] {
+    const double end = ends[static_cast<int>(7 * random())];
+    return random() < 0.2 ? std::copysign(end, random() - 0.5) : sized(static_cast<int>(2098 * random()) - 1074);
+  };
+  int wrong = 0, subnormal = 0, infinite = 0, negative_zeros = 0;
+  for (int n = 0; n < 1000000; ++n)
+    {
+      const int    size = static_cast<int>(1000 * random()), edge = n % 3 == 0 ? -1074 : 1020;
+      const double a     = n % 3 == 2 ? number() : sized(edge < 0 ? -size : size),
+                   b     = n % 3 == 2 ? number() : sized(edge + (edge < 0 ? size + n % 220 : -size - n % 60)),
+                   c     = n % 5 == 0 ? -(a * b) :
+                           n % 5 == 1 ? number() :
+                                        sized(edge + (edge < 0 ? n % 240 : -n % 120));
+      const Two    parts = dem::multiply_add_in_parts(Two{a, 1.0}, Two{b, 2.0}, Two{c, 3.0});
+      const double fused = std::fma(a, b, c);
+      wrong += std::isnan(fused) ? !std::isnan(parts[0]) : bits_of(parts[0]) != bits_of(fused);
+      wrong += parts[1] != 5.0;
+      subnormal += fused != 0 && std::fabs(fused) < Limits::min();
+      infinite += std::isinf(fused);
+      negative_zeros += fused == 0 && std::signbit(fused);
+    }
+  CHECK(wrong == 0);
+  CHECK(subnormal > 10000);
+  CHECK(infinite > 10000);
+  CHECK(negative_zeros > 1000);
+}
+
 TEST_CASE("sums over a pack have one order for every width", "[dem]")
 {
   const std::vector<double> all   = numbers();

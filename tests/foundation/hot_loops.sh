@@ -5,13 +5,14 @@
 #
 # A kernel is one straight line of arithmetic on registers. Where the compiler stops inlining half-way it passes packs through memory,
 # at a fraction of the speed, and nothing else tells of it. What may be called: branches that are kept out of the line on purpose
-# (BRECCIA_BRANCH, BRECCIA_RARE), and outside the loops the runtime of OpenMP and what sets sums to zero.
+# (BRECCIA_BRANCH, BRECCIA_RARE), fma and what stands for it on processors without the instruction, and outside the loops the runtime of
+# OpenMP and what sets sums to zero.
 set -euo pipefail
 
 objdump=$1
 shift
 kernels='(link_update::update_block<|dem::.*particle_pass<|FrictionalAssembly::block_)'
-allowed='replace_large_rotations<|::damage_at<|advance_elements<|exact_rotation_coefficients|^(sin|cos|sincos)(@|-|\+|$)|omp_get_|GOMP_|__kmpc_|^memset|__stack_chk_fail|update_block<'
+allowed='replace_large_rotations<|multiply_add_in_parts<|::damage_at<|advance_elements<|exact_rotation_coefficients|^(sin|cos|sincos|fma)(@|-|\+|$)|omp_get_|GOMP_|__kmpc_|^memset|__stack_chk_fail|update_block<'
 
 # A call of a function that is local to its object is told as a place in its section: four bytes before its first one.
 "$objdump" --disassemble --reloc --demangle --no-show-raw-insn "$@" | awk -v kernels="$kernels" -v allowed="$allowed" '
