@@ -1,5 +1,5 @@
 // What stands where in a picture, by its pixels.
-#include "postprocess/break_pictures.h"
+#include "postprocess/pictures/break_pictures.h"
 #include "scratch_folder.h"
 #include "specimen_samples.h"
 
