@@ -1,6 +1,7 @@
 #include "apps/statistics/distributions.h"
 
 #include <boost/math/distributions/fisher_f.hpp>
+#include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 
 #include <cmath>
@@ -48,5 +49,11 @@ namespace statistics
   {
     demand_limit(probability_above, degrees);
     return quantile(complement(boost::math::students_t(degrees), probability_above));
+  }
+
+  double half_normal_quantile(const double probability)
+  {
+    demand_limit(probability, 1);
+    return quantile(boost::math::normal(), (1 + probability) / 2);
   }
 } // namespace statistics

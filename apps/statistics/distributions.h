@@ -16,4 +16,7 @@ namespace statistics
 
   /** The t that is exceeded with that probability, on one side. @throws std::invalid_argument as above */
   double t_limit(double probability_above, double degrees);
+
+  /** The size that a normal number of variance one stays below with that probability. @throws std::invalid_argument outside (0, 1) */
+  double half_normal_quantile(double probability);
 } // namespace statistics

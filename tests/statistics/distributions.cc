@@ -74,6 +74,13 @@ TEST_CASE("distributions: a limit is exceeded with the probability that was aske
       }
 }
 
+TEST_CASE("distributions: half-normal quantiles are those of published tables", "[statistics]")
+{
+  CHECK(half_normal_quantile(0.5) == Approx(0.6744897501960817).epsilon(1e-10));
+  CHECK(half_normal_quantile(0.95) == Approx(1.959963984540054).epsilon(1e-10));
+  CHECK_THROWS_AS(half_normal_quantile(1), std::invalid_argument);
+}
+
 TEST_CASE("distributions: without degrees of freedom there is no probability", "[statistics]")
 {
   CHECK(std::isnan(f_probability_above(2, 2, 0)));
