@@ -20,7 +20,8 @@ namespace apps
     {
       const std::string text = read_text(file);
       for (Lines lines(text); lines.next();)
-        if (const std::string_view line = trimmed(lines.text()); !line.empty() && line[0] != '#')
+        if (const std::string_view line = postprocess::numeric_text::trimmed(lines.text());
+            !line.empty() && line[0] != '#')
           return column_names(line);
       throw base::InputError(file.string() + ": is empty. The first line must name the columns.");
     }
