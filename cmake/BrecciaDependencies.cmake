@@ -42,6 +42,7 @@ if("postprocess" IN_LIST BRECCIA_ROOMS)
   need(nlohmann_json)
 endif()
 if("apps" IN_LIST BRECCIA_ROOMS)
+  need(Boost 1.74) # headers only
   need(CLI11)
   need(fmt)
   find_path(BRECCIA_MUPARSER_INCLUDE muParser.h)

@@ -4,7 +4,7 @@
 #
 #   commands_test.sh ROOT PROGRAM SCRATCH [PAGE]...
 #
-# A block after the line <!-- takes long --> is looked at instead of run: `check` in place of `run` and `transfer`, `--help` in place of
+# A block after the line <!-- takes long --> is looked at instead of run: `check` in place of `run`, `transfer` and `study`, `--help` in place of
 # what a benchmark does. `./breccia test` would run this test again, and is passed over.
 set -euo pipefail
 
@@ -36,7 +36,7 @@ if [[ $1 == test ]]; then
   exit 0
 elif [[ ${TAKES_LONG:-} == yes && $1 == bench ]]; then
   exec "$program" "$@" --help
-elif [[ ${TAKES_LONG:-} == yes && ($1 == run || $1 == transfer) ]]; then
+elif [[ ${TAKES_LONG:-} == yes && ($1 == run || $1 == transfer || $1 == study) ]]; then
   kept=()
   shift
   while (($#)); do

@@ -2,6 +2,7 @@
 #
 #   cmake -D ROOT=<folder of the rooms> -P include_arrows.cmake
 #
+# Designs and their analysis (apps/statistics) are a library of their own, which knows base, Eigen and Boost alone.
 # Within a room the folders have an order too: no arrows that lead in a circle.
 #
 # A room may include itself, the standard library, and what is listed for it here: rooms by name, outside libraries
@@ -55,6 +56,8 @@ function(judge_own problem room header)
   set(owner "${CMAKE_MATCH_2}")
   if(header MATCHES "\\.\\." OR NOT EXISTS "${ROOT}/${header}")
     set(${problem} "no such file from the root; own headers are included with the folder name" PARENT_SCOPE)
+  elseif(file MATCHES "^(tests|apps)/statistics/" AND NOT header MATCHES "^((tests|apps)/statistics|base)/|^tests/places.h$")
+    set(${problem} "statistics knows only base" PARENT_SCOPE)
   elseif(owner IN_LIST rooms AND NOT owner IN_LIST allowed)
     set(${problem} "no arrow ${room} -> ${owner}" PARENT_SCOPE)
   elseif(header MATCHES "^tests/" AND NOT is_test)
@@ -107,6 +110,9 @@ endfunction()
 function(judge_library problem room header)
   set(${problem} "" PARENT_SCOPE)
   set(allowed ${${room}_libraries} ${system_headers})
+  if(file MATCHES "^(tests|apps)/statistics/")
+    set(allowed Eigen/ boost/)
+  endif()
   if(is_test)
     list(APPEND allowed catch2/)
   endif()
@@ -156,6 +162,7 @@ foreach(room IN LISTS rooms)
   check_folder(${room} ${room} FALSE)
   check_folder(tests/${room} ${room} TRUE)
 endforeach()
+check_folder(tests/statistics apps TRUE)
 if(count EQUAL 0)
   message(FATAL_ERROR "no source found below ${ROOT}")
 endif()

@@ -1,0 +1,74 @@
+#include "apps/commands/command.h"
+#include "apps/commands/scene_options.h"
+#include "apps/process/exit_status.h"
+#include "apps/process/interrupt.h"
+#include "apps/studies/run_study.h"
+#include "base/errors.h"
+
+#include <CLI/Validators.hpp>
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+
+namespace apps
+{
+  namespace
+  {
+    struct StudyCommand
+    {
+      std::string              file, folder, part;
+      std::vector<std::string> overrides;
+      StudyOptions             options;
+    };
+
+    void read_part(const std::string &text, StudyOptions &options)
+    {
+      if (text.empty())
+        return;
+      int end = 0;
+      if (std::sscanf(text.c_str(), "%d/%d%n", &options.part, &options.parts, &end) != 2 ||
+          end != static_cast<int>(text.size()) || options.part < 1 || options.part > options.parts)
+        throw base::InputError("command line: --part " + text + ": a part of a whole is wanted, \"3/40\".");
+    }
+
+    int study(StudyCommand command)
+    {
+      read_part(command.part, command.options);
+      const auto      file   = read_study(command.file, command.overrides);
+      const StudyPlan plan   = plan_of(*file);
+      command.options.folder = command.folder.empty() ? file->output_folder : command.folder;
+      catch_interrupts();
+      return run_study(*file, plan, command.options);
+    }
+  } // namespace
+
+  void add_study(CLI::App &program, Action &chosen)
+  {
+    const auto command = std::make_shared<StudyCommand>();
+    CLI::App  &sub =
+      *program.add_subcommand("study", "Run a scene with its constants varied by a design, into one table");
+    sub.footer("Runs that are done are kept in the folder: whatever ends a study, the same command goes on with the "
+               "others.\nA run that fails is a row of the table without a result, and a comment that says why.");
+    sub.add_option("study", command->file, "Study file")->required()->type_name("STUDY.prm");
+    add_overrides(sub, command->overrides, "Change an entry of the study, -s \"Design/Runs=40\"; repeatable");
+    sub
+      .add_option("-o,--output", command->folder,
+                  "Folder for the table and the runs; default: the study's, or output/NAME")
+      ->type_name("DIR");
+    sub
+      .add_option("--processes", command->options.processes,
+                  "Runs at a time; default: as many as there are processors and memory for")
+      ->type_name("N")
+      ->check(CLI::Range(1, 4096));
+    sub
+      .add_option(
+        "--part", command->part,
+        "Only the third of forty parts, for jobs of a batch array that share the folder; the last one writes the "
+        "table")
+      ->type_name("3/40");
+    sub.add_flag("--restart", command->options.restart, "Throw away the runs that are there");
+    sub.add_flag("--no-cache", command->options.no_cache, "Make every packing anew");
+    sub.callback([command, &chosen] { chosen = [command] { return study(*command); }; });
+  }
+} // namespace apps

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace apps
+{
+  /** How a process ended. */
+  struct EndedChild
+  {
+    long   job;
+    int    status; ///< exit status; 128 + signal if a signal ended it
+    double seconds;
+  };
+
+  /**
+   * Processes of this program that run scenes, several at a time. They are killed with the process that started them, however it ends
+   * (Linux).
+   */
+  class ChildRuns
+  {
+  public:
+    /** @param most at a time */
+    explicit ChildRuns(int most);
+    ~ChildRuns(); ///< kills those that still run
+    ChildRuns(const ChildRuns &)            = delete;
+    ChildRuns &operator=(const ChildRuns &) = delete;
+
+    /** Whether one more has a processor, and as much free memory as the largest so far took. */
+    bool has_room() const;
+    bool idle() const { return running.empty(); }
+
+    /** Start the program with these words; what it prints goes to the file. @throws std::runtime_error */
+    void start(long job, const std::vector<std::string> &words, const std::filesystem::path &log);
+
+    /** One that has ended; nothing where none has within the time. */
+    std::optional<EndedChild> wait(std::chrono::milliseconds patience);
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    struct Child
+    {
+      long              job;
+      Clock::time_point start;
+    };
+
+    int                    most;
+    std::map<pid_t, Child> running;
+    std::uint64_t          largest_memory = 0; ///< [bytes]
+  };
+
+  /** Processors that this process may use. */
+  int usable_processors();
+} // namespace apps

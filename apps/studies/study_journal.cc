@@ -1,0 +1,91 @@
+#include "apps/studies/study_journal.h"
+
+#include "base/errors.h"
+#include "postprocess/atomic_file.h"
+#include "postprocess/errors.h"
+#include "postprocess/numeric_text.h"
+#include "postprocess/summary.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace apps
+{
+  namespace fs = std::filesystem;
+
+  namespace
+  {
+    void make_folder(const fs::path &folder)
+    {
+      std::error_code error;
+      fs::create_directories(folder, error);
+      if (error)
+        throw postprocess::OutputError(folder.string() + ": the folder cannot be made: " + error.message() + ".");
+    }
+  } // namespace
+
+  StudyJournal::StudyJournal(fs::path study_folder, const StudyPlan &plan, const bool afresh)
+    : place(std::move(study_folder))
+  {
+    const fs::path text = place / "journal" / "plan.txt";
+    if (afresh)
+      {
+        std::error_code error;
+        for (const char *part : {"journal", "runs"})
+          fs::remove_all(place / part, error);
+      }
+    make_folder(place / "journal");
+    make_folder(place / "runs");
+    if (!fs::exists(text))
+      postprocess::write_text(text, plan.text);
+    else if (postprocess::numeric_text::read_whole(text) != plan.text)
+      throw base::InputError(place.string() +
+                             ": holds the runs of another study: its scene, factors, design or responses were others. "
+                             "Choose another folder with -o, or throw them away with --restart.");
+  }
+
+  fs::path StudyJournal::record_of(const Eigen::Index run) const
+  {
+    return place / "journal" / fmt::format("{:06}.json", run + 1);
+  }
+
+  std::optional<RunRecord> StudyJournal::find(const Eigen::Index run) const
+  {
+    const fs::path file = record_of(run);
+    if (!fs::exists(file))
+      return std::nullopt;
+    const auto json = nlohmann::json::parse(postprocess::numeric_text::read_whole(file), nullptr, false);
+    if (!json.is_object() || !json.contains("responses") || !json["responses"].is_array())
+      throw base::InputError(file.string() + ": is damaged. Remove it: its run will be repeated.");
+    RunRecord record;
+    record.message = json.value("message", "");
+    record.seconds = json.value("seconds", 0.0);
+    for (const auto &response : json["responses"])
+      {
+        record.units.push_back(response.value("unit", ""));
+        record.reasons.push_back(response.value("not_determined", ""));
+        record.responses.push_back(response.contains("value") && response["value"].is_number() ?
+                                     std::optional<double>(response["value"].get<double>()) :
+                                     std::nullopt);
+      }
+    return record;
+  }
+
+  void StudyJournal::keep(const Eigen::Index run, const RunRecord &record) const
+  {
+    nlohmann::json json = {{"run", run + 1},
+                           {"message", record.message},
+                           {"seconds", record.seconds},
+                           {"responses", nlohmann::json::array()}};
+    for (std::size_t k = 0; k < record.responses.size(); ++k)
+      {
+        nlohmann::json response = {{"unit", record.units[k]}};
+        if (!record.reasons[k].empty())
+          response["not_determined"] = record.reasons[k];
+        if (record.responses[k])
+          response["value"] = *record.responses[k];
+        json["responses"].push_back(response);
+      }
+    postprocess::write_json(record_of(run), json);
+  }
+} // namespace apps

@@ -1,0 +1,229 @@
+// breccia study: a scene with its constants varied, into one table.
+#include "tests/apps/program.h"
+#include "tests/apps/scenes.h"
+#include "tests/apps/scratch_folder.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <map>
+#include <random>
+#include <thread>
+
+using namespace apps_tests;
+using Catch::Contains;
+
+namespace
+{
+  /** Two factors of a stack of spheres that is pulled until it breaks, in part of a second. */
+  std::string study_of_stack()
+  {
+    return R"(set Kind       = study
+set Base scene = stack.prm
+subsection Design
+  set Kind = full factorial
+end
+subsection Factors
+  subsection stiffness
+    set Entry  = Material/CPM/Normal modulus
+    set Levels = 20e9, 30e9
+  end
+  subsection limit
+    set Entry  = Material/CPM/Limit elastic strain
+    set Levels = 0.5e-4, 1e-4
+  end
+end
+subsection Responses
+  subsection E
+    set Figure = young_modulus
+  end
+  subsection f_t
+    set Figure = tensile_strength
+  end
+end
+)";
+  }
+
+  void write_study(const ScratchFolder &folder, const std::string &text)
+  {
+    folder.file("packing.txt", stack_packing());
+    std::string scene = replaced(scene_with_file(), "set Grip thickness", "set Tests = tension\n  set Grip thickness");
+    folder.file("stack.prm", replaced(scene, "set Snapshots = 5", "set Snapshots = 0"));
+    folder.file("study.prm", text);
+  }
+
+  /** A process of its own: a study starts its program again for each run. */
+  Outcome study(const ScratchFolder &folder, const std::vector<std::string> &options)
+  {
+    std::vector<std::string> words = {"study", "study.prm"};
+    words.insert(words.end(), options.begin(), options.end());
+    return Program(folder.path(), words).wait();
+  }
+} // namespace
+
+TEST_CASE("a study writes one table, the same for any number of processes and parts", "[apps][slow]")
+{
+  const ScratchFolder folder;
+  write_study(folder, study_of_stack());
+  const Outcome alone = study(folder, {"-o", "alone", "--processes", "1"});
+  INFO(alone.err);
+  REQUIRE(alone.status == 0);
+  const std::string table = content_of(folder / "alone/table.csv");
+  CHECK_THAT(table, Catch::StartsWith("run,stiffness [Pa],limit [-],E [Pa],f_t [Pa]\n1,2e+10,5e-05,") ||
+                      Catch::StartsWith("run,stiffness [Pa],limit [-],E [Pa],f_t [Pa]\n1,20000000000,5e-05,"));
+  CHECK(std::count(table.begin(), table.end(), '\n') == 5);
+  CHECK_THAT(table, !Contains("nan"));
+  CHECK_THAT(alone.out, Contains("4 runs, 0 failed"));
+
+  const Outcome second = study(folder, {"-o", "parts", "--part", "2/2", "--processes", "3"});
+  CHECK(second.status == 0);
+  CHECK_THAT(second.out, Contains("2 of 4 runs are done"));
+  CHECK_FALSE(std::filesystem::exists(folder / "parts/table.csv"));
+  REQUIRE(study(folder, {"-o", "parts", "--part", "1/2"}).status == 0);
+  CHECK(content_of(folder / "parts/table.csv") == table);
+
+  const Outcome again = study(folder, {"-o", "alone"}); // nothing is left to do
+  CHECK(again.status == 0);
+  CHECK(content_of(folder / "alone/table.csv") == table);
+
+  const Outcome analysed = run(folder.path(), {"analyse", "alone/table.csv", "--response", "f_t", "--factors",
+                                               "stiffness,limit", "--model", "anova"});
+  CHECK(analysed.status == 0);
+}
+
+TEST_CASE(
+  "a study killed at fifty random instants ends with the same table to the byte, and repeats no run that is done",
+  "[apps][slow]")
+{
+  const ScratchFolder folder;
+  write_study(folder, study_of_stack());
+  REQUIRE(study(folder, {"-o", "whole"}).status == 0);
+  std::mt19937 stream(11);
+  int          kills = 0;
+  for (int attempt = 0; kills < 50 && attempt < 200; ++attempt)
+    {
+      if (std::filesystem::exists(folder / "killed/table.csv")) // all done: once more from the start
+        std::filesystem::remove_all(folder / "killed");
+      Program program(folder.path(), {"study", "study.prm", "-o", "killed"});
+      std::this_thread::sleep_for(std::chrono::milliseconds(stream() % 1000));
+      kills += program.running();
+      program.send(SIGKILL);
+      program.wait();
+    }
+  REQUIRE(kills == 50);
+  const auto                                             journal = folder / "killed/journal";
+  std::map<std::string, std::filesystem::file_time_type> before;
+  if (std::filesystem::exists(journal))
+    for (const auto &entry : std::filesystem::directory_iterator(journal))
+      if (entry.path().extension() == ".json")
+        before[entry.path()] = std::filesystem::last_write_time(entry);
+  REQUIRE(study(folder, {"-o", "killed"}).status == 0);
+  CHECK(content_of(folder / "killed/table.csv") == content_of(folder / "whole/table.csv"));
+  for (const auto &[file, time] : before)
+    CHECK(std::filesystem::last_write_time(file) == time);
+}
+
+TEST_CASE("a run that fails is a row of the table with its message, and the study goes on", "[apps][slow]")
+{
+  const ScratchFolder folder;
+  write_study(folder, replaced(replaced(study_of_stack(), "Material/CPM/Normal modulus", "Loading/Grip thickness"),
+                               "20e9, 30e9", "0.5e-3, 1"));
+  const Outcome told = study(folder, {"-o", "out"});
+  INFO(told.err);
+  CHECK(told.status == 0);
+  CHECK_THAT(told.out, Contains("4 runs, 2 failed"));
+  const std::string table = content_of(folder / "out/table.csv");
+  CHECK_THAT(table, Contains("\n3,1,5e-05,nan,nan\n# run 3 failed: ") && Contains("Grip thickness"));
+  CHECK_THAT(table, !Contains("\n2,0.0005,0.0001,nan"));
+}
+
+TEST_CASE("a study that cannot run is refused before its first run, by entry and run", "[apps]")
+{
+  const ScratchFolder folder;
+  const auto [from, to, said] = GENERATE(table<std::string, std::string, std::string>(
+    {{"Material/CPM/Normal modulus", "Material/CPM/Normal moduli", "Normal modul"},
+     {"20e9, 30e9", "20e9, -1", "run 3 (Material/CPM/Normal modulus=-1"},
+     {"20e9, 30e9", "20e9, much", "\"much\" is no number"},
+     {"20e9, 30e9", "2, 2", "2 is there twice"},
+     {"set Base scene = stack.prm", "set Base scene = gone.prm", "gone.prm"},
+     {"set Base scene = stack.prm", "", "Base scene"},
+     {"full factorial", "half factorial", "half factorial"},
+     {"full factorial", "orthogonal array\n  set Array = L25", "2 levels for a column of 5"},
+     {"full factorial", "orthogonal array\n  set Array = L26", "known are L8"},
+     {"full factorial", "Box-Behnken", "Lower"},
+     {"full factorial", "table", "Table"},
+     {"subsection limit", "subsection f_t", "\"f_t\" names two columns"},
+     {"subsection limit", "subsection run", "\"run\" cannot name a column"},
+     {"Kind       = study", "Kind = uniaxial", "a study is wanted"}}));
+  write_study(folder, replaced(study_of_stack(), from, to));
+  const Outcome told = run(folder.path(), {"study", "study.prm", "-o", "out"}); // starts no other process
+  INFO(to);
+  CHECK(told.status == 2);
+  CHECK_THAT(told.err, Contains(said));
+  CHECK_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+TEST_CASE(
+  "a response that no run has is refused by name, with those that there are, and the folder of another study is",
+  "[apps][slow]")
+{
+  const ScratchFolder folder;
+  write_study(folder, replaced(study_of_stack(), "tensile_strength", "tensile_strenght"));
+  const Outcome told = study(folder, {"-o", "out", "--processes", "1"});
+  CHECK(told.status == 2);
+  CHECK_THAT(told.err, Contains("response f_t: there is no figure tensile_strenght") &&
+                         Contains("Did you mean \"tensile_strength\"?") && Contains("young_modulus"));
+  CHECK_FALSE(std::filesystem::exists(folder / "out/journal/000002.json"));
+  folder.file("study.prm", study_of_stack());
+  const Outcome other = study(folder, {"-o", "out"});
+  CHECK(other.status == 2);
+  CHECK_THAT(other.err, Contains("holds the runs of another study") && Contains("--restart"));
+  CHECK(study(folder, {"-o", "out", "--restart", "--part", "1/4"}).status == 0);
+  CHECK(study(folder, {"-o", "out", "--part", "3/2"}).status == 2);
+}
+
+TEST_CASE("check of a study reads every run and says how many there are", "[apps]")
+{
+  const ScratchFolder folder;
+  write_study(folder, study_of_stack());
+  const Outcome told = run(folder.path(), {"check", "study.prm"});
+  INFO(told.err);
+  CHECK(told.status == 0);
+  CHECK_THAT(told.out, Contains("4 runs over 2 factors") && Contains("particles"));
+  write_study(folder, replaced(study_of_stack(), "20e9, 30e9", "20e9, -1"));
+  CHECK(run(folder.path(), {"check", "study.prm"}).status == 2);
+}
+
+TEST_CASE("every design of a study makes its runs", "[apps]")
+{
+  const ScratchFolder folder;
+  const auto [design, more, runs] =
+    GENERATE(table<std::string, std::string, std::string>({{"one at a time", "", "3 runs"},
+                                                           {"full factorial", "", "4 runs"},
+                                                           {"orthogonal array", "  set Array = L9\n", "9 runs"},
+                                                           {"central composite", "  set Centres = 3\n", "11 runs"},
+                                                           {"Latin hypercube", "  set Runs = 7\n", "7 runs"},
+                                                           {"Sobol", "  set Runs = 5\n", "5 runs"},
+                                                           {"table", "  set Table = own.csv\n", "2 runs"}}));
+  std::string text = replaced(study_of_stack(), "set Kind = full factorial\n", "set Kind = " + design + "\n" + more);
+  const bool  box  = design == "central composite" || design == "Latin hypercube" || design == "Sobol";
+  const auto  give = [&](const std::string &levels, const std::string &reference, const std::string &bounds) {
+    if (box)
+      text = replaced(text, "set Levels = " + levels, bounds);
+    else if (design == "table")
+      text = replaced(text, "set Levels = " + levels, "");
+    else if (design == "one at a time")
+      text = replaced(text, "set Levels = " + levels, "set Levels = " + levels + "\n set Reference = " + reference);
+  };
+  give("20e9, 30e9", "20e9", "set Lower = 20e9\n set Upper = 30e9");
+  give("0.5e-4, 1e-4", "1e-4", "set Lower = 2e-4\n set Upper = 3e-4");
+  write_study(folder, text);
+  folder.file("own.csv", "stiffness,limit\n21e9,1e-4\n22e9,2e-4\n");
+  const Outcome told = run(folder.path(), {"check", "study.prm"});
+  INFO(design << told.err);
+  CHECK(told.status == 0);
+  CHECK_THAT(told.out, Contains(runs + " over 2 factors"));
+}
