@@ -92,10 +92,12 @@ namespace dem::peridynamics
     const double *k; ///< stiffness
     const Field  &u;
     Field        *f, *given;
-    std::size_t   first_row, last_row, first_place;
-    double       *changed = nullptr; ///< the same, where bonds may break
-    BondAccount  *account = nullptr;
-    double       *energy  = nullptr;
+    Rows          rows;
+
+    double      *changed   = nullptr; ///< the same, where bonds may break
+    const Field *last_step = nullptr;
+    BondAccount *account   = nullptr;
+    double      *energy    = nullptr;
 
     template <int dim, bool nonlinear, Task task, bool own_limits>
     void run_as()
@@ -105,26 +107,28 @@ namespace dem::peridynamics
         directions.push_back(direction_of<dim, nonlinear>(bonds, o));
       const std::size_t stride = bonds.grid().row_stride();
       Pack              sum(0.0);
-      for (std::size_t r = first_row; r < last_row; ++r)
+      for (std::size_t r = rows.first; r < rows.last; ++r)
         for (std::size_t begin = 0; begin < stride; begin += tile)
           for (std::size_t o = 0; o < directions.size(); ++o)
-            row<dim, nonlinear, task, own_limits>(directions[o], o, r, begin, std::min(begin + tile, stride), sum);
+            line<dim, nonlinear, task, own_limits>(directions[o], o, {r, begin, std::min(begin + tile, stride)}, sum);
       if (task == Task::energy)
         *energy = sum_of(sum);
     }
 
+    /** Part of a row of the grid. */
+    struct Stretch
+    {
+      std::size_t row, begin, end;
+    };
+
     template <int dim, bool nonlinear, Task task, bool own_limits>
-    void row(const Direction<dim> &of,
-             const std::size_t     o,
-             const std::size_t     r,
-             const std::size_t     begin,
-             const std::size_t     end,
-             Pack                 &sum)
+    void line(const Direction<dim> &of, const std::size_t o, const Stretch &part, Pack &sum)
     {
       const Direction<dim> d     = of; // in registers
-      const std::size_t    start = r * bonds.grid().row_stride(), bond = bonds.begin(r, o);
+      const std::size_t    start = part.row * bonds.grid().row_stride();
+      const std::size_t    bond = bonds.begin(part.row, o), own_first = rows.first * bonds.grid().row_stride();
       const auto           jump = static_cast<std::size_t>(bonds.jump(o));
-      for (std::size_t x = begin; x < end; x += pack_size)
+      for (std::size_t x = part.begin; x < part.end; x += pack_size)
         {
           const std::size_t i = start + x, j = i + jump;
           Pack              stiffness = load(k + bond + x), eta[dim];
@@ -147,13 +151,12 @@ namespace dem::peridynamics
                       limit        = nonlinear ? d.square * s * (Pack(2.0) + s) : s;
                     }
                   if (any(pulled.measure >= limit))
-                    stiffness =
-                      less_broken(stiffness, pulled.measure, limit, pulled.stretch(d), d.length, changed + bond + x);
+                    stiffness = less_broken(stiffness, pulled, limit, d, {bond + x, i, j});
                 }
               const Pack pull = stiffness * pulled.factor;
               for (std::size_t a = 0; a < dim; ++a)
                 {
-                  double *const own = &f->c[a][i], *const other = &given->c[a][j - first_place];
+                  double *const own = &f->c[a][i], *const other = &given->c[a][j - own_first];
                   store(multiply_add(pull, pulled.along[a], load(own)), own);
                   negative_multiply_add(pull, pulled.along[a], Pack::load_unaligned(other)).store_unaligned(other);
                 }
@@ -161,32 +164,46 @@ namespace dem::peridynamics
         }
     }
 
-    /** Takes the stiffness of bonds that are stretched too far, for ever, and counts them. */
-    BRECCIA_RARE Pack less_broken(const Pack &stiffness,
-                                  const Pack &measure,
-                                  const Pack &limit,
-                                  const Pack &stretch,
-                                  const Pack &length,
-                                  double     *place)
+    /** Where eight bonds are: of their stiffness and of their ends, the first ones. */
+    struct Place
     {
+      std::size_t bond, i, j;
+    };
+
+    /** Takes the stiffness of bonds that are stretched too far, for ever, and counts them. */
+    template <int dim, bool nonlinear>
+    BRECCIA_RARE Pack less_broken(const Pack                        &stiffness,
+                                  const PulledBonds<dim, nonlinear> &pulled,
+                                  const Pack                        &limit,
+                                  const Direction<dim>              &d,
+                                  const Place                       &at)
+    {
+      const Pack         stretch = pulled.stretch(d);
       alignas(64) double left[pack_size];
       for (int lane = 0; lane < pack_size; ++lane)
         {
           left[lane] = stiffness[lane];
-          if (stiffness[lane] == 0 || !(measure[lane] >= limit[lane]))
+          if (stiffness[lane] == 0 || !(pulled.measure[lane] >= limit[lane]))
             continue;
           ++account->broken;
-          account->released += 0.5 * stiffness[lane] * length[lane] * stretch[lane] * stretch[lane];
+          account->released += 0.5 * stiffness[lane] * d.length[lane] * stretch[lane] * stretch[lane];
+          if (last_step != nullptr)
+            for (std::size_t a = 0; a < dim; ++a)
+              account->released -= 0.5 * stiffness[lane] * pulled.factor[lane] * pulled.along[a][lane] *
+                                   (last_step->c[a][at.j + static_cast<std::size_t>(lane)] -
+                                    last_step->c[a][at.i + static_cast<std::size_t>(lane)]);
           left[lane] = 0;
         }
       const Pack rest = load(left);
-      store(rest, place);
+      store(rest, changed + at.bond);
       return rest;
     }
 
     template <Task task, bool own_limits>
-    void run_task(const int dimension, const bool nonlinear)
+    void run_task(const Kinematics kinematics)
     {
+      const int  dimension = bonds.grid().dimension();
+      const bool nonlinear = kinematics == Kinematics::nonlinear;
       if (dimension == 1)
         nonlinear ? run_as<1, true, task, own_limits>() : run_as<1, false, task, own_limits>();
       else if (dimension == 2)
@@ -203,6 +220,7 @@ namespace dem::peridynamics
     const std::array<int, 3> counts = grid.counts();
     const auto               reach  = static_cast<std::size_t>(std::max(grid.reach(), 1));
     const bool               planes = grid.dimension() == 3;
+    row                             = grid.row_stride();
     layer                           = grid.row_stride() * (planes ? static_cast<std::size_t>(counts[1]) : 1);
     layers                          = planes ? static_cast<std::size_t>(counts[2]) : grid.rows();
     layers_per_group                = std::max(2 * reach, (std::size_t(4096) + layer - 1) / layer);
@@ -251,56 +269,48 @@ namespace dem::peridynamics
       }
   }
 
-  namespace
+  template <typename Function>
+  void BondForces::each_group(Function &&f) const
   {
-    /** Calls a function of a group's number, rows and first place for each group. */
-    template <typename Function>
-    void each_group(const std::size_t groups,
-                    const std::size_t layers_per_group,
-                    const std::size_t layers,
-                    const std::size_t layer,
-                    const std::size_t stride,
-                    Function        &&f)
-    {
+    const std::size_t rows = layer / row; // of a layer
 #pragma omp parallel for schedule(static)
-      for (std::ptrdiff_t g = 0; g < static_cast<std::ptrdiff_t>(groups); ++g)
-        {
-          const auto        n     = static_cast<std::size_t>(g);
-          const std::size_t first = n * layers_per_group, last = std::min(first + layers_per_group, layers);
-          f(n, first * layer / stride, last * layer / stride, first * layer);
-        }
-    }
-  } // namespace
+    for (std::ptrdiff_t g = 0; g < static_cast<std::ptrdiff_t>(groups); ++g)
+      {
+        const std::size_t first = static_cast<std::size_t>(g) * layers_per_group;
+        const std::size_t last  = std::min(first + layers_per_group, layers);
+        f(static_cast<std::size_t>(g), Rows{first * rows, last * rows});
+      }
+  }
+
+  BondForces::Pass
+  BondForces::forces_pass(const Bonds &bonds, const Field &u, Field &f, const std::size_t g, const Rows &rows)
+  {
+    clear(given[g], 0, given[g].c[0].size());
+    clear(f, rows.first * row, rows.last * row);
+    return {bonds, bonds.stiffness().data(), u, &f, &given[g], rows};
+  }
 
   void BondForces::add_up(const Bonds &bonds, const Field &u, Field &f)
   {
-    each_group(
-      groups, layers_per_group, layers, layer, bonds.grid().row_stride(),
-      [&](const std::size_t g, const std::size_t first_row, const std::size_t last_row, const std::size_t first) {
-        clear(given[g], 0, given[g].c[0].size());
-        clear(f, first, first + (last_row - first_row) * bonds.grid().row_stride());
-        Pass pass{bonds, bonds.stiffness().data(), u, &f, &given[g], first_row, last_row, first};
-        pass.run_task<Task::force, false>(bonds.grid().dimension(), kinematics == Kinematics::nonlinear);
-      });
+    each_group([&](const std::size_t g, const Rows &rows) {
+      forces_pass(bonds, u, f, g, rows).run_task<Task::force, false>(kinematics);
+    });
     collect(f);
   }
 
-  BondAccount BondForces::add_up_and_break(Bonds &bonds, const Field &u, Field &f)
+  BondAccount BondForces::add_up_and_break(Bonds &bonds, const Field &u, const Field *const last_step, Field &f)
   {
-    each_group(
-      groups, layers_per_group, layers, layer, bonds.grid().row_stride(),
-      [&](const std::size_t g, const std::size_t first_row, const std::size_t last_row, const std::size_t first) {
-        clear(given[g], 0, given[g].c[0].size());
-        clear(f, first, first + (last_row - first_row) * bonds.grid().row_stride());
-        accounts[g] = {};
-        Pass       pass{bonds, bonds.stiffness().data(), u,           &f, &given[g], first_row, last_row,
-                  first, bonds.stiffness().data(), &accounts[g]};
-        const bool nonlinear = kinematics == Kinematics::nonlinear;
-        if (bonds.limits().empty())
-          pass.run_task<Task::force_and_break, false>(bonds.grid().dimension(), nonlinear);
-        else
-          pass.run_task<Task::force_and_break, true>(bonds.grid().dimension(), nonlinear);
-      });
+    each_group([&](const std::size_t g, const Rows &rows) {
+      accounts[g]    = {};
+      Pass pass      = forces_pass(bonds, u, f, g, rows);
+      pass.changed   = bonds.stiffness().data();
+      pass.last_step = last_step;
+      pass.account   = &accounts[g];
+      if (bonds.limits().empty())
+        pass.run_task<Task::force_and_break, false>(kinematics);
+      else
+        pass.run_task<Task::force_and_break, true>(kinematics);
+    });
     collect(f);
     BondAccount all;
     for (const BondAccount &group : accounts)
@@ -313,14 +323,11 @@ namespace dem::peridynamics
 
   double BondForces::energy(const Bonds &bonds, const Field &u)
   {
-    each_group(
-      groups, layers_per_group, layers, layer, bonds.grid().row_stride(),
-      [&](const std::size_t g, const std::size_t first_row, const std::size_t last_row, const std::size_t first) {
-        Pass pass{
-          bonds,       bonds.stiffness().data(), u, nullptr, nullptr, first_row, last_row, first, nullptr, nullptr,
-          &energies[g]};
-        pass.run_task<Task::energy, false>(bonds.grid().dimension(), kinematics == Kinematics::nonlinear);
-      });
+    each_group([&](const std::size_t g, const Rows &rows) {
+      Pass pass{bonds, bonds.stiffness().data(), u, nullptr, nullptr, rows};
+      pass.energy = &energies[g];
+      pass.run_task<Task::energy, false>(kinematics);
+    });
     double sum = 0;
     for (const double group : energies)
       sum += group;

@@ -1,21 +1,10 @@
 #pragma once
 
+#include "dem/peridynamics/loads.h"
 #include "dem/peridynamics/stiffness.h"
-
-#include <functional>
 
 namespace dem::peridynamics
 {
-  /** What acts on a body. Both are asked for a load factor or a time. */
-  struct Loads
-  {
-    /** Add the forces [N]. @param u displacement by which tractions turn; nullptr: those of the body at rest */
-    std::function<void(double at, const Field *u, Field &forces)> forces;
-    /** Set the displacement [m] of the components that are held. */
-    std::function<void(double at, Field &u)> displacements;
-    Held                                     held;
-  };
-
   /** How far bonds are stretched. */
   struct LargestStretch
   {

@@ -171,7 +171,7 @@ TEST_CASE("a bond that is stretched to its limit pulls neither end from then on,
       Field             f = bonds.grid().field(), g = bonds.grid().field();
       BondForces        forces(bonds, kinematics);
       const double      before  = forces.energy(bonds, u);
-      const BondAccount account = forces.add_up_and_break(bonds, u, f);
+      const BondAccount account = forces.add_up_and_break(bonds, u, nullptr, f);
       std::int64_t      beyond  = 0;
       whole.each([&](const std::size_t bond, const std::size_t o, const std::size_t i, const std::size_t j) {
         const bool over = forces.stretch(whole, o, i, j, u) >= 5e-3;
@@ -182,7 +182,7 @@ TEST_CASE("a bond that is stretched to its limit pulls neither end from then on,
       CHECK(account.broken == beyond);
       CHECK(account.released == Approx(before - forces.energy(bonds, u)).epsilon(1e-11));
       CHECK(largest(difference(forces_one_by_one(bonds, kinematics, u), f)) < 1e-11 * largest(f));
-      CHECK(forces.add_up_and_break(bonds, u, g).broken == 0);
+      CHECK(forces.add_up_and_break(bonds, u, nullptr, g).broken == 0);
     }
 }
 
@@ -201,7 +201,7 @@ TEST_CASE("forces and broken bonds are the same to the last bit for any number o
           Bonds      bonds = c.bonds();
           BondForces forces(bonds, Kinematics::nonlinear);
           f.push_back(bonds.grid().field());
-          released.push_back(forces.add_up_and_break(bonds, bent(bonds.grid(), 5e-3), f.back()).released);
+          released.push_back(forces.add_up_and_break(bonds, bent(bonds.grid(), 5e-3), nullptr, f.back()).released);
           k.push_back(bonds.stiffness());
         }
       omp_set_num_threads(threads);
