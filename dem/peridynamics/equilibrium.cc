@@ -99,7 +99,14 @@ namespace dem::peridynamics
                                      ", the residual stays at " + base::number_text(state.residual) + ".");
         if (turns || state.solutions == 0)
           stiffness.assemble(bonds, kinematics, rigid.held, u);
-        stiffness.solve(rest, std::max(0.1 * tolerance, 1e-13), step);
+        if (!stiffness.solve(rest, std::max(0.1 * tolerance, 1e-13), step))
+          {
+            if (bonds.broken() == 0)
+              throw base::NumericalError("peridynamics: the equations have no solution: the body is a mechanism. "
+                                         "Enlarge the horizon, or hold more of it.");
+            state.loose = true;
+            return state;
+          }
         for (std::size_t c = 0; c < 3; ++c)
           for (std::size_t i = 0; i < step.c[c].size(); ++i)
             u.c[c][i] += step.c[c][i];

@@ -34,9 +34,10 @@ namespace dem::peridynamics
     struct State
     {
       int    solutions = 0;
-      double residual  = 0;     ///< force out of balance over the loads or reactions [-]
-      bool   loose     = false; ///< a piece that nothing holds carries a load: there is no equilibrium; u is unchanged
-      double imbalance = 0;     ///< of that load, see RigidMotions
+      double residual  = 0; ///< force out of balance over the loads or reactions [-]
+      bool   loose =
+        false; ///< a piece that nothing holds, or a mechanism of nearly broken nodes, carries a load: there is no equilibrium
+      double imbalance = 0; ///< of that load, see RigidMotions
     };
 
     /**

@@ -31,9 +31,10 @@ namespace dem::peridynamics
     /**
      * Solve K du = r in the components that are free; zero in the others.
      * @param tolerance of the residual over r
+     * @return false where there is none: a mechanism of nearly broken nodes is loaded
      * @throws base::NumericalError where the solution does not converge
      */
-    void solve(const Field &r, double tolerance, Field &du) const;
+    bool solve(const Field &r, double tolerance, Field &du) const;
 
     std::size_t unknowns() const;
 
