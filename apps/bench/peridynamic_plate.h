@@ -23,7 +23,7 @@ namespace apps
     bool                              corrected   = false; ///< at its surface
   };
 
-  /** How far off it is, beside the continuum, and what it costs. */
+  /** How far off it is, beside the continuum, and what it costs; not a number where there is no equilibrium. */
   struct PeridynamicErrors
   {
     double tension_across = 0,

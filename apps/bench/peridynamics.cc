@@ -10,6 +10,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <utility>
 #include <vector>
@@ -135,8 +136,8 @@ namespace apps
       {
         const PeridynamicErrors e = errors_of(plate);
         rows.emplace_back(plate, e);
-        points.push_back(
-          {plate.name, static_cast<double>(e.bonds), std::max({e.tension_across, e.tension_along, e.shear})});
+        const double largest = std::max({e.tension_across, e.tension_along, std::isfinite(e.shear) ? e.shear : 0.0});
+        points.push_back({plate.name, static_cast<double>(e.bonds), largest});
         fmt::print("{:<28} L/{:<4} m {:<6} tension {:.2f} % across, {:.2f} % along, shear {:.2f} %, {} bonds\n",
                    plate.name, plate.cells, plate.ratio, 100 * e.tension_across, 100 * e.tension_along, 100 * e.shear,
                    e.bonds);
