@@ -2,8 +2,8 @@
 #include "apps/process/exit_status.h"
 #include "apps/results/result_folder.h"
 #include "apps/studies/analysis_files.h"
-#include "postprocess/atomic_file.h"
-#include "postprocess/summary.h"
+#include "postprocess/files/atomic_file.h"
+#include "postprocess/files/summary.h"
 
 #include <CLI/Validators.hpp>
 #include <fmt/format.h>

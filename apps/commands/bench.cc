@@ -14,6 +14,7 @@ namespace apps
   void add_homogenise_bench(CLI::App &bench, Action &chosen);
   void add_mortar_bench(CLI::App &bench, Action &chosen);
   void add_multiscale_bench(CLI::App &bench, Action &chosen);
+  void add_peridynamics_bench(CLI::App &bench, Action &chosen);
   void add_sequential_bench(CLI::App &bench, Action &chosen);
   void add_quasi_static_bench(CLI::App &bench, Action &chosen);
   void add_structure_bench(CLI::App &bench, Action &chosen);
@@ -38,6 +39,7 @@ namespace apps
     add_homogenise_bench(bench, chosen);
     add_mortar_bench(bench, chosen);
     add_multiscale_bench(bench, chosen);
+    add_peridynamics_bench(bench, chosen);
     add_sequential_bench(bench, chosen);
     add_quasi_static_bench(bench, chosen);
     add_structure_bench(bench, chosen);

@@ -5,6 +5,7 @@
 #include "apps/drivers/coupled/scene.h"
 #include "apps/drivers/homogenisation/scene.h"
 #include "apps/drivers/particles/scene.h"
+#include "apps/drivers/peridynamics/scene.h"
 #include "apps/drivers/quasi_static/scene.h"
 #include "apps/drivers/sequential/scene.h"
 #include "apps/drivers/structure/scene.h"
@@ -37,6 +38,8 @@ namespace apps
          make<HomogenisationScene>},
         {"particles", "specimens and loose particles, bonded or not, moved and thrown by formula",
          make<ParticlesScene>},
+        {"peridynamics", "a rod, plate or block of bonds over a horizon, at rest or in motion, that may break",
+         make<PeridynamicsScene>},
         {"quasi_static", "a bonded-particle specimen or periodic cell pulled and crushed without inertia",
          make<QuasiStaticScene>},
         {"sequential", "an event by particles, handed over to a continuum that carries on", make<SequentialScene>},

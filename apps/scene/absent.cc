@@ -25,8 +25,6 @@ namespace apps
          "which Python reads."},
         {{"calibration", "calibrate", "optimisation", "optimization", "optimise", "optimize"},
          "Nothing calibrates constants by itself: doc/tutorials/constants.md says which constant moves which figure."},
-        {{"peridynamics", "peridynamic"},
-         "There is no peridynamics: the laws are those of links and of the continuum."},
         {{"GPU", "CUDA"}, "Nothing runs on a graphics processor: particles run on threads (--threads)."},
         {{"Poisson ratio", "Poisson's ratio", "Poissons ratio"},
          "Links have no Poisson's ratio: that of a specimen follows from \"Shear ratio\" (CPM) or \"Stiffness ratio\" "

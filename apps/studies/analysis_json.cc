@@ -1,6 +1,6 @@
 #include "apps/process/version.h"
 #include "apps/studies/analysis_files.h"
-#include "postprocess/numeric_text.h"
+#include "postprocess/files/numeric_text.h"
 
 #include <nlohmann/json.hpp>
 

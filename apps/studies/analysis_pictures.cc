@@ -1,10 +1,10 @@
 #include "apps/results/warning.h"
 #include "apps/statistics/distributions.h"
 #include "apps/studies/analysis_files.h"
-#include "postprocess/errors.h"
-#include "postprocess/gnuplot.h"
-#include "postprocess/numeric_text.h"
-#include "postprocess/plot.h"
+#include "postprocess/files/errors.h"
+#include "postprocess/pictures/gnuplot.h"
+#include "postprocess/files/numeric_text.h"
+#include "postprocess/pictures/plot.h"
 
 #include <algorithm>
 #include <cmath>

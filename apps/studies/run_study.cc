@@ -7,9 +7,9 @@
 #include "apps/studies/child_runs.h"
 #include "apps/studies/study_table.h"
 #include "base/errors.h"
-#include "postprocess/atomic_file.h"
-#include "postprocess/errors.h"
-#include "postprocess/numeric_text.h"
+#include "postprocess/files/atomic_file.h"
+#include "postprocess/files/errors.h"
+#include "postprocess/files/numeric_text.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,10 +1,10 @@
 #include "apps/studies/study_journal.h"
 
 #include "base/errors.h"
-#include "postprocess/atomic_file.h"
-#include "postprocess/errors.h"
-#include "postprocess/numeric_text.h"
-#include "postprocess/summary.h"
+#include "postprocess/files/atomic_file.h"
+#include "postprocess/files/errors.h"
+#include "postprocess/files/numeric_text.h"
+#include "postprocess/files/summary.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -7,7 +7,7 @@
 #include "apps/statistics/orthogonal_array.h"
 #include "apps/statistics/space_filling.h"
 #include "apps/statistics/surface_designs.h"
-#include "postprocess/csv_table.h"
+#include "postprocess/files/csv_table.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #include "apps/studies/table_selection.h"
 
 #include "base/errors.h"
-#include "postprocess/csv_table.h"
-#include "postprocess/numeric_text.h"
+#include "postprocess/files/csv_table.h"
+#include "postprocess/files/numeric_text.h"
 
 #include <fmt/format.h>
 

@@ -183,6 +183,16 @@ namespace postprocess
                {"returned_stress", "Pa", 1, points, "by which the stress was moved back to the yield surface", ""}}};
     }
 
+    FieldFile node_fields()
+    {
+      return {"nodes",
+              "nodes.pvd",
+              "a point per node of a peridynamic body, at its present place",
+              {{"damage", "-", 1, points, "part of the volume within its horizon to which bonds are gone", ""},
+               {"volume", "m^3", 1, points, "of the node", ""},
+               {"displacement", "m", 3, points, "without rigid motion where nothing is held", ""}}};
+    }
+
     const char *kind_of(const Field &field)
     {
       return field.components == 1 ? "number" : field.components == 3 ? "vector" : "tensor";
@@ -206,7 +216,8 @@ namespace postprocess
                                                break_fields(),
                                                solid_fields_with_histories(),
                                                transferred_particle_fields(),
-                                               integration_point_fields()};
+                                               integration_point_fields(),
+                                               node_fields()};
     return all;
   }
 

@@ -26,6 +26,7 @@ namespace postprocess
         }
     };
     add(points.scalars);
+    add(points.vectors);
     add(points.tensors);
     write(path, data, time);
   }

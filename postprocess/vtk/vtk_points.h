@@ -19,6 +19,7 @@ namespace postprocess
 
     std::vector<Eigen::Vector3d> place; ///< [m]
     Columns<double>              scalars;
+    Columns<Eigen::Vector3d>     vectors;
     Columns<Eigen::Matrix3d>     tensors; ///< symmetric
   };
 

@@ -145,7 +145,7 @@ TEST_CASE("describe says in a sentence what does not exist, and does not guess",
   const ScratchFolder folder;
   for (const auto &[word, answer] :
        {std::pair{"MPI", "have no MPI"}, std::pair{"Python", "no Python interface"},
-        std::pair{"calibration", "doc/tutorials/constants.md"}, std::pair{"peridynamics", "no peridynamics"}})
+        std::pair{"calibrate", "doc/tutorials/constants.md"}, std::pair{"CUDA", "graphics processor"}})
     {
       const Outcome outcome = run(folder.path(), {"describe", word});
       CHECK(outcome.status == 2);

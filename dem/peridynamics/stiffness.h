@@ -1,0 +1,46 @@
+#pragma once
+
+#include "dem/peridynamics/bond_forces.h"
+#include "dem/peridynamics/supports.h"
+
+#include <memory>
+#include <string>
+
+namespace dem::peridynamics
+{
+  enum class Solver
+  {
+    direct,   ///< sparse Cholesky factor, refined by conjugate gradients
+    iterative ///< conjugate gradients, preconditioned by the diagonal
+  };
+
+  /** Tangent stiffness of all bonds, and the solution of its equations. */
+  class Stiffness
+  {
+  public:
+    explicit Stiffness(Solver solver);
+    ~Stiffness();
+
+    /**
+     * Of the body as deformed.
+     * @param held components that stay where they are
+     * @throws base::NumericalError where there is no factor
+     */
+    void assemble(const Bonds &bonds, Kinematics kinematics, const Held &held, const Field &u);
+
+    /**
+     * Solve K du = r in the components that are free; zero in the others.
+     * @param tolerance of the residual over r
+     * @return false where there is none: a mechanism of nearly broken nodes is loaded
+     * @throws base::NumericalError where the solution does not converge
+     */
+    bool solve(const Field &r, double tolerance, Field &du) const;
+
+    std::size_t unknowns() const;
+
+  private:
+    struct Implementation;
+    std::unique_ptr<Implementation> self;
+    Solver                          solver;
+  };
+} // namespace dem::peridynamics

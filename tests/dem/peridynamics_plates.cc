@@ -1,0 +1,210 @@
+#include "peridynamics_bodies.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace peridynamic_tests;
+
+namespace
+{
+  /** Largest errors on the centre lines and volume-weighted ones [%], u_x and u_y. */
+  struct Errors
+  {
+    double line[2] = {0, 0}, all[2] = {0, 0};
+  };
+
+  using Exact = std::function<Eigen::Vector3d(const Eigen::Vector3d &)>;
+
+  Errors errors_of(const Case &c, const Exact &exact)
+  {
+    const Bonds bonds  = c.bonds();
+    const Grid &grid   = bonds.grid();
+    const Field u      = displacement(c, bonds);
+    Field       wanted = grid.field();
+    for (const std::size_t i : grid.nodes())
+      wanted.add(i, exact(grid.position(i)));
+    remove_rigid_motion(grid, wanted);
+    Errors found;
+    for (std::size_t a = 0; a < 2; ++a)
+      {
+        double largest = 0, square = 0, whole = 0;
+        for (const std::size_t i : grid.nodes())
+          {
+            const Eigen::Vector3d x = grid.position(i);
+            const double          d = u.c[a][i] - wanted.c[a][i];
+            largest                 = std::max(largest, std::abs(wanted.c[a][i]));
+            square += grid.volume()[i] * d * d;
+            whole += grid.volume()[i] * wanted.c[a][i] * wanted.c[a][i];
+            // On the line, or on the row next to it.
+            if (std::abs(x[a == 0 ? 1 : 0]) < 0.6 * grid.spacing())
+              found.line[a] = std::max(found.line[a], std::abs(d));
+          }
+        found.line[a] *= 100 / largest;
+        found.all[a] = 100 * std::sqrt(square / whole);
+      }
+    return found;
+  }
+
+  Eigen::Vector3d tension(const Eigen::Vector3d &x) { return q / E * Eigen::Vector3d(-x.x() / 3, x.y(), 0); }
+
+  void check(const Errors &found, const double line_x, const double line_y, const double all_x, const double all_y)
+  {
+    CHECK(found.line[0] == Approx(line_x).margin(0.2).epsilon(0));
+    CHECK(found.line[1] == Approx(line_y).margin(0.2).epsilon(0));
+    if (all_x > 0)
+      CHECK(found.all[0] == Approx(all_x).margin(0.2).epsilon(0));
+    if (all_y > 0)
+      CHECK(found.all[1] == Approx(all_y).margin(0.2).epsilon(0));
+  }
+} // namespace
+
+TEST_CASE("a pulled plate has the published errors of layouts, calibration and traction", "[dem]")
+{
+  // peridynamics.md of the source documents, table 7.3.
+  check(errors_of(pulled_plate(50, Layout::boundary_nodes), tension), 7.4, 10.5, 8.7, 7.0);
+  check(errors_of(pulled_plate(100, Layout::boundary_nodes), tension), 8.1, 7.6, 6.4, 4.7);
+  check(errors_of(pulled_plate(50, Layout::boundary_nodes, Calibration::axis), tension), 3.5, 6.1, 0, 0);
+  check(errors_of(pulled_plate(50, Layout::cell_centred), tension), 6.7, 6.1, 6.7, 5.4);
+  check(errors_of(pulled_plate(100, Layout::cell_centred), tension), 7.7, 5.4, 5.9, 4.4);
+  check(errors_of(pulled_plate(50, Layout::cell_centred, Calibration::axis), tension), 2.6, 1.6, 8.4, 4.8);
+  check(errors_of(pulled_plate(100, Layout::cell_centred, Calibration::axis), tension), 3.4, 0.8, 3.5, 2.3);
+  for (const bool layer : {false, true})
+    {
+      Case c = pulled_plate(50, Layout::cell_centred, layer ? Calibration::none : Calibration::axis);
+      for (Pull &pull : c.pulls)
+        {
+          pull.weight = TractionWeight::consistent;
+          pull.form   = layer ? TractionForm::layer : TractionForm::transfer;
+        }
+      layer ? check(errors_of(c, tension), 9.0, 6.5, 0, 0) : check(errors_of(c, tension), 3.1, 2.6, 0, 0);
+    }
+}
+
+TEST_CASE("a pulled plate has the published errors on the finest grids too", "[dem][slow]")
+{
+  check(errors_of(pulled_plate(200, Layout::boundary_nodes), tension), 8.5, 6.1, 7.3, 4.4);
+  check(errors_of(pulled_plate(200, Layout::boundary_nodes, Calibration::axis), tension), 4.1, 1.6, 0, 0);
+  check(errors_of(pulled_plate(200, Layout::cell_centred), tension), 8.3, 5.0, 7.1, 4.4);
+  check(errors_of(pulled_plate(200, Layout::cell_centred, Calibration::axis), tension), 3.9, 0.4, 3.0, 1.2);
+}
+
+TEST_CASE("at a fixed horizon of 60 mm a pulled plate has the published errors", "[dem]")
+{
+  Case coarse = pulled_plate(50, Layout::cell_centred), fine = pulled_plate(100, Layout::cell_centred);
+  coarse.horizon.ratio = 3;
+  fine.horizon.ratio   = 6;
+  check(errors_of(coarse, tension), 8.0, 7.4, 0, 0);
+  check(errors_of(fine, tension), 10.9, 2.4, 0, 0);
+}
+
+namespace
+{
+  /** sigma_xx = k y at the sides. */
+  Case bent_by_its_sides(const Layout layout)
+  {
+    Case         c = plate(100, layout);
+    const double k = q / 0.25;
+    c.pulls        = {{"left", [k](const Eigen::Vector3d &x) { return Eigen::Vector3d(-k * x.y(), 0, 0); }},
+                      {"right", [k](const Eigen::Vector3d &x) { return Eigen::Vector3d(k * x.y(), 0, 0); }}};
+    return c;
+  }
+
+  Eigen::Vector3d bending(const Eigen::Vector3d &x)
+  {
+    const double k = q / 0.25;
+    return k / E * Eigen::Vector3d(x.x() * x.y(), -0.5 * (x.x() * x.x() + x.y() * x.y() / 3), 0);
+  }
+
+  /** sigma_yy = k x at the long edges. */
+  Case bent_by_its_edges()
+  {
+    Case         c = plate(100, Layout::cell_centred);
+    const double k = q / 0.5;
+    c.pulls        = {{"bottom", [k](const Eigen::Vector3d &x) { return Eigen::Vector3d(0, -k * x.x(), 0); }},
+                      {"top", [k](const Eigen::Vector3d &x) { return Eigen::Vector3d(0, k * x.x(), 0); }}};
+    return c;
+  }
+
+  Eigen::Vector3d bending_of_edges(const Eigen::Vector3d &x)
+  {
+    const double k = q / 0.5;
+    return k / E * Eigen::Vector3d(-0.5 * (x.y() * x.y() + x.x() * x.x() / 3), x.x() * x.y(), 0);
+  }
+} // namespace
+
+TEST_CASE("a bent plate has the published errors", "[dem]")
+{
+  // peridynamics.md of the source documents, 7.3: the volume-weighted ones.
+  const Errors centred = errors_of(bent_by_its_sides(Layout::cell_centred), bending);
+  CHECK(centred.all[0] == Approx(1.7).margin(0.2).epsilon(0));
+  CHECK(centred.all[1] == Approx(1.3).margin(0.2).epsilon(0));
+  const Errors nodes = errors_of(bent_by_its_sides(Layout::boundary_nodes), bending);
+  CHECK(nodes.all[0] == Approx(1.4).margin(0.2).epsilon(0));
+  CHECK(nodes.all[1] == Approx(1.7).margin(0.2).epsilon(0));
+  const Errors edges = errors_of(bent_by_its_edges(), bending_of_edges);
+  CHECK(edges.line[0] == Approx(5.6).margin(0.2).epsilon(0));
+  CHECK(edges.all[0] == Approx(7.9).margin(0.2).epsilon(0));
+  CHECK(edges.all[1] == Approx(4.1).margin(0.2).epsilon(0));
+}
+
+namespace
+{
+  /** Of the node nearest to a place; of equal ones the first. */
+  Eigen::Vector3d nearest(const Grid &grid, const Field &u, const Eigen::Vector3d &place)
+  {
+    std::size_t best = grid.nodes().front();
+    for (const std::size_t i : grid.nodes())
+      if ((grid.position(i) - place).norm() < (grid.position(best) - place).norm() - 1e-9)
+        best = i;
+    return u.at(best);
+  }
+
+  /** Traction at which the first bond breaks [MPa], in linear kinematics. */
+  double first_break(Case c)
+  {
+    c.material.critical_stretch = 0.0058;
+    const Bonds      bonds      = c.bonds();
+    const BondForces forces(bonds, Kinematics::linear);
+    return q / 1e6 / largest_stretch(bonds, forces, displacement(c, bonds)).of_limit;
+  }
+} // namespace
+
+TEST_CASE("a plate with a hole has the published displacements, near those of finite elements", "[dem]")
+{
+  const Case  c     = plate_with_hole(Layout::cell_centred);
+  const Bonds bonds = c.bonds();
+  const Field u     = displacement(c, bonds, Solver::direct, Kinematics::nonlinear);
+  const auto  at    = nearest(bonds.grid(), u, {-0.125, -0.125, 0});
+  // peridynamics.md of the source documents, 7.3.
+  CHECK(at.x() == Approx(4.458e-5).margin(6e-9).epsilon(0));
+  CHECK(at.y() == Approx(-1.4369e-4).margin(6e-9).epsilon(0));
+  // Eight-node finite elements, 5 of the same: the grid is 4.9 % too stiff along its axes and 4.5 % too narrow across.
+  CHECK(at.x() == Approx(4.7599e-5).epsilon(0.065));
+  CHECK(at.y() == Approx(-1.47312e-4).epsilon(0.027));
+  CHECK(nearest(bonds.grid(), u, {0, 0.1, 0}).y() == Approx(1.83221e-4).epsilon(0.04));
+  CHECK(nearest(bonds.grid(), u, {0.2, 0, 0}).x() == Approx(-1.03849e-4).epsilon(0.08));
+}
+
+TEST_CASE("the first bond of a plate with a hole breaks at 377.5 MPa", "[dem]")
+{
+  // peridynamics.md of the source documents, 7.4.
+  CHECK(first_break(plate_with_hole(Layout::cell_centred)) == Approx(377.5).margin(0.2).epsilon(0));
+  CHECK(first_break(plate_with_hole(Layout::boundary_nodes)) == Approx(374.2).margin(0.2).epsilon(0));
+  CHECK(first_break(plate_with_hole(Layout::cell_centred, Calibration::axis)) == Approx(360.0).margin(0.2).epsilon(0));
+}
+
+TEST_CASE("conjugate gradients without a factor find the same equilibrium", "[dem]")
+{
+  const Case  c     = pulled_plate(50, Layout::cell_centred);
+  const Bonds bonds = c.bonds();
+  const Field a = displacement(c, bonds, Solver::direct), b = displacement(c, bonds, Solver::iterative);
+  double      most = 0, apart = 0;
+  for (const std::size_t i : bonds.grid().nodes())
+    {
+      most  = std::max(most, a.at(i).norm());
+      apart = std::max(apart, (a.at(i) - b.at(i)).norm());
+    }
+  CHECK(apart < 1e-8 * most);
+}
