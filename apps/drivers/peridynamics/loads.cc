@@ -123,11 +123,11 @@ namespace apps
       });
   }
 
-  void PeridynamicLoadsSection::validate(const Section &root, const int dimension) const
+  void PeridynamicLoadsSection::check(const base::EntryPath &root, const int dimension) const
   {
     for (const PeridynamicTraction &t : tractions)
       {
-        const Section &section = *root.find_section("Tractions")->find_section(t.name);
+        const base::EntryPath section = root.at("Tractions").at(t.name);
         if (t.value.empty() && !t.pressure.given())
           section.refuse("Value", "gives no traction, nor does Pressure.");
         for (std::size_t c = static_cast<std::size_t>(dimension); c < t.value.size(); ++c)
@@ -137,9 +137,9 @@ namespace apps
       }
     for (const PeridynamicSupport &s : supports)
       {
-        const Section &section = *root.find_section("Displacements")->find_section(s.name);
+        const base::EntryPath section = root.at("Displacements").at(s.name);
         if (s.boundary.empty())
-          s.region.validate(section, dimension);
+          s.region.check(section, dimension);
         if (!any_given(s.displacement))
           section.refuse("x", "none of x, y and z is prescribed.");
       }

@@ -56,7 +56,7 @@ namespace apps
 
     void declare(Section &root);
     /** @throws base::InputError */
-    void validate(const Section &root, int dimension) const;
+    void check(const base::EntryPath &root, int dimension) const;
     /** @param quiet led by a load factor, not by time @throws base::InputError for boundaries that the body does not have */
     PeridynamicLoads on(const dem::peridynamics::Bonds &bonds, bool quiet) const;
   };

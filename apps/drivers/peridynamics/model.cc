@@ -177,27 +177,26 @@ namespace apps
     return dimension() == 1 ? pd::Space::rod : dimension() == 3 ? pd::Space::space : plane;
   }
 
-  void PeridynamicsModel::validate_body(const Section &root) const
+  void PeridynamicsModel::check_body(const base::EntryPath &root) const
   {
-    const Section            &body    = *root.find_section("Body");
+    const base::EntryPath     body    = root.at("Body");
     const std::vector<double> lengths = numbers_between_commas(size);
     if (lengths.empty() || lengths.size() > 3 || *std::min_element(lengths.begin(), lengths.end()) <= 0)
       body.refuse("Size", "must be one to three lengths > 0 between commas.");
     if (pd::half_family(dimension(), horizon).empty())
-      root.find_section("Horizon")->refuse("Ratio",
-                                           "no other node lies within the horizon: it must be at least one spacing.");
+      root.at("Horizon").refuse("Ratio", "no other node lies within the horizon: it must be at least one spacing.");
     for (const double length : lengths)
       if (const double cells = length / spacing;
           std::abs(cells - std::round(cells)) > 1e-6 * cells || std::round(cells) < 1)
-        root.find_section("Grid")->refuse(
+        root.at("Grid").refuse(
           "Spacing",
           fmt::format("must divide every length of the body without a rest; {} m are {:.6g} spacings.", length, cells));
   }
 
-  void PeridynamicsModel::validate_material(const Section &root) const
+  void PeridynamicsModel::check_material(const base::EntryPath &root) const
   {
-    const Section &s  = *root.find_section("Material");
-    const double   nu = pd::poisson_ratio(space());
+    const base::EntryPath s  = root.at("Material");
+    const double          nu = pd::poisson_ratio(space());
     if (poisson_ratio != 0 && std::abs(poisson_ratio - nu) > 1e-3)
       s.refuse("Poisson ratio", dimension() == 1 ?
                                   std::string("a rod has none.") :
@@ -210,40 +209,41 @@ namespace apps
       s.refuse("Density", "must be > 0 where Analysis/Method is motion.");
   }
 
-  void PeridynamicsModel::validate_places(const Section &root) const
+  void PeridynamicsModel::check_places(const base::EntryPath &root) const
   {
-    const int  d     = dimension();
-    const auto check = [&](const Section &section, const char *entry, const PlaceEntry &place, const bool needed) {
+    const int  d       = dimension();
+    const auto require = [&](const base::EntryPath &section, const char *entry, const PlaceEntry &place,
+                             const bool needed) {
       const std::size_t n = numbers_between_commas(place.text).size();
       if ((needed || !place.text.empty()) && (n < static_cast<std::size_t>(std::min(d, 2)) || n > 3))
         section.refuse(entry, fmt::format("expected {} coordinates between commas.", d));
     };
     for (const PeridynamicHole &hole : holes)
       {
-        const Section &section = *root.find_section("Holes")->find_section(hole.name);
+        const base::EntryPath section = root.at("Holes").at(hole.name);
         if (d == 1)
           section.refuse("Radius", "a rod cannot have a hole.");
-        check(section, "Centre", hole.centre, true);
+        require(section, "Centre", hole.centre, true);
       }
     for (const PeridynamicCrack &crack : cracks)
       {
-        const Section &section = *root.find_section("Cracks")->find_section(crack.name);
+        const base::EntryPath section = root.at("Cracks").at(crack.name);
         if (d == 1)
           section.refuse("From", "a rod cannot have a crack along itself.");
-        check(section, "From", crack.from, true);
-        check(section, "To", crack.to, true);
-        check(section, "Depth", crack.depth, d == 3);
+        require(section, "From", crack.from, true);
+        require(section, "To", crack.to, true);
+        require(section, "Depth", crack.depth, d == 3);
       }
     for (const NoFailZone &zone : safe)
-      zone.region.validate(*root.find_section("No-fail zones")->find_section(zone.name), d == 1 ? 3 : d);
+      zone.region.check(root.at("No-fail zones").at(zone.name), d == 1 ? 3 : d);
   }
 
-  void PeridynamicsModel::validate(const Section &root) const
+  void PeridynamicsModel::check(const base::EntryPath &root) const
   {
-    validate_body(root);
-    validate_material(root);
-    validate_places(root);
-    loads.validate(root, dimension());
+    check_body(root);
+    check_material(root);
+    check_places(root);
+    loads.check(root, dimension());
   }
 
   pd::Body PeridynamicsModel::body() const

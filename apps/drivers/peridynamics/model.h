@@ -90,7 +90,7 @@ namespace apps
 
     void declare(Section &root);
     /** @throws base::InputError */
-    void validate(const Section &root) const;
+    void check(const base::EntryPath &root) const;
 
     int                     dimension() const;
     dem::peridynamics::Body body() const;
@@ -101,9 +101,9 @@ namespace apps
     void                        declare_body(Section &root);
     void                        declare_material(Section &root);
     void                        declare_defects(Section &root);
-    void                        validate_body(const Section &root) const;
-    void                        validate_material(const Section &root) const;
-    void                        validate_places(const Section &root) const;
+    void                        check_body(const base::EntryPath &root) const;
+    void                        check_material(const base::EntryPath &root) const;
+    void                        check_places(const base::EntryPath &root) const;
     dem::peridynamics::Space    space() const;
     dem::peridynamics::Material breaking_material() const;
   };

@@ -1,8 +1,8 @@
 #include "apps/drivers/peridynamics/results.h"
 
+#include "postprocess/files/series.h"
 #include "postprocess/pictures/field_picture.h"
 #include "postprocess/pictures/picture_axes.h"
-#include "postprocess/files/series.h"
 #include "postprocess/vtk/vtk_points.h"
 
 #include <fmt/format.h>

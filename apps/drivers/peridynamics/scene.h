@@ -10,7 +10,7 @@ namespace apps
   {
   public:
     void        declare(Section &root) override { model.declare(root); }
-    void        validate(const Section &root) const override { model.validate(root); }
+    void        check() const override { model.check({}); }
     std::string forecast() const override;
     RunResult   run(const RunRequest &request) const override;
 
