@@ -155,13 +155,13 @@ namespace apps
       {
         only.check();
         if (!interfaces.empty())
-          root.at("Interfaces").at(interfaces.front().name).refuse("the scene has no section Materials to join.");
+          root.at("Interfaces").refuse("the scene has no section Materials to join.");
         if (!regions.empty())
-          places.at(regions.front().name).refuse("the scene has no section Materials to take their materials from.");
+          places.refuse("the scene has no section Materials to take their materials from.");
         return;
       }
     if (only.given)
-      materials_section.at(named.front().name).refuse("the scene has a section Material as well. Keep one of the two.");
+      materials_section.refuse("the scene has a section Material as well. Keep one of the two.");
     for (const NamedMaterial &material : named)
       {
         const base::EntryPath section = materials_section.at(material.name);
@@ -178,7 +178,7 @@ namespace apps
       }
     catch (const base::InputError &refusal)
       {
-        materials_section.at(named.front().name).refuse(refusal.what());
+        materials_section.refuse(refusal.what());
       }
     const std::vector<std::string> known = names();
     for (const MaterialRegion &region : regions)

@@ -138,7 +138,10 @@ namespace apps
           throw base::InputError(refused.what());
         if (!refused.entry.empty())
           section->refuse(refused.entry, refused.rule);
-        throw base::InputError(section->place().text() + ": " + section->path() + refused.separator + refused.rule);
+        const Section *opened = section; // what has a fixed name is where the first of its parts is
+        while (opened->place().line == 0 && !opened->sections().empty())
+          opened = opened->sections().front().get();
+        throw base::InputError(opened->place().text() + ": " + section->path() + refused.separator + refused.rule);
       }
   }
 } // namespace apps

@@ -33,7 +33,7 @@ namespace
     apps::StopsSection read;
     read.declare(root);
     assign(root, apps::read_overrides(texts), "test");
-    read.check({}, names);
+    with_places(root, [&] { read.check({}, names); });
     return read;
   }
 } // namespace

@@ -34,6 +34,8 @@ TEST_CASE("Every scene that is shipped reads the same as it is completed in a re
   const ScratchFolder folder;
   for (const auto &entry : std::filesystem::directory_iterator(places::sources() + "/apps/scenes"))
     {
+      if (!entry.is_regular_file()) // tables, and designs of studies
+        continue;
       INFO(entry.path());
       const apps::CheckedScene asked = apps::read_scene(entry.path().string(), {});
       const auto file = folder.file("scene.prm", completed_scene(*asked.root, apps::Completed::everything));
