@@ -494,10 +494,11 @@ namespace dem
     const FaceContact face = now.of_law(shape, radius, before ? before->overlap : now.overlap + opening);
     now.memory =
       before ? before->memory : law.begin(radius, face.area, shape.denser(particles, i) * shape.mass(radius));
-    const FaceAnswer besides = law.follow(face, now.direction, vector(added), rate, now.shear, now.memory);
-    now.dissipated           = besides.friction + lost;
-    now.viscous              = besides.viscous;
-    now.dashpot              = besides.dashpot;
+    const FaceAnswer besides =
+      law.follow(face, now.pressing, now.direction, vector(added), rate, now.shear, now.memory);
+    now.dissipated = besides.friction + lost;
+    now.viscous    = besides.viscous;
+    now.dashpot    = besides.dashpot;
     return besides.force;
   }
 } // namespace dem

@@ -93,6 +93,7 @@ namespace dem
   }
 
   FaceAnswer SurfaceLaw::follow(const FaceContact     &contact,
+                                const double           at_rest,
                                 const Eigen::Vector3d &direction,
                                 const Eigen::Vector3d &added,
                                 const double           per_second,
@@ -109,10 +110,9 @@ namespace dem
     const Row  before    = row_of(memory, numbers, shear);
     Row        after     = before;
     const auto answer    = law->update(0, step, before.data(), after.data());
-    const auto at_rest   = press(contact, memory);
     std::copy_n(after.begin(), numbers, memory.begin());
     shear                         = Eigen::Vector3d(&after[numbers]);
-    const Eigen::Vector3d besides = contact.share * answer.force + at_rest.force * direction;
+    const Eigen::Vector3d besides = contact.share * answer.force + at_rest * direction;
     return {besides, viscous() ? -besides.dot(direction) : 0.0, contact.share * answer.friction,
             contact.share * answer.viscous};
   }

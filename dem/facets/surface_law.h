@@ -64,9 +64,11 @@ namespace dem
     double stored_in_shear(const FaceContact &contact, const Eigen::Vector3d &shear, const FaceMemory &memory) const;
     /**
      * A step: the shear slides or not, the memory goes on.
-     * @param added displacement along the face in it over the radius @param shear in: with it @param per_second as LinkStep has it
+     * @param at_rest pressure as press() has it [N] @param added displacement along the face in it over the radius @param shear in: with it
+     * @param per_second as LinkStep has it
      */
     FaceAnswer follow(const FaceContact     &contact,
+                      double                 at_rest,
                       const Eigen::Vector3d &direction,
                       const Eigen::Vector3d &added,
                       double                 per_second,

@@ -13,7 +13,6 @@ namespace apps
 {
   void CoupledModel::declare(Section &scene)
   {
-    root = &scene;
     continuum.declare_as_part(
       scene.section("Continuum", "The solid; sections of a scene of kind continuum, in explicit motion"));
     particles.declare_as_part(scene.section("Particles", "The particles; sections of a scene of kind particles"));

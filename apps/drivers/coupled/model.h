@@ -20,9 +20,8 @@ namespace apps
     HandshakesSection handshakes;
     LaboratorySection laboratory;
     ReferencesSection references;
-    std::int64_t      largest_ratio    = 1;       ///< of steps of either side in one of the other
-    double            sub_cycling_loss = 0.005;   ///< that it may make, over the largest energy
-    const Section    *root             = nullptr; ///< of the scene, which outlives the model
+    std::int64_t      largest_ratio    = 1;     ///< of steps of either side in one of the other
+    double            sub_cycling_loss = 0.005; ///< that it may make, over the largest energy
 
     void declare(Section &root);
     /** @throws base::InputError. */
