@@ -6,7 +6,7 @@
 #include "apps/bench/scene_variant.h"
 #include "apps/drivers/particles/body.h"
 #include "apps/drivers/particles/scene.h"
-#include "apps/process/stopwatch.h"
+#include "base/stopwatch.h"
 
 #include <fmt/format.h>
 
@@ -62,14 +62,14 @@ namespace apps
       const ParticlesModel &model   = scene_of_kind<ParticlesScene>(checked, "particles").parameters();
       if (!model.laboratory.confined())
         refuse_scene(checked, "Laboratory/Test: this bench needs biaxial or triaxial compression.");
-      const double       start   = processor_seconds();
+      const double       start   = base::processor_seconds();
       const dem::Packing packing = model.packing();
       ParticlesBody      body(model, packing);
       body.start();
       ConfinedRow row;
       row.pressure                 = pressure;
       row.balance                  = run_test(body, model.last_time()).balance;
-      row.cost                     = processor_seconds() - start;
+      row.cost                     = base::processor_seconds() - start;
       const dem::TestFigures found = body.test()->figures();
       row.axial_strength           = value_of(found.strength) + pressure;
       row.modulus                  = value_of(found.gauge_modulus);

@@ -1,6 +1,6 @@
 #include "apps/bench/conservation_cases.h"
 
-#include "apps/process/stopwatch.h"
+#include "base/stopwatch.h"
 #include "coupling/concurrent/concurrent_motion.h"
 #include "dem/laws/elastic_links.h"
 #include "dem/laws/parallel_bond.h"
@@ -140,9 +140,9 @@ namespace apps
       double         there = first.there;
       for (std::int64_t w = 1; w < windows; ++w)
         {
-          const double before = processor_seconds();
+          const double before = base::processor_seconds();
           sides.both->advance(step);
-          found.cost += processor_seconds() - before;
+          found.cost += base::processor_seconds() - before;
           const Momenta  now    = momenta_of(sides);
           const Energies energy = energies_of(sides);
           found.momentum        = std::max(found.momentum, (now.linear - start.linear).norm() / start.linear_size);
@@ -365,9 +365,10 @@ namespace apps
       start.particles      = [](const Vector3d &) -> Vector3d { return Vector3d::Zero(); };
       start.spin           = Vector3d::Zero();
       sides.begin(block_modulus, 0.5, start);
-      dem::BodyContactParameters contact;
-      contact.form      = which.choice == 0 ? dem::BodyContactForm::potential : dem::BodyContactForm::penalty;
-      contact.stiffness = 1e12;
+      coupling::bodies::BodyContactParameters contact;
+      contact.form =
+        which.choice == 0 ? coupling::bodies::BodyContactForm::potential : coupling::bodies::BodyContactForm::penalty;
+      contact.stiffness            = 1e12;
       contact.friction_coefficient = 0.4;
       sides.both->contacts().add({which.name, {}, contact});
       return follow(sides, 1e-3, part);

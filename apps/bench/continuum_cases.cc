@@ -1,7 +1,7 @@
 #include "apps/bench/continuum_cases.h"
 
 #include "apps/bench/results.h"
-#include "apps/process/stopwatch.h"
+#include "base/stopwatch.h"
 #include "fem/materials/isotropic_elastic.h"
 #include "fem/mesh/shapes.h"
 #include "fem/solvers/static_solver.h"
@@ -103,7 +103,7 @@ namespace apps
 
   ContinuumError solve_case(const ContinuumCase &which)
   {
-    const double      start = processor_seconds();
+    const double      start = base::processor_seconds();
     fem::SolidOptions options;
     options.degree = which.degree;
     fem::Solid<3>                   solid(unit_cube(which.family, which.divisions, MPI_COMM_SELF), options);
@@ -125,7 +125,7 @@ namespace apps
       throw std::runtime_error("bench continuum: " + which.element_name() + ", " + which.solver_name() + ": " +
                                report.reason);
     ContinuumError row;
-    row.cost       = processor_seconds() - start;
+    row.cost       = base::processor_seconds() - start;
     row.which      = which;
     row.unknowns   = solid.dofs().n_dofs();
     row.iterations = solver.linear_iterations();

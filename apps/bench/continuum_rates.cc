@@ -3,7 +3,7 @@
 #include "apps/bench/continuum_cases.h"
 #include "apps/bench/plain_elasticity.h"
 #include "apps/bench/results.h"
-#include "apps/process/stopwatch.h"
+#include "base/stopwatch.h"
 #include "fem/explicit/explicit_solver.h"
 #include "fem/materials/isotropic_elastic.h"
 #include "fem/solvers/static_solver.h"
@@ -87,7 +87,7 @@ namespace apps
     const auto                 add = [&](const char *operation, const double ours, const double theirs) {
       rates.push_back({operation, n, ours, theirs});
     };
-    const auto clock = processor_seconds;
+    const auto clock = base::processor_seconds;
     add("assembly", shortest(clock, [&] { cube.solid.sweep(u, wanted); }), shortest(clock, [&] { plain.assemble(); }));
     add("product", shortest(clock, [&] { cube.solid.internal_force(u, f); }),
         shortest(clock, [&] { plain.multiply(); }));

@@ -3,7 +3,7 @@
 #include "apps/bench/results.h"
 #include "apps/drivers/homogenisation/report.h"
 #include "apps/drivers/parts/specimen_packing.h"
-#include "apps/process/stopwatch.h"
+#include "base/stopwatch.h"
 #include "base/voigt.h"
 #include "dem/laws/elastic_links.h"
 #include "dem/linear/dynamic_relaxation.h"
@@ -61,10 +61,10 @@ namespace apps
       dem::SolverParameters solver;
       solver.method        = method;
       solver.tolerance     = tolerance;
-      const double start   = processor_seconds();
+      const double start   = base::processor_seconds();
       const auto   relaxed = dem::relaxed_stiffness(network, solver);
       ModuliRow    row;
-      row.cost       = processor_seconds() - start;
+      row.cost       = base::processor_seconds() - start;
       row.iterations = relaxed.solver.iterations;
       row.residual   = relaxed.solver.residual;
       stiffness      = relaxed.stiffness;
@@ -74,7 +74,7 @@ namespace apps
     /** The six load cases shaken to rest; the stiffness from the mean stress of the links, as a particle code would. */
     ModuliRow relax(const dem::ElasticNetwork &network, const double tolerance, dem::MacroscopicStiffness &stiffness)
     {
-      const double                 start = processor_seconds();
+      const double                 start = base::processor_seconds();
       const dem::StiffnessOperator K(network, {});
       dem::LaneStrains             strain;
       for (int lane = 0; lane < dem::load_lanes; ++lane)
@@ -91,7 +91,7 @@ namespace apps
         dem::relax_dynamically(K, b, x, K.link_force_norm(dem::Fields(x.size(), 0.0), strain), parameters);
       stiffness = K.energy_product(x, strain) / network.volume;
       ModuliRow row;
-      row.cost       = processor_seconds() - start;
+      row.cost       = base::processor_seconds() - start;
       row.iterations = report.iterations;
       row.residual   = report.largest_residual();
       return row;
@@ -116,7 +116,7 @@ namespace apps
       s.damping                                                  = 0.2;
       const dem::LinkMaterials links                             = dem::elastic_links(1, bench.shear_ratio);
       ModuliRow                row;
-      const double             start = processor_seconds();
+      const double             start = base::processor_seconds();
       for (int c = 0; c < 6; ++c)
         {
           dem::Specimen           body(packing, s, links);
@@ -134,7 +134,7 @@ namespace apps
           row.residual     = std::max(row.residual, body.unbalanced_ratio());
           stiffness.col(c) = base::stress_voigt(body.cell().stress) / strain;
         }
-      row.cost = processor_seconds() - start;
+      row.cost = base::processor_seconds() - start;
       return row;
     }
 

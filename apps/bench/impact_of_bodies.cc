@@ -3,7 +3,7 @@
 #include "apps/drivers/continuum/analysis.h"
 #include "apps/drivers/continuum/solid.h"
 #include "apps/process/interrupt.h"
-#include "apps/process/stopwatch.h"
+#include "base/stopwatch.h"
 
 #include <fmt/format.h>
 
@@ -18,7 +18,7 @@ namespace apps
     {
       const auto   solid    = make_solid<dim>(model);
       const auto   analysis = make_explicit_analysis<dim>(*solid, model);
-      const double start    = processor_seconds();
+      const double start    = base::processor_seconds();
       while (!analysis->finished() && !interrupted())
         {
           analysis->advance();
@@ -26,7 +26,7 @@ namespace apps
         }
       ImpactMeasurement found;
       found.which                  = which;
-      found.cost                   = processor_seconds() - start;
+      found.cost                   = base::processor_seconds() - start;
       const ContinuumEnergy energy = analysis->energy();
       const ContactFigures &seen   = *analysis->contact_figures();
       const auto            names  = analysis->columns();

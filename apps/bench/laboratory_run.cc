@@ -1,6 +1,6 @@
 #include "apps/bench/laboratory_run.h"
 
-#include "apps/process/stopwatch.h"
+#include "base/stopwatch.h"
 
 #include <fmt/format.h>
 
@@ -21,13 +21,13 @@ namespace apps
   LaboratoryRun run_test(ParticlesBody &body, const double end_time)
   {
     LaboratoryRun run;
-    const double  start = processor_seconds();
+    const double  start = base::processor_seconds();
     while (!body.test_is_over() && body.specimen().time() < end_time)
       {
         body.advance(1000);
         run.balance = std::max(run.balance, body.specimen().energy().balance_error());
       }
-    run.cost = processor_seconds() - start;
+    run.cost = base::processor_seconds() - start;
     return run;
   }
 } // namespace apps

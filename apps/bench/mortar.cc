@@ -4,8 +4,8 @@
 #include "apps/bench/mortar_constants.h"
 #include "apps/bench/mortar_crush.h"
 #include "apps/bench/results.h"
-#include "apps/process/stopwatch.h"
 #include "base/errors.h"
+#include "base/stopwatch.h"
 #include "dem/statics/quasi_static_path.h"
 
 #include <fmt/format.h>
@@ -51,7 +51,7 @@ namespace apps
     MortarRow in_equilibrium(const ParticlesModel &model, const dem::Packing &packing)
     {
       MortarRow                  row{"equilibrium", "elastic"};
-      const double               start  = processor_seconds();
+      const double               start  = base::processor_seconds();
       const dem::LoadedNetwork   loaded = between_smooth_ends(model, packing);
       dem::QuasiStaticParameters steps;
       steps.sign        = -1;
@@ -63,7 +63,7 @@ namespace apps
       row.modulus                = point.stress[loaded.led] / point.strain[loaded.led];
       row.strength = row.imbalance = unknown_figure;
       row.balance                  = point.balance_error();
-      row.cost                     = processor_seconds() - start;
+      row.cost                     = base::processor_seconds() - start;
       return row;
     }
 
@@ -72,7 +72,7 @@ namespace apps
     {
       MortarRow row{"equilibrium", "to failure"};
       row.imbalance                   = unknown_figure;
-      const double             start  = processor_seconds();
+      const double             start  = base::processor_seconds();
       const dem::LoadedNetwork loaded = between_smooth_ends(model, packing);
       row.particles                   = packing.size();
       row.bonds                       = loaded.network.links.size();
@@ -92,7 +92,7 @@ namespace apps
         {
           fmt::print("{}: not to failure: {}\n", row.study, error.what());
           row.strength = row.modulus = unknown_figure;
-          row.cost                   = processor_seconds() - start;
+          row.cost                   = base::processor_seconds() - start;
           return row;
         }
       const auto stress = [&](const dem::QuasiStaticPoint &p) { return -p.stress[loaded.led]; };
@@ -102,7 +102,7 @@ namespace apps
       const auto  half =
         std::find_if(points.begin(), points.end(), [&](const auto &p) { return stress(p) >= 0.5 * row.strength; });
       row.modulus = half->stress[loaded.led] / half->strain[loaded.led];
-      row.cost    = processor_seconds() - start;
+      row.cost    = base::processor_seconds() - start;
       return row;
     }
 
@@ -177,9 +177,9 @@ namespace apps
       {
         const CheckedScene    checked = one.variant.of(bench.scene, bench.overrides);
         const ParticlesModel &model   = mortar_in(checked);
-        const double          start   = processor_seconds();
+        const double          start   = base::processor_seconds();
         const dem::Packing    packing = one.grows ? model.packing() : *reference;
-        const double          growth  = processor_seconds() - start;
+        const double          growth  = base::processor_seconds() - start;
         if (!reference)
           reference = packing;
         MortarRow row = crush(one.variant, model, packing);

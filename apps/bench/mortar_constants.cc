@@ -4,8 +4,8 @@
 #include "apps/bench/line_fit.h"
 #include "apps/bench/mortar_crush.h"
 #include "apps/bench/results.h"
-#include "apps/process/stopwatch.h"
 #include "apps/scene/value_text.h"
+#include "base/stopwatch.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -8,7 +8,7 @@
 #include "apps/drivers/continuum/solid.h"
 #include "apps/drivers/parts/specimen_packing.h"
 #include "apps/process/mpi_session.h"
-#include "apps/process/stopwatch.h"
+#include "base/stopwatch.h"
 #include "coupling/multiscale/cell_points.h"
 #include "coupling/multiscale/moving_cells.h"
 #include "dem/laws/cpm.h"
@@ -75,7 +75,7 @@ namespace apps
       CellRow                  row{variant.study, variant.value, 0, 0, {}, {}, 0};
       row.points =
         static_cast<double>(solid->mesh().triangulation->n_global_active_cells() * solid->quadrature().size());
-      const double start = processor_seconds();
+      const double start = base::processor_seconds();
       try
         {
           while (!analysis->finished() && solid->end_of_validity().empty())
@@ -93,7 +93,7 @@ namespace apps
         {
           fmt::print("  {} {}: {}\n", row.study, row.value, end.what());
         }
-      row.cost = processor_seconds() - start;
+      row.cost = base::processor_seconds() - start;
       return row;
     }
 
@@ -219,7 +219,7 @@ namespace apps
     double seconds_of(const std::function<void()> &work, const int times)
     {
       work();
-      const Stopwatch watch;
+      const base::Stopwatch watch;
       for (int i = 0; i < times; ++i)
         work();
       return watch.seconds() / times;
@@ -260,7 +260,7 @@ namespace apps
       coupling::CellPoints still({{prepared}, coupling::Localised::go_on}, fem::Plane::strain);
       fem::PointAnswer     reference;
       still.allocate(1);
-      const Stopwatch clock;
+      const base::Stopwatch clock;
       for (const double part : {0.6, 0.8, 1.0})
         {
           still.evaluate(0, part * end, {}, true, reference);
@@ -277,7 +277,7 @@ namespace apps
           coupling::MovingCells of(p, fem::Plane::strain);
           of.allocate(1);
           of.place(std::vector<fem::GatheredPoints::Site>(1), {});
-          const Stopwatch watch;
+          const base::Stopwatch watch;
           of.begin_motion(static_cast<double>(steps) * 0.4 * 1e-3 * std::sqrt(2400 / 25e9));
           of.gather({end}, false);
           const double     seconds = watch.seconds();
@@ -327,7 +327,7 @@ namespace apps
         };
         gather(0.9 * size);
         gather(strain > size ? 1.1 * size : 0.95 * size);
-        const Stopwatch watch;
+        const base::Stopwatch watch;
         gather(strain);
         omp_set_num_threads(1);
         return watch.seconds();

@@ -1,7 +1,7 @@
 #include "apps/bench/peridynamic_plate.h"
 
 #include "apps/drivers/parts/duration.h"
-#include "apps/process/stopwatch.h"
+#include "base/stopwatch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -121,7 +121,7 @@ namespace apps
     const pd::Bonds   bonds = bonds_of(plate);
     PeridynamicErrors found;
     found.bonds = bonds.count();
-    const Stopwatch watch;
+    const base::Stopwatch watch;
     const pd::Field pulled = at_rest(plate, bonds, stress_of(1, 1)), sheared = at_rest(plate, bonds, stress_of(0, 1));
     found.seconds       = watch.seconds();
     const double     nu = pd::poisson_ratio(pd::Space::plane_stress), unit = load / young;

@@ -6,7 +6,7 @@
 #include "apps/drivers/quasi_static/lab_test.h"
 #include "apps/drivers/uniaxial/lab_test.h"
 #include "apps/drivers/uniaxial/scene.h"
-#include "apps/process/stopwatch.h"
+#include "base/stopwatch.h"
 
 #include <fmt/format.h>
 
@@ -58,7 +58,7 @@ namespace apps
       still.lateral_blocked    = model.loading.lateral_blocked;
       still.spin_blocked       = model.loading.spin_blocked;
       still.tension            = {strain_step, stop_fraction, stop_strain};
-      const double       start = processor_seconds();
+      const double       start = base::processor_seconds();
       QuasiStaticLabTest test(still, packing, 0);
       while (!test.finished())
         test.advance();
@@ -66,14 +66,14 @@ namespace apps
       row.figures       = test.result.notes.figures;
       row.balance_error = test.result.worst_balance_error;
       row.steps         = test.result.solutions;
-      row.cost          = processor_seconds() - start;
+      row.cost          = base::processor_seconds() - start;
       return row;
     }
 
     RateRow pull(UniaxialModel model, const dem::Packing &packing, const double rate)
     {
       model.loading.tension.rate = rate;
-      const double    start      = processor_seconds();
+      const double    start      = base::processor_seconds();
       UniaxialLabTest test(model, packing, 0);
       while (!test.finished())
         test.advance();
@@ -82,7 +82,7 @@ namespace apps
       row.figures       = test.result.notes.figures;
       row.balance_error = test.result.worst_balance_error;
       row.steps         = test.result.steps;
-      row.cost          = processor_seconds() - start;
+      row.cost          = base::processor_seconds() - start;
       return row;
     }
 

@@ -7,10 +7,10 @@
 #include "apps/drivers/sequential/study.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
-#include "apps/process/stopwatch.h"
 #include "apps/results/result_folder.h"
 #include "apps/results/terminal.h"
 #include "apps/scene/description.h"
+#include "base/stopwatch.h"
 
 #include <fmt/format.h>
 
@@ -103,8 +103,8 @@ namespace apps
       request.output_folder.clear(); // only the result is wanted
       ProgressLine line;
       request.observers = {&line};
-      const Stopwatch watch;
-      const auto      compare = [&](const RunResult &continuation) {
+      const base::Stopwatch watch;
+      const auto            compare = [&](const RunResult &continuation) {
         ContinuationCurve curve = curve_of(model.study, continuation);
         curve.offset            = outcome.curve_strain.back();
         row.error               = error_against(curve, all);

@@ -5,7 +5,7 @@
 #include "apps/drivers/structure/promotion.h"
 #include "apps/drivers/structure/scene.h"
 #include "apps/process/mpi_session.h"
-#include "apps/process/stopwatch.h"
+#include "base/stopwatch.h"
 
 #include <fmt/format.h>
 
@@ -48,7 +48,7 @@ namespace apps
       Promotion                   promotion(model, packing, media);
       const std::size_t           load = column_of(promotion.structure(), "reaction_load_z"),
                         opening        = column_of(promotion.structure(), "opening");
-      const double start               = processor_seconds();
+      const double start               = base::processor_seconds();
       BeamRow      row{variant.study, variant.value};
       while (!promotion.structure().way().finished())
         {
@@ -65,7 +65,7 @@ namespace apps
           while (promotion.promote());
         }
       const Structure &structure = promotion.structure();
-      row.cost                   = processor_seconds() - start;
+      row.cost                   = base::processor_seconds() - start;
       row.particles              = structure.network().network.particles();
       row.points                 = structure.way().points().size() - 1;
       row.balance                = structure.last().balance_error();
@@ -86,10 +86,11 @@ namespace apps
       all.push_back({"core", "30 mm", {"Handshakes/core/Low=0.045, -1, -1", "Handshakes/core/High=0.075, 1, 1"}});
       all.push_back({"core", "40 mm", {"Handshakes/core/Low=0.04, -1, -1", "Handshakes/core/High=0.08, 1, 1"}});
       for (const char *exertion : {"0.5", "0.9"})
-        all.push_back({"10 mm, promoted at",
-                       exertion,
-                       {"Handshakes/core/Low=0.055, -1, -1", "Handshakes/core/High=0.065, 1, 1",
-                        "Handshakes/core/Promotion reach=0.015", std::string("Handshakes/core/Promote at=") + exertion}});
+        all.push_back(
+          {"10 mm, promoted at",
+           exertion,
+           {"Handshakes/core/Low=0.055, -1, -1", "Handshakes/core/High=0.065, 1, 1",
+            "Handshakes/core/Promotion reach=0.015", std::string("Handshakes/core/Promote at=") + exertion}});
       const std::string box = "Continuum/Mesh/Boxes/beam/Divisions ";
       all.push_back({"elements", "2.5 mm", {box + "x=48", box + "y=3", box + "z=8"}});
       return all;

@@ -10,7 +10,7 @@
 #include "apps/process/interrupt.h"
 #include "apps/process/mpi_session.h"
 #include "apps/process/progress.h"
-#include "apps/process/stopwatch.h"
+#include "base/stopwatch.h"
 
 #include <fmt/format.h>
 
@@ -111,7 +111,7 @@ namespace apps
       const dem::Packing packing = model.particles.packing();
       const auto         body    = make_coupled_body(model, packing);
       body->start();
-      const double  start = processor_seconds();
+      const double  start = base::processor_seconds();
       const double  end   = model.particles.end_time;
       constexpr int looks = 50;
       for (int n = 1; n <= looks && !interrupted(); ++n)
@@ -121,7 +121,7 @@ namespace apps
         }
       ImpactMeasurement found;
       found.which                  = which;
-      found.cost                   = processor_seconds() - start;
+      found.cost                   = base::processor_seconds() - start;
       const auto           columns = body->columns();
       const auto           row     = body->row();
       const ContactFigures seen    = body->interface();

@@ -26,7 +26,7 @@ namespace apps
                        "|---|---|---|---|---|---|---|---|---|\n";
       for (const WavePoint &r : rows)
         {
-          const WaveAnswer &a = r.answer;
+          const coupling::WaveAnswer &a = r.answer;
           csv += fmt::format("{},{},{},{},{},{},{},{},{}\n", r.method, r.wavelength, a.reflected, a.transmitted,
                              a.absorbed, a.made, a.cost, a.steps, a.unhindered);
           md +=
@@ -48,13 +48,13 @@ namespace apps
     if (bench.quick && lengths.size() > 2)
       lengths = {lengths.front(), lengths[lengths.size() / 2]};
     std::vector<WavePoint> rows;
-    for (const WaveMethod &method : wave_methods())
+    for (const coupling::WaveMethod &method : wave_methods())
       for (const double length : lengths)
         {
-          rows.push_back({method.name, length, transmit(scene.wave(method, length))});
+          rows.push_back({method.name, length, coupling::transmit(scene.wave(method, length))});
           if (interrupted())
             return exit_interrupted; // the table has every complete case
-          const WaveAnswer &a = rows.back().answer;
+          const coupling::WaveAnswer &a = rows.back().answer;
           fmt::print("{:<14} {:<10.4g} m: reflected {:.4f}, transmitted {:.4f}, absorbed {:.4f}, a step costs {:.2f}\n",
                      method.name, length, a.reflected, a.transmitted, a.absorbed, a.cost);
           std::fflush(stdout);

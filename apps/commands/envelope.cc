@@ -1,7 +1,6 @@
 #include "apps/commands/command.h"
 #include "apps/commands/scene_options.h"
 #include "apps/drivers/parts/summary_head.h"
-#include "apps/drivers/paths/strength_envelope.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/version.h"
 #include "apps/results/result_folder.h"
@@ -9,6 +8,7 @@
 #include "apps/scene/constant_entries.h"
 #include "apps/scene/overrides.h"
 #include "apps/scene/reader.h"
+#include "fem/materials/damage_plastic/strength_envelope.h"
 #include "postprocess/files/atomic_file.h"
 #include "postprocess/files/summary.h"
 #include "postprocess/pictures/plot.h"
@@ -41,22 +41,22 @@ namespace apps
 
     Figures figures_of(const fem::DamagePlasticConcrete &law)
     {
-      return {std::fabs(strength_towards(law, 180 * degree).stress_x), strength_towards(law, 0).stress_x,
-              std::fabs(strength_towards(law, 225 * degree).stress_x),
-              std::fabs(strength_towards(law, 315 * degree).stress_x)};
+      return {std::fabs(fem::strength_towards(law, 180 * degree).stress_x), fem::strength_towards(law, 0).stress_x,
+              std::fabs(fem::strength_towards(law, 225 * degree).stress_x),
+              std::fabs(fem::strength_towards(law, 315 * degree).stress_x)};
     }
 
-    std::string csv_of(const std::vector<EnvelopePoint> &points)
+    std::string csv_of(const std::vector<fem::EnvelopePoint> &points)
     {
       std::string text =
         "angle [rad],stress_xx [Pa],stress_yy [Pa],strain_xx [-],strain_yy [-],strain_zz [-],kappa_P [-]\n";
-      for (const EnvelopePoint &p : points)
+      for (const fem::EnvelopePoint &p : points)
         text += fmt::format("{},{},{},{},{},{},{}\n", p.angle, p.stress_x, p.stress_y, p.strain_x, p.strain_y,
                             p.strain_z, p.kappa_p);
       return text;
     }
 
-    postprocess::PlotPanel panel_of(const std::vector<EnvelopePoint> &points, const double unit)
+    postprocess::PlotPanel panel_of(const std::vector<fem::EnvelopePoint> &points, const double unit)
     {
       postprocess::PlotPanel  panel;
       postprocess::PlotSeries curve;
@@ -65,7 +65,7 @@ namespace apps
       panel.y_label    = "sigma_yy / f_c";
       panel.equal_axes = true;
       curve.name       = "damage-plastic concrete, proportional paths";
-      for (const EnvelopePoint &p : points)
+      for (const fem::EnvelopePoint &p : points)
         {
           curve.x.push_back(p.stress_x / unit);
           curve.y.push_back(p.stress_y / unit);
@@ -76,7 +76,7 @@ namespace apps
       return panel;
     }
 
-    void write(const EnvelopeOptions &options, const std::vector<EnvelopePoint> &points, const Figures &f)
+    void write(const EnvelopeOptions &options, const std::vector<fem::EnvelopePoint> &points, const Figures &f)
     {
       ResultFolder folder(options.folder, ResultFolder::Start::afresh);
       postprocess::write_text(folder.running() / "envelope.csv", csv_of(points));
@@ -113,7 +113,7 @@ namespace apps
           fmt::print("pure shear           tau   {:>12.6g} Pa   tau/f_c = {:.7f}\n", f.shear, f.shear / f.compressive);
           if (!options.folder.empty())
             {
-              write(options, biaxial_envelope(law, options.directions), f);
+              write(options, fem::biaxial_envelope(law, options.directions), f);
               fmt::print("written to {}: envelope.csv, envelope.png, summary.json\n", options.folder);
             }
           return exit_success;

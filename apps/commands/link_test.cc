@@ -1,11 +1,11 @@
 #include "apps/commands/command.h"
 #include "apps/commands/link_law_named.h"
 #include "apps/commands/scene_options.h"
-#include "apps/drivers/paths/link_motion.h"
-#include "apps/drivers/paths/link_path.h"
 #include "apps/process/exit_status.h"
 #include "apps/scene/nearest_name.h"
 #include "apps/scene/same_name.h"
+#include "dem/loading/link_motion.h"
+#include "dem/loading/link_path.h"
 #include "postprocess/files/atomic_file.h"
 #include "postprocess/files/csv_table.h"
 
@@ -23,7 +23,7 @@ namespace apps
     {
       std::string              law, path, output = "/dev/stdout";
       std::vector<std::string> constants;
-      LinkPair                 pair;
+      dem::LinkPair            pair;
     };
 
     const std::array<std::string, 3> path_columns = {"normal_strain", "shear_strain_1", "shear_strain_2"};
@@ -36,7 +36,7 @@ namespace apps
     std::vector<std::string> all_columns()
     {
       std::vector<std::string> known(path_columns.begin(), path_columns.end());
-      for (const LinkMotionName &name : link_motion_names)
+      for (const dem::LinkMotionName &name : dem::link_motion_names)
         known.insert(known.end(), {name.motion, name.force});
       return known;
     }
@@ -61,7 +61,7 @@ namespace apps
                          [&](const std::string &name) { return has(table, name); });
     }
 
-    LinkPath strains_of(const postprocess::CsvTable &table)
+    dem::LinkPath strains_of(const postprocess::CsvTable &table)
     {
       for (std::size_t c = 0; c < table.names.size(); ++c)
         {
@@ -72,7 +72,7 @@ namespace apps
             if (strain < -1e3 || strain > 1e3)
               throw base::InputError(table.origin + fmt::format(": a strain of {}: must be from -1e3 to 1e3.", strain));
         }
-      LinkPath path;
+      dem::LinkPath path;
       path.normal = table.column(path_columns[0]);
       path.shear.resize(path.normal.size());
       for (std::size_t i = 0; i < 2; ++i)
@@ -91,15 +91,15 @@ namespace apps
           fmt::format("{}: column \"{}\" is in [{}]: must be in [{}].", table.origin, name, given, unit));
     }
 
-    LinkMotionPath motions_of(const postprocess::CsvTable &table, const LinkPair &pair)
+    dem::LinkMotionPath motions_of(const postprocess::CsvTable &table, const dem::LinkPair &pair)
     {
-      const double   size = pair.radius_1 + pair.radius_2;
-      LinkMotionPath path;
+      const double        size = pair.radius_1 + pair.radius_2;
+      dem::LinkMotionPath path;
       path.rows = table.rows();
-      for (int c = 0; c < LinkMotionPath::components; ++c)
+      for (int c = 0; c < dem::LinkMotionPath::components; ++c)
         {
-          const LinkMotionName &name = link_motion_names[c];
-          auto                 &part = path.component[c];
+          const dem::LinkMotionName &name = dem::link_motion_names[c];
+          auto                      &part = path.component[c];
           if (has(table, name.motion) && has(table, name.force))
             throw base::InputError(table.origin + ": columns \"" + name.motion + "\" and \"" + name.force +
                                    "\": give one of them.");
@@ -117,16 +117,28 @@ namespace apps
       return path;
     }
 
+    postprocess::CsvTable table_of(const dem::LinkHistory &history)
+    {
+      postprocess::CsvTable table;
+      for (const auto &column : history.columns)
+        {
+          table.names.push_back(column.name);
+          table.units.push_back(column.unit);
+          table.columns.push_back(column.values);
+        }
+      return table;
+    }
+
     int link_test(const LinkTestOptions &options)
     {
       const dem::LinkLawKind     &law       = link_law_named(options.law);
       const postprocess::CsvTable table     = read_path_table(options.path);
       const auto                  constants = constants_of(law, options.constants);
-      const LinkHistory           answer    = is_of_strains(table) ?
-                                                drive(law, *constants, strains_of(table)) :
-                                                drive(law, *constants, options.pair, motions_of(table, options.pair));
+      const dem::LinkHistory      answer    = is_of_strains(table) ?
+                                                dem::drive(law, *constants, strains_of(table)) :
+                                                dem::drive(law, *constants, options.pair, motions_of(table, options.pair));
       if (!answer.columns.empty())
-        postprocess::write_text(options.output, answer.as_csv());
+        postprocess::write_text(options.output, postprocess::csv_text(table_of(answer)));
       if (!answer.broke_off.empty())
         throw base::NumericalError(answer.broke_off +
                                    (answer.columns.empty() ? "" : " The rows before it are written."));
@@ -156,8 +168,8 @@ namespace apps
         "is missing is no motion")
       ->required()
       ->type_name("FILE");
-    LinkPair  &pair     = options->pair;
-    const auto positive = CLI::Range(1e-100, 1e100);
+    dem::LinkPair &pair     = options->pair;
+    const auto     positive = CLI::Range(1e-100, 1e100);
     command.add_option("--dimension", pair.dimension, "Of displacement paths: 3, spheres; 2, discs; default 3")
       ->check(CLI::Range(2, 3));
     command.add_option("--thickness", pair.thickness, "Of discs [m]; default 1")->check(positive);

@@ -1,6 +1,5 @@
 #include "apps/commands/command.h"
 #include "apps/commands/scene_options.h"
-#include "apps/drivers/paths/material_path.h"
 #include "apps/process/exit_status.h"
 #include "apps/scene/constant_entries.h"
 #include "apps/scene/nearest_name.h"
@@ -8,6 +7,7 @@
 #include "apps/scene/reader.h"
 #include "apps/scene/same_name.h"
 #include "base/voigt.h"
+#include "fem/points/material_path.h"
 #include "postprocess/files/atomic_file.h"
 #include "postprocess/files/csv_table.h"
 
@@ -26,12 +26,12 @@ namespace apps
       std::vector<std::string> constants;
     };
 
-    MaterialPath read_material_path(const std::string &file)
+    fem::MaterialPath read_material_path(const std::string &file)
     {
       const postprocess::CsvTable table = postprocess::read_csv_table(file);
       if (table.rows() == 0)
         throw base::InputError(file + ": has no row below the names of its columns. Give one row a step.");
-      MaterialPath path;
+      fem::MaterialPath path;
       path.origin = file;
       path.rows.assign(table.rows(), {});
       std::vector<std::string> known;
@@ -70,14 +70,26 @@ namespace apps
       throw base::InputError("command line: material \"" + name + "\" is not known. " + did_you_mean(name, names));
     }
 
+    postprocess::CsvTable table_of(const fem::MaterialHistory &history)
+    {
+      postprocess::CsvTable table;
+      table.names = history.names;
+      table.units = history.units;
+      table.columns.resize(table.names.size());
+      for (const std::vector<double> &row : history.rows)
+        for (std::size_t c = 0; c < row.size(); ++c)
+          table.columns[c].push_back(row[c]);
+      return table;
+    }
+
     int point_test(const PointTestOptions &options)
     {
-      const auto         constants = material_named(options.material).constants();
-      const MaterialPath path      = read_material_path(options.path);
-      Section            entries;
+      const auto              constants = material_named(options.material).constants();
+      const fem::MaterialPath path      = read_material_path(options.path);
+      Section                 entries;
       constants->visit(ConstantEntries{entries});
       assign(entries, read_overrides(options.constants), "command line");
-      postprocess::write_text(options.output, drive(*constants, path).as_csv());
+      postprocess::write_text(options.output, postprocess::csv_text(table_of(fem::drive(*constants, path))));
       return exit_success;
     }
   } // namespace

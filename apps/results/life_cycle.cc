@@ -53,10 +53,10 @@ namespace apps
 
   void CheckpointClock::save(const std::function<void()> &write)
   {
-    const Stopwatch watch;
+    const base::Stopwatch watch;
     write();
     cost        = watch.seconds();
-    since_saved = Stopwatch();
+    since_saved = base::Stopwatch();
   }
 
   // --- The run ---

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "apps/process/stopwatch.h"
 #include "apps/results/run_files.h"
 #include "apps/results/run_result.h"
 #include "apps/results/run_work.h"
 #include "apps/scene/scene.h"
+#include "base/stopwatch.h"
 
 #include <functional>
 #include <optional>
@@ -29,8 +29,8 @@ namespace apps
     double seconds_since_saved() const;
 
   private:
-    double    longest, cost = 0;
-    Stopwatch since_saved;
+    double          longest, cost = 0;
+    base::Stopwatch since_saved;
   };
 
   /**
@@ -68,6 +68,6 @@ namespace apps
     CheckpointClock           clock;
     RunResult                 result;
     double                    seconds_before = 0; ///< of the same run, before it was resumed
-    Stopwatch                 watch;
+    base::Stopwatch           watch;
   };
 } // namespace apps

@@ -126,7 +126,7 @@ namespace coupling
   double ConcurrentMotion<dim>::power_of_gliding() const
   {
     std::map<std::size_t, Eigen::Vector3d> forces; // in the order of particles
-    for (const dem::WallContact &contact : specimen.wall_contacts())
+    for (const dem::WallContact &contact : specimen.surfaces().contacts())
       if (std::any_of(couplings.begin(), couplings.end(),
                       [&](const auto &coupling) { return coupling->surface() == contact.surface; }))
         forces.emplace(contact.particle, Eigen::Vector3d::Zero()).first->second += contact.force;
@@ -160,7 +160,7 @@ namespace coupling
     double added = 0;
     for (const auto &c : couplings)
       c->kinematics_to_dem();
-    specimen.find_surface_forces();
+    specimen.partners().find_surface_forces();
     for (const auto &c : couplings)
       added += c->added_eigenvalue();
     stiffest = std::max(stiffest, added);
@@ -185,7 +185,7 @@ namespace coupling
     specimen.set_time_step(steps.window);
     if (lead)
       lead();
-    specimen.begin_glide();
+    specimen.partners().begin_glide();
     for (int taken = 0; taken < steps.solid; ++taken)
       {
         if (taken > 0)
@@ -198,12 +198,12 @@ namespace coupling
             move_solid(step, 1);
             for (const auto &c : couplings)
               c->motion_to_dem(step);
-            specimen.glide(step, kick);
+            specimen.partners().glide(step, kick);
             for (const auto &c : couplings)
               c->settle();
           }
       }
-    specimen.finish_glide();
+    specimen.partners().finish_glide();
     steps.window       = steps.solid * step;
     last_particle_step = steps.window;
     return steps;
@@ -245,7 +245,7 @@ namespace coupling
           const auto count = static_cast<std::ptrdiff_t>(h->corrected_in(kick_of(step, last_particle_step)));
           corrected.insert(corrected.end(), h->particles().begin(), h->particles().begin() + count);
         }
-      specimen.advance(corrected, [&](dem::StepCorrection &correction) {
+      specimen.partners().advance(corrected, [&](dem::StepCorrection &correction) {
         for (std::size_t h = 0; h < handshakes.size(); ++h)
           handshakes[h]->correct(correction, first[h]);
         if (step < steps.window)

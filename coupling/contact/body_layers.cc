@@ -147,9 +147,9 @@ namespace coupling
       /** @param in_layer whether a cell is divided as well */
       void divide(const Cell &cell, const std::int32_t body, const std::vector<bool> &in_layer)
       {
-        element               = static_cast<std::int32_t>(made.mesh.elements.size());
-        dem::BodyElement &own = made.mesh.elements.emplace_back();
-        own.body              = body;
+        element                  = static_cast<std::int32_t>(made.mesh.elements.size());
+        bodies::BodyElement &own = made.mesh.elements.emplace_back();
+        own.body                 = body;
         own.size = dim == 3 ? std::cbrt(cell.measure * cell.measure) : std::sqrt(cell.measure) * made.mesh.thickness;
         for (const std::size_t node : cell.nodes)
           own.vertices.push_back(vertex({node}));
@@ -235,7 +235,7 @@ namespace coupling
 
       void add(const Corners &corners, const unsigned int at_side, const unsigned int inward)
       {
-        dem::BodySimplex simplex;
+        bodies::BodySimplex simplex;
         simplex.element = element;
         simplex.surface = static_cast<std::uint8_t>(at_side);
         simplex.inward  = static_cast<std::uint8_t>(inward);

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "coupling/contact/bodies/body_mesh.h"
 #include "coupling/participants/solid_participant.h"
-#include "dem/bodies/body_mesh.h"
 
 #include <string>
 #include <vector>
@@ -11,7 +11,7 @@ namespace coupling
   /** The bodies of a solid as their contact sees them, and how their vertices follow the nodes. */
   struct BodyLayers
   {
-    dem::BodyMesh                         mesh;
+    bodies::BodyMesh                      mesh;
     std::vector<std::vector<std::size_t>> parents; ///< nodes of the solid (carriers) whose mean each vertex is
   };
 

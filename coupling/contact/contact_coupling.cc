@@ -58,7 +58,7 @@ namespace coupling
     constexpr double rounding = 1e-9; // of places, in parts of the bodies
     kinematics_to_dem();
     double volume = 0;
-    for (const dem::BodySimplex &simplex : bodies.mesh().simplices)
+    for (const bodies::BodySimplex &simplex : bodies.mesh().simplices)
       volume += bodies.mesh().thickness * bodies.mesh().at(simplex).volume();
     if (bodies.overlap() > rounding * volume)
       {

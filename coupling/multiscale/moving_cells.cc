@@ -181,9 +181,9 @@ namespace coupling
 
   void MovingCells::read(Point &point) const
   {
-    const dem::Specimen &specimen = *point.specimen;
-    const dem::CellState cell     = specimen.cell();
-    const Matrix3d       cauchy   = 0.5 * (cell.stress + cell.stress.transpose());
+    const dem::ObservedSpecimen &specimen = *point.specimen;
+    const dem::CellState         cell     = specimen.cell();
+    const Matrix3d               cauchy   = 0.5 * (cell.stress + cell.stress.transpose());
     if (large_strains)
       {
         const Matrix3d back = cell.deformation_at_forces.inverse();

@@ -44,22 +44,22 @@ namespace coupling
       specimen.set_time_step(step);
       specimen.advance(1);
     });
-    specimen.clear_forces();
+    specimen.partners().clear_forces();
   }
 
   void ParticleParticipant::add_force(const std::size_t carrier, const Vector3d &force)
   {
-    specimen.add_force(carrier, force, Vector3d::Zero());
+    specimen.partners().add_force(carrier, force, Vector3d::Zero());
   }
 
   void ParticleParticipant::add_couple(const std::size_t carrier, const Vector3d &couple)
   {
-    specimen.add_force(carrier, Vector3d::Zero(), couple);
+    specimen.partners().add_force(carrier, Vector3d::Zero(), couple);
   }
 
   void ParticleParticipant::apply_impulse(const std::size_t carrier, const Vector3d &change)
   {
-    specimen.apply_impulse(carrier, change, Vector3d::Zero());
+    specimen.partners().apply_impulse(carrier, change, Vector3d::Zero());
   }
 
   std::size_t ParticleParticipant::prescribe(const std::vector<std::size_t> &carriers, const std::array<bool, 3> &along)
@@ -67,17 +67,17 @@ namespace coupling
     dem::Grip grip;
     grip.particles  = carriers;
     grip.prescribed = {along[0], along[1], along[2]};
-    return specimen.add_grip(grip);
+    return specimen.grips().add(grip);
   }
 
   void ParticleParticipant::set_motion(const std::size_t group, const std::vector<Vector3d> &velocity)
   {
-    specimen.set_grip_velocities(group, velocity, std::vector<Vector3d>(velocity.size(), Vector3d::Zero()));
+    specimen.grips().set_velocities(group, velocity, std::vector<Vector3d>(velocity.size(), Vector3d::Zero()));
   }
 
   Reaction ParticleParticipant::reaction(const std::size_t group, const Vector3d &about) const
   {
-    return {specimen.reaction(group), specimen.reaction_moment(group, about)};
+    return {specimen.grips().reaction(group), specimen.grips().reaction_moment(group, about)};
   }
 
   void ParticleParticipant::save() { saved = specimen; }

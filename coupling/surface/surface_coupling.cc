@@ -40,7 +40,7 @@ namespace coupling
       return parameters.skin > 0 ? parameters.skin : 0.05 * smallest_size(mesh);
     }
 
-    std::vector<std::size_t> members(const dem::Specimen &specimen, const SurfaceCouplingParameters &parameters)
+    std::vector<std::size_t> members(const dem::ObservedSpecimen &specimen, const SurfaceCouplingParameters &parameters)
     {
       if (!parameters.particles.empty())
         return parameters.particles;
@@ -49,7 +49,7 @@ namespace coupling
       return all;
     }
 
-    double largest_size(const dem::Specimen &specimen, const SurfaceCouplingParameters &parameters)
+    double largest_size(const dem::ObservedSpecimen &specimen, const SurfaceCouplingParameters &parameters)
     {
       double most = 0;
       for (const std::size_t i : members(specimen, parameters))
@@ -59,7 +59,7 @@ namespace coupling
 
     /** A particle that begins behind the facets would be pushed further in, or never be seen. */
     template <int dim>
-    void refuse_inside(const dem::Specimen             &specimen,
+    void refuse_inside(const dem::ObservedSpecimen     &specimen,
                        const fem::Solid<dim>           &solid,
                        const SolidParticipant<dim>     &participant,
                        const SurfaceCouplingParameters &parameters)
@@ -78,7 +78,7 @@ namespace coupling
     }
 
     template <int dim>
-    bool spreads(const dem::Specimen             &specimen,
+    bool spreads(const dem::ObservedSpecimen     &specimen,
                  const fem::Solid<dim>           &solid,
                  const SolidParticipant<dim>     &participant,
                  const SurfaceCouplingParameters &parameters)
@@ -120,8 +120,8 @@ namespace coupling
     , participant(participant_)
     , own_name(parameters.name)
     , facets(std::move(facets_))
-    , number(specimen.add_surface({parameters.name, facets.mesh, parameters.contact, skin_of(parameters, facets.mesh),
-                                   parameters.particles, parameters.glue, spread}))
+    , number(specimen.surfaces().add({parameters.name, facets.mesh, parameters.contact,
+                                      skin_of(parameters, facets.mesh), parameters.particles, parameters.glue, spread}))
     , facet_of(facets.mesh.vertex.size(), -1)
     , force(facets.carrier.size(), Vector3d::Zero())
     , place(facets.mesh.vertex.begin(), facets.mesh.vertex.begin() + static_cast<std::ptrdiff_t>(facets.carrier.size()))
@@ -131,7 +131,7 @@ namespace coupling
       for (std::size_t c = 0; c < static_cast<std::size_t>(facets.mesh.corners); ++c)
         if (std::int32_t &of = facet_of[static_cast<std::size_t>(facets.mesh.facet[f][c])]; of < 0)
           of = static_cast<std::int32_t>(f);
-    specimen.set_vertex_velocities(number, of_vertices(last_motion));
+    specimen.surfaces().set_vertex_velocities(number, of_vertices(last_motion));
   }
 
   template <int dim>
@@ -157,7 +157,7 @@ namespace coupling
   template <int dim>
   double SurfaceCoupling<dim>::added_eigenvalue() const
   {
-    const std::vector<double> stiffness = to_nodes(specimen.surface(number).stiffness);
+    const std::vector<double> stiffness = to_nodes(specimen.surfaces().at(number).stiffness);
     double                    most      = 0;
     for (std::size_t v = 0; v < stiffness.size(); ++v)
       most = std::max(most, stiffness[v] / participant.mass(facets.carrier[v]));
@@ -169,13 +169,13 @@ namespace coupling
   {
     for (std::size_t v = 0; v < place.size(); ++v)
       place[v] = participant.position(facets.carrier[v]);
-    specimen.place_vertices(number, of_vertices(place));
+    specimen.partners().place_vertices(number, of_vertices(place));
   }
 
   template <int dim>
   std::vector<Vector3d> SurfaceCoupling<dim>::impulses_here() const
   {
-    const dem::Surface   &surface = specimen.surface(number);
+    const dem::Surface   &surface = specimen.surfaces().at(number);
     std::vector<Vector3d> impulse = surface.impulse;
     const auto            here    = of_vertices(place);
     for (std::size_t v = 0; v < here.size(); ++v)
@@ -194,7 +194,7 @@ namespace coupling
   template <int dim>
   void SurfaceCoupling<dim>::forces_to_fem(const double kick, const double share)
   {
-    const dem::Surface &surface = specimen.surface(number);
+    const dem::Surface &surface = specimen.surfaces().at(number);
     force                       = to_nodes(surface.force);
     const auto impulse          = to_nodes(impulses_here());
     for (std::size_t v = 0; v < force.size(); ++v)
@@ -225,11 +225,11 @@ namespace coupling
   template <int dim>
   void SurfaceCoupling<dim>::motion_to_dem(const double window)
   {
-    const std::vector<Vector3d> &before   = specimen.surface(number).place;
+    const std::vector<Vector3d> &before   = specimen.surfaces().at(number).place;
     std::vector<Vector3d>        velocity = of_vertices(place);
     for (std::size_t v = 0; v < velocity.size(); ++v)
       velocity[v] = (velocity[v] - before[v]) / window;
-    specimen.set_vertex_velocities(number, velocity);
+    specimen.surfaces().set_vertex_velocities(number, velocity);
   }
 
   template <int dim>
@@ -238,13 +238,13 @@ namespace coupling
     std::vector<Vector3d> velocity(place.size());
     for (std::size_t v = 0; v < place.size(); ++v)
       velocity[v] = step > 0 ? Vector3d(last_motion[v] / step) : participant.velocity(facets.carrier[v]);
-    specimen.set_vertex_velocities(number, of_vertices(std::move(velocity)));
+    specimen.surfaces().set_vertex_velocities(number, of_vertices(std::move(velocity)));
   }
 
   template <int dim>
   SurfaceBalance SurfaceCoupling<dim>::balance() const
   {
-    const dem::Surface &surface = specimen.surface(number);
+    const dem::Surface &surface = specimen.surfaces().at(number);
     SurfaceBalance      found   = exchanged;
     found.to_particles          = -surface.momentum;
     found.turn_to_particles     = -surface.angular_momentum;

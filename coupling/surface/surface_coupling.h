@@ -22,10 +22,10 @@ namespace coupling
   /** A boundary of a solid that particles touch. */
   struct SurfaceCouplingParameters
   {
-    std::string                  name;             ///< for messages
-    std::vector<std::string>     boundaries;       ///< of the mesh; empty: all of it
-    dem::LinkMaterials           contact = dem::LinearContactParameters(); ///< law of contacts with any particle
-    bool                         pressure = false; ///< particles press on areas, not at points (dem/facets/pressure.h)
+    std::string              name;                                      ///< for messages
+    std::vector<std::string> boundaries;                                ///< of the mesh; empty: all of it
+    dem::LinkMaterials       contact  = dem::LinearContactParameters(); ///< law of contacts with any particle
+    bool                     pressure = false; ///< particles press on areas, not at points (dem/facets/pressure.h)
     double                   skin = 0; ///< in which pressure builds up [m]; 0: a twentieth of the smallest facet's size
     std::vector<std::size_t> particles = {};              ///< that touch it, by their number in the packing; empty: all
     dem::SurfaceGlue         glue      = {};              ///< of those that touch it
@@ -85,7 +85,7 @@ namespace coupling
     void motion_to_dem_as_before(double step);
 
     /** What the particles have given in their last steps has reached the solid already. */
-    void settle() { specimen.clear_vertex_impulses(number); }
+    void settle() { specimen.partners().clear_vertex_impulses(number); }
 
     SurfaceBalance     balance() const;
     const std::string &name() const { return own_name; }

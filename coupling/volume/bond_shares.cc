@@ -30,7 +30,7 @@ namespace coupling
     return overlap.distance(place) > (1 + rounding) * overlap.width ? 1.0 : overlap.of_particles(place);
   }
 
-  BondedParticles bonded_particles(const dem::Specimen &specimen)
+  BondedParticles bonded_particles(const dem::ObservedSpecimen &specimen)
   {
     BondedParticles all;
     for (std::size_t i = 0; i < specimen.counts().particles; ++i)

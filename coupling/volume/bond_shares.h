@@ -2,7 +2,7 @@
 
 #include "coupling/volume/overlap.h"
 #include "dem/network/elastic_network.h"
-#include "dem/specimen/specimen.h"
+#include "dem/specimen/observation.h"
 
 #include <vector>
 
@@ -23,7 +23,7 @@ namespace coupling
     std::vector<Bond>            bonds;
   };
 
-  BondedParticles bonded_particles(const dem::Specimen &specimen);
+  BondedParticles bonded_particles(const dem::ObservedSpecimen &specimen);
   BondedParticles bonded_particles(const dem::ElasticNetwork &network);
 
   /** Share of bonds in a place; particles of another body may be beyond the overlap, and share with nobody. */

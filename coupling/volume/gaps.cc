@@ -2,6 +2,7 @@
 
 #include "base/errors.h"
 #include "base/number_text.h"
+#include "fem/mesh/point_in_space.h"
 
 #include <Eigen/Geometry>
 #include <deal.II/base/quadrature_lib.h>
@@ -148,12 +149,6 @@ namespace coupling
              base::number_text(place.z()) + ")";
     }
 
-    template <int dim>
-    Vector3d in_space(const dealii::Point<dim> &x)
-    {
-      return {x[0], x[1], dim == 3 ? x[dim - 1] : 0.0};
-    }
-
     /**
      * Calls look(place) for places all over the elements that come nearer to a region than a distance: no further apart than wanted
      * where that is not much finer than the element.
@@ -165,14 +160,14 @@ namespace coupling
       constexpr double finest = 8;
       for (const auto &cell : solid.dofs().active_cell_iterators())
         {
-          if (overlap.distance(in_space(cell->center())) > nearer + cell->diameter())
+          if (overlap.distance(fem::in_space(cell->center())) > nearer + cell->diameter())
             continue;
           const double wide  = cell->diameter() / std::sqrt(dim);
           const auto   parts = static_cast<unsigned int>(std::clamp(std::ceil(wide / apart), 1.0, finest));
           const dealii::QIterated<dim> places(dealii::QTrapezoid<1>(), parts);
           for (const auto &point : places.get_points())
             if (cell->reference_cell().contains_point(point, 1e-9))
-              look(in_space(solid.mapping().transform_unit_to_real_cell(cell, point)));
+              look(fem::in_space(solid.mapping().transform_unit_to_real_cell(cell, point)));
         }
     }
     /** Where places that should have particles have none. */

@@ -64,7 +64,7 @@ namespace coupling
   namespace
   {
     /** Loose ones are the last. */
-    std::size_t number_of_bonded(const dem::Specimen &specimen)
+    std::size_t number_of_bonded(const dem::ObservedSpecimen &specimen)
     {
       const std::size_t all = specimen.counts().particles;
       return all - std::min(specimen.parameters().loose, all);
@@ -132,7 +132,7 @@ namespace coupling
         const std::vector<double> found =
           parts_within(all, own.overlap, {watched.begin(), watched.begin() + static_cast<std::ptrdiff_t>(overlapping)});
         parts = Eigen::Map<const Eigen::VectorXd>(found.data(), static_cast<Index>(found.size()));
-        specimen.share([this](const Vector3d &place) { return share_of_bonds(own.overlap, place); }, masses);
+        specimen.partners().share([this](const Vector3d &place) { return share_of_bonds(own.overlap, place); }, masses);
       }
     else
       leave();
@@ -152,9 +152,9 @@ namespace coupling
   void VolumeCoupling<dim>::leave()
   {
     if (own.method == VolumeMethod::legacy)
-      return specimen.leave(watched, true);
+      return specimen.partners().leave(watched, true);
     const std::vector<double> beside = find_bond_ends();
-    specimen.leave(watched, false);
+    specimen.partners().leave(watched, false);
     for (const Entry &e : at_particles)
       if (const double riding = e.weight * whole_mass[static_cast<Index>(e.row)] * beside[e.row]; riding > 0)
         for (const auto dof : participant.displacements(node_map.nodes()[e.node]))

@@ -20,10 +20,10 @@ namespace dem
     constexpr double least_round = 0.8;
   } // namespace
 
-  CylinderWall::CylinderWall(Specimen                      &body,
-                             const ParticleOutput          &particles,
-                             const int                      axis,
-                             const LinkMaterials &contact)
+  CylinderWall::CylinderWall(Specimen             &body,
+                             const ParticleOutput &particles,
+                             const int             axis,
+                             const LinkMaterials  &contact)
     : specimen(&body)
   {
     const BodyExtent extent(particles);
@@ -43,11 +43,12 @@ namespace dem
                              " m goes around a specimen of section " + base::number_text(section) +
                              " m^2, of which it would touch the edges only. Take walls or a membrane.");
     for (std::size_t side = 0; side < sides; ++side)
-      number[side] = specimen->add_surface({"cylinder wall " + std::to_string(side + 1),
-                                            FacetMesh::plane(middle + start * outward[side], -outward[side]), contact});
+      number[side] =
+        specimen->surfaces().add({"cylinder wall " + std::to_string(side + 1),
+                                  FacetMesh::plane(middle + start * outward[side], -outward[side]), contact});
   }
 
-  double CylinderWall::radius() const { return start + specimen->surface(number[0]).travel.dot(outward[0]); }
+  double CylinderWall::radius() const { return start + specimen->surfaces().at(number[0]).travel.dot(outward[0]); }
 
   double CylinderWall::area(const EndPlanes &ends) const
   {
@@ -58,7 +59,7 @@ namespace dem
   {
     double sum = 0;
     for (std::size_t side = 0; side < sides; ++side)
-      sum += specimen->surface(number[side]).total_force.dot(outward[side]);
+      sum += specimen->surfaces().at(number[side]).total_force.dot(outward[side]);
     return sum;
   }
 
@@ -66,16 +67,16 @@ namespace dem
 
   void CylinderWall::hold(const double pressure, const EndPlanes &ends, const double largest_speed, const double gain)
   {
-    specimen->find_surface_forces();
+    specimen->partners().find_surface_forces();
     double stiff = 0;
     for (const std::size_t plane : number)
-      stiff += specimen->surface(plane).stiffness[0];
+      stiff += specimen->surfaces().at(plane).stiffness[0];
     const double lacking = pressure * area(ends) - force();
     double       inwards = std::copysign(largest_speed, lacking);
     if (stiff > 0)
       inwards = std::clamp(gain * lacking / (stiff * specimen->time_step()), -largest_speed, largest_speed);
     for (std::size_t side = 0; side < sides; ++side)
-      specimen->set_surface_motion(number[side], -inwards * outward[side], Vector3d::Zero(),
-                                   specimen->surface(number[side]).centre);
+      specimen->surfaces().set_motion(number[side], -inwards * outward[side], Vector3d::Zero(),
+                                      specimen->surfaces().at(number[side]).centre);
   }
 } // namespace dem

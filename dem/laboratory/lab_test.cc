@@ -62,13 +62,13 @@ namespace dem
     }
 
     /** Checked before anything is added to the specimen. */
-    const LabParameters &checked(const LabParameters &p, const Specimen &body)
+    const LabParameters &checked(const LabParameters &p, const ObservedSpecimen &body)
     {
       check(p, body.parameters().physics.dimension);
       return p;
     }
 
-    double thickness_of(const Specimen &body, const BodyExtent &extent, const int axis)
+    double thickness_of(const ObservedSpecimen &body, const BodyExtent &extent, const int axis)
     {
       return body.parameters().physics.dimension == 2 ? body.parameters().thickness : extent.length(axis);
     }

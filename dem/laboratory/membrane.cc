@@ -132,7 +132,7 @@ namespace dem
   void Membrane::push(const double pressure, const EndPlanes &ends) const
   {
     for (const Push &each : pushes(pressure, ends))
-      specimen->add_force(each.particle, each.force, Vector3d::Zero());
+      specimen->partners().add_force(each.particle, each.force, Vector3d::Zero());
   }
 
   void Membrane::visit_state(base::StateVisitor &visitor)

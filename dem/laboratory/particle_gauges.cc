@@ -34,7 +34,7 @@ namespace dem
       }
   }
 
-  double MeanMotion::along(const Specimen &specimen, const int axis) const
+  double MeanMotion::along(const ObservedSpecimen &specimen, const int axis) const
   {
     double sum = 0;
     for (const std::size_t i : particles)
@@ -42,7 +42,7 @@ namespace dem
     return sum / static_cast<double>(particles.size());
   }
 
-  double ParticleGauge::strain(const Specimen &specimen) const
+  double ParticleGauge::strain(const ObservedSpecimen &specimen) const
   {
     return (high.along(specimen, axis) - low.along(specimen, axis)) / length();
   }

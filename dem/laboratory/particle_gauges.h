@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dem/specimen/specimen.h"
+#include "dem/specimen/observation.h"
 
 #include <Eigen/Core>
 
@@ -28,7 +28,7 @@ namespace dem
     double                   place = 0; ///< mean coordinate along the axis when they were chosen [m]
 
     /** Mean displacement along an axis [m]. */
-    double along(const Specimen &specimen, int axis) const;
+    double along(const ObservedSpecimen &specimen, int axis) const;
   };
 
   /** Strain along an axis between two groups of particles: positive where they have moved apart. */
@@ -39,7 +39,7 @@ namespace dem
 
     bool   given() const { return !low.particles.empty() && !high.particles.empty() && high.place > low.place; }
     double length() const { return high.place - low.place; } ///< [m]
-    double strain(const Specimen &specimen) const;
+    double strain(const ObservedSpecimen &specimen) const;
   };
 
   /**

@@ -94,9 +94,9 @@ namespace dem
         if (specimen->parameters().physics.dimension == 2)
           point[2] = 0;
         number[side] =
-          specimen->add_surface({side_name[side], FacetMesh::plane(point, inward(side)), parameters.contact});
+          specimen->surfaces().add({side_name[side], FacetMesh::plane(point, inward(side)), parameters.contact});
         if (parameters.stand || parameters.smoothing > 0)
-          specimen->cut_off_at(number[side]);
+          specimen->surfaces().cut_off(number[side]);
       }
     start_height = place[high] - place[low];
   }
@@ -132,7 +132,7 @@ namespace dem
         if (physics.rotations)
           for (std::size_t c = physics.dimension == 2 ? 5 : 3; c < 6; ++c)
             grip.prescribed[c] = true;
-        number[side] = specimen->add_grip(grip);
+        number[side] = specimen->grips().add(grip);
       }
     start_height = place[high] - place[low];
   }
@@ -161,7 +161,7 @@ namespace dem
                 append(mesh, cylinder(from, to, parameters.roller, roller_sides, false));
               }
           }
-        number[side] = specimen->add_surface({side == low ? "supports" : "roller", mesh, parameters.contact});
+        number[side] = specimen->surfaces().add({side == low ? "supports" : "roller", mesh, parameters.contact});
       }
     start_height = body.length(parameters.axis);
   }
@@ -179,25 +179,25 @@ namespace dem
         glued_time   = specimen->time();
         glued_speed  = speed;
         for (const Side side : {low, high})
-          specimen->set_grip_velocity(number[side], -side_speed(side, speed) * inward(side), Vector3d::Zero());
+          specimen->grips().set_velocity(number[side], -side_speed(side, speed) * inward(side), Vector3d::Zero());
         return;
       }
     for (const Side side : {low, high})
-      specimen->set_surface_motion(number[side], side_speed(side, speed) * inward(side), Vector3d::Zero(),
-                                   specimen->surface(number[side]).centre);
+      specimen->surfaces().set_motion(number[side], side_speed(side, speed) * inward(side), Vector3d::Zero(),
+                                      specimen->surfaces().at(number[side]).centre);
   }
 
   void Press::hold(const double force, const double largest_speed, const double gain)
   {
     for (const Side side : {low, high})
-      specimen->hold_surface(number[side], {inward(side), force, largest_speed, gain});
+      specimen->surfaces().hold_at_force(number[side], {inward(side), force, largest_speed, gain});
   }
 
   double Press::force(const Side side) const
   {
     if (parameters.kind == PressParameters::Kind::glued)
-      return -specimen->reaction(number[side]).dot(inward(side));
-    return -specimen->surface(number[side]).total_force.dot(inward(side));
+      return -specimen->grips().reaction(number[side]).dot(inward(side));
+    return -specimen->surfaces().at(number[side]).total_force.dot(inward(side));
   }
 
   double Press::approach() const
@@ -206,7 +206,7 @@ namespace dem
       return glued_travel + glued_speed * (specimen->time() - glued_time);
     double sum = 0;
     for (const Side side : {low, high})
-      sum += specimen->surface(number[side]).travel.dot(inward(side));
+      sum += specimen->surfaces().at(number[side]).travel.dot(inward(side));
     return sum;
   }
 
@@ -215,8 +215,8 @@ namespace dem
     EndPlanes found{parameters.axis, place[low], place[high]};
     if (parameters.kind == PressParameters::Kind::platens)
       {
-        found.low += specimen->surface(number[low]).travel[parameters.axis];
-        found.high += specimen->surface(number[high]).travel[parameters.axis];
+        found.low += specimen->surfaces().at(number[low]).travel[parameters.axis];
+        found.high += specimen->surfaces().at(number[high]).travel[parameters.axis];
       }
     return found;
   }

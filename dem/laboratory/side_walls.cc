@@ -25,7 +25,7 @@ namespace dem
             if (dimension == 2)
               point[2] = 0;
             const std::string name = std::string(side == 0 ? "low " : "high ") + "xyz"[a] + " wall";
-            pair.number[side] = specimen->add_surface({name, FacetMesh::plane(point, inward(pair, side)), contact});
+            pair.number[side] = specimen->surfaces().add({name, FacetMesh::plane(point, inward(pair, side)), contact});
           }
         pairs.push_back(pair);
       }
@@ -40,8 +40,8 @@ namespace dem
 
   double SideWalls::distance(const Pair &pair) const
   {
-    return pair.apart + specimen->surface(pair.number[1]).travel[pair.axis] -
-           specimen->surface(pair.number[0]).travel[pair.axis];
+    return pair.apart + specimen->surfaces().at(pair.number[1]).travel[pair.axis] -
+           specimen->surfaces().at(pair.number[0]).travel[pair.axis];
   }
 
   double SideWalls::area(const Pair &pair, const EndPlanes &ends) const
@@ -55,15 +55,15 @@ namespace dem
 
   double SideWalls::force(const Pair &pair, const std::size_t side) const
   {
-    return -specimen->surface(pair.number[side]).total_force.dot(inward(pair, side));
+    return -specimen->surfaces().at(pair.number[side]).total_force.dot(inward(pair, side));
   }
 
   void SideWalls::hold(const double pressure, const EndPlanes &ends, const double largest_speed, const double gain)
   {
     for (const Pair &pair : pairs)
       for (const std::size_t side : {0, 1})
-        specimen->hold_surface(pair.number[side],
-                               {inward(pair, side), pressure * area(pair, ends), largest_speed, gain});
+        specimen->surfaces().hold_at_force(pair.number[side],
+                                           {inward(pair, side), pressure * area(pair, ends), largest_speed, gain});
   }
 
   double SideWalls::pressure(const EndPlanes &ends) const

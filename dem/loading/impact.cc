@@ -101,7 +101,7 @@ namespace dem
           throw base::InputError(
             "Impact/Support width: a support would hold no particle. Widen it, or shorten the span.");
         grip.prescribed[static_cast<std::size_t>(up)] = true;
-        body.add_grip(grip);
+        body.grips().add(grip);
       }
   }
 

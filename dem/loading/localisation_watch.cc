@@ -9,7 +9,7 @@ namespace dem
   {
     constexpr double surely_not_chance = 1e-3; ///< Rayleigh test
 
-    std::vector<double> lost_strength(const Specimen &specimen)
+    std::vector<double> lost_strength(const ObservedSpecimen &specimen)
     {
       const LinkOutput    links = specimen.links();
       std::vector<double> sum(specimen.counts().particles, 0.0);
@@ -26,7 +26,7 @@ namespace dem
     }
   } // namespace
 
-  std::optional<Band> LocalisationWatch::look(const Specimen &specimen, const Sample &now)
+  std::optional<Band> LocalisationWatch::look(const ObservedSpecimen &specimen, const Sample &now)
   {
     const Sample before = std::exchange(last, now);
     if (has_localised != 0 || samples++ == 0)

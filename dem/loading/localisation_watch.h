@@ -3,7 +3,7 @@
 #include "base/state.h"
 #include "base/voigt.h"
 #include "dem/measures/localisation.h"
-#include "dem/specimen/specimen.h"
+#include "dem/specimen/observation.h"
 
 #include <cstdint>
 #include <optional>
@@ -32,7 +32,7 @@ namespace dem
     }
 
     /** The next sample of that specimen. @return the band in which it has just localised; after that it looks no more */
-    std::optional<Band> look(const Specimen &specimen, const Sample &now);
+    std::optional<Band> look(const ObservedSpecimen &specimen, const Sample &now);
 
     /** Number of the sample before the stress began to fall, from 0. */
     std::optional<std::int64_t> onset() const

@@ -1,7 +1,7 @@
 #include "dem/loading/servo_stiffness.h"
 
 #include "dem/core/symmetric_modes.h"
-#include "dem/specimen/specimen.h"
+#include "dem/specimen/observation.h"
 
 #include <Eigen/Dense>
 
@@ -15,7 +15,7 @@ namespace dem
   namespace
   {
     /** Components that there are. */
-    std::vector<int> components(const Specimen &specimen)
+    std::vector<int> components(const ObservedSpecimen &specimen)
     {
       if (specimen.parameters().physics.dimension == 2)
         return {0, 1, 5};
@@ -47,7 +47,7 @@ namespace dem
      * Modulus of equal spheres in closest packing that each have the stiffness around them that the time step allows for [Pa]: with twelve
      * springs k at a distance d it is sqrt(2) k/d, the density sqrt(2) m/d^3 and the step sqrt(2 m/(12 k)), hence density (d/step)^2/6.
      */
-    double modulus_of_step(const Specimen &specimen)
+    double modulus_of_step(const ObservedSpecimen &specimen)
     {
       const ParticleOutput particles = specimen.particles();
       const double         least     = *std::min_element(particles.radius.begin(), particles.radius.end());
@@ -56,7 +56,7 @@ namespace dem
     }
   } // namespace
 
-  ServoStiffness::ServoStiffness(const Specimen &specimen)
+  ServoStiffness::ServoStiffness(const ObservedSpecimen &specimen)
     : stiffness(specimen.affine_stiffness())
     , resists(resists_every_strain(stiffness, components(specimen)))
     , modulus(stiffness.diagonal().head(3).maxCoeff())
@@ -71,7 +71,7 @@ namespace dem
     follow(specimen);
   }
 
-  void ServoStiffness::follow(const Specimen &specimen)
+  void ServoStiffness::follow(const ObservedSpecimen &specimen)
   {
     if (!resists)
       stiffness = at_least(modulus, specimen.affine_stiffness(), components(specimen));

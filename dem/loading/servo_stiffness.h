@@ -5,7 +5,7 @@
 
 namespace dem
 {
-  class Specimen;
+  class ObservedSpecimen;
 
   /**
    * The stiffness that a servo of stresses divides by (doc/theory/periodic-cell.md, 3): the affine one of the undamaged cell, the stiffest
@@ -16,14 +16,14 @@ namespace dem
   {
   public:
     /** @throws base::InputError for a specimen without a periodic cell */
-    explicit ServoStiffness(const Specimen &specimen);
+    explicit ServoStiffness(const ObservedSpecimen &specimen);
 
     const base::Matrix6 &value() const { return stiffness; } ///< [Pa]
     bool holds_together() const { return resists; }          ///< the cell resisted every strain when this was made
     /** Of a pressure wave along the largest height of the cell, when this was made [s]. */
     double crossing_time() const { return crossing; }
     /** Look at what has come to touch in a cell that did not hold together. */
-    void follow(const Specimen &specimen);
+    void follow(const ObservedSpecimen &specimen);
 
     void visit_state(base::StateVisitor &visitor);
 

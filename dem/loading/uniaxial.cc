@@ -32,7 +32,7 @@ namespace dem
         refuse("stop strain: must be above 0.");
     }
 
-    GripLayers layers_of(const Specimen &body, const UniaxialParameters &p)
+    GripLayers layers_of(const ObservedSpecimen &body, const UniaxialParameters &p)
     {
       const SpecimenParameters &made = body.parameters();
       check(p, made.physics.dimension);
@@ -70,7 +70,7 @@ namespace dem
             grip.prescribed[c]     = c == p.axis || p.lateral_blocked;
             grip.prescribed[3 + c] = p.spin_blocked;
           }
-        grips[side] = body.add_grip(grip);
+        grips[side] = body.grips().add(grip);
       }
     move_grips();
   }
@@ -81,7 +81,7 @@ namespace dem
       {
         Eigen::Vector3d velocity  = Eigen::Vector3d::Zero();
         velocity[parameters.axis] = (side == 0 ? -0.5 : 0.5) * rate * layers.distance;
-        specimen->set_grip_velocity(grips[side], velocity, Eigen::Vector3d::Zero());
+        specimen->grips().set_velocity(grips[side], velocity, Eigen::Vector3d::Zero());
       }
   }
 
@@ -120,10 +120,10 @@ namespace dem
 
   void UniaxialTest::measure()
   {
-    const double pull =
-      0.5 * (specimen->reaction(grips[1])[parameters.axis] - specimen->reaction(grips[0])[parameters.axis]);
-    now       = {next_time, next_strain, pull / layers.section};
-    travelled = next_travel;
+    const double pull = 0.5 * (specimen->grips().reaction(grips[1])[parameters.axis] -
+                               specimen->grips().reaction(grips[0])[parameters.axis]);
+    now               = {next_time, next_strain, pull / layers.section};
+    travelled         = next_travel;
 
     const double sign = parameters.strain_rate > 0 ? 1 : -1;
     if (record.add(sign * now.strain, sign * now.stress))

@@ -2,14 +2,14 @@
 
 #include "base/errors.h"
 #include "base/number_text.h"
-#include "dem/specimen/specimen.h"
+#include "dem/specimen/observation.h"
 
 #include <cmath>
 #include <sstream>
 
 namespace dem
 {
-  DiscreteState discrete_state(const Specimen &specimen)
+  DiscreteState discrete_state(const ObservedSpecimen &specimen)
   {
     ParticleOutput particles = specimen.particles();
     DiscreteState  state;

@@ -6,7 +6,7 @@
 
 namespace dem
 {
-  class Specimen;
+  class ObservedSpecimen;
 
   /**
    * What a continuum needs to know of a specimen to carry on from it: places, shares of volume and stress of the particles, and the
@@ -29,7 +29,7 @@ namespace dem
     std::size_t size() const { return radius.size(); }
   };
 
-  DiscreteState discrete_state(const Specimen &specimen);
+  DiscreteState discrete_state(const ObservedSpecimen &specimen);
 
   /**
    * @param origin where it came from, for the message.

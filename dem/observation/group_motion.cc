@@ -1,21 +1,21 @@
 #include "dem/observation/group_motion.h"
 
-#include "dem/specimen/specimen.h"
+#include "dem/specimen/observation.h"
 
 namespace dem
 {
   namespace
   {
     /** Which clumps lie wholly in a group. */
-    std::vector<bool> whole_clumps(const Specimen &specimen, const std::vector<std::size_t> &group)
+    std::vector<bool> whole_clumps(const ObservedSpecimen &specimen, const std::vector<std::size_t> &group)
     {
-      std::vector<std::size_t> pebbles(specimen.clumps(), 0);
+      std::vector<std::size_t> pebbles(specimen.clumps().size(), 0);
       for (const std::size_t i : group)
-        if (const auto clump = specimen.clump_of(i))
+        if (const auto clump = specimen.clumps().of(i))
           ++pebbles[*clump];
       std::vector<bool> whole(pebbles.size());
       for (std::size_t clump = 0; clump < pebbles.size(); ++clump)
-        whole[clump] = pebbles[clump] == specimen.clump(clump).pebbles;
+        whole[clump] = pebbles[clump] == specimen.clumps().state(clump).pebbles;
       return whole;
     }
 
@@ -47,14 +47,15 @@ namespace dem
     };
   } // namespace
 
-  GroupMotion motion_of(const Specimen &specimen, const ParticleOutput &p, const std::vector<std::size_t> &group)
+  GroupMotion
+  motion_of(const ObservedSpecimen &specimen, const ParticleOutput &p, const std::vector<std::size_t> &group)
   {
     const std::vector<bool> whole  = whole_clumps(specimen, group);
     const double            gyrate = specimen.parameters().physics.dimension == 3 ? 2.0 / 5 : 1.0 / 2;
     Sums                    sums;
     for (const std::size_t i : group)
       {
-        if (const auto clump = specimen.clump_of(i); clump && whole[*clump])
+        if (const auto clump = specimen.clumps().of(i); clump && whole[*clump])
           continue;
         sums.add(p.mass[i], p.position[i], p.displacement[i], p.velocity[i], p.angular_velocity[i]);
         sums.of.kinetic_energy +=
@@ -64,7 +65,7 @@ namespace dem
     for (std::size_t clump = 0; clump < whole.size(); ++clump)
       if (whole[clump])
         {
-          const ClumpState body = specimen.clump(clump);
+          const ClumpState body = specimen.clumps().state(clump);
           sums.add(body.mass, body.position, body.travelled, body.velocity, body.spin);
           sums.of.kinetic_energy += body.kinetic_energy();
         }

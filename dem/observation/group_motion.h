@@ -8,7 +8,7 @@
 
 namespace dem
 {
-  class Specimen;
+  class ObservedSpecimen;
 
   /**
    * How a group of particles moves as a whole. A rigid clump all of whose pebbles are of it counts as the body that it is, with its own mass,
@@ -26,5 +26,5 @@ namespace dem
 
   /** @param particles of the specimen, as it is now @param group packing numbers, each once; not empty */
   GroupMotion
-  motion_of(const Specimen &specimen, const ParticleOutput &particles, const std::vector<std::size_t> &group);
+  motion_of(const ObservedSpecimen &specimen, const ParticleOutput &particles, const std::vector<std::size_t> &group);
 } // namespace dem

@@ -1,6 +1,6 @@
 #include "dem/observation/link_images.h"
 
-#include "dem/specimen/specimen.h"
+#include "dem/specimen/observation.h"
 
 #include <Eigen/LU>
 
@@ -30,7 +30,8 @@ namespace dem
     return images;
   }
 
-  std::vector<LinkImage> link_images(const Specimen &specimen, const LinkOutput &links, const ParticleOutput &particles)
+  std::vector<LinkImage>
+  link_images(const ObservedSpecimen &specimen, const LinkOutput &links, const ParticleOutput &particles)
   {
     if (!specimen.parameters().physics.periodic)
       return {};

@@ -6,7 +6,7 @@
 
 namespace dem
 {
-  class Specimen;
+  class ObservedSpecimen;
 
   /** Where a link of a periodic cell leads to: what to add to the place of its second particle. Zero within the cell. */
   struct LinkImage
@@ -28,5 +28,5 @@ namespace dem
 
   /** Of a specimen; empty if nothing is periodic. */
   std::vector<LinkImage>
-  link_images(const Specimen &specimen, const LinkOutput &links, const ParticleOutput &particles);
+  link_images(const ObservedSpecimen &specimen, const LinkOutput &links, const ParticleOutput &particles);
 } // namespace dem

@@ -1,7 +1,8 @@
 #include "base/errors.h"
 #include "dem/measures/link_measures.h"
 #include "dem/model/strain_operator.h"
-#include "dem/specimen/implementation.h"
+#include "dem/specimen/core.h"
+#include "dem/specimen/specimen.h"
 
 #include <Eigen/LU>
 
@@ -54,7 +55,7 @@ namespace dem
     self->particles.cell.set_gradient(gradient);
   }
 
-  CellState Specimen::cell() const
+  CellState ObservedSpecimen::cell() const
   {
     require_cell(self->particles, "cell");
     const Cell           &cell = self->particles.cell;
@@ -68,7 +69,7 @@ namespace dem
     return state;
   }
 
-  base::Matrix6 Specimen::affine_stiffness() const
+  base::Matrix6 ObservedSpecimen::affine_stiffness() const
   {
     require_cell(self->particles, "affine stiffness");
     return (stiffness_moment(self->particles, self->bonds, *self->bond_law) +
@@ -76,7 +77,7 @@ namespace dem
            self->particles.cell.volume();
   }
 
-  double Specimen::force_ratio() const
+  double ObservedSpecimen::force_ratio() const
   {
     const Particles &p    = self->particles;
     double           left = 0, all = 0;
@@ -107,7 +108,7 @@ namespace dem
     return all > 0 ? left / all : 1.0;
   }
 
-  double Specimen::unbalanced_ratio() const
+  double ObservedSpecimen::unbalanced_ratio() const
   {
     const Particles &p            = self->particles;
     double           on_particles = 0;

@@ -1,8 +1,9 @@
 // Corrections of a step from outside, before it is over (doc/theory/volume-coupling.md, 4).
 
 #include "base/errors.h"
+#include "dem/specimen/core.h"
 #include "dem/specimen/glide.h"
-#include "dem/specimen/implementation.h"
+#include "dem/specimen/partners.h"
 
 #include <algorithm>
 
@@ -44,7 +45,7 @@ namespace dem
     }
   } // namespace
 
-  void Specimen::Implementation::enter_velocities(const StepPartner &partner, base::Column &rates) const
+  void SpecimenCore::enter_velocities(const StepPartner &partner, base::Column &rates) const
   {
     const std::vector<std::size_t> &watched = *partner.particles;
     rates.resize(axes * watched.size());
@@ -54,26 +55,7 @@ namespace dem
                   &rates[axes * k]);
   }
 
-  bool Specimen::Implementation::set_held_rate(const std::size_t i,
-                                               const std::size_t c,
-                                               const double      before,
-                                               const double      now)
-  {
-    if (led_by.empty())
-      return false;
-    const auto [grip, member] = led_by[i];
-    if (grip < 0 || !grips[static_cast<std::size_t>(grip)].grip.prescribed[c])
-      return false;
-    HeldGrip &held                    = grips[static_cast<std::size_t>(grip)];
-    held.own_rates[axes * member + c] = now;
-    held.lost_velocity[axes * member + c] += before - now;
-    const double added = 0.5 * (c < 3 ? particles.mass[i] : particles.inertia[i]) * (now * now - before * before);
-    accounts[i / particles_per_block].kinetic += added;
-    work_before += added;
-    return true;
-  }
-
-  std::array<double, 2> Specimen::Implementation::let_correct(const StepHalves &halves, const StepPartner &partner)
+  std::array<double, 2> SpecimenCore::let_correct(const StepHalves &halves, const StepPartner &partner)
   {
     enter_velocities(partner, corrected);
     const std::vector<std::size_t> &watched = *partner.particles;
@@ -94,7 +76,7 @@ namespace dem
     return work;
   }
 
-  void Specimen::Implementation::take_corrected(
+  void SpecimenCore::take_corrected(
     const std::size_t i, const StepHalves &halves, const double *before, const double *now, std::array<double, 2> &work)
   {
     double *v = &particles.velocity[record_size * i], *motion = &particles.motion[record_size * i],
@@ -113,7 +95,12 @@ namespace dem
             work[0] += halves.before * impulse * rate.before;
             work[1] += halves.after * impulse * rate.now;
           }
-        else if (!set_held_rate(i, c, rate.before, rate.now))
+        else if (const auto added = held.correct_rate(particles, i, c, rate.before, rate.now))
+          {
+            accounts[i / particles_per_block].kinetic += *added;
+            book.work.before += *added;
+          }
+        else
           continue;
         turned               = turned || c >= 3;
         const double further = 2 * halves.after * rate.change();
@@ -126,15 +113,5 @@ namespace dem
       set_arm_turn(pose, motion);
     double &fastest = accounts[i / particles_per_block].fastest;
     fastest         = std::max(fastest, Eigen::Vector3d(motion).squaredNorm());
-  }
-
-  void Specimen::advance(const std::vector<std::size_t>              &particles,
-                         const std::function<void(StepCorrection &)> &correct)
-  {
-    if (self->parameters.physics.periodic)
-      throw base::InputError("Corrections: a periodic cell has no place for somebody else's body.");
-    if (self->step_count == 0)
-      self->begin();
-    self->step({&particles, &correct});
   }
 } // namespace dem

@@ -5,7 +5,8 @@
 #include "dem/network/loaded_hinges.h"
 #include "dem/network/loaded_network.h"
 #include "dem/network/rigid_motions.h"
-#include "dem/specimen/implementation.h"
+#include "dem/specimen/core.h"
+#include "dem/specimen/specimen.h"
 
 #include <algorithm>
 #include <cmath>
@@ -206,7 +207,7 @@ namespace dem
     }
   } // namespace
 
-  double Specimen::Implementation::weight_work() const
+  double SpecimenCore::weight_work() const
   {
     if (parameters.gravity.isZero(0))
       return 0;
@@ -219,7 +220,7 @@ namespace dem
     return work;
   }
 
-  void Specimen::Implementation::begin()
+  void SpecimenCore::begin()
   {
     const double of_surfaces = surfaces.empty() ? 0.0 : begin_surfaces(); // may shorten the step
     // Velocities are those of half a step before the first forces: so are the energies that the account starts from.
@@ -231,14 +232,14 @@ namespace dem
           const double weight = c < 3 ? particles.mass[i] * parameters.gravity[c] : 0.0,
                        moved  = 0.5 * time_step * particles.velocity[record_size * i + c];
           of_weight += weight * moved;
-          if (stored_at_start > 0) // otherwise links carry nothing yet
+          if (book.stored_at_start > 0) // otherwise links carry nothing yet
             of_links += (particles.force[record_size * i + c] - weight) * moved;
         }
-    initial         = kinetic_of_velocities() + stored_at_start + of_links + begin_contacts() + of_surfaces;
-    weight_at_start = weight_work() - of_weight;
+    book.initial         = kinetic_of_velocities() + book.stored_at_start + of_links + begin_contacts() + of_surfaces;
+    book.weight_at_start = weight_work() - of_weight;
   }
 
-  double Specimen::Implementation::begin_contacts()
+  double SpecimenCore::begin_contacts()
   {
     if (contacts.alive == 0)
       return 0;
@@ -247,16 +248,16 @@ namespace dem
     return elastic_energy(particles, contacts, *contact_law) - 0.5 * time_step * power_of_ends(particles, contacts);
   }
 
-  void Specimen::Implementation::find_forces()
+  void SpecimenCore::find_forces()
   {
     bond_pass(bonds, particles, *bond_law, bonds.whole());
     // A step of no length: forces are summed up, nothing moves, and the last motion is done with.
     select_particle_pass(false, false, equal_radii, moments(), surroundings())(
       particles, bonds, nullptr, surfaces.on_particles(), {0.0, 0.0}, 0.0, parameters.gravity, accounts);
-    sum_pulls();
+    held.sum_forces(particles);
   }
 
-  void Specimen::Implementation::displace(const ParticleMotions &motion)
+  void SpecimenCore::displace(const ParticleMotions &motion)
   {
     for (std::size_t i = 0; i < particles.count; ++i)
       {
@@ -275,17 +276,17 @@ namespace dem
       }
   }
 
-  InitialEquilibrium Specimen::Implementation::find_equilibrium()
+  InitialEquilibrium SpecimenCore::find_equilibrium()
   {
     InitialEquilibrium             found;
-    const std::vector<HeldMotions> held = held_motions(particles, parameters.loose);
+    const std::vector<HeldMotions> fixed = held_motions(particles, parameters.loose);
     find_forces();
-    ParticleMotions left = free_forces(particles, held);
+    ParticleMotions left = free_forces(particles, fixed);
     if (left.isZero(0))
       return found;
     const std::vector<HeldMotions> still =
-      with_unsettled(network_of(particles, bonds, *bond_law, parameters.physics), left, held, found);
-    // What finds no equilibrium weighs nothing yet: held up, it would push the rest about.
+      with_unsettled(network_of(particles, bonds, *bond_law, parameters.physics), left, fixed, found);
+    // What finds no equilibrium weighs nothing yet: fixed up, it would push the rest about.
     const auto unbalanced = [&] {
       ParticleMotions force = free_forces(particles, still);
       for (const std::int32_t i : found.unsettled)
@@ -298,7 +299,7 @@ namespace dem
     while (true)
       {
         const ElasticNetwork network = network_of(particles, bonds, *bond_law, parameters.physics);
-        const RigidMotions   rigid(network, held, found.unsettled);
+        const RigidMotions   rigid(network, fixed, found.unsettled);
         if (found.solutions == 0 && rigid.loaded_by(left) > no_load)
           refuse("gravity acts along a motion of the whole specimen that no grip or support prevents. Hold it, or turn "
                  "gravity.");
@@ -333,7 +334,7 @@ namespace dem
     return found;
   }
 
-  void Specimen::Implementation::start_from_equilibrium(InitialEquilibrium &found)
+  void SpecimenCore::start_from_equilibrium(InitialEquilibrium &found)
   {
     for (std::size_t i = 0; i < particles.count; ++i)
       if (particles.made_links[i] > 0)
@@ -347,7 +348,7 @@ namespace dem
         reader.read(l);
         found.largest_strain = std::max(found.largest_strain, reader.exertion().damage);
       }
-    stored_at_start = elastic_energy(particles, bonds, *bond_law);
+    book.stored_at_start = elastic_energy(particles, bonds, *bond_law);
     if (parameters.physics.contacts)
       {
         accounts.front().fastest = found.largest_displacement * found.largest_displacement;
@@ -368,7 +369,7 @@ namespace dem
     return self->find_equilibrium();
   }
 
-  ElasticNetwork Specimen::network() const
+  ElasticNetwork ObservedSpecimen::network() const
   {
     return network_of(self->particles, self->bonds, *self->bond_law, self->parameters.physics);
   }

@@ -3,14 +3,14 @@
 #include "dem/specimen/glide.h"
 
 #include "base/errors.h"
-#include "dem/specimen/implementation.h"
+#include "dem/specimen/core.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace dem
 {
-  void Specimen::Implementation::begin_glide()
+  void SpecimenCore::begin_glide()
   {
     if (surfaces.viscous())
       throw base::InputError(
@@ -33,7 +33,7 @@ namespace dem
   }
 
   /** Put particles to where they have glided since they began [s]. @return their largest displacement on the way from where they were [m] */
-  double Specimen::Implementation::place_gliding(const double since)
+  double SpecimenCore::place_gliding(const double since)
   {
     const double step    = since - gliding.glided;
     double       largest = 0;
@@ -52,7 +52,7 @@ namespace dem
     return std::sqrt(largest);
   }
 
-  void Specimen::Implementation::glide(const double step, const double kick)
+  void SpecimenCore::glide(const double step, const double kick)
   {
     surfaces.collect_impulses(kick);
     gliding.pushes.add_impulses(surfaces, kick, gliding.glided, gliding.velocity);
@@ -66,7 +66,7 @@ namespace dem
   }
 
   /** What surfaces do not know yet of the particles' motion, now that they have taken their own step from where they began. */
-  void Specimen::Implementation::keep_unseen()
+  void SpecimenCore::keep_unseen()
   {
     unseen         = particles.motion;
     double largest = 0;
@@ -81,7 +81,7 @@ namespace dem
     surfaces.particles_moved(std::sqrt(largest));
   }
 
-  void Specimen::Implementation::finish_glide()
+  void SpecimenCore::finish_glide()
   {
     if (gliding.looked ==
         gliding.glided) // surfaces have looked at the end already, and stand still until they look again
@@ -99,13 +99,13 @@ namespace dem
     gliding.pushes.add_work(surfaces, unseen);
     const auto made =
       gliding.pushes.enter_difference(surfaces, {&gliding.velocity, &particles.velocity, halves.before, halves.after});
-    work_now += gliding.work_now + made[0];
-    work_after += gliding.work_after + made[1];
+    book.work.now += gliding.work_now + made[0];
+    book.work.after += gliding.work_after + made[1];
     gliding = {};
     end_step();
   }
 
-  void Specimen::Implementation::visit_glide(base::StateVisitor &visitor)
+  void SpecimenCore::visit_glide(base::StateVisitor &visitor)
   {
     visitor.column("glide/unseen_motion", unseen);
     visitor.scalar("glide/stored", before_glide.stored);

@@ -25,7 +25,7 @@ namespace dem
         clump.inertia           = clump.mass * body.inertia;
         try
           {
-            specimen.add_clump(clump);
+            specimen.clumps().add(clump);
           }
         catch (const base::InputError &refused)
           {

@@ -1,8 +1,10 @@
-// Walls and other surfaces of a specimen: how they are added and led, and what they do in a step.
+// Walls and other surfaces of a specimen: how they are added and moved, and what they do in a step.
+
+#include "dem/specimen/surfaces.h"
 
 #include "base/errors.h"
+#include "dem/specimen/core.h"
 #include "dem/specimen/glide.h"
-#include "dem/specimen/implementation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -66,7 +68,7 @@ namespace dem
     };
   } // namespace
 
-  void Specimen::Implementation::find_surface_forces()
+  void SpecimenCore::find_surface_forces()
   {
     const bool glides = gliding.under_way && gliding.looked < gliding.glided;
     if (glides) // forces that were found before have worked until here, and new ones from half of the way on
@@ -82,19 +84,18 @@ namespace dem
     gliding.looked = gliding.glided;
   }
 
-  void Specimen::Implementation::log_torn_glue()
+  void SpecimenCore::log_torn_glue()
   {
     for (const SurfaceBonds &glue : surfaces.bonds())
       for (Break event : glue.breaks())
         {
           event.time = time;
           event.step = step_count;
-          if (!breaks.knows(event))
-            breaks.add(event);
+          cracks.log(event);
         }
   }
 
-  double Specimen::Implementation::begin_surfaces()
+  double SpecimenCore::begin_surfaces()
   {
     surfaces.check_start(particles);
     check_speeds(particles, time_step);
@@ -106,17 +107,17 @@ namespace dem
     return energy;
   }
 
-  void Specimen::Implementation::advance_surfaces(const StepHalves &halves)
+  void SpecimenCore::advance_surfaces(const StepHalves &halves)
   {
     surfaces.collect_impulses(halves.before + halves.after);
-    work_now += surfaces.add_work_of_last_motion();
+    book.work.now += surfaces.add_work_of_last_motion();
     const double of_vertices = surfaces.advance(time_step);
-    work_after += surfaces.add_work_of_last_motion();
+    book.work.after += surfaces.add_work_of_last_motion();
     refuse_too_fast(largest_displacement(), of_vertices);
     surfaces.moved(largest_displacement(), of_vertices);
   }
 
-  void Specimen::Implementation::refuse_too_fast(const double of_particles, const double of_surfaces) const
+  void SpecimenCore::refuse_too_fast(const double of_particles, const double of_surfaces) const
   {
     if (of_particles + of_surfaces < smallest_radius)
       return;
@@ -128,7 +129,7 @@ namespace dem
       }
   }
 
-  void Specimen::Implementation::glue(const std::size_t number, const SurfaceGlue &glue)
+  void SpecimenCore::glue(const std::size_t number, const SurfaceGlue &glue)
   {
     const std::string name = surfaces.surface(number).name;
     if (step_count > 0)
@@ -147,29 +148,59 @@ namespace dem
     time_step = std::min(time_step, longest_step);
   }
 
-  std::size_t Specimen::add_surface(const SurfaceParameters &surface)
+  void SpecimenCore::find_forces_of_surfaces()
   {
-    if (self->parameters.physics.periodic)
+    if (step_count == 0 && !gliding.under_way)
+      {
+        surfaces.check_start(particles);
+        check_speeds(particles, time_step);
+      }
+    find_surface_forces();
+  }
+
+  const Surface &SurfaceReadings::at(const std::size_t number) const { return core->surfaces.surfaces().at(number); }
+  std::size_t    SurfaceReadings::size() const { return core->surfaces.surfaces().size(); }
+
+  std::vector<WallContact> SurfaceReadings::contacts() const
+  {
+    std::vector<WallContact> out;
+    for (const SurfaceContact &contact : core->surfaces.list())
+      {
+        const auto i = static_cast<std::size_t>(contact.particle);
+        out.push_back({static_cast<std::size_t>(core->particles.number[i]), static_cast<std::size_t>(contact.surface),
+                       contact.place, contact.force, contact.overlap});
+      }
+    return out;
+  }
+
+  std::array<std::int64_t, 2> SurfaceReadings::searches() const
+  {
+    return {core->surfaces.near_facets().searches(), core->surfaces.near_facets().tested()};
+  }
+
+  std::size_t Surfaces::add(const SurfaceParameters &surface)
+  {
+    if (core->parameters.physics.periodic)
       throw base::InputError("wall " + surface.name + ": a periodic cell has no place for walls.");
-    std::vector<bool> meets(surface.particles.empty() ? 0 : self->particles.count, false);
+    std::vector<bool> meets(surface.particles.empty() ? 0 : core->particles.count, false);
     for (const std::size_t number : surface.particles)
       {
-        if (number >= self->slot.size())
+        if (number >= core->slot.size())
           throw base::InputError("wall " + surface.name + ": there is no particle " + std::to_string(number + 1) + ".");
-        meets[static_cast<std::size_t>(self->slot[number])] = true;
+        meets[static_cast<std::size_t>(core->slot[number])] = true;
       }
-    const std::size_t added = self->surfaces.add(surface, self->parameters.physics, std::move(meets));
+    const std::size_t added = core->surfaces.add(surface, core->parameters.physics, std::move(meets));
     if (surface.glue.within != 0)
-      self->glue(added, surface.glue);
+      core->glue(added, surface.glue);
     return added;
   }
 
-  void Specimen::set_surface_motion(const std::size_t      number,
-                                    const Eigen::Vector3d &velocity,
-                                    const Eigen::Vector3d &spin,
-                                    const Eigen::Vector3d &about)
+  void Surfaces::set_motion(const std::size_t      number,
+                            const Eigen::Vector3d &velocity,
+                            const Eigen::Vector3d &spin,
+                            const Eigen::Vector3d &about)
   {
-    Surface &surface = self->surfaces.surface(number);
+    Surface &surface = core->surfaces.surface(number);
     if (surface.mesh.is_plane() && !spin.isZero(0))
       throw base::InputError("wall " + surface.name + ": an unbounded plane does not spin. Take a plate of facets.");
     surface.led      = Surface::Led::rigidly;
@@ -178,9 +209,9 @@ namespace dem
     surface.centre   = about;
   }
 
-  void Specimen::hold_surface(const std::size_t number, const ForceServo &servo)
+  void Surfaces::hold_at_force(const std::size_t number, const ForceServo &servo)
   {
-    Surface &surface = self->surfaces.surface(number);
+    Surface &surface = core->surfaces.surface(number);
     if (!(servo.direction.norm() > 0 && servo.largest_speed > 0 && servo.gain > 0 && servo.gain <= 1 &&
           std::isfinite(servo.force)))
       throw base::InputError(
@@ -192,9 +223,9 @@ namespace dem
     surface.spin.setZero();
   }
 
-  void Specimen::set_vertex_velocities(const std::size_t number, const std::vector<Eigen::Vector3d> &velocity)
+  void Surfaces::set_vertex_velocities(const std::size_t number, const std::vector<Eigen::Vector3d> &velocity)
   {
-    Surface &surface = self->surfaces.surface(number);
+    Surface &surface = core->surfaces.surface(number);
     if (surface.mesh.is_plane())
       throw base::InputError("wall " + surface.name + ": the vertices of an unbounded plane do not move one by one.");
     if (velocity.size() != surface.place.size())
@@ -204,65 +235,11 @@ namespace dem
     surface.rate = velocity;
   }
 
-  void Specimen::place_vertices(const std::size_t number, const std::vector<Eigen::Vector3d> &place)
+  void Surfaces::cut_off(const std::size_t number)
   {
-    Surface &surface = self->surfaces.surface(number);
-    if (place.size() != surface.place.size())
-      throw base::InputError("wall " + surface.name + " of " + std::to_string(surface.place.size()) +
-                             " vertices: places of " + std::to_string(place.size()) + " were given.");
-    double                       furthest = 0;
-    std::vector<Eigen::Vector3d> by(place.size());
-    for (std::size_t v = 0; v < place.size(); ++v)
-      {
-        by[v]    = place[v] - surface.place[v];
-        furthest = std::max(furthest, by[v].norm());
-      }
-    self->work_after += self->surfaces.put_on(number, by);
-    surface.place = place; // to the last bit
-    self->surfaces.moved(0, furthest);
-  }
-
-  void Specimen::find_surface_forces()
-  {
-    if (self->step_count == 0 && !self->gliding.under_way)
-      {
-        self->surfaces.check_start(self->particles);
-        check_speeds(self->particles, self->time_step);
-      }
-    self->find_surface_forces();
-  }
-
-  void Specimen::cut_off_at(const std::size_t number)
-  {
-    if (self->step_count > 0)
-      throw base::InputError("wall " + surface(number).name + ": particles are cut off at it before the first step.");
-    find_surface_forces();
-    self->surfaces.cut_off_at(number, self->particles, self->shape);
-  }
-
-  void Specimen::begin_glide() { self->begin_glide(); }
-  void Specimen::glide(const double step, const double kick) { self->glide(step, kick); }
-  void Specimen::finish_glide() { self->finish_glide(); }
-
-  const Surface &Specimen::surface(const std::size_t number) const { return self->surfaces.surfaces().at(number); }
-  std::size_t    Specimen::surfaces() const { return self->surfaces.surfaces().size(); }
-
-  void Specimen::clear_vertex_impulses(const std::size_t number) { self->surfaces.surface(number).clear_impulses(); }
-
-  std::vector<WallContact> Specimen::wall_contacts() const
-  {
-    std::vector<WallContact> out;
-    for (const SurfaceContact &contact : self->surfaces.list())
-      {
-        const auto i = static_cast<std::size_t>(contact.particle);
-        out.push_back({static_cast<std::size_t>(self->particles.number[i]), static_cast<std::size_t>(contact.surface),
-                       contact.place, contact.force, contact.overlap});
-      }
-    return out;
-  }
-
-  std::array<std::int64_t, 2> Specimen::surface_searches() const
-  {
-    return {self->surfaces.near_facets().searches(), self->surfaces.near_facets().tested()};
+    if (core->step_count > 0)
+      throw base::InputError("wall " + at(number).name + ": particles are cut off at it before the first step.");
+    core->find_forces_of_surfaces();
+    core->surfaces.cut_off_at(number, core->particles, core->shape);
   }
 } // namespace dem

@@ -88,4 +88,19 @@ namespace postprocess
       throw base::InputError(table.origin + ": is empty. The first line must name the columns.");
     return table;
   }
+
+  std::string csv_text(const CsvTable &table)
+  {
+    std::string text;
+    for (std::size_t c = 0; c < table.names.size(); ++c)
+      text += (c > 0 ? "," : "") + table.names[c] + (table.units[c].empty() ? "" : " [" + table.units[c] + "]");
+    text += '\n';
+    for (std::size_t row = 0; row < table.rows(); ++row)
+      for (std::size_t c = 0; c < table.columns.size(); ++c)
+        {
+          append(text, table.columns[c][row]);
+          text += c + 1 < table.columns.size() ? ',' : '\n';
+        }
+    return text;
+  }
 } // namespace postprocess

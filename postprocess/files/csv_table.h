@@ -33,4 +33,7 @@ namespace postprocess
   CsvTable read_csv_table(const std::filesystem::path    &path,
                           bool                            accept_not_finite = false,
                           const std::vector<std::string> &word_columns      = {});
+
+  /** A table of numbers as text: a header line with units, numbers in the shortest form that keeps every bit. */
+  std::string csv_text(const CsvTable &table);
 } // namespace postprocess

@@ -1,7 +1,7 @@
 #include "postprocess/vtk/vtk_walls.h"
 
 #include "dem/facets/surface.h"
-#include "dem/specimen/specimen.h"
+#include "dem/specimen/observation.h"
 #include "postprocess/vtk/vtk_file.h"
 
 #include <vtkCellArray.h>
@@ -11,15 +11,15 @@ namespace postprocess
 {
   using namespace vtk_file;
 
-  void write_vtk_walls(const std::filesystem::path &path, const dem::Specimen &specimen, const double time)
+  void write_vtk_walls(const std::filesystem::path &path, const dem::ObservedSpecimen &specimen, const double time)
   {
     std::vector<Eigen::Vector3d>  place, force;
     std::vector<std::int32_t>     wall;
     vtkSmartPointer<vtkCellArray> facets = vtkSmartPointer<vtkCellArray>::New();
     bool                          lines  = false;
-    for (std::size_t s = 0; s < specimen.surfaces(); ++s)
+    for (std::size_t s = 0; s < specimen.surfaces().size(); ++s)
       {
-        const dem::Surface &surface = specimen.surface(s);
+        const dem::Surface &surface = specimen.surfaces().at(s);
         if (surface.mesh.is_plane())
           continue;
         const auto shift = static_cast<vtkIdType>(place.size());

@@ -4,7 +4,7 @@
 
 namespace dem
 {
-  class Specimen;
+  class ObservedSpecimen;
 }
 
 namespace postprocess
@@ -13,5 +13,5 @@ namespace postprocess
    * Write the surfaces of a specimen as facets of a VTK file (.vtp) for ParaView, with the fields "walls" of field_files(). Unbounded
    * planes are left out. @throws OutputError.
    */
-  void write_vtk_walls(const std::filesystem::path &path, const dem::Specimen &specimen, double time);
+  void write_vtk_walls(const std::filesystem::path &path, const dem::ObservedSpecimen &specimen, double time);
 } // namespace postprocess

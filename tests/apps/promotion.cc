@@ -140,9 +140,9 @@ TEST_CASE("Sets of elements are told by their places, and one whose corners all 
   const auto at       = [&](const double x, const double y) { return elements->with_centre({x, y, 0}); };
   CHECK(elements->centre_of(at(1.4, 2.6)).isApprox(Eigen::Vector3d(1.5, 2.5, 0), 1e-12));
   const auto left = elements->within([](const Eigen::Vector3d &place) { return place.x() < 1.5; });
-  CHECK(left == apps::MeshElements::Set{at(0.5, 0.5), at(0.5, 1.5), at(0.5, 2.5)});
+  CHECK(left == coupling::MeshElements::Set{at(0.5, 0.5), at(0.5, 1.5), at(0.5, 2.5)});
   // Around the middle.
-  apps::MeshElements::Set ring;
+  coupling::MeshElements::Set ring;
   for (const double x : {0.5, 1.5, 2.5})
     for (const double y : {0.5, 1.5, 2.5})
       if (x != 1.5 || y != 1.5)
@@ -151,7 +151,7 @@ TEST_CASE("Sets of elements are told by their places, and one whose corners all 
   CHECK(elements->filled(left) == left);
   // Those at a corner of the mesh, and those that come nearer to it than a length.
   CHECK(elements->around({Eigen::Vector3d(0, 0, 0)}, 0.5) ==
-        apps::MeshElements::Set{at(0.5, 0.5), at(1.5, 0.5), at(0.5, 1.5), at(1.5, 1.5)});
+        coupling::MeshElements::Set{at(0.5, 0.5), at(1.5, 0.5), at(0.5, 1.5), at(1.5, 1.5)});
   CHECK(elements->around({Eigen::Vector3d(0, 0, 0)}, 1.2).size() == 8);
   CHECK(elements->around({Eigen::Vector3d(0, 0, 0)}, 1.5).size() == 9);
   CHECK(elements->distance_from(left, "left")({2.5, 7, 0}) == Approx(std::hypot(1.5, 4)));

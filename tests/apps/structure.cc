@@ -54,7 +54,7 @@ TEST_CASE(
   mesh.source = apps::MeshSection::Source::file;
   mesh.file = places::sources() + "/meshes/snap_back_bar.msh"; // "weak" from 0.5 to 0.55 of 1 m, over the whole height
   const auto elements = apps::elements_of(mesh, 2);
-  const auto distance = elements->distance_from(elements->of_group("weak"), "weak");
+  const auto distance = elements->distance_from(apps::elements_of_group(*elements, "weak"), "weak");
   for (const double x : {0.0, 0.3, 0.499, 0.51, 0.525, 0.549, 0.56, 1.0})
     for (const double y : {-0.01, 0.0, 0.02, 0.05})
       {
@@ -62,7 +62,7 @@ TEST_CASE(
         INFO(x << ", " << y);
         CHECK(distance({x, y, 0}) == Approx(std::copysign(std::hypot(along, off), along)).margin(1e-12));
       }
-  CHECK_THROWS_WITH(elements->of_group("week"), Contains("Did you mean \"weak\""));
+  CHECK_THROWS_WITH(apps::elements_of_group(*elements, "week"), Contains("Did you mean \"weak\""));
 }
 
 TEST_CASE("A beam with a core of particles bears what one all of particles bears", "[apps][structure][volume][slow]")

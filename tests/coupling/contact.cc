@@ -78,14 +78,14 @@ namespace
   {
     using Velocity = std::function<dealii::Tensor<1, dim>(const dealii::Point<dim> &)>;
 
-    Bodies(fem::Mesh<dim>                    mesh,
-           const Velocity                   &velocity,
-           const dem::BodyContactParameters &contact,
-           const double                      young   = 1e7,
-           const double                      safety  = 0.5,
-           const std::array<double, 3>      &gravity = {0, 0, 0},
-           const bool                        held    = false,
-           const std::vector<std::string>   &rigid   = {})
+    Bodies(fem::Mesh<dim>                                 mesh,
+           const Velocity                                &velocity,
+           const coupling::bodies::BodyContactParameters &contact,
+           const double                                   young   = 1e7,
+           const double                                   safety  = 0.5,
+           const std::array<double, 3>                   &gravity = {0, 0, 0},
+           const bool                                     held    = false,
+           const std::vector<std::string>                &rigid   = {})
       : solid(std::move(mesh), options())
       , specimen(bystander())
     {
@@ -158,9 +158,9 @@ namespace
     std::map<dealii::types::global_dof_index, std::size_t> body_of; ///< by the first displacement of a node
   };
 
-  dem::BodyContactParameters contact(const dem::BodyContactForm form, const double friction)
+  coupling::bodies::BodyContactParameters contact(const coupling::bodies::BodyContactForm form, const double friction)
   {
-    dem::BodyContactParameters law;
+    coupling::bodies::BodyContactParameters law;
     law.form                 = form;
     law.stiffness            = 4e8;
     law.friction_coefficient = friction;
@@ -219,7 +219,7 @@ TEST_CASE("body contact: a closed system keeps its momentum, and a potential its
   const auto friction = GENERATE(0.0, 0.5);
   CAPTURE(static_cast<int>(family), friction);
   Bodies<3>  b(parts<3>(cubes(), family), beyond<3>(1.05, dealii::Tensor<1, 3>({-4, 0.5, -0.8})),
-               contact(dem::BodyContactForm::potential, friction));
+               contact(coupling::bodies::BodyContactForm::potential, friction));
   const Seen seen = collide(b, 1500);
   CHECK(seen.momentum < 1e-12);
   CHECK(seen.turn < 1e-12);
@@ -236,8 +236,8 @@ TEST_CASE("body contact: the potential's energy error is of second order in the 
   for (const double safety : {0.5, 0.25, 0.125})
     {
       Bodies<3>    b(parts<3>(cubes(), fem::ElementFamily::hypercube),
-                     beyond<3>(1.05, dealii::Tensor<1, 3>({-4, 0.5, -0.8})), contact(dem::BodyContactForm::potential, 0),
-                     1e7, safety);
+                     beyond<3>(1.05, dealii::Tensor<1, 3>({-4, 0.5, -0.8})),
+                     contact(coupling::bodies::BodyContactForm::potential, 0), 1e7, safety);
       const double made = collide(b, static_cast<int>(1500 * 0.5 / safety)).made;
       INFO("safety " << safety << ": " << made);
       CHECK((before == 0 || before / made > 3.2));
@@ -269,10 +269,10 @@ TEST_CASE("body contact: faces that are not plane lie on the surface, and the co
   for (const double safety : {0.5, 0.25})
     {
       Bodies<3>   b(warped_cubes(), beyond<3>(1.1, dealii::Tensor<1, 3>({-4, 0, 0})),
-                    contact(dem::BodyContactForm::potential, 0), 1e7, safety);
+                    contact(coupling::bodies::BodyContactForm::potential, 0), 1e7, safety);
       const auto &layers = b.contact().contacts().mesh();
       int         sides  = 0;
-      for (const dem::BodySimplex &simplex : layers.simplices)
+      for (const coupling::bodies::BodySimplex &simplex : layers.simplices)
         for (int side = 0; side < 4; ++side)
           if (simplex.surface >> side & 1)
             {
@@ -296,7 +296,7 @@ TEST_CASE("body contact: the penalty keeps momentum, and energy to some per cent
   const auto family = GENERATE(fem::ElementFamily::hypercube, fem::ElementFamily::simplex);
   CAPTURE(static_cast<int>(family));
   Bodies<3>  b(parts<3>(cubes(), family), beyond<3>(1.05, dealii::Tensor<1, 3>({-4, 0.5, -0.8})),
-               contact(dem::BodyContactForm::penalty, 0.5));
+               contact(coupling::bodies::BodyContactForm::penalty, 0.5));
   const Seen seen = collide(b, 1500);
   CHECK(seen.momentum < 1e-12);
   CHECK(seen.turn < 1e-12);
@@ -310,7 +310,8 @@ TEST_CASE("body contact: in the plane momentum and energy are kept as well", "[c
   const auto family = GENERATE(fem::ElementFamily::hypercube, fem::ElementFamily::simplex);
   CAPTURE(static_cast<int>(family));
   Bodies<2>  b(parts<2>({{{0, 0}, {1, 1}, {4, 4}, 0}, {{1.25, 0.0}, {1.85, 0.6}, {3, 3}, 0.2}}, family),
-               beyond<2>(1.05, dealii::Tensor<1, 2>({-4, 0.5})), contact(dem::BodyContactForm::potential, 0.3));
+               beyond<2>(1.05, dealii::Tensor<1, 2>({-4, 0.5})),
+               contact(coupling::bodies::BodyContactForm::potential, 0.3));
   const Seen seen = collide(b, 3000);
   CHECK(seen.momentum < 1e-12);
   CHECK(seen.turn < 1e-12);
@@ -325,7 +326,8 @@ TEST_CASE("body contact: equal bodies that meet head-on exchange their velocitie
   // Bars: the wave goes through both once and leaves nothing behind (Saint-Venant), but for what the mesh disperses.
   Bodies<3>    b(parts<3>({{{0, 0, 0}, {1, 0.2, 0.2}, {20, 2, 2}, 0}, {{1.01, 0, 0}, {2.01, 0.2, 0.2}, {20, 2, 2}, 0}},
                        fem::ElementFamily::hypercube),
-                 beyond<3>(1.005, dealii::Tensor<1, 3>({-1, 0, 0})), contact(dem::BodyContactForm::potential, 0));
+                 beyond<3>(1.005, dealii::Tensor<1, 3>({-1, 0, 0})),
+                 contact(coupling::bodies::BodyContactForm::potential, 0));
   const double before = b.velocity_of(1)[0];
   collide(b, 1200);
   CHECK(b.contact().contacts().touching() == 0);
@@ -344,8 +346,8 @@ TEST_CASE("body contact: a block slides down at the rate that Coulomb's law leav
   Bodies<3> b(
     parts<3>({{{0, 0, -0.5}, {4, 2, 0}, {8, 4, 1}, 0}, {{0.63, 0.6, 0}, {1.43, 1.4, 0.5}, {2, 2, 1}, 0}},
              fem::ElementFamily::hypercube),
-    [](const dealii::Point<3> &) { return dealii::Tensor<1, 3>(); }, contact(dem::BodyContactForm::potential, mu), 1e8,
-    0.5, {g * s, 0, -g * c}, true);
+    [](const dealii::Point<3> &) { return dealii::Tensor<1, 3>(); },
+    contact(coupling::bodies::BodyContactForm::potential, mu), 1e8, 0.5, {g * s, 0, -g * c}, true);
   double       from = 0, at = 0, dt = 0;
   const double end = 0.75;
   while (b.motion->time() < end * (1 - 1e-12))
@@ -367,9 +369,9 @@ TEST_CASE("body contact: a block slides down at the rate that Coulomb's law leav
 
 TEST_CASE("body contact: a clamp that closes touches itself only where self-contact is on", "[coupling]")
 {
-  const bool                 self = GENERATE(false, true);
-  dem::BodyContactParameters law  = contact(dem::BodyContactForm::potential, 0);
-  law.self_contact                = self;
+  const bool                              self = GENERATE(false, true);
+  coupling::bodies::BodyContactParameters law  = contact(coupling::bodies::BodyContactForm::potential, 0);
+  law.self_contact                             = self;
   // A U of blocks, whose arms come together; a second body far away, without which there would be no contact at all.
   auto mesh = fem::make_mesh<2>(
     [](dealii::Triangulation<2> &made) {
@@ -422,7 +424,7 @@ TEST_CASE("body contact: a clamp that closes touches itself only where self-cont
 TEST_CASE("body contact: what cannot be is refused by name", "[coupling]")
 {
   const auto still = [](const dealii::Point<3> &) { return dealii::Tensor<1, 3>(); };
-  const auto law   = contact(dem::BodyContactForm::potential, 0);
+  const auto law   = contact(coupling::bodies::BodyContactForm::potential, 0);
   CHECK_THROWS_WITH(
     (Bodies<3>(parts<3>({{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, 0}, {{0.9, 0, 0}, {1.9, 1, 1}, {2, 2, 2}, 0}},
                         fem::ElementFamily::hypercube),
@@ -450,13 +452,13 @@ TEST_CASE("body contact: what shares one node only is one body", "[coupling]")
   const auto still = [](const dealii::Point<2> &) { return dealii::Tensor<1, 2>(); };
   CHECK_THROWS_WITH(
     (Bodies<2>(fem::make_mesh<2>(hinged, fem::ElementFamily::hypercube, MPI_COMM_SELF, fem::Bodies::several), still,
-               contact(dem::BodyContactForm::potential, 0))),
+               contact(coupling::bodies::BodyContactForm::potential, 0))),
     Catch::Contains("there is only one body"));
 }
 
 TEST_CASE("body contact: a body that runs through another stops the run", "[coupling]")
 {
-  auto law      = contact(dem::BodyContactForm::potential, 0);
+  auto law      = contact(coupling::bodies::BodyContactForm::potential, 0);
   law.stiffness = 1; // as good as none
   Bodies<3> b(parts<3>({{{0, 0, 0}, {1, 1, 1}, {6, 6, 6}, 0}, {{1.1, 0.3, 0.3}, {1.7, 0.9, 0.9}, {2, 2, 2}, 0}},
                        fem::ElementFamily::hypercube),
@@ -474,7 +476,7 @@ TEST_CASE("rigid bodies: a free one keeps its shape, momentum, angular momentum 
 {
   // About the middle axis of a box, which turns over again and again.
   const Vector3d        spin(0.05, 20, 0.02);
-  auto                  law = contact(dem::BodyContactForm::potential, 0);
+  auto                  law = contact(coupling::bodies::BodyContactForm::potential, 0);
   Bodies<3>             b(parts<3>({{{0, 0, 0}, {0.2, 0.4, 0.8}, {2, 2, 3}, 0}, {{5, 5, 5}, {6, 6, 6}, {1, 1, 1}, 0}},
                        fem::ElementFamily::hypercube),
                           [&](const dealii::Point<3> &x) {
@@ -514,7 +516,7 @@ TEST_CASE("rigid bodies: a free one keeps its shape, momentum, angular momentum 
 TEST_CASE("rigid bodies: one that hits a deformable body keeps the momentum and the energy of both", "[coupling]")
 {
   Bodies<3>  b(parts<3>(cubes(), fem::ElementFamily::hypercube), beyond<3>(1.05, dealii::Tensor<1, 3>({-4, 0.5, -0.8})),
-               contact(dem::BodyContactForm::potential, 0.3), 1e7, 0.25, {0, 0, 0}, false, {"1"});
+               contact(coupling::bodies::BodyContactForm::potential, 0.3), 1e7, 0.25, {0, 0, 0}, false, {"1"});
   const Seen seen = collide(b, 3000);
   CHECK(seen.momentum < 1e-10);
   CHECK(seen.made < 0.01);

@@ -29,8 +29,8 @@ namespace
       coupling::SurfaceCouplingParameters top{"top", {"5"}, rough()};
       top.spreading = coupling::Spreading::footprint;
       coupling::SurfaceCoupling<3> surface(specimen, block.solid, *block.participant, top);
-      specimen.find_surface_forces();
-      const dem::Surface &seen = specimen.surface(surface.surface());
+      specimen.partners().find_surface_forces();
+      const dem::Surface &seen = specimen.surfaces().at(surface.surface());
       CHECK(seen.touching == balls * balls);
       surface.forces_to_fem(1, 1);
       const fem::Vector &external = block.motion->external_force();
@@ -129,7 +129,7 @@ namespace
       both.add_surface(all);
     }
     const coupling::SurfaceCoupling<3> &surface() const { return *both.surfaces().front(); }
-    const dem::Surface                 &facets() const { return specimen.surface(surface().surface()); }
+    const dem::Surface                 &facets() const { return specimen.surfaces().at(surface().surface()); }
     Vector3d                            total_momentum() const { return momentum(specimen) + block.momentum(); }
     Vector3d                            total_angular_momentum() const
     {
@@ -179,11 +179,12 @@ namespace
     coupling::SurfaceCouplingParameters top{"top", {"5"}, rough()};
     top.spreading = coupling::Spreading::footprint;
     coupling::SurfaceCoupling<3> surface(specimen, block.solid, *block.participant, top);
-    specimen.find_surface_forces();
+    specimen.partners().find_surface_forces();
     surface.forces_to_fem(1, 1);
-    const double one  = specimen.wall_contacts()[packing.size() / 2].force.norm() * (face * face) / (ball * ball * row);
-    double       most = 0;
-    int          seen = 0;
+    const double one =
+      specimen.surfaces().contacts()[packing.size() / 2].force.norm() * (face * face) / (ball * ball * row);
+    double most = 0;
+    int    seen = 0;
     for (std::size_t c = 0; c < block.participant->carriers(); ++c)
       {
         const Vector3d x = block.participant->position(c);
@@ -373,15 +374,15 @@ TEST_CASE("spreading: a ball rolls over small faces of a block with constant for
   dem::Grip                    grip;
   grip.particles       = {0};
   grip.prescribed      = {true, true, true, true, true, true};
-  const auto     held  = specimen.add_grip(grip);
+  const auto     held  = specimen.grips().add(grip);
   const double   force = 3.14159265358979 * 0.02 * 1e8 * 1e-4;
   const Vector3d step(1.3e-4, 0.7e-4, 0);
   for (int n = 0; n < 300; ++n)
     {
-      specimen.set_grip_velocity(held, step / specimen.time_step(), Vector3d::Zero());
+      specimen.grips().set_velocity(held, step / specimen.time_step(), Vector3d::Zero());
       specimen.advance(1);
-      specimen.find_surface_forces();
-      const Vector3d push = specimen.surface(surface.surface()).total_force;
+      specimen.partners().find_surface_forces();
+      const Vector3d push = specimen.surfaces().at(surface.surface()).total_force;
       CHECK(push.z() == Approx(-force).epsilon(1e-9));
       CHECK(push.head<2>().norm() < 1e-9 * force);
     }
@@ -407,8 +408,8 @@ TEST_CASE("spreading: in the plane discs side by side press evenly on segments o
       coupling::SurfaceCouplingParameters top{"top", {"3"}, rough()};
       top.spreading = coupling::Spreading::footprint;
       coupling::SurfaceCoupling<2> surface(specimen, block.solid, *block.participant, top);
-      specimen.find_surface_forces();
-      const dem::Surface &seen = specimen.surface(surface.surface());
+      specimen.partners().find_surface_forces();
+      const dem::Surface &seen = specimen.surfaces().at(surface.surface());
       for (std::size_t v = 0; v < seen.place.size(); ++v)
         {
           const double x = seen.place[v].x(), share = (x < 1e-9 || x > side - 1e-9 ? 0.5 : 1.0) / elements;

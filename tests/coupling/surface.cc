@@ -43,7 +43,7 @@ namespace
     /** The ball has come and gone: what one side gave the other took, and both accounts say the same. @return what was exchanged */
     coupling::SurfaceBalance parted(const double start) const
     {
-      CHECK(specimen.surface(surface().surface()).touching == 0);
+      CHECK(specimen.surfaces().at(surface().surface()).touching == 0);
       const coupling::SurfaceBalance b = surface().balance();
       CHECK(b.to_solid.norm() > 0.1 * start);
       CHECK((b.to_particles + b.to_solid).norm() < 1e-12 * b.to_solid.norm());
@@ -65,12 +65,12 @@ TEST_CASE("surface coupling: a closed system keeps its momentum, and power is th
     {
       c.both.advance(step);
       most  = std::max(most, (c.total_momentum() - start).norm());
-      force = std::max(force, c.specimen.surface(c.surface().surface()).total_force.norm());
+      force = std::max(force, c.specimen.surfaces().at(c.surface().surface()).total_force.norm());
       met   = met || force > 0;
       // Forces on vertices are one and the same as those on the ball, moments too.
       Vector3d            on_vertices = Vector3d::Zero(), turning = Vector3d::Zero();
-      const dem::Surface &s = c.specimen.surface(c.surface().surface());
-      for (const auto &contact : c.specimen.wall_contacts())
+      const dem::Surface &s = c.specimen.surfaces().at(c.surface().surface());
+      for (const auto &contact : c.specimen.surfaces().contacts())
         {
           on_vertices -= contact.force;
           turning -= contact.place.cross(contact.force);
@@ -98,10 +98,10 @@ TEST_CASE(
   const Vector3d turning = c.total_angular_momentum();
   const double   energy  = c.energy();
   double         deepest = 0, most = 0;
-  for (int n = 0; n < 20000 && (deepest == 0 || c.specimen.surface(c.surface().surface()).touching > 0); ++n)
+  for (int n = 0; n < 20000 && (deepest == 0 || c.specimen.surfaces().at(c.surface().surface()).touching > 0); ++n)
     {
       c.both.advance(step);
-      for (const auto &contact : c.specimen.wall_contacts())
+      for (const auto &contact : c.specimen.surfaces().contacts())
         deepest = std::max(deepest, contact.overlap);
       most = std::max(most, std::fabs(c.energy() - energy));
     }
@@ -122,7 +122,7 @@ TEST_CASE("surface coupling: energy of a glancing collision is kept to a thousan
   const double start = c.energy();
   for (int n = 0; n < 1800; ++n)
     c.both.advance(step);
-  CHECK(c.specimen.surface(c.surface().surface()).touching == 0);
+  CHECK(c.specimen.surfaces().at(c.surface().surface()).touching == 0);
   CHECK(c.energy() == Approx(start).epsilon(1e-3));
   CHECK(c.specimen.energy().balance_error() < 1e-3);
   CHECK(c.block.motion->energy().balance() < 1e-10);
@@ -177,7 +177,7 @@ TEST_CASE("surface coupling: with the solid sub-cycled momenta and power are kep
           angular = std::max(angular, (c.total_angular_momentum() - turning).norm());
           first   = time == 0 ? c.energy() : first;
           most    = std::max(most, c.energy());
-          met     = met || c.specimen.surface(c.surface().surface()).touching > 0;
+          met     = met || c.specimen.surfaces().at(c.surface().surface()).touching > 0;
           CHECK(c.specimen.time() == Approx(c.block.motion->time()).epsilon(1e-12));
         }
       REQUIRE(met);
@@ -271,8 +271,8 @@ namespace
     packing.radius.assign(packing.centre.size(), radius * (1 - 1e-9));
     dem::Specimen                specimen(packing, cluster::bonded(1.0), rough());
     coupling::SurfaceCoupling<3> surface(specimen, block.solid, *block.participant, {"top", {"5"}, rough()});
-    specimen.find_surface_forces();
-    const dem::Surface &top = specimen.surface(surface.surface());
+    specimen.partners().find_surface_forces();
+    const dem::Surface &top = specimen.surfaces().at(surface.surface());
     CHECK(top.touching == balls * balls);
     Pressed found{top.place, {}};
     for (const Vector3d &force : top.force)

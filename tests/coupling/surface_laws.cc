@@ -48,10 +48,10 @@ TEST_CASE("surface coupling: elastic spheres with a dashpot keep momentum and en
       const Vector3d start  = c.total_momentum();
       const double   energy = c.energy();
       bool           met    = false;
-      for (int n = 0; n < 100000 && !(met && c.specimen.wall_contacts().empty()); ++n)
+      for (int n = 0; n < 100000 && !(met && c.specimen.surfaces().contacts().empty()); ++n)
         {
           c.both.advance(c.step());
-          met = met || !c.specimen.wall_contacts().empty();
+          met = met || !c.specimen.surfaces().contacts().empty();
         }
       REQUIRE(met);
       for (int n = 0; n < 5; ++n)

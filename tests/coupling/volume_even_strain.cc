@@ -54,8 +54,8 @@ namespace
           velocities.push_back(rate * place);
         }
     grip.prescribed = {true, true, dim == 3, dim == 3, dim == 3, true};
-    bar.particles.set_grip_velocities(bar.particles.add_grip(grip), velocities,
-                                      std::vector<Vector3d>(velocities.size(), spin_of(rate)));
+    bar.particles.grips().set_velocities(bar.particles.grips().add(grip), velocities,
+                                         std::vector<Vector3d>(velocities.size(), spin_of(rate)));
     std::vector<std::size_t> nodes;
     velocities.clear();
     for (std::size_t k = 0; k < bar.participant->carriers(); ++k)

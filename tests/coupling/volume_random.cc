@@ -320,8 +320,8 @@ namespace
           }
       }
     grip.prescribed = {true, true, dim == 3};
-    particles.set_grip_velocities(particles.add_grip(grip), velocities,
-                                  std::vector<Vector3d>(velocities.size(), Vector3d::Zero()));
+    particles.grips().set_velocities(particles.grips().add(grip), velocities,
+                                     std::vector<Vector3d>(velocities.size(), Vector3d::Zero()));
     particles.set_time_step(time / steps);
     particles.advance(steps);
     return moved_beyond<dim>(particles, packing);

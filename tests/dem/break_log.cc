@@ -192,10 +192,10 @@ TEST_CASE("forces and moments of an isolated pair balance in every state: bonded
             for (int i = 0; i < 1000; i += 50)
               {
                 pair.specimen.advance(50);
-                const Vector3d one = pair.specimen.reaction(0), two = pair.specimen.reaction(1);
+                const Vector3d one = pair.specimen.grips().reaction(0), two = pair.specimen.grips().reaction(1);
                 const Vector3d origin = Vector3d::Zero();
                 const Vector3d moment =
-                  pair.specimen.reaction_moment(0, origin) + pair.specimen.reaction_moment(1, origin);
+                  pair.specimen.grips().reaction_moment(0, origin) + pair.specimen.grips().reaction_moment(1, origin);
                 largest = std::max(largest, one.norm());
                 CHECK((one + two).norm() <= 1e-12 * largest);
                 CHECK(moment.norm() <= 1e-12 * largest * 2 * R);
@@ -234,21 +234,21 @@ TEST_CASE("a pair answers the same whichever of the two comes first, and however
         dem::Grip grip;
         grip.particles  = {i};
         grip.prescribed = all;
-        body.add_grip(grip);
+        body.grips().add(grip);
       }
     for (const auto &[opening, slip, bend] :
          {std::array<double, 3>{-0.3, 0.1, 0.1}, {0.2, 0.1, 3}, {-0.8, 10, 1}, {-0.2, -5, -2}})
       {
         const double time = 100 * body.time_step();
-        body.set_grip_velocity(first, Vector3d::Zero(), Vector3d(0, 0, -0.5 * bend * unit / R / time));
-        body.set_grip_velocity(second, unit * (opening * along + slip * across) / time,
-                               Vector3d(0, 0, 0.5 * bend * unit / R / time));
+        body.grips().set_velocity(first, Vector3d::Zero(), Vector3d(0, 0, -0.5 * bend * unit / R / time));
+        body.grips().set_velocity(second, unit * (opening * along + slip * across) / time,
+                                  Vector3d(0, 0, 0.5 * bend * unit / R / time));
         for (int i = 0; i < 100; i += 5)
           {
             body.advance(5);
-            const Vector3d force = body.reaction(second);
+            const Vector3d force = body.grips().reaction(second);
             answer.numbers.insert(answer.numbers.end(),
-                                  {force.dot(along), force.dot(across), body.reaction_moment(second).z() / R});
+                                  {force.dot(along), force.dot(across), body.grips().reaction_moment(second).z() / R});
             answer.largest = std::max(answer.largest, force.norm());
           }
       }

@@ -53,19 +53,19 @@ namespace
     foot.prescribed = all;
     tip.particles   = moved;
     tip.prescribed  = sideways;
-    specimen.add_grip(foot);
-    const std::size_t load  = specimen.add_grip(tip);
+    specimen.grips().add(foot);
+    const std::size_t load  = specimen.grips().add(tip);
     const int         ramp  = 2000;
     const double      speed = 1e-6 * h / (ramp * specimen.time_step());
-    specimen.set_grip_velocity(load, {0, speed, 0}, Vector3d::Zero());
+    specimen.grips().set_velocity(load, {0, speed, 0}, Vector3d::Zero());
     specimen.advance(ramp);
-    specimen.set_grip_velocity(load, Vector3d::Zero(), Vector3d::Zero());
+    specimen.grips().set_velocity(load, Vector3d::Zero(), Vector3d::Zero());
     double before = 0, force = 1;
     for (int pass = 0; pass < passes && std::abs(force - before) > 1e-9 * std::abs(force); ++pass)
       {
         before = force;
         specimen.advance(2000);
-        force = specimen.reaction(load).y();
+        force = specimen.grips().reaction(load).y();
       }
     return force / specimen.particles().displacement[moved[0]].y();
   }

@@ -41,7 +41,7 @@ namespace
   with_clump(const std::vector<Vector3d> &places, const dem::SpecimenParameters &p, const double friction = 0)
   {
     dem::Specimen made(balls(places, R), p, contact(friction));
-    made.add_clump(body_of(made));
+    made.clumps().add(body_of(made));
     return made;
   }
 
@@ -78,7 +78,7 @@ TEST_CASE("a clump that nothing acts on keeps its angular momentum and its shape
       for (const std::size_t i : clump.particles)
         body.set_velocity(i, v + spin.cross(bent[i] - clump.centre), spin);
       const double          energy   = body.energy().kinetic;
-      const dem::ClumpState start    = body.clump(0);
+      const dem::ClumpState start    = body.clumps().state(0);
       const Vector3d        momentum = clump.inertia * spin;
       if (dimension == 3)
         CHECK((start.angular_momentum - momentum).norm() <= 1e-14 * momentum.norm());
@@ -90,7 +90,7 @@ TEST_CASE("a clump that nothing acts on keeps its angular momentum and its shape
           least = std::min(least, body.energy().kinetic);
           most  = std::max(most, body.energy().kinetic);
         }
-      const dem::ClumpState now = body.clump(0);
+      const dem::ClumpState now = body.clumps().state(0);
       CHECK((now.angular_momentum - start.angular_momentum).norm() <= 1e-12 * start.angular_momentum.norm());
       CHECK((now.velocity - v).norm() <= 1e-12 * v.norm());
       CHECK((now.position - start.position - body.time() * v).norm() <= 1e-10 * body.time() * v.norm());
@@ -126,14 +126,14 @@ TEST_CASE("a clump takes the momentum that is asked of its pebbles, and their an
       clump.mass    = 3 * whole;
       clump.centre  = middle + Vector3d(1e-3, -2e-3, 0);
       clump.inertia = clump.mass * 1e-4 * Vector3d(1, 2, 3).asDiagonal();
-      body.add_clump(clump);
+      body.clumps().add(clump);
 
       const std::vector<Vector3d>     asked = {{0.3, -0.1, 0}, {0.05, 0.2, 0}, {-0.1, 0.4, 0}};
       std::vector<dem::AskedVelocity> all;
       for (std::size_t i = 0; i < 3; ++i)
         all.push_back({i, asked[i], Vector3d::Zero(), {true, true, true, false, false, false}});
       body.set_velocities(all);
-      const dem::ClumpState found    = body.clump(0);
+      const dem::ClumpState found    = body.clumps().state(0);
       Vector3d              momentum = Vector3d::Zero(), there = momentum, turning = momentum, turns = momentum;
       for (std::size_t i = 0; i < 3; ++i)
         {
@@ -159,21 +159,21 @@ TEST_CASE("a clump of which one component of a turn is asked turns as a whole, a
   for (const bool by_spin : {false, true})
     {
       dem::Specimen                   body   = with_clump(bent, loose(3));
-      const Vector3d                  centre = body.clump(0).position;
+      const Vector3d                  centre = body.clumps().state(0).position;
       std::vector<dem::AskedVelocity> asked;
       for (std::size_t i = 0; i < 3; ++i)
         asked.push_back(by_spin ? dem::AskedVelocity{i, {}, spin, {false, false, false, false, false, true}} :
                                   dem::AskedVelocity{i, spin.cross(bent[i] - centre), {}, {false, true}});
       body.set_velocities(asked);
-      CHECK((body.clump(0).spin - spin).norm() < 1e-12 * spin.norm());
-      CHECK(body.clump(0).velocity.norm() < 1e-13);
+      CHECK((body.clumps().state(0).spin - spin).norm() < 1e-12 * spin.norm());
+      CHECK(body.clumps().state(0).velocity.norm() < 1e-13);
     }
 }
 
 TEST_CASE("a group counts the bodies that lie in it whole as bodies, and of others the pebbles", "[dem][clumps]")
 {
   dem::Specimen         both = with_clump(bent_and({0.1, 0, 0}), loose(3));
-  const dem::ClumpState body = both.clump(0);
+  const dem::ClumpState body = both.clumps().state(0);
   const double          ball = both.particle(3).mass, speed = 0.4;
   const Vector3d        spin(3, -2, 5);
   for (std::size_t i = 0; i < 3; ++i)
@@ -181,7 +181,7 @@ TEST_CASE("a group counts the bodies that lie in it whole as bodies, and of othe
   both.set_velocity(3, {speed, 0, 0}, Vector3d::Zero());
   both.advance(1000);
   const dem::ParticleOutput seen = both.particles();
-  const dem::ClumpState     now  = both.clump(0);
+  const dem::ClumpState     now  = both.clumps().state(0);
   const dem::GroupMotion whole = dem::motion_of(both, seen, {0, 1, 2}), all = dem::motion_of(both, seen, {0, 1, 2, 3}),
                          part = dem::motion_of(both, seen, {1, 2});
   CHECK(whole.mass == Approx(body.mass).epsilon(1e-14));
@@ -204,19 +204,19 @@ TEST_CASE("a clump answers a force through its centre as one mass, and beside it
       // One force on each pebble: their resultant passes the centre. Another at the last one alone.
       const Vector3d push(0.02, 0.01, 0), aside(0, 1e-4, 0);
       for (const std::size_t i : clump.particles)
-        body.add_force(i, push, Vector3d::Zero());
+        body.partners().add_force(i, push, Vector3d::Zero());
       body.advance(1000);
       const Vector3d speed = 3 * body.time() / clump.mass * push; // kicks and drifts have taken the same time
-      CHECK((body.clump(0).velocity - speed).norm() <= 1e-9 * speed.norm());
-      CHECK(body.clump(0).spin.norm() <= 1e-9);
+      CHECK((body.clumps().state(0).velocity - speed).norm() <= 1e-9 * speed.norm());
+      CHECK(body.clumps().state(0).spin.norm() <= 1e-9);
       CHECK(body.energy().balance_error() < 1e-10);
-      body.clear_forces();
-      const Vector3d before = body.clump(0).angular_momentum;
-      body.add_force(2, aside, Vector3d::Zero());
+      body.partners().clear_forces();
+      const Vector3d before = body.clumps().state(0).angular_momentum;
+      body.partners().add_force(2, aside, Vector3d::Zero());
       body.advance(1);
       const double couple = (bent[2] - clump.centre).cross(aside).z();
-      CHECK((body.clump(0).angular_momentum - before).z() == Approx(couple * body.time_step()).epsilon(1e-6));
-      CHECK(body.clump(0).spin.z() * clump.inertia(2, 2) == Approx(couple * body.time_step()).epsilon(1e-6));
+      CHECK((body.clumps().state(0).angular_momentum - before).z() == Approx(couple * body.time_step()).epsilon(1e-6));
+      CHECK(body.clumps().state(0).spin.z() * clump.inertia(2, 2) == Approx(couple * body.time_step()).epsilon(1e-6));
     }
 }
 
@@ -241,7 +241,7 @@ TEST_CASE("a ball that hits a clump: momentum, angular momentum and energy of bo
         }
       CHECK(touched > 0.1 * 0.5 * ball.mass * speed.squaredNorm());
       const dem::ParticleState after = both.particle(3);
-      const dem::ClumpState    body  = both.clump(0);
+      const dem::ClumpState    body  = both.clumps().state(0);
       CHECK((after.mass * after.velocity + clump.mass * body.velocity - linear).norm() <= 1e-12 * linear.norm());
       // Places are at t_n, velocities half a step before: along a free flight that makes no difference.
       const Vector3d sum = after.position.cross(after.mass * after.velocity) + after.inertia * after.spin +
@@ -267,12 +267,12 @@ TEST_CASE("a clump comes to rest on the ground, which then bears its weight", "[
         place += 1.01 * R * up;
       dem::Specimen         body(balls(places, R), p, contact(0.4));
       const dem::RigidClump clump = body_of(body);
-      body.add_clump(clump);
-      body.add_surface(wall(dem::FacetMesh::plane({0, 0, 0}, up), 0.4));
+      body.clumps().add(clump);
+      body.surfaces().add(wall(dem::FacetMesh::plane({0, 0, 0}, up), 0.4));
       while (body.time() < 0.6)
         body.advance(100);
-      CHECK(body.surface(0).total_force.dot(up) == Approx(-clump.mass * 9.81).epsilon(1e-6));
-      CHECK(body.clump(0).velocity.norm() < 1e-7);
+      CHECK(body.surfaces().at(0).total_force.dot(up) == Approx(-clump.mass * 9.81).epsilon(1e-6));
+      CHECK(body.clumps().state(0).velocity.norm() < 1e-7);
       CHECK(body.energy().balance_error() < 1e-3);
       CHECK(strain_of(body) <= 1e-11);
     }
@@ -285,7 +285,7 @@ TEST_CASE("clumps move to the same bits with any number of threads, and after a 
   p.damping                 = 0.1;
   const auto made           = [&p] {
     dem::Specimen body = with_clump(bent_and({0.011, 0.008, 0.0199}), p, 0.3);
-    body.add_surface(wall(dem::FacetMesh::plane({0, 0, -0.0101}, {0, 0, 1}), 0.3));
+    body.surfaces().add(wall(dem::FacetMesh::plane({0, 0, -0.0101}, {0, 0, 1}), 0.3));
     return body;
   };
   const auto run = [&](const int threads, const bool restart) {
@@ -320,7 +320,7 @@ TEST_CASE("a clump that is none is refused, and so is what would hold a part of 
   dem::Specimen         body(balls(bent_and({0.1, 0, 0}), R), loose(3), contact());
   const dem::RigidClump clump   = body_of(body);
   const auto            refused = [&body](const dem::RigidClump &given, const char *words) {
-    CHECK_THROWS_WITH(body.add_clump(given), Catch::Contains(words));
+    CHECK_THROWS_WITH(body.clumps().add(given), Catch::Contains(words));
   };
   dem::RigidClump wrong = clump;
   wrong.particles.clear();
@@ -331,11 +331,11 @@ TEST_CASE("a clump that is none is refused, and so is what would hold a part of 
   wrong         = clump;
   wrong.inertia = -clump.inertia;
   refused(wrong, "inertia");
-  body.add_clump(clump);
+  body.clumps().add(clump);
   refused(clump, "pebble of another clump");
   dem::Grip grip;
   grip.particles = {1};
-  CHECK_THROWS_WITH(body.add_grip(grip), Catch::Contains("pebble"));
+  CHECK_THROWS_WITH(body.grips().add(grip), Catch::Contains("pebble"));
   body.advance(1);
   refused(clump, "before the first step");
 }

@@ -33,14 +33,14 @@ namespace
           dem::Grip grip;
           grip.particles = {i};
           grip.prescribed.fill(true);
-          specimen.add_grip(grip);
+          specimen.grips().add(grip);
         }
     }
 
     /** One step in which the second sphere moves; then forces are those of where it stands after the next call. */
     void move(const Vector3d &by)
     {
-      specimen.set_grip_velocity(1, by / specimen.time_step(), Vector3d::Zero());
+      specimen.grips().set_velocity(1, by / specimen.time_step(), Vector3d::Zero());
       specimen.advance(1);
       distance += by.x();
     }
@@ -74,7 +74,7 @@ TEST_CASE("pair whose link has broken touches at the sum of radii, pushes and ne
     {
       pair.move({-step, 0, 0});
       REQUIRE(pair.specimen.counts().contacts == 0);
-      REQUIRE(pair.specimen.reaction(0).norm() == 0);
+      REQUIRE(pair.specimen.grips().reaction(0).norm() == 0);
     }
   pair.move({-step, 0, 0});
   REQUIRE(pair.specimen.counts().contacts == 1);
@@ -89,14 +89,14 @@ TEST_CASE("pair whose link has broken touches at the sum of radii, pushes and ne
       pair.move({-step, 0, 0});
       pair.move(Vector3d::Zero()); // forces of this position
       const double force = E * area * (reference - pair.distance) / reference;
-      CHECK(pair.specimen.reaction(0).x() == Approx(force).epsilon(1e-9));
-      CHECK(pair.specimen.reaction(1).x() == Approx(-force).epsilon(1e-9));
+      CHECK(pair.specimen.grips().reaction(0).x() == Approx(force).epsilon(1e-9));
+      CHECK(pair.specimen.grips().reaction(1).x() == Approx(-force).epsilon(1e-9));
     }
   for (int n = 0; n < 60; ++n) // and out again
     {
       pair.move({+step, 0, 0});
       pair.move(Vector3d::Zero());
-      CHECK(pair.specimen.reaction(0).x() >= 0); // pushes or nothing
+      CHECK(pair.specimen.grips().reaction(0).x() >= 0); // pushes or nothing
     }
   CHECK(pair.distance > 2 * r);
   CHECK(pair.specimen.counts().contacts == 0);
@@ -112,7 +112,7 @@ TEST_CASE("contact of unequal spheres has the smaller one's cross-section", "[de
   const double reference = pair.distance, by = 1e-3 * r;
   pair.move({-by, 0, 0});
   pair.move(Vector3d::Zero());
-  CHECK(pair.specimen.reaction(0).x() == Approx(E * 0.25 * area * by / reference).epsilon(1e-5));
+  CHECK(pair.specimen.grips().reaction(0).x() == Approx(E * 0.25 * area * by / reference).epsilon(1e-5));
 }
 
 TEST_CASE("contact slides at friction times its compression, without cohesion", "[dem]")
@@ -146,7 +146,8 @@ TEST_CASE("pair still overlapping when its link breaks touches at once, at its p
   CHECK(pair.specimen.counts().contacts == 1);
   pair.move({-1e-3 * r, 0, 0});
   pair.move(Vector3d::Zero());
-  CHECK(pair.specimen.reaction(0).x() == Approx(E * area * 1e-3 * r / torn).epsilon(1e-2)); // from where it was torn
+  CHECK(pair.specimen.grips().reaction(0).x() ==
+        Approx(E * area * 1e-3 * r / torn).epsilon(1e-2)); // from where it was torn
 }
 
 TEST_CASE("contacts of colliding fragments are found in the step of their first overlap, searching rarely", "[dem]")

@@ -41,7 +41,7 @@ namespace
     Clash(const double friction, const double factor, const int side = 6)
       : specimen(cloud(side, 2), with(factor), contact(friction, modulus))
     {
-      surface             = specimen.add_surface(wall(patch(1.7 * side * R, 2 * side, bumps), friction, modulus));
+      surface             = specimen.surfaces().add(wall(patch(1.7 * side * R, 2 * side, bumps), friction, modulus));
       const std::size_t n = specimen.counts().particles;
       for (std::size_t i = 0; i < n; ++i)
         specimen.set_velocity(i, random_place(random, 0.2) + Vector3d(0.3, 0, -1), random_place(random, 50));
@@ -57,10 +57,10 @@ namespace
     {
       const double          t = specimen.time();
       std::vector<Vector3d> velocity;
-      for (const Vector3d &x : specimen.surface(surface).place)
+      for (const Vector3d &x : specimen.surfaces().at(surface).place)
         velocity.push_back(amount *
                            Vector3d(std::sin(300 * t + 40 * x.y()), std::cos(200 * t), std::sin(500 * t + 90 * x.x())));
-      specimen.set_vertex_velocities(surface, velocity);
+      specimen.surfaces().set_vertex_velocities(surface, velocity);
     }
     void until(const double time)
     {
@@ -68,7 +68,7 @@ namespace
         {
           lead();
           specimen.advance(1);
-          most = std::max(most, specimen.wall_contacts().size());
+          most = std::max(most, specimen.surfaces().contacts().size());
         }
     }
 
@@ -87,8 +87,8 @@ TEST_CASE("vertices get what spheres get, turned round: force, moment and power 
   while (clash.specimen.time() < 0.03)
     {
       clash.lead();
-      clash.specimen.find_surface_forces();
-      const dem::Surface &s     = clash.specimen.surface(clash.surface);
+      clash.specimen.partners().find_surface_forces();
+      const dem::Surface &s     = clash.specimen.surfaces().at(clash.surface);
       Vector3d            force = Vector3d::Zero(), moment = Vector3d::Zero();
       double              scale = 0, power = 0, arm = 0.2;
       for (std::size_t v = 0; v < s.place.size(); ++v)
@@ -99,7 +99,7 @@ TEST_CASE("vertices get what spheres get, turned round: force, moment and power 
           scale += s.force[v].norm();
         }
       double power_of_contacts = 0;
-      for (const dem::WallContact &contact : clash.specimen.wall_contacts())
+      for (const dem::WallContact &contact : clash.specimen.surfaces().contacts())
         {
           force += contact.force;
           moment += contact.place.cross(contact.force);
@@ -151,7 +151,7 @@ TEST_CASE("momentum that spheres lose is what the surface took, linear and angul
   const cluster::Momenta before = cluster::momenta(clash.specimen);
   clash.until(0.03);
   const cluster::Momenta now = cluster::momenta(clash.specimen);
-  const dem::Surface    &s   = clash.specimen.surface(clash.surface);
+  const dem::Surface    &s   = clash.specimen.surfaces().at(clash.surface);
   CHECK(s.momentum.norm() > 0.3 * before.linear_scale);
   CHECK((now.linear + s.momentum - before.linear).norm() < 1e-12 * before.linear_scale);
   CHECK((now.angular + s.angular_momentum - before.angular).norm() < 1e-11 * before.angular_scale);
@@ -169,16 +169,16 @@ namespace
   double error_on_dome(const double friction, const double factor)
   {
     dem::Specimen specimen(cloud(6, 2), Clash::with(factor), contact(friction, modulus));
-    const auto    surface = specimen.add_surface(wall(patch(12 * R, 14, dome), friction, modulus));
+    const auto    surface = specimen.surfaces().add(wall(patch(12 * R, 14, dome), friction, modulus));
     for (std::size_t i = 0; i < specimen.counts().particles; ++i)
       specimen.set_velocity(i, {0.3, 0, -1}, {10, 30, 20});
     while (specimen.time() < 0.02)
       {
         const double          t = specimen.time() + 0.5 * specimen.time_step();
         std::vector<Vector3d> velocity;
-        for (const Vector3d &x : specimen.surface(surface).place)
+        for (const Vector3d &x : specimen.surfaces().at(surface).place)
           velocity.push_back({2 * x.y() + x.x(), 0.1 * std::sin(300 * t), 0.2 * std::cos(200 * t) + x.x()});
-        specimen.set_vertex_velocities(surface, velocity);
+        specimen.surfaces().set_vertex_velocities(surface, velocity);
         specimen.advance(1);
       }
     const dem::EnergyAccount e = specimen.energy();
@@ -211,18 +211,18 @@ TEST_CASE("energy is closed where a ball starts pressed into a wall, moves, is k
   p.gravity                 = {1, 0, -9.81};
   const double  soft = 1e4, sag = 2500 * 4.0 / 3 * pi * R * R * R * 9.81 / (pi * R * soft);
   dem::Specimen ball(balls({{0, 0, R - 1.2 * sag}}, R), p, contact(0.3));
-  const auto    floor = ball.add_surface(wall(dem::plate({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}), 0.01, soft));
+  const auto    floor = ball.surfaces().add(wall(dem::plate({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}), 0.01, soft));
   ball.set_velocity(0, {0.05, 0.02, -0.01}, {3, 2, 1});
-  ball.set_surface_motion(floor, {0.01, 0, 0.005}, {0.1, 0.2, 0.3});
+  ball.surfaces().set_motion(floor, {0.01, 0, 0.005}, {0.1, 0.2, 0.3});
   ball.advance(100);
-  ball.apply_impulse(0, {0, 0.01, -0.01}, {0, 1, 0});
+  ball.partners().apply_impulse(0, {0, 0.01, -0.01}, {0, 1, 0});
   ball.advance(100);
   ball.set_time_step(0.5 * ball.time_step());
-  ball.set_surface_motion(floor, {0.02, 0, -0.01});
+  ball.surfaces().set_motion(floor, {0.02, 0, -0.01});
   ball.advance(100);
-  ball.add_force(0, {0, 0.001, 0}, {0, 0, 1e-6});
+  ball.partners().add_force(0, {0, 0.001, 0}, {0, 0, 1e-6});
   ball.advance(100);
-  CHECK(ball.wall_contacts().size() == 1);
+  CHECK(ball.surfaces().contacts().size() == 1);
   CHECK(ball.energy().friction > 0);
   CHECK(ball.energy().balance_error() < 1e-5);
 }
@@ -242,26 +242,26 @@ TEST_CASE("a servo brings its wall to the force and holds it there", "[dem][face
         }
   dem::Specimen bed(packing, p, contact(0.2, 1e6));
   const double  side = 4.1 * R;
-  bed.add_surface(wall(dem::box({0, 0, 0}, {side, side, 1}, {true, true, true, true, true, false}), 0.2, 1e6));
-  const auto piston = bed.add_surface(wall(dem::plate({0, 0, 4.5 * R}, {side, 0, 0}, {0, side, 0}), 0, 1e6));
+  bed.surfaces().add(wall(dem::box({0, 0, 0}, {side, side, 1}, {true, true, true, true, true, false}), 0.2, 1e6));
+  const auto piston = bed.surfaces().add(wall(dem::plate({0, 0, 4.5 * R}, {side, 0, 0}, {0, side, 0}), 0, 1e6));
   for (const double force : {20.0, 5.0})
     {
       dem::ForceServo servo;
       servo.direction     = {0, 0, -2};
       servo.force         = force;
       servo.largest_speed = 0.05;
-      bed.hold_surface(piston, servo);
+      bed.surfaces().hold_at_force(piston, servo);
       const double end = bed.time() + 0.2;
       while (bed.time() < end)
         bed.advance(100);
-      CHECK(bed.surface(piston).total_force.z() == Approx(force).epsilon(1e-3));
-      CHECK(bed.surface(piston).velocity.norm() < 1e-3);
+      CHECK(bed.surfaces().at(piston).total_force.z() == Approx(force).epsilon(1e-3));
+      CHECK(bed.surfaces().at(piston).velocity.norm() < 1e-3);
       CHECK(bed.energy().balance_error() < 1e-3);
       // Below, the box bears the force and the weight.
       double weight = 0;
       for (std::size_t i = 0; i < packing.size(); ++i)
         weight += 9.81 * bed.particle(i).mass;
-      CHECK(bed.surface(0).total_force.z() == Approx(-force - weight).epsilon(5e-3));
+      CHECK(bed.surfaces().at(0).total_force.z() == Approx(-force - weight).epsilon(5e-3));
     }
 }
 
@@ -296,17 +296,17 @@ TEST_CASE("spheres on surfaces move to the same bits with 1 and 2 threads, as a 
     {
       CHECK(difference(places(one.specimen), places(other->specimen)) == 0);
       CHECK(one.specimen.energy().residual() == other->specimen.energy().residual());
-      CHECK(difference(one.specimen.surface(0).impulse, other->specimen.surface(0).impulse) == 0);
+      CHECK(difference(one.specimen.surfaces().at(0).impulse, other->specimen.surfaces().at(0).impulse) == 0);
     }
 }
 
 TEST_CASE("a stiff wall shortens the step of who touches it", "[dem][facets]")
 {
   dem::Specimen ball(balls({{0, 0, 1.001 * R}}, R), loose(), contact());
-  ball.add_surface(wall(dem::FacetMesh::plane({0, 0, 0}, {0, 0, 1}), 0.3, 1e10));
+  ball.surfaces().add(wall(dem::FacetMesh::plane({0, 0, 0}, {0, 0, 1}), 0.3, 1e10));
   const double before = ball.time_step();
   ball.set_velocity(0, {0, 0, -0.1}, {0, 0, 0});
-  while (ball.wall_contacts().empty())
+  while (ball.surfaces().contacts().empty())
     ball.advance(1);
   const double m = ball.particle(0).mass, k = pi * R * 1e10 * std::max(1.0, 0.5 * 3.5);
   CHECK(ball.time_step() < before);
@@ -318,8 +318,8 @@ TEST_CASE("stress of a ball between two plates counts what the plates press", "[
 {
   const double  depth = 1e-3 * R;
   dem::Specimen ball(balls({{0, 0, 0}}, R), loose(), contact());
-  ball.add_surface(wall(dem::FacetMesh::plane({0, 0, depth - R}, {0, 0, 1})));
-  ball.add_surface(wall(dem::FacetMesh::plane({0, 0, R - depth}, {0, 0, -1})));
+  ball.surfaces().add(wall(dem::FacetMesh::plane({0, 0, depth - R}, {0, 0, 1})));
+  ball.surfaces().add(wall(dem::FacetMesh::plane({0, 0, R - depth}, {0, 0, -1})));
   ball.advance(1);
   const auto   out   = ball.particles();
   const double force = pi * R * 1e7 * depth;
@@ -330,7 +330,7 @@ TEST_CASE("walls that cannot be are refused by name", "[dem][facets][S14]")
 {
   const auto with = [](const Vector3d &centre, const dem::FacetMesh &mesh, const Vector3d &velocity = {0, 0, 0}) {
     dem::Specimen ball(balls({centre}, R), loose(), contact());
-    ball.add_surface(wall(mesh));
+    ball.surfaces().add(wall(mesh));
     ball.set_velocity(0, velocity, {0, 0, 0});
     ball.advance(1);
   };
@@ -344,17 +344,19 @@ TEST_CASE("walls that cannot be are refused by name", "[dem][facets][S14]")
   CHECK_THROWS_AS(with({0, 0, 5 * R}, ground, {0, 0, 1e4}), base::InputError);
 
   dem::Specimen ball(balls({{0, 0, 2 * R}}, R), loose(), contact());
-  const auto    plane = ball.add_surface(wall(ground)),
-             floor    = ball.add_surface(wall(dem::plate({0, 0, 0}, {1, 0, 0}, {0, 1, 0})));
-  CHECK_THROWS_WITH(ball.set_surface_motion(plane, {0, 0, 0}, {0, 1, 0}), Contains("an unbounded plane does not spin"));
-  CHECK_THROWS_WITH(ball.set_vertex_velocities(plane, {Vector3d(0, 0, 0)}), Contains("do not move one by one"));
-  CHECK_THROWS_WITH(ball.set_vertex_velocities(floor, {}), Contains("4 vertices: velocities of 0"));
-  CHECK_THROWS_WITH(ball.hold_surface(floor, {}), Contains("a servo needs a direction"));
-  ball.set_surface_motion(plane, {0, 0, 1e6});
+  const auto    plane = ball.surfaces().add(wall(ground)),
+             floor    = ball.surfaces().add(wall(dem::plate({0, 0, 0}, {1, 0, 0}, {0, 1, 0})));
+  CHECK_THROWS_WITH(ball.surfaces().set_motion(plane, {0, 0, 0}, {0, 1, 0}),
+                    Contains("an unbounded plane does not spin"));
+  CHECK_THROWS_WITH(ball.surfaces().set_vertex_velocities(plane, {Vector3d(0, 0, 0)}),
+                    Contains("do not move one by one"));
+  CHECK_THROWS_WITH(ball.surfaces().set_vertex_velocities(floor, {}), Contains("4 vertices: velocities of 0"));
+  CHECK_THROWS_WITH(ball.surfaces().hold_at_force(floor, {}), Contains("a servo needs a direction"));
+  ball.surfaces().set_motion(plane, {0, 0, 1e6});
   CHECK_THROWS_WITH(ball.advance(1), Contains("more than its radius"));
 
   dem::Specimen pressed(balls({{0, 0, R}}, R), loose(), contact());
-  pressed.add_surface(wall(ground, 0, 1e3));
+  pressed.surfaces().add(wall(ground, 0, 1e3));
   pressed.set_velocity(0, {0, 0, -10}, {0, 0, 0});
   CHECK_THROWS_WITH(pressed.advance(1000), Contains("particle 1 has sunk into wall wall by its radius"));
 }

@@ -59,12 +59,13 @@ TEST_CASE("no centre goes through a wall without a word", "[dem][facets]")
                                                          0.1, 2, [](double, double) { return 0.0; }, 0) :
                                                        dem::segment({-0.1, 0, 0}, {0.1, 0, 0});
           dem::Specimen        ball = falling(dimension, at, 1.5);
-          ball.add_surface(wall(mesh));
+          ball.surfaces().add(wall(mesh));
           CHECK_THROWS_WITH(ball.advance(1000), Contains("particle 1 has sunk into wall wall by its radius"));
           CHECK(ball.particle(0).position.dot(up(dimension)) < 0.1 * R); // not before
 
           dem::Specimen rests = falling(dimension, at, 0);
-          rests.set_surface_motion(rests.add_surface(wall(mesh)), 3 * R * omega(dimension) * up(dimension), {0, 0, 0});
+          rests.surfaces().set_motion(rests.surfaces().add(wall(mesh)), 3 * R * omega(dimension) * up(dimension),
+                                      {0, 0, 0});
           CHECK_THROWS_WITH(rests.advance(1000), Contains("particle 1 has sunk into wall wall by its radius"));
         }
     }
@@ -77,7 +78,7 @@ TEST_CASE("no centre goes through a wall without a word", "[dem][facets]")
         x.z() -= 0.1;
       body.skin   = skin ? R : 0;
       body.spread = !skin;
-      ball.add_surface(body);
+      ball.surfaces().add(body);
       CHECK_THROWS_WITH(ball.advance(1000), Contains("particle 1 has sunk into wall wall by its radius"));
     }
 }
@@ -86,7 +87,7 @@ TEST_CASE("a ball that passes a wall by, in steps as long as itself, is not take
           "[dem][facets]")
 {
   dem::Specimen ball(balls({{-5 * R, 0, 0.3 * R}}, R), loose(), contact(0, 1e-3));
-  ball.add_surface(wall(dem::plate({0, -1, -1}, {0, 2, 0}, {0, 0, 1}), 0, 1e-3)); // its edge is the axis y
+  ball.surfaces().add(wall(dem::plate({0, -1, -1}, {0, 2, 0}, {0, 0, 1}), 0, 1e-3)); // its edge is the axis y
   ball.set_time_step(1e-3);
   ball.set_velocity(0, {0.9 * R / 1e-3, 0, 0}, {0, 0, 0});
   CHECK_NOTHROW(ball.advance(12));
@@ -101,14 +102,14 @@ TEST_CASE("facets that bound a body push a ball out of it whose centre has sunk 
         const Vector3d n    = up(dimension);
         const Vector3d at   = (dimension == 3 ? beside : Vector3d(beside.x(), 0, 0)) + (0.1 + R) * n;
         dem::Specimen  ball = falling(dimension, at, 1.6);
-        ball.add_surface(wall(block(dimension)));
+        ball.surfaces().add(wall(block(dimension)));
         const int steps = 150;
         ball.set_time_step(2 / omega(dimension) *
                            std::sin(pi / (2 * steps))); // leap-frog takes exactly so many to turn
         ball.advance(steps / 2);
         CHECK(ball.particle(0).position.dot(n) == Approx(0.1 - 0.6 * R).epsilon(1e-3));
-        REQUIRE(ball.wall_contacts().size() == 1);
-        CHECK(ball.wall_contacts().front().overlap == Approx(1.6 * R).epsilon(1e-3));
+        REQUIRE(ball.surfaces().contacts().size() == 1);
+        CHECK(ball.surfaces().contacts().front().overlap == Approx(1.6 * R).epsilon(1e-3));
         CHECK(ball.energy().balance_error() < 1e-12);
 
         MemoryState state;
@@ -117,7 +118,7 @@ TEST_CASE("facets that bound a body push a ball out of it whose centre has sunk 
           ball.visit_state(writer);
         }
         dem::Specimen resumed = falling(dimension, at, 1.6);
-        resumed.add_surface(wall(block(dimension)));
+        resumed.surfaces().add(wall(block(dimension)));
         resumed.set_time_step(ball.time_step());
         MemoryState::Reader reader(state);
         resumed.visit_state(reader);
@@ -134,7 +135,7 @@ TEST_CASE("facets that bound a body push a ball out of it whose centre has sunk 
 TEST_CASE("a ball that sinks into a body by twice its radius is refused", "[dem][facets]")
 {
   dem::Specimen ball = falling(3, {0.003, 0.001, 0.1 + R}, 3);
-  ball.add_surface(wall(block(3)));
+  ball.surfaces().add(wall(block(3)));
   CHECK_THROWS_WITH(ball.advance(1000), Contains("particle 1 has sunk into wall wall by twice its radius"));
 }
 
@@ -146,7 +147,7 @@ TEST_CASE("a ball that sinks into a dent by more than its radius keeps momentum,
   for (const Vector3d &at : {Vector3d(0, 0, R), Vector3d(0.3 * R, 0.1 * R, R), Vector3d(R, -0.4 * R, R)})
     {
       dem::Specimen ball = falling(3, at, 1.5);
-      ball.add_surface(wall(bounding(patch(4 * R, 12, dent), {0, 0, -1}), 0.2));
+      ball.surfaces().add(wall(bounding(patch(4 * R, 12, dent), {0, 0, -1}), 0.2));
       const double start = ball.energy().kinetic, step = 0.02 / omega(3);
       double       most     = 0;
       Vector3d     momentum = ball.particle(0).mass * ball.particle(0).velocity;
@@ -156,10 +157,10 @@ TEST_CASE("a ball that sinks into a dent by more than its radius keeps momentum,
           ball.advance(1);
           most = std::max(most, std::fabs(ball.energy().residual()));
         }
-      CHECK(ball.wall_contacts().empty());
+      CHECK(ball.surfaces().contacts().empty());
       const dem::ParticleState p = ball.particle(0);
       momentum -= p.mass * p.velocity;
-      const dem::Surface &s = ball.surface(0);
+      const dem::Surface &s = ball.surfaces().at(0);
       CHECK((momentum - s.momentum).norm() < 1e-12 * momentum.norm());
       CHECK(p.velocity.z() > 0);
       CAPTURE(at.transpose());

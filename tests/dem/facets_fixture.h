@@ -87,11 +87,11 @@ namespace walls
       dem::Grip grip;
       grip.particles  = {particle};
       grip.prescribed = {true, true, true, true, true, true};
-      held            = body.add_grip(grip);
+      held            = body.grips().add(grip);
     }
     void to(const Vector3d &place)
     {
-      body.set_grip_velocity(held, (place - body.particle(number).position) / body.time_step(), Vector3d::Zero());
+      body.grips().set_velocity(held, (place - body.particle(number).position) / body.time_step(), Vector3d::Zero());
       body.advance(1);
     }
 

@@ -115,12 +115,12 @@ TEST_CASE("a glued column hangs as springs in series do: half a link on the face
   how.gravity           = {0, 0, -fall};
   how.damping           = 0.5;
   dem::Specimen     column(balls(centres, R), how, cluster::concrete());
-  const std::size_t roof = column.add_surface(glued(wall(patch(5 * R, 3)), 1e-6));
-  CHECK(column.surface(roof).glued == 1);
+  const std::size_t roof = column.surfaces().add(glued(wall(patch(5 * R, 3)), 1e-6));
+  CHECK(column.surfaces().at(roof).glued == 1);
   column.advance(20000);
   const double weight = column.particle(0).mass * fall, stiff = 25e9 * pi * R * R / (2 * R);
-  CHECK(column.surface(roof).total_force.z() == Approx(-many * weight).epsilon(1e-9));
-  CHECK(column.surface(roof).glued == 1);
+  CHECK(column.surfaces().at(roof).total_force.z() == Approx(-many * weight).epsilon(1e-9));
+  CHECK(column.surfaces().at(roof).glued == 1);
   CHECK(column.force_on({0, 1, 2, 3, 4}).z() == Approx(many * weight).epsilon(1e-9)); // of the glue
   CHECK(column.force_on({3, 4}).z() == Approx(2 * weight).epsilon(1e-6));
   double sag = many * weight / (2 * stiff);
@@ -141,12 +141,12 @@ TEST_CASE("a face that turns as a rigid body with what is glued to it strains no
       std::vector<Vector3d> centres = {{0.004, 0.003, R}, {-0.012, 0.011, 1.02 * R}, {0.02, -0.006, 0.97 * R}};
       dem::Specimen         layer(balls(centres, R), how,
                           with_moments ? dem::LinkMaterials(mortar()) : dem::LinkMaterials(cluster::concrete()));
-      const std::size_t     face = layer.add_surface(glued(wall(patch(4 * R, 3)), 0.03 * R));
-      REQUIRE(layer.surface(face).glued == 3);
+      const std::size_t     face = layer.surfaces().add(glued(wall(patch(4 * R, 3)), 0.03 * R));
+      REQUIRE(layer.surfaces().at(face).glued == 3);
       dem::Grip grip;
       grip.particles      = {0, 1, 2};
       grip.prescribed     = {true, true, true, true, true, true};
-      const auto     held = layer.add_grip(grip);
+      const auto     held = layer.grips().add(grip);
       const Vector3d turn(0.004, -0.007, 0.005); // a step; two radians and more in all
       for (int n = 0; n < 250; ++n)
         {
@@ -154,14 +154,14 @@ TEST_CASE("a face that turns as a rigid body with what is glued to it strains no
           std::vector<Vector3d> places;
           for (std::size_t i = 0; i < 3; ++i)
             places.push_back(layer.particle(i).position);
-          layer.set_vertex_velocities(face, turning(layer.surface(face).place, turn, step));
-          layer.set_grip_velocities(held, turning(places, turn, step), std::vector<Vector3d>(3, turn / step));
+          layer.surfaces().set_vertex_velocities(face, turning(layer.surfaces().at(face).place, turn, step));
+          layer.grips().set_velocities(held, turning(places, turn, step), std::vector<Vector3d>(3, turn / step));
           layer.advance(1);
         }
-      layer.find_surface_forces();
+      layer.partners().find_surface_forces();
       const double stiff = (with_moments ? 1e8 : 25e9) * pi * R;
-      CHECK(layer.surface(face).total_force.norm() < 1e-10 * stiff * R);
-      CHECK(layer.surface(face).total_moment.norm() < 1e-10 * stiff * R * R);
+      CHECK(layer.surfaces().at(face).total_force.norm() < 1e-10 * stiff * R);
+      CHECK(layer.surfaces().at(face).total_moment.norm() < 1e-10 * stiff * R * R);
       CHECK(layer.energy().elastic < 1e-18 * stiff * R * R);
     }
 }
@@ -172,25 +172,25 @@ TEST_CASE("what is glued is torn off at the strength of the glue, and is an ordi
   const double  strength = 1e6, area = pi * R * R;
   dem::Specimen ball(balls({{0, 0, R}}, R), loose(), contact());
   const auto    face =
-    ball.add_surface(glued(wall(patch(4 * R, 3), 0.3), 1e-6, glue_of(mortar(strength), ball.parameters().physics)));
+    ball.surfaces().add(glued(wall(patch(4 * R, 3), 0.3), 1e-6, glue_of(mortar(strength), ball.parameters().physics)));
   Led    led(ball, 0);
   double most = 0;
   for (int n = 1; n <= 400; ++n)
     {
       led.to({0, 0, R + 5e-5 * R * n});
-      most = std::max(most, ball.surface(face).total_force.z());
+      most = std::max(most, ball.surfaces().at(face).total_force.z());
       if (n == 100)
         {
           const dem::GlueOutput whole = ball.links().glue;
           CHECK(whole.torn[0] == 0);
-          CHECK(whole.normal_force[0] == Approx(ball.surface(face).total_force.z()).epsilon(1e-12));
+          CHECK(whole.normal_force[0] == Approx(ball.surfaces().at(face).total_force.z()).epsilon(1e-12));
           CHECK(whole.normal_stress[0] == Approx(whole.normal_force[0] / area).epsilon(1e-12));
         }
     }
   CHECK(most == Approx(strength * area).epsilon(0.01)); // a step is a two hundredth of it
   CHECK(most <= strength * area * (1 + 1e-12));
-  CHECK(ball.surface(face).glued == 0);
-  CHECK(ball.surface(face).torn == 1);
+  CHECK(ball.surfaces().at(face).glued == 0);
+  CHECK(ball.surfaces().at(face).torn == 1);
   const dem::GlueOutput crack = ball.links().glue;
   REQUIRE(crack.particle.size() == 1);
   CHECK(crack.particle[0] == 0);
@@ -199,7 +199,7 @@ TEST_CASE("what is glued is torn off at the strength of the glue, and is an ordi
   CHECK(crack.torn[0] == 1);
   CHECK(crack.damage[0] == 1);
   CHECK(crack.normal_force[0] == 0);
-  CHECK(ball.surface(face).total_force.norm() == 0);
+  CHECK(ball.surfaces().at(face).total_force.norm() == 0);
   REQUIRE(ball.logged_breaks() == 1);
   const dem::Break logged = ball.breaks().front();
   CHECK(logged.ends == std::array<std::int32_t, 2>{0, -1});
@@ -214,8 +214,8 @@ TEST_CASE("what is glued is torn off at the strength of the glue, and is an ordi
   for (int n = 400; n >= -200; --n)
     led.to({0, 0, R + 5e-5 * R * n});
   led.to({0, 0, R - 0.01 * R});
-  CHECK(ball.wall_contacts().size() == 1);
-  CHECK(ball.surface(face).total_force.z() == Approx(-pi * R * 1e7 * 0.01 * R).epsilon(1e-9));
+  CHECK(ball.surfaces().contacts().size() == 1);
+  CHECK(ball.surfaces().at(face).total_force.z() == Approx(-pi * R * 1e7 * 0.01 * R).epsilon(1e-9));
   CHECK(ball.energy().balance_error() < 0.02);
   CHECK(ball.logged_breaks() == 1); // once
 }
@@ -223,7 +223,7 @@ TEST_CASE("what is glued is torn off at the strength of the glue, and is an ordi
 TEST_CASE("glue that is sheared off, and glue of several elements, is logged as what broke", "[dem][facets]")
 {
   dem::Specimen ball(balls({{0, 0, R}}, R), loose(), contact());
-  ball.add_surface(glued(wall(patch(4 * R, 3), 0.3), 1e-6, glue_of(mortar(1e6), ball.parameters().physics)));
+  ball.surfaces().add(glued(wall(patch(4 * R, 3), 0.3), 1e-6, glue_of(mortar(1e6), ball.parameters().physics)));
   Led led(ball, 0);
   for (int n = 1; n <= 4000 && ball.logged_breaks() == 0; ++n)
     led.to({5e-5 * R * n, 0, R});
@@ -240,16 +240,16 @@ TEST_CASE("glue that is sheared off, and glue of several elements, is logged as 
   line.facet   = {{0, 1, 0}};
   dem::Specimen disc(balls({{0, R, 0}}, R), loose(2), contact());
   const auto    face =
-    disc.add_surface(glued(wall(line), 1e-6, dem::LinkMaterials(joint).bonds(disc.parameters().physics)));
+    disc.surfaces().add(glued(wall(line), 1e-6, dem::LinkMaterials(joint).bonds(disc.parameters().physics)));
   dem::Grip grip;
   grip.particles  = {0};
   grip.prescribed = {true, true, true, true, true, true};
-  const auto held = disc.add_grip(grip);
+  const auto held = disc.grips().add(grip);
   for (int n = 0; n < 20000 && disc.logged_breaks() < 2; ++n)
     {
       const double spin = 1; // about its foot
-      disc.set_grip_velocity(held, spin * Vector3d(-disc.particle(0).position.y(), disc.particle(0).position.x(), 0),
-                             {0, 0, spin});
+      disc.grips().set_velocity(held, spin * Vector3d(-disc.particle(0).position.y(), disc.particle(0).position.x(), 0),
+                                {0, 0, spin});
       disc.advance(1);
     }
   REQUIRE(disc.logged_breaks() == 2);
@@ -259,7 +259,7 @@ TEST_CASE("glue that is sheared off, and glue of several elements, is logged as 
   CHECK(std::abs(all[0].place.x()) == Approx(0.75 * R).epsilon(1e-2));
   CHECK(all[1].place.x() == Approx(all[0].place.x() / 3).epsilon(1e-2)); // further in, on the same side
   CHECK(all[0].area == Approx(0.5 * R * disc.parameters().thickness).epsilon(1e-9));
-  CHECK(disc.surface(face).torn == 0); // half of it still holds
+  CHECK(disc.surfaces().at(face).torn == 0); // half of it still holds
 }
 
 namespace
@@ -270,7 +270,7 @@ namespace
     explicit Shaken(const double strength = 1e5, const double factor = 0.2)
       : specimen(layer(), with(factor), mortar())
     {
-      face = specimen.add_surface(
+      face = specimen.surfaces().add(
         glued(wall(patch(6 * R, 5), 0.3, 1e8), 0.1 * R, glue_of(mortar(strength), specimen.parameters().physics)));
     }
     static dem::Packing layer()
@@ -298,9 +298,9 @@ namespace
         {
           const double          t = specimen.time();
           std::vector<Vector3d> velocity;
-          for (const Vector3d &x : specimen.surface(face).place)
+          for (const Vector3d &x : specimen.surfaces().at(face).place)
             velocity.push_back(0.5 * std::sin(2000 * t) * Vector3d(20 * x.y(), 0.3, 1 + 30 * x.x()));
-          specimen.set_vertex_velocities(face, velocity);
+          specimen.surfaces().set_vertex_velocities(face, velocity);
           specimen.advance(1);
         }
     }
@@ -320,9 +320,9 @@ TEST_CASE("glue keeps momentum, angular momentum and energy of both sides", "[de
       for (double t = 1e-4; t < 2e-3; t += 2e-5)
         {
           shaken.until(t);
-          if (s.surface(shaken.face).torn > 0)
-            most_glued = std::max(most_glued, s.surface(shaken.face).glued);
-          const dem::Surface &face = s.surface(shaken.face);
+          if (s.surfaces().at(shaken.face).torn > 0)
+            most_glued = std::max(most_glued, s.surfaces().at(shaken.face).glued);
+          const dem::Surface &face = s.surfaces().at(shaken.face);
           Vector3d            lost = Vector3d::Zero(), turned = Vector3d::Zero();
           for (std::size_t i = 0; i < 25; ++i)
             {
@@ -343,7 +343,7 @@ TEST_CASE("glue keeps momentum, angular momentum and energy of both sides", "[de
           CHECK((sum - face.total_force).norm() <= 1e-12 * size);
           CHECK((moment - face.total_moment).norm() <= 1e-12 * size * 6 * R);
         }
-      CHECK(s.surface(shaken.face).torn > 0);
+      CHECK(s.surfaces().at(shaken.face).torn > 0);
       CHECK(most_glued > 5);
       missing[finer] = s.energy().balance_error();
     }
@@ -358,7 +358,7 @@ TEST_CASE("glued particles move to the same bits with 1 and 2 threads, as a copy
   omp_set_num_threads(1);
   Shaken one;
   one.until(0.001);
-  CHECK(one.specimen.surface(0).torn > 0);
+  CHECK(one.specimen.surfaces().at(0).torn > 0);
   omp_set_num_threads(2);
   Shaken two;
   two.until(0.0006);
@@ -370,7 +370,7 @@ TEST_CASE("glued particles move to the same bits with 1 and 2 threads, as a copy
   }
   Shaken              resumed;
   MemoryState::Reader reader(state);
-  resumed.specimen.set_vertex_velocities(resumed.face, two.specimen.surface(two.face).rate);
+  resumed.specimen.surfaces().set_vertex_velocities(resumed.face, two.specimen.surfaces().at(two.face).rate);
   resumed.specimen.visit_state(reader);
   CHECK(two.specimen.energy().elastic == resumed.specimen.energy().elastic);
   for (Shaken *each : {&two, &copy, &resumed})
@@ -380,11 +380,11 @@ TEST_CASE("glued particles move to the same bits with 1 and 2 threads, as a copy
     {
       CHECK(difference(one.specimen.particles().position, other->specimen.particles().position) == 0);
       CHECK(one.specimen.energy().residual() == other->specimen.energy().residual());
-      CHECK(one.specimen.surface(0).torn == other->specimen.surface(0).torn);
-      CHECK(static_cast<std::int64_t>(one.specimen.logged_breaks()) >= one.specimen.surface(0).torn);
+      CHECK(one.specimen.surfaces().at(0).torn == other->specimen.surfaces().at(0).torn);
+      CHECK(static_cast<std::int64_t>(one.specimen.logged_breaks()) >= one.specimen.surfaces().at(0).torn);
       REQUIRE(one.specimen.logged_breaks() == other->specimen.logged_breaks());
       CHECK(one.specimen.breaks().back().place == other->specimen.breaks().back().place);
-      CHECK(difference(one.specimen.surface(0).impulse, other->specimen.surface(0).impulse) == 0);
+      CHECK(difference(one.specimen.surfaces().at(0).impulse, other->specimen.surfaces().at(0).impulse) == 0);
     }
 }
 
@@ -393,12 +393,12 @@ TEST_CASE("glue that cannot be is refused by name", "[dem][facets][S14]")
   dem::Specimen ball(balls({{0, 0, 1.5 * R}}, R), loose(), contact());
   const auto    law   = glue_of(mortar(), ball.parameters().physics);
   const auto    plate = wall(patch(4 * R, 3)), plane = wall(dem::FacetMesh::plane({0, 0, 0}, {0, 0, 1}));
-  CHECK_THROWS_WITH(ball.add_surface(glued(plate, 0.1 * R, law)), Contains("no particle is within 0.001 m"));
-  CHECK_THROWS_WITH(ball.add_surface(glued(plate, R)), Contains("carry no tension"));
-  CHECK_THROWS_WITH(ball.add_surface(glued(plate, -1, law)), Contains("above 0 m"));
-  CHECK_THROWS_WITH(ball.add_surface(glued(plane, R, law)), Contains("unbounded plane"));
+  CHECK_THROWS_WITH(ball.surfaces().add(glued(plate, 0.1 * R, law)), Contains("no particle is within 0.001 m"));
+  CHECK_THROWS_WITH(ball.surfaces().add(glued(plate, R)), Contains("carry no tension"));
+  CHECK_THROWS_WITH(ball.surfaces().add(glued(plate, -1, law)), Contains("above 0 m"));
+  CHECK_THROWS_WITH(ball.surfaces().add(glued(plane, R, law)), Contains("unbounded plane"));
   dem::Specimen sunk(balls({{0, 0, 0.4 * R}}, R), loose(), contact());
-  CHECK_THROWS_WITH(sunk.add_surface(glued(plate, R, law)), Contains("particle 1") && Contains("lies in it"));
+  CHECK_THROWS_WITH(sunk.surfaces().add(glued(plate, R, law)), Contains("particle 1") && Contains("lies in it"));
 }
 
 TEST_CASE("stiff glue shortens the step of who is glued", "[dem][facets]")
@@ -407,11 +407,11 @@ TEST_CASE("stiff glue shortens the step of who is glued", "[dem][facets]")
   const double  before    = ball.time_step();
   auto          stiff     = mortar();
   stiff.effective_modulus = 1e10;
-  const auto face = ball.add_surface(glued(wall(patch(4 * R, 3)), 1e-6, glue_of(stiff, ball.parameters().physics)));
+  const auto face = ball.surfaces().add(glued(wall(patch(4 * R, 3)), 1e-6, glue_of(stiff, ball.parameters().physics)));
   CHECK(ball.time_step() < 0.2 * before);
-  ball.find_surface_forces();
+  ball.partners().find_surface_forces();
   double felt = 0;
-  for (const double k : ball.surface(face).stiffness)
+  for (const double k : ball.surfaces().at(face).stiffness)
     felt += k;
   CHECK(felt >= 2e10 * pi * R); // bond and contact in parallel
 }

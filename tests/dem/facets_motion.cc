@@ -29,24 +29,24 @@ TEST_CASE("a ball that hits a wall leaves it with its speed, after half a period
       {
         const Vector3d n = up(dimension);
         dem::Specimen  ball(balls({R * n}, R), loose(dimension), contact());
-        ball.add_surface(wall(plane          ? dem::FacetMesh::plane({0, 0, 0}, n) :
-                              dimension == 3 ? patch(1, 5) :
-                                               dem::segment({-1, 0, 0}, {1, 0, 0})));
+        ball.surfaces().add(wall(plane          ? dem::FacetMesh::plane({0, 0, 0}, n) :
+                                 dimension == 3 ? patch(1, 5) :
+                                                  dem::segment({-1, 0, 0}, {1, 0, 0})));
         const double omega = std::sqrt(stiffness(dimension) / mass(dimension)), speed = 0.7;
         const int    steps = 150;
         ball.set_time_step(2 / omega * std::sin(pi / (2 * steps))); // leap-frog then takes exactly so many to turn
         ball.set_velocity(0, -speed * n, {0, 0, 0});
         ball.advance(2);
-        CHECK(ball.wall_contacts().size() == 1);
+        CHECK(ball.surfaces().contacts().size() == 1);
         ball.advance(steps / 2 - 2);
         const double deepest = R - ball.particle(0).position.dot(n);
         CHECK(deepest == Approx(speed / omega).epsilon(1e-3));
         ball.advance(steps / 2 + 1);
         CHECK(ball.particle(0).velocity.dot(n) == Approx(speed).epsilon(1e-12));
         ball.advance(1);
-        CHECK(ball.wall_contacts().empty());
+        CHECK(ball.surfaces().contacts().empty());
         CHECK(ball.energy().balance_error() < 1e-12);
-        CHECK(ball.surface(0).momentum.dot(n) == Approx(-2 * mass(dimension) * speed).epsilon(1e-12));
+        CHECK(ball.surfaces().at(0).momentum.dot(n) == Approx(-2 * mass(dimension) * speed).epsilon(1e-12));
       }
 }
 
@@ -63,7 +63,7 @@ TEST_CASE("a block on an incline stops, slides on or gains speed as Coulomb's fr
         p.gravity                     = g * (std::sin(angle) * Vector3d::UnitX() - std::cos(angle) * n);
         const double  sag             = mass(dimension) * g * std::cos(angle) / stiffness(dimension);
         dem::Specimen block(balls({(R - sag) * n}, R), p, contact());
-        block.add_surface(wall(dimension == 3 ? patch(1, 7) : dem::segment({-1, 0, 0}, {1, 0, 0}), friction));
+        block.surfaces().add(wall(dimension == 3 ? patch(1, 7) : dem::segment({-1, 0, 0}, {1, 0, 0}), friction));
         block.set_velocity(0, speed * Vector3d::UnitX(), {0, 0, 0});
         const double gain = g * (std::sin(angle) - friction * std::cos(angle));
         const double time = 0.05, stop = gain < 0 ? -speed / gain : 1e9;
@@ -95,7 +95,7 @@ TEST_CASE("a ball rolls down an incline by 5/7 of the slope, and slides where fr
           p.gravity                 = g * (std::sin(angle) * Vector3d::UnitX() - std::cos(angle) * n);
           const double  sag         = mass(dimension) * g * std::cos(angle) / stiffness(dimension);
           dem::Specimen ball(balls({(R - sag) * n}, R), p, contact());
-          ball.add_surface(wall(dimension == 3 ? patch(1, 7) : dem::segment({-1, 0, 0}, {1, 0, 0}), friction));
+          ball.surfaces().add(wall(dimension == 3 ? patch(1, 7) : dem::segment({-1, 0, 0}, {1, 0, 0}), friction));
           while (ball.time() < 0.1)
             ball.advance(1);
           const double arm  = R - sag;
@@ -117,14 +117,14 @@ TEST_CASE("a ball rolls over coplanar facets with constant force, and keeps its 
   p.gravity                 = {0, 0, -g};
   const double  sag         = mass(3) * g / stiffness(3);
   dem::Specimen ball(balls({{-0.08, 0.01, R - sag}}, R), p, contact());
-  ball.add_surface(wall(patch(0.15, 45), 0.5));
+  ball.surfaces().add(wall(patch(0.15, 45), 0.5));
   const Vector3d speed(1, 0.2, 0);
   ball.set_velocity(0, speed, Vector3d::UnitZ().cross(speed) / (R - sag));
   double least = 1e9, largest = 0, sideways = 0;
   while (ball.displacement(0).x() < 0.15)
     {
       ball.advance(1);
-      const Vector3d force = ball.surface(0).total_force;
+      const Vector3d force = ball.surfaces().at(0).total_force;
       least                = std::min(least, -force.z());
       largest              = std::max(largest, -force.z());
       sideways             = std::max(sideways, force.head<2>().norm());
@@ -144,7 +144,7 @@ TEST_CASE("a ball that is led over an edge and over a corner at the same distanc
     {
       dem::Specimen ball(balls({start}, R), loose(), contact());
       const auto    block = dem::box({-1, corner ? 0.0 : -1.0, -1}, {0, 1, 0}, {true, true, true, true, true, true});
-      ball.add_surface(wall(block));
+      ball.surfaces().add(wall(block));
       Led          led(ball, 0);
       const double way   = corner ? 0.0 : start.y();
       const int    n     = 20000;
@@ -167,7 +167,7 @@ TEST_CASE("a ball that is led over an edge and over a corner at the same distanc
           led.to(place);
           if (k < 2)
             continue;
-          const Vector3d force = -ball.surface(0).total_force;
+          const Vector3d force = -ball.surfaces().at(0).total_force;
           least                = std::min(least, force.norm());
           largest              = std::max(largest, force.norm());
           turned               = std::max(turned, (force.normalized() - before).norm());
@@ -187,7 +187,7 @@ TEST_CASE("shear goes with a ball from facet to facet: it creeps over edges as o
       dem::SpecimenParameters p = loose();
       p.gravity                 = {3, 1, -g};
       dem::Specimen ball(balls({{0, 0, R - 2e-6}}, R), p, contact());
-      ball.add_surface(wall(plane ? dem::FacetMesh::plane({0, 0, 0}, {0, 0, 1}) : patch(0.2, 80), 0.25));
+      ball.surfaces().add(wall(plane ? dem::FacetMesh::plane({0, 0, 0}, {0, 0, 1}) : patch(0.2, 80), 0.25));
       ball.set_velocity(0, {0.3, 0, 0}, {5, 9, 30});
       std::vector<Vector3d> path;
       for (int k = 0; k < 25; ++k)

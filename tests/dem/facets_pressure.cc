@@ -134,17 +134,17 @@ TEST_CASE("a ball bounces off a rough bumpy skin and keeps its energy", "[facets
       law.effective_modulus = modulus;
       dem::Specimen specimen(packing, p, law);
       specimen.set_velocity(0, {0.3, 0, -1}, {0, 20, 0});
-      specimen.add_surface(with_skin(carpet(12, 0.015, 5e-4), 0.4));
+      specimen.surfaces().add(with_skin(carpet(12, 0.015, 5e-4), 0.4));
       bool   touched = false;
       double worst   = 0;
       while (specimen.time() < 0.01)
         {
           specimen.advance(1);
-          touched = touched || specimen.surface(0).touching > 0;
+          touched = touched || specimen.surfaces().at(0).touching > 0;
           worst   = std::max(worst, std::fabs(specimen.energy().residual()) / specimen.energy().initial);
         }
       REQUIRE(touched);
-      CHECK(specimen.surface(0).touching == 0);
+      CHECK(specimen.surfaces().at(0).touching == 0);
       CHECK(specimen.particle(0).velocity.z() > 0);
       CHECK(specimen.energy().friction > 0);
       error[level] = worst;

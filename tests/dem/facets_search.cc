@@ -16,9 +16,9 @@ namespace
   {
     Touching found;
     for (std::size_t i = 0; i < specimen.counts().particles; ++i)
-      for (std::size_t s = 0; s < specimen.surfaces(); ++s)
+      for (std::size_t s = 0; s < specimen.surfaces().size(); ++s)
         {
-          const dem::Surface &surface = specimen.surface(s);
+          const dem::Surface &surface = specimen.surfaces().at(s);
           const auto          ball    = specimen.particle(i);
           for (std::size_t f = 0; f < surface.mesh.size(); ++f)
             if (surface.distance(f, ball.position) < ball.radius)
@@ -30,7 +30,7 @@ namespace
   Touching as_found(const dem::Specimen &specimen)
   {
     Touching found;
-    for (const dem::WallContact &contact : specimen.wall_contacts())
+    for (const dem::WallContact &contact : specimen.surfaces().contacts())
       found.insert({contact.particle, contact.surface});
     return found;
   }
@@ -49,11 +49,11 @@ TEST_CASE("no sphere that touches a facet is missed, whatever moves and whatever
   p.physics.contacts        = false; // they pass through each other: the walls are what is looked at
   dem::Specimen specimen(packing, p, contact(0, 1e4));
   // A net of small facets that is led, a large plate that turns, a mast of slivers, a box around all.
-  const auto net = specimen.add_surface(
+  const auto net = specimen.surfaces().add(
     wall(patch(0.35, 20, [](double x, double) { return 0.03 * std::sin(20 * x) - 0.36; }), 0, 1e5));
-  const auto plate = specimen.add_surface(wall(dem::plate({0.45, -0.3, -0.3}, {0.1, 0.6, 0}, {0, 0, 0.6}), 0, 1e5));
-  specimen.add_surface(wall(dem::cylinder({0, 0.5, -0.4}, {0, 0.5, 0.4}, 0.05, 40, true), 0, 1e5));
-  specimen.add_surface(
+  const auto plate = specimen.surfaces().add(wall(dem::plate({0.45, -0.3, -0.3}, {0.1, 0.6, 0}, {0, 0, 0.6}), 0, 1e5));
+  specimen.surfaces().add(wall(dem::cylinder({0, 0.5, -0.4}, {0, 0.5, 0.4}, 0.05, 40, true), 0, 1e5));
+  specimen.surfaces().add(
     wall(dem::box({-0.6, -0.6, -0.5}, {0.6, 0.6, 0.35}, {true, true, true, true, true, true}), 0, 1e5));
   for (std::size_t i = 0; i < packing.size(); ++i)
     specimen.set_velocity(i, random_place(random, 2), {0, 0, 0});
@@ -61,19 +61,19 @@ TEST_CASE("no sphere that touches a facet is missed, whatever moves and whatever
   for (int k = 0; k < 80; ++k)
     {
       std::vector<Vector3d> velocity;
-      for (const Vector3d &x : specimen.surface(net).place)
+      for (const Vector3d &x : specimen.surfaces().at(net).place)
         velocity.push_back({0, 0, 0.5 * std::sin(9 * x.y() + 100 * specimen.time())});
-      specimen.set_vertex_velocities(net, velocity);
-      specimen.set_surface_motion(plate, {-0.3, 0, 0}, {0, 0.5, 1},
-                                  k == 0 ? Vector3d(0.5, 0, 0) : specimen.surface(plate).centre);
-      specimen.find_surface_forces();
+      specimen.surfaces().set_vertex_velocities(net, velocity);
+      specimen.surfaces().set_motion(plate, {-0.3, 0, 0}, {0, 0.5, 1},
+                                     k == 0 ? Vector3d(0.5, 0, 0) : specimen.surfaces().at(plate).centre);
+      specimen.partners().find_surface_forces();
       const Touching found = as_found(specimen);
       REQUIRE(found == by_all_pairs(specimen));
       contacts += found.size();
       specimen.advance(50);
     }
   CHECK(contacts > 50);
-  CHECK(specimen.surface_searches()[0] < 1000); // of 4000 steps
+  CHECK(specimen.surfaces().searches()[0] < 1000); // of 4000 steps
 }
 
 TEST_CASE("nothing is looked at while nothing can touch", "[dem][facets]")
@@ -82,14 +82,14 @@ TEST_CASE("nothing is looked at while nothing can touch", "[dem][facets]")
   for (int i = 0; i < 100; ++i)
     centres.push_back({0.03 * (i % 10), 0.03 * (i / 10), 0.0499});
   dem::Specimen specimen(balls(centres, 0.01), loose(), contact());
-  specimen.add_surface(wall(patch(1, 30)));
+  specimen.surfaces().add(wall(patch(1, 30)));
   for (std::size_t i = 0; i < centres.size(); ++i)
     specimen.set_velocity(i, {0.02, 0.01, 0}, {0, 0, 0});
   specimen.advance(1);
-  const auto first = specimen.surface_searches();
+  const auto first = specimen.surfaces().searches();
   CHECK(first[0] == 1);
   specimen.advance(200); // 1.1e-4 m of a margin of 3.3e-3 m
-  CHECK(specimen.surface_searches() == first);
+  CHECK(specimen.surfaces().searches() == first);
 }
 
 TEST_CASE("a surface of some particles is not there for others, and several have each their own friction",
@@ -104,8 +104,8 @@ TEST_CASE("a surface of some particles is not there for others, and several have
   auto          rough = wall(plate, 0.5), smooth = wall(plate, 0);
   rough.particles  = {1};
   smooth.particles = {2};
-  specimen.add_surface(rough);
-  specimen.add_surface(smooth);
+  specimen.surfaces().add(rough);
+  specimen.surfaces().add(smooth);
   for (std::size_t i = 0; i < 3; ++i)
     specimen.set_velocity(i, {1, 0, 0}, {0, 0, 0});
   while (specimen.time() < 0.1)
@@ -116,7 +116,7 @@ TEST_CASE("a surface of some particles is not there for others, and several have
   CHECK(specimen.particle(2).velocity.x() == Approx(1).epsilon(1e-12));
   CHECK(specimen.particle(2).position.z() == Approx(radius).epsilon(1e-2));
   rough.particles = {3};
-  CHECK_THROWS_WITH(specimen.add_surface(rough), Catch::Contains("particle 4"));
+  CHECK_THROWS_WITH(specimen.surfaces().add(rough), Catch::Contains("particle 4"));
 }
 
 TEST_CASE("pairs that are tested for a list grow in proportion to spheres and facets", "[dem][facets]")
@@ -130,9 +130,9 @@ TEST_CASE("pairs that are tested for a list grow in proportion to spheres and fa
           for (int i = 0; i < side; ++i)
             centres.push_back(0.021 * Vector3d(i, j, k + 0.55) - 0.0105 * Vector3d(side, side, 0));
       dem::Specimen specimen(balls(centres, 0.01), loose(), contact());
-      specimen.add_surface(wall(patch(0.0105 * side, side)));
-      specimen.find_surface_forces();
-      per_item.push_back(double(specimen.surface_searches()[1]) / double(centres.size() + 2 * side * side));
+      specimen.surfaces().add(wall(patch(0.0105 * side, side)));
+      specimen.partners().find_surface_forces();
+      per_item.push_back(double(specimen.surfaces().searches()[1]) / double(centres.size() + 2 * side * side));
     }
   INFO(per_item[0] << " " << per_item[1] << " " << per_item[2]);
   CHECK(per_item[2] < 15);

@@ -160,7 +160,7 @@ namespace
     floor.mesh =
       dem::box(Vector3d(-0.05, -0.05, 0), Vector3d(0.05, 0.05, 1), {false, false, false, false, true, false});
     floor.contact = grains;
-    specimen.add_surface(floor);
+    specimen.surfaces().add(floor);
     for (std::size_t i = 0; i < packing.size(); ++i)
       specimen.set_velocity(i, Vector3d(0.3, 0, -1), Vector3d::Zero());
     specimen.advance(2000);

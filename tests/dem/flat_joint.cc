@@ -106,10 +106,10 @@ TEST_CASE("flat joint sheared at a constant normal stress breaks at c - sigma ta
           const double   angle = slip / length * i / steps;
           const Vector3d place = length * Vector3d(std::cos(angle), std::sin(angle), 0),
                          across(-std::sin(angle), std::cos(angle), 0);
-          pair.specimen.set_grip_velocity(1, (place - pair.specimen.particle(1).position) / pair.specimen.time_step(),
-                                          Vector3d::Zero());
+          pair.specimen.grips().set_velocity(
+            1, (place - pair.specimen.particle(1).position) / pair.specimen.time_step(), Vector3d::Zero());
           pair.specimen.advance(1);
-          last    = std::abs(pair.specimen.reaction(1).dot(across)) / area;
+          last    = std::abs(pair.specimen.grips().reaction(1).dot(across)) / area;
           largest = std::max(largest, last);
         }
       INFO("normal stress " << normal);
@@ -144,7 +144,7 @@ TEST_CASE("flat joint bent without axial force breaks one element after the othe
           grip.prescribed    = all;
           grip.prescribed[0] = i == 0; // the second goes where no force is along the axis
           grip.spin          = {0, 0, (i == 0 ? -0.5 : 0.5) * spin};
-          body.add_grip(grip);
+          body.grips().add(grip);
         }
       std::vector<double> found;
       double              before = 0;
@@ -154,7 +154,7 @@ TEST_CASE("flat joint bent without axial force breaks one element after the othe
           body.advance(1);
           if (body.logged_breaks() > logged)
             found.push_back(before);
-          before = std::abs(body.reaction_moment(1).z());
+          before = std::abs(body.grips().reaction_moment(1).z());
         }
       INFO(elements << " elements");
       REQUIRE(found.size() == moments.size());

@@ -141,16 +141,16 @@ TEST_CASE("particles in a polygon become pebbles of a body with the polygon's ma
   const dem::LinkMaterials both(materials);
   dem::Specimen            specimen(packing, in_plane(2000), both);
   dem::add_packed_clumps(specimen, packing, both);
-  REQUIRE(specimen.clumps() == 1);
+  REQUIRE(specimen.clumps().size() == 1);
   const double mass = density * 12e-6;
   // Turn it freely: spin stays, and what turns it is its inertia m (a^2 + b^2)/12.
   const Eigen::Vector3d spin(0, 0, 3);
   for (std::size_t i = 0; i < packing.size(); ++i)
     if (packing.clump[i] == 0)
       specimen.set_velocity(i, spin.cross(packing.centre[i] - Eigen::Vector3d(4e-3, 4.5e-3, 0)), spin);
-  CHECK(specimen.clump(0).position.x() == Approx(4e-3));
-  CHECK(specimen.clump(0).position.y() == Approx(4.5e-3));
-  CHECK(specimen.clump(0).angular_momentum.z() == Approx(3 * mass * (16e-6 + 9e-6) / 12).epsilon(1e-12));
+  CHECK(specimen.clumps().state(0).position.x() == Approx(4e-3));
+  CHECK(specimen.clumps().state(0).position.y() == Approx(4.5e-3));
+  CHECK(specimen.clumps().state(0).angular_momentum.z() == Approx(3 * mass * (16e-6 + 9e-6) / 12).epsilon(1e-12));
 }
 
 TEST_CASE("a free clump of a polygon keeps its spin, and answers a central force as its mass")
@@ -168,11 +168,11 @@ TEST_CASE("a free clump of a polygon keeps its spin, and answers a central force
   for (std::size_t i = 0; i < packing.size(); ++i)
     specimen.set_velocity(i, spin.cross(packing.centre[i] - middle), spin);
   for (std::size_t i = 0; i < packing.size(); ++i)
-    specimen.add_force(i, {0.5, 0, 0}, {0, 0, 0});
+    specimen.partners().add_force(i, {0.5, 0, 0}, {0, 0, 0});
   specimen.advance(1000);
   const double time = specimen.time();
-  CHECK(std::abs(specimen.clump(0).spin.z() / 5 - 1) < 1e-12);
-  CHECK(specimen.clump(0).position.x() - 2e-3 == Approx(0.5 * 8 / mass * time * time).epsilon(2e-3));
+  CHECK(std::abs(specimen.clumps().state(0).spin.z() / 5 - 1) < 1e-12);
+  CHECK(specimen.clumps().state(0).position.x() - 2e-3 == Approx(0.5 * 8 / mass * time * time).epsilon(2e-3));
 }
 
 TEST_CASE("a polygon with two pebbles is refused")

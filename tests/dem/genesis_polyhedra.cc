@@ -215,7 +215,7 @@ TEST_CASE("pebbles fill a body wholly inside it, as many as the lattice lets, an
       for (std::size_t i = 0; i < packing.size(); ++i)
         mass += specimen.particle(i).mass;
       CHECK(mass == Approx(2650 * body.properties().volume).epsilon(1e-12));
-      CHECK((specimen.clump(0).position - Vector3d(3, 1, 2)).norm() < 1e-12);
+      CHECK((specimen.clumps().state(0).position - Vector3d(3, 1, 2)).norm() < 1e-12);
     }
   CHECK_THROWS_WITH(dem::filled_with_pebbles(body, 0.9, dem::Filling::close), Contains("Take smaller ones"));
   CHECK_THROWS_WITH(dem::filled_with_pebbles(body, 1e-4, dem::Filling::close), Contains("more than ten million"));
@@ -232,7 +232,7 @@ TEST_CASE("a free prism of pebbles precesses as its own inertia says, not as the
   const Vector3d        spin(40, 0, 200), velocity(0.1, 0.2, -0.3);
   set_motion(body, packing, velocity, spin);
   const Vector3d L(I1 * spin.x(), 0, I3 * spin.z());
-  CHECK((body.clump(0).angular_momentum - L).norm() < 1e-12 * L.norm());
+  CHECK((body.clumps().state(0).angular_momentum - L).norm() < 1e-12 * L.norm());
   const double energy = body.energy().kinetic;
   CHECK(energy == Approx(0.5 * mass * velocity.squaredNorm() + 0.5 * spin.dot(L)).epsilon(1e-12));
   const double until = 3 * 2 * M_PI / (L.norm() / I1); // three turns of the axis
@@ -240,7 +240,7 @@ TEST_CASE("a free prism of pebbles precesses as its own inertia says, not as the
   body.set_time_step(dt);
   while (body.time() < until)
     body.advance(1);
-  const dem::ClumpState now  = body.clump(0);
+  const dem::ClumpState now  = body.clumps().state(0);
   const Vector3d        axis = now.turned * Vector3d::UnitZ();
   const Vector3d        wanted =
     Eigen::AngleAxisd(body.time() * L.norm() / I1, L.normalized()).toRotationMatrix() * Vector3d::UnitZ();
@@ -256,12 +256,12 @@ TEST_CASE("a rectangle of discs turns under a couple as the plate does", "[dem][
   const auto            packing = dem::filled_with_pebbles(plate, 0.003, dem::Filling::close);
   dem::Specimen         body    = free_body(packing, in_space(1500, 2));
   const double          mass = 1500 * 0.06 * 0.02 * 0.5, I = mass * (0.06 * 0.06 + 0.02 * 0.02) / 12;
-  body.add_force(0, Vector3d::Zero(), {0, 0, 1e-3});
+  body.partners().add_force(0, Vector3d::Zero(), {0, 0, 1e-3});
   body.advance(1000);
-  CHECK(body.clump(0).spin.z() == Approx(1e-3 * body.time() / I).epsilon(1e-9));
+  CHECK(body.clumps().state(0).spin.z() == Approx(1e-3 * body.time() / I).epsilon(1e-9));
   CHECK(body.energy().balance_error() < 1e-9);
-  body.clear_forces();
-  const double spin = body.clump(0).spin.z();
+  body.partners().clear_forces();
+  const double spin = body.clumps().state(0).spin.z();
   body.advance(5000);
-  CHECK(body.clump(0).spin.z() == Approx(spin).epsilon(1e-12));
+  CHECK(body.clumps().state(0).spin.z() == Approx(spin).epsilon(1e-12));
 }

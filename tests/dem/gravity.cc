@@ -31,7 +31,7 @@ namespace
   {
     p.gravity = {0, 0, g};
     dem::Specimen specimen(cluster::cubic_lattice(1, 1, free + 1, r), cluster::elastic(p), cluster::concrete());
-    specimen.add_grip(held({0}));
+    specimen.grips().add(held({0}));
     return specimen;
   }
 
@@ -104,8 +104,8 @@ TEST_CASE("energy with weight balances, with and without damping, damage and gri
         p.damping     = damping;
         p.step_factor = 0.1;
         dem::Specimen specimen(cluster::random_cluster(8, 150, 0.7e-3, 1e-3), p, cluster::concrete());
-        const auto    grip = specimen.add_grip(held({0, 1, 2}));
-        specimen.set_grip_velocity(grip, {0, 0, 0.01}, Vector3d::Zero());
+        const auto    grip = specimen.grips().add(held({0, 1, 2}));
+        specimen.grips().set_velocity(grip, {0, 0, 0.01}, Vector3d::Zero());
         double worst = 0;
         for (int sample = 0; sample < 40; ++sample)
           {
@@ -135,7 +135,7 @@ TEST_CASE("the force ratio of what falls is one, and of what stands the sum of f
   dem::Grip     foot;
   foot.particles  = {0};
   foot.prescribed = {true, true, true, true, true, true};
-  stands.add_grip(foot);
+  stands.grips().add(foot);
   stands.advance(1);
   CHECK(stands.force_ratio() == Approx(1).epsilon(1e-9)); // nothing bears it yet
   stands.advance(3);
@@ -150,9 +150,9 @@ TEST_CASE("grips carry the weight of their own particles too", "[dem][gravity]")
   p.gravity             = {0, 0, -10};
   const auto    packing = cluster::cubic_lattice(2, 1, 1, r);
   dem::Specimen specimen(packing, cluster::elastic(p), cluster::concrete());
-  const auto    grip = specimen.add_grip(held({0, 1}));
+  const auto    grip = specimen.grips().add(held({0, 1}));
   specimen.advance(1);
-  CHECK(specimen.reaction(grip).z() == Approx(2 * p.density * 4.0 / 3 * M_PI * r * r * r * 10).epsilon(1e-14));
+  CHECK(specimen.grips().reaction(grip).z() == Approx(2 * p.density * 4.0 / 3 * M_PI * r * r * r * 10).epsilon(1e-14));
 }
 
 TEST_CASE("with weight a run goes on from its state to the same bits, on any number of threads", "[dem][gravity]")
@@ -163,7 +163,7 @@ TEST_CASE("with weight a run goes on from its state to the same bits, on any num
   const auto packing = cluster::random_cluster(9, 700, 0.7e-3, 1e-3);
   const auto make    = [&] {
     dem::Specimen specimen(packing, p, cluster::concrete());
-    specimen.add_grip(held({0, 1, 2, 3}));
+    specimen.grips().add(held({0, 1, 2, 3}));
     return specimen;
   };
   const auto state_of = [](dem::Specimen &specimen) {

@@ -29,10 +29,10 @@ TEST_CASE("grip moves what it prescribes and leaves the rest free", "[dem]")
   omp_set_num_threads(1);
   dem::Specimen  specimen(cluster::cubic_lattice(3, 1, 1, r), cluster::elastic(cluster::next_neighbours()),
                           cluster::concrete());
-  const auto     tip = specimen.add_grip(hold({2}, along_x));
+  const auto     tip = specimen.grips().add(hold({2}, along_x));
   const Vector3d free_velocity(7, 0.2, 0);
   specimen.set_velocity(2, free_velocity, Vector3d::Zero());
-  specimen.set_grip_velocity(tip, {0.1, 5, 5}, {5, 5, 5});
+  specimen.grips().set_velocity(tip, {0.1, 5, 5}, {5, 5, 5});
   specimen.advance(1);
   const auto out = specimen.particles();
   CHECK(out.velocity[2].x() == 0.1);
@@ -48,17 +48,17 @@ TEST_CASE("grips of a stretched bar pull with its stiffness and against each oth
   auto      p = cluster::elastic(cluster::next_neighbours());
   p.damping   = 0.7;
   dem::Specimen specimen(cluster::cubic_lattice(n, 1, 1, r), p, cluster::concrete());
-  const auto    low = specimen.add_grip(hold({0}, all)), high = specimen.add_grip(hold({n - 1}, all));
+  const auto    low = specimen.grips().add(hold({0}, all)), high = specimen.grips().add(hold({n - 1}, all));
   const double  stretch = 1e-9;
-  specimen.set_grip_velocity(high, {stretch / (1000 * specimen.time_step()), 0, 0}, Vector3d::Zero());
+  specimen.grips().set_velocity(high, {stretch / (1000 * specimen.time_step()), 0, 0}, Vector3d::Zero());
   specimen.advance(1000);
-  specimen.set_grip_velocity(high, Vector3d::Zero(), Vector3d::Zero());
+  specimen.grips().set_velocity(high, Vector3d::Zero(), Vector3d::Zero());
   specimen.advance(3000);
   const double k_N   = 25e9 * M_PI * r * r / (2 * r);                // links in series: k_N/(n - 1)
   const double moved = specimen.particles().displacement[n - 1].x(); // each step rounded to coordinates of 1e-18 m
   CHECK(moved == Approx(stretch).epsilon(1e-5));
-  CHECK(specimen.reaction(high).x() == Approx(k_N * moved / (n - 1)).epsilon(1e-8));
-  CHECK(specimen.reaction(low).x() == Approx(-k_N * moved / (n - 1)).epsilon(1e-8));
+  CHECK(specimen.grips().reaction(high).x() == Approx(k_N * moved / (n - 1)).epsilon(1e-8));
+  CHECK(specimen.grips().reaction(low).x() == Approx(-k_N * moved / (n - 1)).epsilon(1e-8));
 }
 
 TEST_CASE("work of grips is what a linear specimen stores and moves with, to round-off", "[dem]")
@@ -69,8 +69,8 @@ TEST_CASE("work of grips is what a linear specimen stores and moves with, to rou
   dem::Specimen specimen(cluster::cubic_lattice(n, 1, 1, r), cluster::elastic(cluster::next_neighbours()),
                          cluster::concrete());
   specimen.set_velocity(3, {0.1, 0, 0}, Vector3d::Zero());
-  specimen.add_grip(hold({0}, all));
-  const auto high    = specimen.add_grip(hold({n - 1}, along_x));
+  specimen.grips().add(hold({0}, all));
+  const auto high    = specimen.grips().add(hold({n - 1}, along_x));
   double     largest = 0;
   const auto check   = [&] {
     const auto energy = specimen.energy();
@@ -79,17 +79,17 @@ TEST_CASE("work of grips is what a linear specimen stores and moves with, to rou
   for (int step = 0; step < 300; ++step)
     {
       const double v = 0.05 * std::sin(0.11 * step);
-      specimen.set_grip_velocity(high, {v, 0, 0}, Vector3d::Zero());
+      specimen.grips().set_velocity(high, {v, 0, 0}, Vector3d::Zero());
       specimen.advance(1);
       check();
     }
-  const auto caught = specimen.add_grip(hold({2, 3}, along_x)); // both at their own velocity until now
+  const auto caught = specimen.grips().add(hold({2, 3}, along_x)); // both at their own velocity until now
   for (int step = 0; step < 100; ++step)
     {
       specimen.advance(1);
       check();
     }
-  specimen.set_grip_velocity(caught, {-0.02, 0, 0}, Vector3d::Zero());
+  specimen.grips().set_velocity(caught, {-0.02, 0, 0}, Vector3d::Zero());
   specimen.advance(50);
   check();
   CHECK(std::abs(specimen.energy().external_work) > 0.1 * specimen.energy().initial);

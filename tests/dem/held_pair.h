@@ -43,7 +43,7 @@ namespace held_pair
           dem::Grip grip;
           grip.particles  = {i};
           grip.prescribed = all;
-          specimen.add_grip(grip);
+          specimen.grips().add(grip);
         }
     }
 
@@ -59,12 +59,13 @@ namespace held_pair
     {
       const double          time = steps * specimen.time_step();
       const Eigen::Vector3d across(-along.y(), along.x(), 0);
-      specimen.set_grip_velocity(0, Eigen::Vector3d::Zero(), Eigen::Vector3d(0, 0, -0.5 * bend / time));
-      specimen.set_grip_velocity(1, (opening * along + slip * across) / time, Eigen::Vector3d(0, 0, 0.5 * bend / time));
+      specimen.grips().set_velocity(0, Eigen::Vector3d::Zero(), Eigen::Vector3d(0, 0, -0.5 * bend / time));
+      specimen.grips().set_velocity(1, (opening * along + slip * across) / time,
+                                    Eigen::Vector3d(0, 0, 0.5 * bend / time));
     }
 
-    double pull() const { return specimen.reaction(1).dot(along); }
-    double moment() const { return specimen.reaction_moment(1).z(); }
+    double pull() const { return specimen.grips().reaction(1).dot(along); }
+    double moment() const { return specimen.grips().reaction_moment(1).z(); }
     double intact() const { return static_cast<double>(specimen.counts().links); }
 
     dem::Specimen   specimen;

@@ -88,7 +88,7 @@ namespace
   Impact floor_impact(const Parameters &law, const double speed, const double step_factor)
   {
     dem::Specimen specimen(walls::balls({{0, 0, 1.0001 * r}}, r), fine(step_factor), law);
-    specimen.add_surface({"floor", dem::FacetMesh::plane({0, 0, 0}, {0, 0, 1}), law});
+    specimen.surfaces().add({"floor", dem::FacetMesh::plane({0, 0, 0}, {0, 0, 1}), law});
     specimen.set_velocity(0, {0, 0, -speed}, Vector3d::Zero());
     return impact_of(specimen, 0, [&] { return specimen.particle(0).position.z() - r; });
   }
@@ -116,7 +116,7 @@ TEST_CASE("force between spheres of two sizes and materials is that of Hertz", "
     {
       high.to({0, 0, r + small - overlap});
       high.to({0, 0, r + small - overlap});
-      CHECK(specimen.reaction(1).z() ==
+      CHECK(specimen.grips().reaction(1).z() ==
             Approx(-hertz(between, r * small / (r + small), overlap)).epsilon(1e-9)); // it is held down
     }
 }
@@ -175,14 +175,14 @@ TEST_CASE("shear under constant pressure is as stiff as Mindlin has it, slides a
   constexpr double friction = 0.3, overlap = 2e-5, step = 1e-9;
   const double     a = std::sqrt(r * overlap), limit = friction * hertz(normal, r, overlap);
   dem::Specimen    specimen(walls::balls({{0, 0, r - overlap}}, r), fine(0.01), glass(friction));
-  specimen.add_surface({"floor", dem::FacetMesh::plane({0, 0, 0}, {0, 0, 1}), glass(friction)});
+  specimen.surfaces().add({"floor", dem::FacetMesh::plane({0, 0, 0}, {0, 0, 1}), glass(friction)});
   walls::Led ball(specimen, 0);
   double     x    = 0;
   const auto move = [&](const double to) {
     while (std::abs(to - x) > 0.5 * step)
       ball.to({x += to > x ? step : -step, 0, r - overlap});
     ball.to({x, 0, r - overlap});
-    return specimen.reaction(0).x();
+    return specimen.grips().reaction(0).x();
   };
   const double k = 8 * shear * a;
   CHECK(move(100 * step) == Approx(k * 100 * step).epsilon(1e-6));
@@ -197,12 +197,12 @@ TEST_CASE("shear force shrinks with the contact and stays while it grows", "[dem
 {
   constexpr double overlap = 2e-5;
   dem::Specimen    specimen(walls::balls({{0, 0, r - overlap}}, r), fine(0.01), glass(10));
-  specimen.add_surface({"floor", dem::FacetMesh::plane({0, 0, 0}, {0, 0, 1}), glass(10)});
+  specimen.surfaces().add({"floor", dem::FacetMesh::plane({0, 0, 0}, {0, 0, 1}), glass(10)});
   walls::Led ball(specimen, 0);
   double     x = 0, z = r - overlap;
   const auto shear_force = [&] {
     ball.to({x, 0, z});
-    return specimen.reaction(0).x();
+    return specimen.grips().reaction(0).x();
   };
   for (int n = 0; n < 200; ++n)
     ball.to({x += 1e-9, 0, z});
@@ -224,7 +224,7 @@ TEST_CASE("ball that slides through an oblique impact leaves with the closed for
   // whose impulse is that of the whole only without a dashpot.
   constexpr double friction = 0.1, along = 0.15, down = 0.05;
   dem::Specimen    specimen(walls::balls({{0, 0, 1.0001 * r}}, r), fine(0.01), glass(friction));
-  specimen.add_surface({"floor", dem::FacetMesh::plane({0, 0, 0}, {0, 0, 1}), glass(friction)});
+  specimen.surfaces().add({"floor", dem::FacetMesh::plane({0, 0, 0}, {0, 0, 1}), glass(friction)});
   specimen.set_velocity(0, {along, 0, -down}, Vector3d::Zero());
   impact_of(specimen, 0, [&] { return specimen.particle(0).position.z() - r; });
   const auto ball = specimen.particle(0);
@@ -252,7 +252,7 @@ TEST_CASE("dashpots and elastic spheres go on to the same bits from a state, wit
         packing.radius.push_back(r);
       }
     dem::Specimen specimen(packing, p, glass(0.4, 0.7));
-    specimen.add_surface({"floor", dem::FacetMesh::plane({0, 0, 0}, {0, 0, 1}), glass(0.4, 0.7)});
+    specimen.surfaces().add({"floor", dem::FacetMesh::plane({0, 0, 0}, {0, 0, 1}), glass(0.4, 0.7)});
     for (std::size_t i = 0; i < packing.size(); ++i)
       specimen.set_velocity(i, {0.1, 0, -1}, Vector3d::Zero());
     return specimen;
@@ -278,8 +278,8 @@ TEST_CASE("law that surfaces cannot have, and a pressure of a law that is not li
   dem::CpmParameters concrete;
   concrete.normal_modulus = 1e9, concrete.shear_ratio = 0.2, concrete.limit_elastic_strain = 1e-4;
   concrete.relative_ductility = 5, concrete.cohesion = 1e6, concrete.friction_coefficient = 0.5;
-  CHECK_THROWS_WITH(specimen.add_surface({"floor", walls::patch(0.1, 2), concrete}),
+  CHECK_THROWS_WITH(specimen.surfaces().add({"floor", walls::patch(0.1, 2), concrete}),
                     Catch::Contains("floor") && Catch::Contains("CPM") && Catch::Contains("hertz-mindlin"));
-  CHECK_THROWS_WITH(specimen.add_surface({"floor", walls::patch(0.1, 2), glass(), 1e-3}),
+  CHECK_THROWS_WITH(specimen.surfaces().add({"floor", walls::patch(0.1, 2), glass(), 1e-3}),
                     Catch::Contains("floor") && Catch::Contains("linear"));
 }

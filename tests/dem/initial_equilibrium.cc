@@ -79,7 +79,7 @@ TEST_CASE("standing and hanging columns shorten and stretch by the weight that e
           const auto row =
             dimension == 3 ? cluster::cubic_lattice(1, 1, free + 1, r) : cluster::cubic_lattice(1, free + 1, 1, r);
           dem::Specimen specimen(row, p, cluster::concrete());
-          const auto    foot  = specimen.add_grip(held({0}));
+          const auto    foot  = specimen.grips().add(held({0}));
           const auto    found = specimen.find_equilibrium();
           const double  area = dimension == 3 ? M_PI * r * r : 2 * r * p.thickness, k = E * area / (2 * r),
                        weight = mass_of(p, r) * g;
@@ -92,7 +92,7 @@ TEST_CASE("standing and hanging columns shorten and stretch by the weight that e
               CHECK(out.displacement[i][axis] == Approx(expected).epsilon(1e-10));
               CHECK(out.displacement[i].norm() == std::abs(out.displacement[i][axis]));
             }
-          CHECK(specimen.reaction(foot)[axis] == Approx(-(free + 1) * weight).epsilon(1e-10));
+          CHECK(specimen.grips().reaction(foot)[axis] == Approx(-(free + 1) * weight).epsilon(1e-10));
           CHECK(specimen.unbalanced_ratio() < 1e-9);
           CHECK(found.largest_displacement == Approx(std::abs(expected)).epsilon(1e-10));
           CHECK(found.unbalanced_ratio <= std::max(1e-10, 4 * found.rounding));
@@ -107,7 +107,7 @@ TEST_CASE("the equilibrium of an irregular body is the dense solution of its sti
   const Vector3d g(0.4e3, -0.3e3, -1e3);
   auto           p = with_gravity(cluster::elastic(cluster::bonded(2.0)), g);
   dem::Specimen  specimen(body.packing, p, cluster::concrete());
-  const auto     foot = specimen.add_grip(held(body.feet));
+  const auto     foot = specimen.grips().add(held(body.feet));
   specimen.find_equilibrium();
 
   const auto      n      = static_cast<Eigen::Index>(body.packing.size());
@@ -148,7 +148,7 @@ TEST_CASE("the equilibrium of an irregular body is the dense solution of its sti
       CHECK((out.displacement[i] - u.segment<3>(6 * i)).norm() < 1e-4 * largest);
       total += mass_of(p, radius[i]);
     }
-  CHECK((specimen.reaction(foot) + total * g).norm() < 1e-8 * total * g.norm());
+  CHECK((specimen.grips().reaction(foot) + total * g).norm() < 1e-8 * total * g.norm());
 }
 
 TEST_CASE("after a static start the run stays at rest", "[dem][statics][gravity]")
@@ -159,7 +159,7 @@ TEST_CASE("after a static start the run stays at rest", "[dem][statics][gravity]
     {
       auto          p = with_gravity(cluster::bonded(2.0), {0.1 * g, 0.2 * g, -g});
       dem::Specimen specimen(body.packing, p, cluster::concrete());
-      specimen.add_grip(held(body.feet));
+      specimen.grips().add(held(body.feet));
       const auto found = specimen.find_equilibrium();
       CHECK(found.largest_strain > 0);
       CHECK(found.largest_strain < 1);
@@ -188,8 +188,8 @@ TEST_CASE("a load after the static start finds its energy balanced", "[dem][stat
   const HeldBody body;
   auto           p = with_gravity(cluster::bonded(2.0), {0, 0, -2e3});
   dem::Specimen  specimen(body.packing, p, cluster::concrete());
-  const auto     foot = specimen.add_grip(held(body.feet));
-  specimen.set_grip_velocity(foot, {0.003, 0, 0.002}, Vector3d::Zero()); // moves from the first step on
+  const auto     foot = specimen.grips().add(held(body.feet));
+  specimen.grips().set_velocity(foot, {0.003, 0, 0.002}, Vector3d::Zero()); // moves from the first step on
   specimen.find_equilibrium();
   double worst = 0;
   for (int sample = 0; sample < 30; ++sample)
@@ -210,7 +210,7 @@ TEST_CASE("specimen and gravity turned together have the equilibrium turned", "[
   dem::Specimen         other(cluster::moved(body.packing, turn, Vector3d::Zero()),
                               with_gravity(cluster::bonded(2.0), turn * g), cluster::concrete());
   for (dem::Specimen *specimen : {&one, &other})
-    specimen->add_grip(held(body.feet));
+    specimen->grips().add(held(body.feet));
   const auto found = one.find_equilibrium();
   other.find_equilibrium();
   const auto a = one.particles(), b = other.particles();
@@ -229,7 +229,7 @@ TEST_CASE("grips that hold along their axis only: no sideways motion, and the sa
   std::vector<std::size_t> low(12);
   for (std::size_t i = 0; i < 12; ++i)
     low[i] = i;
-  const auto foot  = specimen.add_grip(held(low, along_z));
+  const auto foot  = specimen.grips().add(held(low, along_z));
   const auto found = specimen.find_equilibrium();
   CHECK(found.undetermined == 0);
   const auto out = specimen.particles();
@@ -245,12 +245,12 @@ TEST_CASE("grips that hold along their axis only: no sideways motion, and the sa
     }
   CHECK(std::hypot(mean.x(), mean.y()) < 1e-9 * found.largest_displacement);
   CHECK(std::abs(turn.z()) < 1e-9 * found.largest_displacement * 6 * r);
-  CHECK(specimen.reaction(foot).z() == Approx(72 * mass_of(p, r) * 2e3).epsilon(1e-8));
+  CHECK(specimen.grips().reaction(foot).z() == Approx(72 * mass_of(p, r) * 2e3).epsilon(1e-8));
   CHECK(out.displacement[block.size() - 1].x() != 0); // it widens
 
   auto          sideways = with_gravity(cluster::bonded(1.5), {1, 0, -2e3});
   dem::Specimen slips(block, sideways, cluster::concrete());
-  slips.add_grip(held(low, along_z));
+  slips.grips().add(held(low, along_z));
   CHECK_THROWS_WITH(slips.find_equilibrium(), Contains("motion of the whole specimen that no grip"));
 }
 
@@ -261,7 +261,7 @@ TEST_CASE("what has no equilibrium is refused by particle", "[dem][statics][grav
   const auto refusal = [&](const dem::Packing &packing, const dem::SpecimenParameters &made, const dem::Grip &grip) {
     dem::Specimen specimen(packing, made, cluster::concrete());
     if (!grip.particles.empty())
-      specimen.add_grip(grip);
+      specimen.grips().add(grip);
     specimen.find_equilibrium();
   };
   const auto block = cluster::cubic_lattice(2, 2, 3, r);
@@ -282,7 +282,7 @@ TEST_CASE("what has no equilibrium is refused by particle", "[dem][statics][grav
                                                                              Contains("particles 1 and 2") &&
                                                                              Contains("Initial equilibrium = none"));
   dem::Specimen under_way(block, p, cluster::concrete());
-  under_way.add_grip(held({0, 1, 2, 3}));
+  under_way.grips().add(held({0, 1, 2, 3}));
   under_way.advance(1);
   CHECK_THROWS_WITH(under_way.find_equilibrium(), Contains("before the first step"));
 }
@@ -299,8 +299,8 @@ TEST_CASE("a few particles on hinges are named and let go, and disturb nothing",
     feet[i] = i;
   const auto    p = with_gravity(cluster::bonded(1.5), {0, 0, -2e3});
   dem::Specimen plain(block, p, cluster::concrete()), with_arm(arm, p, cluster::concrete());
-  plain.add_grip(held(feet));
-  with_arm.add_grip(held(feet));
+  plain.grips().add(held(feet));
+  with_arm.grips().add(held(feet));
   CHECK(plain.find_equilibrium().unsettled.empty());
   const auto found = with_arm.find_equilibrium();
   CHECK(found.unsettled == std::vector<std::int32_t>{150});
@@ -324,7 +324,7 @@ TEST_CASE("a particle on a hinge supports nothing", "[dem][statics][gravity]")
   for (std::size_t i = 0; i < feet.size(); ++i)
     feet[i] = i;
   dem::Specimen specimen(arm, with_gravity(cluster::bonded(1.5), {0, 0, -2e3}), cluster::concrete());
-  specimen.add_grip(held(feet, along_z));
+  specimen.grips().add(held(feet, along_z));
   const auto found = specimen.find_equilibrium();
   CHECK(found.unsettled == std::vector<std::int32_t>{150});
   CHECK(found.unbalanced_ratio <= std::max(1e-10, 4 * found.rounding));
@@ -374,7 +374,7 @@ TEST_CASE("a static start goes on from its state to the same bits, on any number
   const auto     p    = with_gravity(cluster::bonded(2.0), {0, 0, -2e3});
   const auto     make = [&] {
     dem::Specimen specimen(body.packing, p, cluster::concrete());
-    specimen.set_grip_velocity(specimen.add_grip(held(body.feet)), {0, 0, 0.05}, Vector3d::Zero());
+    specimen.grips().set_velocity(specimen.grips().add(held(body.feet)), {0, 0, 0.05}, Vector3d::Zero());
     return specimen;
   };
   const auto state_of = [](dem::Specimen &specimen) {

@@ -197,7 +197,7 @@ TEST_CASE("membrane between platens presses either half with the pressure times 
       // It is work from outside, and the account knows it.
       for (int i = 0; i < 200; ++i)
         {
-          body.clear_forces();
+          body.partners().clear_forces();
           membrane.push(pressure, ends);
           body.advance(1);
         }

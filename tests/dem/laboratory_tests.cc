@@ -93,7 +93,7 @@ namespace
       if (test.finished())
         return;
       const auto lead = [this] {
-        body.clear_forces();
+        body.partners().clear_forces();
         test.lead();
       };
       lead();
@@ -212,7 +212,7 @@ TEST_CASE("disk between platens grows wider at its middle as an elastic disk doe
   };
   const auto right = beside(1), left = beside(-1);
   double     half = 0;
-  for (const dem::WallContact &touch : run.body.wall_contacts())
+  for (const dem::WallContact &touch : run.body.surfaces().contacts())
     half = std::max(half, std::abs((touch.place - middle).x()) + R);
   const double angle = std::asin(2 * half / D), load = 0.5 * (run.test.reading().low + run.test.reading().high);
   const double p = load / (angle * D * 1.0);
@@ -238,12 +238,12 @@ TEST_CASE("what is cut off at platens touches without force until they move", "[
   asked.press.smoothing    = 0.4 * R;
   dem::Packing rough       = crystal(12, 6, 0.1);
   Run          run(rough, discs(), weak(), asked);
-  run.body.find_surface_forces();
-  CHECK(run.body.surface(0).total_force.norm() == 0);
-  CHECK(run.body.surface(1).total_force.norm() == 0);
+  run.body.partners().find_surface_forces();
+  CHECK(run.body.surfaces().at(0).total_force.norm() == 0);
+  CHECK(run.body.surfaces().at(1).total_force.norm() == 0);
   // Cycling without motion: nothing moves.
-  run.body.set_surface_motion(0, Vector3d::Zero());
-  run.body.set_surface_motion(1, Vector3d::Zero());
+  run.body.surfaces().set_motion(0, Vector3d::Zero());
+  run.body.surfaces().set_motion(1, Vector3d::Zero());
   run.body.advance(1000);
   double most = 0;
   for (const Vector3d &u : run.body.particles().displacement)
@@ -252,7 +252,7 @@ TEST_CASE("what is cut off at platens touches without force until they move", "[
   // A hair's breadth later all that was cut off pushes, not the outermost alone.
   run.advance(500);
   CHECK(run.body.counts().wall_contacts > 12);
-  CHECK_THROWS_WITH(run.body.cut_off_at(0), Catch::Contains("before the first step"));
+  CHECK_THROWS_WITH(run.body.surfaces().cut_off(0), Catch::Contains("before the first step"));
 }
 
 TEST_CASE("platens stand where they are told, and what reaches through is cut off whatever its depth",
@@ -274,9 +274,9 @@ TEST_CASE("platens stand where they are told, and what reaches through is cut of
   CHECK(press.planes().high == highest - 0.2 * R);
   CHECK(press.height() == Approx(highest - lowest - 0.5 * R).epsilon(1e-12));
   Run run(rough, discs(), weak(), asked);
-  run.body.find_surface_forces();
-  CHECK(run.body.surface(0).total_force.norm() == 0);
-  CHECK(run.body.surface(1).total_force.norm() == 0);
+  run.body.partners().find_surface_forces();
+  CHECK(run.body.surfaces().at(0).total_force.norm() == 0);
+  CHECK(run.body.surfaces().at(1).total_force.norm() == 0);
   run.advance(500);
   CHECK(run.body.counts().wall_contacts > 12);
 }
@@ -480,9 +480,9 @@ TEST_CASE("a jacket of facets holds its pressure around a cylinder, which is as 
       // What the jacket says is what the specimen bears, by the forces inside: across planes through its axis, in the mean of their
       // directions (a rigid jacket presses harder where the crystal is).
       const Vector3d middle =
-        0.5 * (run.body.surface(2).place[0] + run.body.surface(2 + dem::CylinderWall::sides / 2).place[0]);
-      const double radius = (run.body.surface(2).place[0] - middle).norm();
-      const auto   ends   = [&](const std::size_t n) { return run.body.surface(n).place[0].z(); };
+        0.5 * (run.body.surfaces().at(2).place[0] + run.body.surfaces().at(2 + dem::CylinderWall::sides / 2).place[0]);
+      const double radius = (run.body.surfaces().at(2).place[0] - middle).norm();
+      const auto   ends   = [&](const std::size_t n) { return run.body.surfaces().at(n).place[0].z(); };
       const int    planes = 36;
       const auto   links  = run.body.links();
       double       across = 0;

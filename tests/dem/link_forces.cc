@@ -72,7 +72,7 @@ namespace
         dem::Grip grip;
         grip.particles = {i};
         grip.prescribed.fill(true);
-        specimen.add_grip(grip);
+        specimen.grips().add(grip);
       }
 
     const double       dt = specimen.time_step(), scale = model.p.normal_modulus * 1e-4 * M_PI * 1e-6;
@@ -90,7 +90,7 @@ namespace
                 move[i].z() = 0;
                 turn[i].x() = turn[i].y() = 0;
               }
-            specimen.set_grip_velocity(i, move[i] / dt, turn[i] / dt);
+            specimen.grips().set_velocity(i, move[i] / dt, turn[i] / dt);
           }
         specimen.advance(1);
         exact.update(model);
@@ -119,7 +119,7 @@ namespace
           }
         for (std::size_t i = 0; i < packing.size(); ++i)
           {
-            largest.reaction             = std::max(largest.reaction, (specimen.reaction(i) - held[i]).norm() / scale);
+            largest.reaction = std::max(largest.reaction, (specimen.grips().reaction(i) - held[i]).norm() / scale);
             exact.bodies[i].displacement = move[i];
             exact.bodies[i].turn         = turn[i];
             exact.bodies[i].position += move[i];

@@ -148,7 +148,7 @@ namespace
     test.lead();
     body.advance(1000000, [&] {
       test.observe();
-      body.clear_forces();
+      body.partners().clear_forces();
       test.lead();
       return !test.finished();
     });

@@ -89,10 +89,10 @@ TEST_CASE("parallel bond twisted breaks at the cohesion on its rim, J = 2 I", "[
   const double angle = law.cohesion * 2 * R / shear / R, moment = law.cohesion * 2 * second_moment(3) / R;
   HeldPair     pair(3, law);
   const double time = 1000 * pair.specimen.time_step();
-  pair.specimen.set_grip_velocity(0, Vector3d::Zero(), Vector3d(-0.5 * angle / time, 0, 0));
-  pair.specimen.set_grip_velocity(1, Vector3d::Zero(), Vector3d(0.5 * angle / time, 0, 0));
+  pair.specimen.grips().set_velocity(0, Vector3d::Zero(), Vector3d(-0.5 * angle / time, 0, 0));
+  pair.specimen.grips().set_velocity(1, Vector3d::Zero(), Vector3d(0.5 * angle / time, 0, 0));
   pair.specimen.advance(501);
-  CHECK(std::abs(pair.specimen.reaction_moment(1).x()) == Approx(0.5 * moment).epsilon(1e-6));
+  CHECK(std::abs(pair.specimen.grips().reaction_moment(1).x()) == Approx(0.5 * moment).epsilon(1e-6));
   break_it(pair, 600);
 }
 
@@ -247,7 +247,7 @@ TEST_CASE("local damping reduces the amplitude by sqrt((1 - D)/(1 + D)) per half
   dem::Grip     foot;
   foot.particles  = {0};
   foot.prescribed = all;
-  pair.add_grip(foot);
+  pair.grips().add(foot);
   pair.set_velocity(1, {0, 1e-3, 0}, Vector3d::Zero()); // across: the same stiffness both ways
   std::vector<double> extremes;
   double              before = 0, last = 0;

@@ -63,8 +63,8 @@ TEST_CASE("a steady force from outside moves a lone particle as a falling body, 
   packing.radius.push_back(r);
   dem::Specimen  specimen(packing, p, cluster::concrete());
   const Vector3d force(3e-3, -1e-3, 2e-3), couple(1e-7, 2e-7, 0);
-  specimen.add_force(2, 0.25 * force, couple);
-  specimen.add_force(2, 0.75 * force, Vector3d::Zero());
+  specimen.partners().add_force(2, 0.25 * force, couple);
+  specimen.partners().add_force(2, 0.75 * force, Vector3d::Zero());
   const int n = 1000;
   specimen.advance(n);
   const auto   now = specimen.particle(2);
@@ -76,7 +76,7 @@ TEST_CASE("a steady force from outside moves a lone particle as a falling body, 
   CHECK((specimen.displacement(2) - path).norm() < 1e-10 * path.norm());
   CHECK(specimen.displacement(0).norm() < 1e-18);
   CHECK(relative_residual(specimen) < 1e-12);
-  specimen.clear_forces();
+  specimen.partners().clear_forces();
   specimen.advance(10);
   CHECK((specimen.particle(2).velocity - now.velocity).norm() == 0);
 }
@@ -85,15 +85,15 @@ TEST_CASE("work of changing forces and couples from outside is what a bonded bod
 {
   omp_set_num_threads(1);
   dem::Specimen specimen = elastic_cluster();
-  specimen.add_grip(held({0, 1}));
+  specimen.grips().add(held({0, 1}));
   double largest = 0, energy = 0;
   for (int k = 0; k < 400; ++k)
     {
-      specimen.clear_forces();
-      specimen.add_force(7, Vector3d(0.1, 0.2, -0.1) * std::sin(0.05 * k),
-                         1e-5 * Vector3d(1, 0, 1) * std::cos(0.03 * k));
-      specimen.add_force(0, Vector3d(5, 5, 5),
-                         Vector3d::Zero()); // on a held particle: no work, and the grip holds against it
+      specimen.partners().clear_forces();
+      specimen.partners().add_force(7, Vector3d(0.1, 0.2, -0.1) * std::sin(0.05 * k),
+                                    1e-5 * Vector3d(1, 0, 1) * std::cos(0.03 * k));
+      specimen.partners().add_force(0, Vector3d(5, 5, 5),
+                                    Vector3d::Zero()); // on a held particle: no work, and the grip holds against it
       specimen.advance(1);
       const auto e = specimen.energy();
       largest      = std::max(largest, std::abs(e.residual()));
@@ -109,13 +109,14 @@ TEST_CASE("a body under steady forces comes to rest where its grips hold against
   dem::SpecimenParameters p = cluster::elastic(cluster::bonded(1.5)); // with diagonals: no particle hangs on a hinge
   p.damping                 = 0.5;
   dem::Specimen  specimen(cluster::cubic_lattice(4, 3, 3, r), p, cluster::concrete());
-  const auto     grip = specimen.add_grip(held({0, 1, 2}));
+  const auto     grip = specimen.grips().add(held({0, 1, 2}));
   const Vector3d force(0.01, -0.02, 0.005), couple(1e-6, 0, -2e-6), place = specimen.particle(30).position;
-  specimen.add_force(30, force, couple);
+  specimen.partners().add_force(30, force, couple);
   specimen.advance(40000);
-  CHECK((specimen.reaction(grip) + force).norm() < 1e-6 * force.norm());
+  CHECK((specimen.grips().reaction(grip) + force).norm() < 1e-6 * force.norm());
   const Vector3d about(0.3e-3, -1e-3, 2e-3), expected = -((place - about).cross(force) + couple);
-  CHECK((specimen.reaction_moment(grip, about) - expected).norm() < 1e-5 * expected.norm()); // the place moves a little
+  CHECK((specimen.grips().reaction_moment(grip, about) - expected).norm() <
+        1e-5 * expected.norm()); // the place moves a little
 }
 
 TEST_CASE("an impulse gives its momentum at once, and its energy is in the account", "[dem]")
@@ -131,7 +132,7 @@ TEST_CASE("an impulse gives its momentum at once, and its energy is in the accou
   for (std::size_t i = 0; i < 40; i += 3)
     {
       const Vector3d change = 0.05 * Vector3d(std::cos(i), 1, std::sin(i));
-      specimen.apply_impulse(i, change, 20 * Vector3d(1, std::sin(i), 0));
+      specimen.partners().apply_impulse(i, change, 20 * Vector3d(1, std::sin(i), 0));
       given += specimen.particle(i).mass * change;
     }
   CHECK((momentum(specimen) - before - given).norm() < 1e-13 * given.norm());
@@ -189,15 +190,15 @@ TEST_CASE("a copy goes on to the same bits, and what happens to it is its own", 
   dem::UniformRandom random(3);
   for (std::size_t i = 0; i < specimen.counts().particles; ++i)
     specimen.set_velocity(i, 8 * cluster::random_vector(random), 500 * cluster::random_vector(random));
-  const auto grip = specimen.add_grip(held({0, 1, 2, 3}));
+  const auto grip = specimen.grips().add(held({0, 1, 2, 3}));
   specimen.advance(150); // links have broken, and fragments touch
   REQUIRE(specimen.counts().broken > 0);
-  specimen.apply_impulse(20, {1, 0, 0}, Vector3d::Zero());
+  specimen.partners().apply_impulse(20, {1, 0, 0}, Vector3d::Zero());
   dem::Specimen     copy  = specimen;
   dem::Specimen     saved = copy;
   const MemoryState then  = state_of(saved);
-  copy.set_grip_velocity(grip, {3, 0, 0}, Vector3d::Zero());
-  copy.add_force(9, {1, 1, 1}, Vector3d::Zero());
+  copy.grips().set_velocity(grip, {3, 0, 0}, Vector3d::Zero());
+  copy.partners().add_force(9, {1, 1, 1}, Vector3d::Zero());
   copy.advance(40);
   CHECK(state_of(specimen) == then);
   copy = saved; // back to where it was
@@ -212,14 +213,14 @@ TEST_CASE("particles of a grip may move each on its own: an affine motion, and i
   omp_set_num_threads(1);
   dem::Specimen            specimen = elastic_cluster();
   std::vector<std::size_t> some     = {5, 3, 17, 30, 11};
-  const auto               grip     = specimen.add_grip(held(some));
+  const auto               grip     = specimen.grips().add(held(some));
   Eigen::Matrix3d          gradient;
   gradient << 1, 0.3, 0, -0.2, 0.5, 0.1, 0, 0.4, -1;
   gradient *= 2;
   std::vector<Vector3d> velocity, spin(some.size(), Vector3d(0, 10, 0));
   for (const std::size_t i : some)
     velocity.push_back(gradient * specimen.particle(i).position);
-  specimen.set_grip_velocities(grip, velocity, spin);
+  specimen.grips().set_velocities(grip, velocity, spin);
   double largest = 0;
   for (int k = 0; k < 200; ++k)
     {
@@ -227,7 +228,7 @@ TEST_CASE("particles of a grip may move each on its own: an affine motion, and i
         for (Vector3d &v : velocity)
           v *= -1;
       if (k == 100)
-        specimen.set_grip_velocities(grip, velocity, spin);
+        specimen.grips().set_velocities(grip, velocity, spin);
       specimen.advance(1);
       largest = std::max(largest, relative_residual(specimen));
       for (std::size_t j = 0; j < some.size(); ++j)
@@ -235,7 +236,7 @@ TEST_CASE("particles of a grip may move each on its own: an affine motion, and i
     }
   INFO(largest);
   CHECK(largest < 1e-5);
-  CHECK_THROWS_AS(specimen.set_grip_velocities(grip, {}, {}), base::InputError);
+  CHECK_THROWS_AS(specimen.grips().set_velocities(grip, {}, {}), base::InputError);
 }
 
 TEST_CASE("a grip told one velocity for each particle moves as one told it for all", "[dem]")
@@ -244,15 +245,15 @@ TEST_CASE("a grip told one velocity for each particle moves as one told it for a
   dem::Specimen            together = elastic_cluster(), alone = together;
   std::vector<std::size_t> some(10);
   std::iota(some.begin(), some.end(), 7);
-  const auto     a = together.add_grip(held(some)), b = alone.add_grip(held(some));
+  const auto     a = together.grips().add(held(some)), b = alone.grips().add(held(some));
   const Vector3d v(0.1, 0.2, -0.3), w(3, 2, 1);
-  together.set_grip_velocity(a, v, w);
-  alone.set_grip_velocities(b, std::vector<Vector3d>(some.size(), v), std::vector<Vector3d>(some.size(), w));
+  together.grips().set_velocity(a, v, w);
+  alone.grips().set_velocities(b, std::vector<Vector3d>(some.size(), v), std::vector<Vector3d>(some.size(), w));
   together.advance(100);
   alone.advance(100);
   for (std::size_t i = 0; i < 40; ++i)
     REQUIRE(together.particle(i).position == alone.particle(i).position);
-  CHECK(together.reaction(a) == alone.reaction(b));
+  CHECK(together.grips().reaction(a) == alone.grips().reaction(b));
   CHECK(together.energy().external_work == Approx(alone.energy().external_work).epsilon(1e-12));
 }
 
@@ -261,10 +262,10 @@ TEST_CASE("particles that were left to somebody else do not touch each other, wh
   dem::SpecimenParameters p = cluster::bonded(1.1);
   p.physics.contacts        = true;
   dem::Specimen row(cluster::cubic_lattice(4, 1, 1, r), p, cluster::concrete());
-  row.leave({2, 3}, false);
+  row.partners().leave({2, 3}, false);
   const double speed = r / (4000 * row.time_step());
   for (int step = 0; step < 2000; ++step)
-    row.advance({2, 3}, [speed](dem::StepCorrection &correction) {
+    row.partners().advance({2, 3}, [speed](dem::StepCorrection &correction) {
       correction.velocity[6] = -speed; // of the second: towards the first, which rests
     });
   REQUIRE(row.particle(3).position.x() - row.particle(2).position.x() < 1.6 * r);

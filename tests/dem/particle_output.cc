@@ -24,7 +24,7 @@ namespace
         dem::Grip grip;
         grip.particles = {i};
         grip.prescribed.fill(true);
-        grips.push_back(body.add_grip(grip));
+        grips.push_back(body.grips().add(grip));
       }
     return grips;
   }
@@ -35,10 +35,10 @@ namespace
     const int  steps = 10;
     const auto x     = body.particles().position;
     for (std::size_t i = 0; i < x.size(); ++i)
-      body.set_grip_velocity(grips[i], strain * x[i] / (steps * body.time_step()), Vector3d::Zero());
+      body.grips().set_velocity(grips[i], strain * x[i] / (steps * body.time_step()), Vector3d::Zero());
     body.advance(steps);
     for (const std::size_t grip : grips)
-      body.set_grip_velocity(grip, Vector3d::Zero(), Vector3d::Zero());
+      body.grips().set_velocity(grip, Vector3d::Zero(), Vector3d::Zero());
     body.advance(1);
   }
 } // namespace
@@ -100,7 +100,7 @@ TEST_CASE("particle stresses add up to the work of the outer forces (Love and We
   for (std::size_t i = 0; i < packing.size(); ++i)
     {
       inside += 4.0 / 3.0 * M_PI * std::pow(packing.radius[i], 3) / solid * box * out.stress[i];
-      outside += out.position[i] * body.reaction(grips[i]).transpose();
+      outside += out.position[i] * body.grips().reaction(grips[i]).transpose();
     }
   CHECK((inside - 0.5 * (outside + outside.transpose())).norm() < 1e-11 * inside.norm());
   CHECK(body.mean_damage() > 0.01);
@@ -112,9 +112,9 @@ TEST_CASE("damage of a particle is the mean of the links it was made with, broke
   dem::Specimen body(cluster::cubic_lattice(3, 1, 1, r), cluster::next_neighbours(), cluster::concrete());
   const auto    grips = hold_all(body);
   const auto    move  = [&](const std::size_t i, const double by) {
-    body.set_grip_velocity(grips[i], {by / body.time_step(), 0, 0}, Vector3d::Zero());
+    body.grips().set_velocity(grips[i], {by / body.time_step(), 0, 0}, Vector3d::Zero());
     body.advance(1);
-    body.set_grip_velocity(grips[i], Vector3d::Zero(), Vector3d::Zero());
+    body.grips().set_velocity(grips[i], Vector3d::Zero(), Vector3d::Zero());
     body.advance(1);
   };
   move(2, 2e-4 * 2 * r); // strain 2e-4 of the second link

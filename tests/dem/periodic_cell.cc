@@ -312,7 +312,7 @@ TEST_CASE("what a periodic specimen cannot do is said", "[dem][periodic]")
   REQUIRE_THROWS_AS(unbounded.cell(), base::InputError);
 
   dem::Specimen cell(eight_spheres(), elastic(1.5), unit_links(0.2));
-  REQUIRE_THROWS_WITH(cell.add_grip({}), Contains("periodic cell"));
+  REQUIRE_THROWS_WITH(cell.grips().add({}), Contains("periodic cell"));
   REQUIRE_THROWS_WITH(cell.set_velocity_gradient(Eigen::Matrix3d::Constant(std::nan(""))), Contains("finite"));
   cell.set_velocity_gradient(-2 / cell.time_step() * Eigen::Matrix3d(Eigen::Vector3d(1, 0, 0).asDiagonal()));
   REQUIRE_THROWS_AS(cell.advance(1), base::NumericalError);

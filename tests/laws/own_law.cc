@@ -1,7 +1,7 @@
 // A law that dem does not know, written here: kernel, statics, checkpoint, ParaView files and link-test take it as it is.
-#include "apps/drivers/paths/link_path.h"
 #include "dem/kernels/link_update.h"
 #include "dem/laws/registry.h"
+#include "dem/loading/link_path.h"
 #include "dem/network/elastic_network.h"
 #include "dem/specimen/specimen.h"
 #include "dem/statics/quasi_static_path.h"
@@ -310,8 +310,8 @@ TEST_CASE("a law of one's own is in ParaView files, in link-test and in the list
   } fill;
   const auto constants = found->constants();
   constants->visit(fill);
-  const apps::LinkHistory history = apps::drive(*found, *constants, {{0.01, 0.02, -0.01}, {{0, 0}, {0, 0}, {0, 0}}});
-  const auto              column  = [&](const std::string &name) {
+  const dem::LinkHistory history = dem::drive(*found, *constants, {{0.01, 0.02, -0.01}, {{0, 0}, {0, 0}, {0, 0}}});
+  const auto             column  = [&](const std::string &name) {
     for (const auto &c : history.columns)
       if (c.name == name)
         return c.values;

@@ -3,13 +3,13 @@
 #include "apps/drivers/continuum/analysis.h"
 #include "apps/drivers/continuum/scene.h"
 #include "apps/drivers/continuum/solid.h"
-#include "apps/drivers/paths/material_path.h"
 #include "apps/drivers/read_scene.h"
 #include "apps/process/mpi_session.h"
 #include "apps/results/run_result.h"
 #include "coupling/sequential/transfer.h"
 #include "fem/materials/refuse.h"
 #include "fem/points/material_kind_of.h"
+#include "fem/points/material_path.h"
 #include "postprocess/files/csv_table.h"
 #include "tests/apps/scratch_folder.h"
 #include "tests/coupling/field_fixture.h"
@@ -206,15 +206,17 @@ TEST_CASE("a material of one's own answers point-test, with its columns and refu
   REQUIRE(kinds.back()->name() == "chalk");
   CHECK(kinds.back()->has_history());
   const fem::MaterialConstantsOf<Chalk> constants(parameters(0.2));
-  apps::MaterialPath                    path;
-  path.stress_given                   = {false, true, true, true, true, true};
-  path.rows                           = {{0.5e-4}, {2e-4}, {1e-4}, {4e-4}};
-  const apps::MaterialHistory history = apps::drive(constants, path);
-  const auto                  value   = [&](const std::string &name, const std::size_t row) {
-    const auto at = std::find(history.names.begin(), history.names.end(), name);
+  fem::MaterialPath                     path;
+  path.stress_given                  = {false, true, true, true, true, true};
+  path.rows                          = {{0.5e-4}, {2e-4}, {1e-4}, {4e-4}};
+  const fem::MaterialHistory history = fem::drive(constants, path);
+  const auto                 value   = [&](const std::string &name, const std::size_t row) {
     INFO(name);
-    REQUIRE(at != history.names.end());
-    return history.rows[row][static_cast<std::size_t>(at - history.names.begin())];
+    std::size_t c = 0;
+    while (c < history.names.size() && history.names[c] + " [" + history.units[c] + "]" != name)
+      ++c;
+    REQUIRE(c < history.names.size());
+    return history.rows[row][c];
   };
   CHECK(value("stress_xx [Pa]", 0) == Approx(E * 0.5e-4));
   CHECK(value("stress_xx [Pa]", 1) == Approx(softened(2e-4)).epsilon(1e-9));
@@ -229,7 +231,7 @@ TEST_CASE("a material of one's own answers point-test, with its columns and refu
 
   ChalkParameters brittle = parameters();
   brittle.ductility       = 0.5e-4;
-  CHECK_THROWS_WITH(apps::drive(fem::MaterialConstantsOf<Chalk>(brittle), path),
+  CHECK_THROWS_WITH(fem::drive(fem::MaterialConstantsOf<Chalk>(brittle), path),
                     Catch::Contains("material: Ductility = 5e-05: must not be below Threshold."));
 }
 

@@ -199,7 +199,7 @@ namespace
               break;
             }
       }
-    specimen.add_grip(edges);
+    specimen.grips().add(edges);
   }
 
   dem::Specimen specimen_in(const State state, const dem::Packing &packing)

@@ -75,7 +75,7 @@ namespace
     grip.particles     = {0, 5, 17};
     grip.prescribed[0] = grip.prescribed[4] = true;
     grip.velocity                           = {5, 0, 0};
-    specimen->add_grip(grip);
+    specimen->grips().add(grip);
     return specimen;
   }
 
@@ -83,7 +83,7 @@ namespace
   void first_part(dem::Specimen &specimen)
   {
     specimen.advance(100);
-    specimen.set_grip_velocity(0, {-40, 0, 0}, {0, 3, 0}); // its impulse is part of what must be remembered
+    specimen.grips().set_velocity(0, {-40, 0, 0}, {0, 3, 0}); // its impulse is part of what must be remembered
   }
 
   void second_part(dem::Specimen &specimen) { specimen.advance(120); }
@@ -119,7 +119,7 @@ TEST_CASE("run restarted in the middle of damage goes on to the same bits with 1
           second_part(*resumed);
           MemoryState resumed_end = state_of(*resumed);
           check_same(end, resumed_end);
-          CHECK(resumed->reaction(0) == through->reaction(0));
+          CHECK(resumed->grips().reaction(0) == through->grips().reaction(0));
           CHECK(resumed->energy().residual() == through->energy().residual());
           CHECK(resumed->mean_damage() == through->mean_damage());
           CHECK(resumed->particles().stress[7] == through->particles().stress[7]);

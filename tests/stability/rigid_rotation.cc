@@ -48,7 +48,7 @@ TEST_CASE("cluster led through ten rigid turns stores no energy (S1)", "[stabili
           dem::Grip grip;
           grip.particles = {i};
           grip.prescribed.fill(true);
-          specimen.add_grip(grip);
+          specimen.grips().add(grip);
         }
       const double angle = 2 * M_PI / steps_per_turn, dt = specimen.time_step();
       double       largest = 0;
@@ -58,7 +58,7 @@ TEST_CASE("cluster led through ten rigid turns stores no energy (S1)", "[stabili
           for (std::size_t i = 0; i < packing.size(); ++i)
             {
               const Vector3d target = Eigen::AngleAxisd(n * angle, axis) * packing.centre[i];
-              specimen.set_grip_velocity(i, (target - x[i]) / dt, angle / dt * axis);
+              specimen.grips().set_velocity(i, (target - x[i]) / dt, angle / dt * axis);
             }
           specimen.advance(1);
           largest = std::max(largest, specimen.energy().elastic);

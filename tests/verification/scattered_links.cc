@@ -1,6 +1,6 @@
 // Regular particles whose links are not all as stiff: spec/coupling.md, 3.6, and doc/theory/volume-coupling.md, 6.
 #include "apps/drivers/transmission/methods.h"
-#include "apps/drivers/transmission/wave_case.h"
+#include "coupling/transmission/wave_case.h"
 
 #include <Eigen/SparseCholesky>
 #include <catch2/catch.hpp>
@@ -15,10 +15,10 @@ namespace
   using Eigen::Vector2d;
   using Eigen::VectorXd;
 
-  apps::WaveMedium scattered_strip(const double scatter, const std::int64_t seed)
+  coupling::WaveMedium scattered_strip(const double scatter, const std::int64_t seed)
   {
-    apps::WaveMedium medium;
-    medium.lattice = apps::WaveMedium::Lattice::strip;
+    coupling::WaveMedium medium;
+    medium.lattice = coupling::WaveMedium::Lattice::strip;
     medium.scatter = scatter;
     medium.seed    = seed;
     return medium;
@@ -28,9 +28,9 @@ namespace
    * Energy of a periodic cell of n x n particles under an even strain, at rest, over that of links that are all of the average stiffness: central springs
    * of the stiffness that the medium has at their middle, and nothing of the program beside it.
    */
-  double stiffness_of_cell(const apps::WaveMedium &medium, const int n, const Matrix2d &strain)
+  double stiffness_of_cell(const coupling::WaveMedium &medium, const int n, const Matrix2d &strain)
   {
-    const Vector2d                          along(1, 0), inclined(0.5, apps::hexagonal_row_pitch);
+    const Vector2d                          along(1, 0), inclined(0.5, coupling::hexagonal_row_pitch);
     const std::array<Vector2d, 3>           axes{along, inclined, inclined - along};
     const std::array<std::array<int, 2>, 3> steps{{{1, 0}, {0, 1}, {-1, 1}}};
     const auto number = [n](const int i, const int j) { return n * ((j + n) % n) + (i + n) % n; };
@@ -88,7 +88,7 @@ TEST_CASE("scattered links: elements of the effective modulus carry on 95 % of a
   for (const double wavelength : {20.0, 24.0})
     {
       INFO("wavelength " << wavelength << " spacings");
-      apps::WaveCase wave;
+      coupling::WaveCase wave;
       wave.medium      = scattered_strip(0.3, 1);
       wave.medium.rows = 48;
       wave.element     = 4;
@@ -96,7 +96,7 @@ TEST_CASE("scattered links: elements of the effective modulus carry on 95 % of a
       wave.step_factor = 0.69;
       wave.method      = apps::wave_methods().front();
       REQUIRE(wave.method.absorbs);
-      const auto answer = apps::transmit(wave);
+      const auto answer = coupling::transmit(wave);
       // Particles without elements throw back as much as this themselves, from where there are elements now.
       CHECK(answer.reflected <= 0.02);
       CHECK(answer.transmitted >= 0.95 * answer.unhindered);

@@ -1,6 +1,6 @@
 // Waves from particles into a continuum: tables of spec/coupling.md, 3.5 and 3.6, as doc/theory/volume-coupling.md, 6, has them.
 #include "apps/drivers/transmission/methods.h"
-#include "apps/drivers/transmission/wave_case.h"
+#include "coupling/transmission/wave_case.h"
 #include "tests/verification/row_and_elements.h"
 
 #include <catch2/catch.hpp>
@@ -13,15 +13,15 @@ namespace
 {
   constexpr double spacing = 0.01;
 
-  apps::WaveMethod method(const std::string &name)
+  coupling::WaveMethod method(const std::string &name)
   {
     const auto &all = apps::wave_methods();
-    return *std::find_if(all.begin(), all.end(), [&](const apps::WaveMethod &m) { return m.name == name; });
+    return *std::find_if(all.begin(), all.end(), [&](const coupling::WaveMethod &m) { return m.name == name; });
   }
 
-  apps::WaveCase chain(const std::string &name, const double spacings)
+  coupling::WaveCase chain(const std::string &name, const double spacings)
   {
-    apps::WaveCase wave;
+    coupling::WaveCase wave;
     wave.medium.spacing = spacing;
     wave.medium.modulus = 25e9;
     wave.medium.density = 2400;
@@ -30,10 +30,10 @@ namespace
     return wave;
   }
 
-  apps::WaveCase strip(const std::string &name, const double spacings, const bool shear)
+  coupling::WaveCase strip(const std::string &name, const double spacings, const bool shear)
   {
-    apps::WaveCase wave           = chain(name, spacings);
-    wave.medium.lattice           = apps::WaveMedium::Lattice::strip;
+    coupling::WaveCase wave       = chain(name, spacings);
+    wave.medium.lattice           = coupling::WaveMedium::Lattice::strip;
     wave.element                  = 4;
     wave.shear                    = shear;
     wave.step_factor              = 0.69; // 0.4 of the table's unit
@@ -64,7 +64,7 @@ namespace
   template <typename Case>
   void check_table(const std::vector<Entry> &table, const double within, const Case &make)
   {
-    check_answers(table, within, [&](const double wavelength) { return apps::transmit(make(wavelength)); });
+    check_answers(table, within, [&](const double wavelength) { return coupling::transmit(make(wavelength)); });
   }
 
   /** By the second program. */
@@ -96,16 +96,16 @@ TEST_CASE("wave transmission: elements that begin at a particle reflect as the c
                                                {8, 64, 0.0017}})
     {
       INFO(known.element << " spacings, wavelength " << known.wavelength);
-      CHECK(apps::edge_to_edge_reflection(known.element, known.wavelength) == Approx(known.reflected).margin(6e-5));
+      CHECK(coupling::edge_to_edge_reflection(known.element, known.wavelength) == Approx(known.reflected).margin(6e-5));
     }
   // A packet has more than one wavelength: 0.01 where the form is not steep.
   for (const Known &known : std::vector<Known>{{4, 20, 0.0138}, {8, 32, 0.0537}, {8, 40, 0.0151}, {2, 12, 0.0037}})
     {
-      apps::WaveCase wave = chain("slaved", known.wavelength);
-      wave.element        = known.element;
-      wave.overlap        = 0;
-      wave.step_factor    = 0.1;
-      const auto answer   = apps::transmit(wave);
+      coupling::WaveCase wave = chain("slaved", known.wavelength);
+      wave.element            = known.element;
+      wave.overlap            = 0;
+      wave.step_factor        = 0.1;
+      const auto answer       = coupling::transmit(wave);
       CHECK(answer.reflected == Approx(known.reflected).margin(0.01));
       CHECK(answer.reflected + answer.transmitted == Approx(1).margin(2e-3));
     }
@@ -118,8 +118,8 @@ TEST_CASE(
   for (const double wavelength : {4.0, 5.0, 6.0, 8.0, 12.0, 16.0, 20.0, 22.0, 24.0, 28.0, 32.0, 40.0, 48.0, 64.0, 96.0})
     {
       INFO("wavelength " << wavelength << " spacings");
-      const auto sharp = apps::transmit(chain("absorber", wavelength)),
-                 soft  = apps::transmit(chain("absorber p=2", wavelength));
+      const auto sharp = coupling::transmit(chain("absorber", wavelength)),
+                 soft  = coupling::transmit(chain("absorber p=2", wavelength));
       CHECK(sharp.reflected <= 0.02);
       CHECK(soft.reflected <= 0.005);
       if (wavelength >= 28) // elements of eight spacings carry waves from 25 on
@@ -144,9 +144,9 @@ TEST_CASE(
       INFO("elements of 4 spacings, wavelength " << wavelength << " spacings");
       for (const auto &[name, limit] : {std::pair<const char *, double>{"absorber", 0.035}, {"absorber p=2", 0.006}})
         {
-          apps::WaveCase wave = chain(name, wavelength);
-          wave.element        = 4;
-          CHECK(apps::transmit(wave).reflected <= limit);
+          coupling::WaveCase wave = chain(name, wavelength);
+          wave.element            = 4;
+          CHECK(coupling::transmit(wave).reflected <= limit);
         }
     }
 }
@@ -157,9 +157,9 @@ namespace
   auto quarter(const std::string &name)
   {
     return [name](const double wavelength) {
-      apps::WaveCase wave = chain(name, wavelength);
-      wave.step_factor    = 0.25;
-      wave.nearest_masses = true;
+      coupling::WaveCase wave = chain(name, wavelength);
+      wave.step_factor        = 0.25;
+      wave.nearest_masses     = true;
       return wave;
     };
   }
@@ -205,7 +205,7 @@ TEST_CASE("wave transmission: multipliers in a row of particles answer as a prog
     for (const double wavelength : {8.0, 16.0, 24.0, 28.0, 48.0})
       {
         INFO(name << ", wavelength " << wavelength << " spacings");
-        const auto answer = apps::transmit(quarter(name)(wavelength));
+        const auto answer = coupling::transmit(quarter(name)(wavelength));
         const auto own    = row_and_elements::transmit({ties, wavelength, 8, 4, 0.25, {0, 0, 0, 0, 0}, true});
         // Close to the cut-off a part of the packet is still on its way when it is measured.
         const double within = wavelength == 24 ? 5e-3 : 2e-3;
@@ -292,7 +292,7 @@ TEST_CASE("wave transmission: the tables of a row of particles, absorbers", "[ve
       INFO("p = " << table.sharpness << ", " << table.layer << " elements before the overlap");
       check_table(table.entries, 0.01, [&](const double wavelength) {
         // In time as the exponential does; what lies beyond the particles takes part in averages, which shifts them a little.
-        apps::WaveCase wave           = chain(table.sharpness == 3 ? "absorber" : "absorber p=2", wavelength);
+        coupling::WaveCase wave       = chain(table.sharpness == 3 ? "absorber" : "absorber p=2", wavelength);
         wave.method.proportions.layer = table.layer;
         wave.method.proportions.rate  = table.rate;
         wave.method.proportions.grid  = table.grid;
@@ -338,7 +338,7 @@ TEST_CASE("wave transmission: the figures of elements of four spacings, by both 
   check_row({{16, 0, 0.908}, {24, 0, 1}}, 0.01, row(3));
   check_row({{20, 0, 1.0}}, 0.05, row(3)); // printed with one decimal
   check_table(soft, 0.01, [](const double wavelength) {
-    apps::WaveCase wave           = chain("absorber p=2", wavelength);
+    coupling::WaveCase wave       = chain("absorber p=2", wavelength);
     wave.element                  = 4;
     wave.method.proportions.grid  = 0.81;
     wave.method.proportions.phase = 0.25;
@@ -453,7 +453,7 @@ TEST_CASE("wave transmission: the table of a hexagonal plane, waves of compressi
   check_table({{8, 1, 0}, {12, 0.788, 0.217}, {16, 0, 1}, {24, 0, 1}}, 0.01, wave("coarse", false));
   check_table({{8, 0.004, 0}, {12, 0.002, 0.037}, {16, 0.001, 0.709}, {24, 0, 0.988}}, 0.01,
               [](const double wavelength) {
-                apps::WaveCase one          = strip("absorber", wavelength, true);
+                coupling::WaveCase one      = strip("absorber", wavelength, true);
                 one.method.proportions.grid = 0.875;
                 return one;
               });
@@ -478,12 +478,12 @@ TEST_CASE("wave transmission: waves that come at an angle pass where elements ca
                                          {30, true, 24}})
     {
       INFO(way.degrees << " degrees, " << (way.shear ? "shear, " : "compression, ") << way.wavelength << " spacings");
-      apps::WaveCase wave = chain("absorber", way.wavelength);
-      wave.medium.lattice = apps::WaveMedium::Lattice::plane;
-      wave.element        = 4;
-      wave.shear          = way.shear;
-      wave.angle          = way.degrees * M_PI / 180;
-      const auto answer   = apps::transmit(wave);
+      coupling::WaveCase wave = chain("absorber", way.wavelength);
+      wave.medium.lattice     = coupling::WaveMedium::Lattice::plane;
+      wave.element            = 4;
+      wave.shear              = way.shear;
+      wave.angle              = way.degrees * M_PI / 180;
+      const auto answer       = coupling::transmit(wave);
       CHECK(answer.reflected <= 0.03);
       if (way.wavelength >= 24)
         CHECK(answer.transmitted >= 0.95);
@@ -500,11 +500,11 @@ TEST_CASE("wave transmission: in a bar of spheres without order little comes bac
       for (std::int64_t bar = 1; bar <= bars; ++bar)
         {
           INFO(wavelength << " diameters, bar " << bar);
-          apps::WaveCase wave = chain("absorber", wavelength);
-          wave.medium.lattice = apps::WaveMedium::Lattice::bar;
-          wave.medium.seed    = bar;
-          wave.element        = 4;
-          const auto answer   = apps::transmit(wave);
+          coupling::WaveCase wave = chain("absorber", wavelength);
+          wave.medium.lattice     = coupling::WaveMedium::Lattice::bar;
+          wave.medium.seed        = bar;
+          wave.element            = 4;
+          const auto answer       = coupling::transmit(wave);
           reflected += answer.reflected / bars;
           CHECK(answer.left_behind <= answer.left_behind_alone + 0.005);
           if (wavelength >= 24)

@@ -14,12 +14,12 @@ namespace apps
   /** What a complete run of a periodic cell tells: for programs, for the eye, for the terminal. */
   struct CellReport
   {
-    const RunRequest     &request;
-    const CellModel      &model;
-    const dem::Specimen  &specimen;
-    const dem::CellTest  &test;
-    const MaterialCounts &materials;
-    double                worst_balance_error, wall_seconds;
+    const RunRequest            &request;
+    const CellModel             &model;
+    const dem::ObservedSpecimen &specimen;
+    const dem::CellTest         &test;
+    const MaterialCounts        &materials;
+    double                       worst_balance_error, wall_seconds;
 
     /** summary.json: extremes of stress, localisation, how it ended, cost, energy. */
     nlohmann::json summary() const;

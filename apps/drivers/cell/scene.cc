@@ -128,13 +128,13 @@ namespace apps
 
   std::string CellScene::forecast() const
   {
-    const Stopwatch    set_up;
-    const CellModel    asked   = model();
-    const dem::Packing packing = make_packing(asked.source, asked.material, physics.dimension);
-    dem::Specimen      body(packing, asked.specimen, asked.material.materials());
-    dem::CellTest      test(body, asked.loading); // refuses what a run would refuse
-    const double       set_up_seconds = set_up.seconds();
-    double             duration       = 0;
+    const base::Stopwatch set_up;
+    const CellModel       asked   = model();
+    const dem::Packing    packing = make_packing(asked.source, asked.material, physics.dimension);
+    dem::Specimen         body(packing, asked.specimen, asked.material.materials());
+    dem::CellTest         test(body, asked.loading); // refuses what a run would refuse
+    const double          set_up_seconds = set_up.seconds();
+    double                duration       = 0;
     for (const dem::CellLeg &leg : asked.loading.path)
       duration += leg.duration;
     std::string text;

@@ -4,7 +4,7 @@ namespace apps
 {
   void ContactSection::declare(Section &s)
   {
-    using dem::BodyContactForm;
+    using coupling::bodies::BodyContactForm;
     name = s.name();
     s.text("Bodies", bodies, Need::optional)
       .means("Materials of the bodies, separated by commas; empty: all. A body is what hangs together in the mesh");

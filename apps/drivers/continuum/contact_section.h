@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/scene/section.h"
-#include "dem/bodies/body_contact_parameters.h"
+#include "coupling/contact/bodies/body_contact_parameters.h"
 
 #include <list>
 
@@ -10,10 +10,10 @@ namespace apps
   /** Sub-section of "Contacts": bodies of the solid that touch each other. */
   struct ContactSection
   {
-    std::string                name;
-    std::string                bodies; ///< names of materials, separated by commas; "": all
-    dem::BodyContactParameters law;
-    double                     energy_limit = 0.01; ///< that it may make, over the largest energy
+    std::string                             name;
+    std::string                             bodies; ///< names of materials, separated by commas; "": all
+    coupling::bodies::BodyContactParameters law;
+    double                                  energy_limit = 0.01; ///< that it may make, over the largest energy
 
     void declare(Section &section);
   };

@@ -98,9 +98,9 @@ namespace apps
         for (const Eigen::Vector3d &force : contact->contacts().on_body())
           if (figures.note(time, force.norm()))
             {
-              const dem::ContactPatch patch = contact->contacts().patch();
-              figures.patch                 = patch.area;
-              figures.face                  = patch.face;
+              const coupling::bodies::ContactPatch patch = contact->contacts().patch();
+              figures.patch                              = patch.area;
+              figures.face                               = patch.face;
             }
   }
 
@@ -112,11 +112,12 @@ namespace apps
       {
         const double made = contact->balance().made();
         if (std::fabs(made) > limit->energy_limit * largest)
-          throw StoppedShort(fmt::format(
-            "Contacts/{}: at {:.6g} s the contact has made {:.3g} J by itself, more than "
-            "Energy limit = {} of the largest energy, {:.3g} J. Lower Motion/Safety{}",
-            limit->name, time, made, limit->energy_limit, largest,
-            limit->law.form == dem::BodyContactForm::potential ? " or the stiffness." : ", or take Form = potential."));
+          throw StoppedShort(fmt::format("Contacts/{}: at {:.6g} s the contact has made {:.3g} J by itself, more than "
+                                         "Energy limit = {} of the largest energy, {:.3g} J. Lower Motion/Safety{}",
+                                         limit->name, time, made, limit->energy_limit, largest,
+                                         limit->law.form == coupling::bodies::BodyContactForm::potential ?
+                                           " or the stiffness." :
+                                           ", or take Form = potential."));
         ++limit;
       }
   }

@@ -86,8 +86,8 @@ namespace apps
     template <typename Take>
     bool take_steps(const Take &take)
     {
-      constexpr double longest_stretch = 0.5; // between two chances to interrupt [s]
-      const Stopwatch  watch;
+      constexpr double      longest_stretch = 0.5; // between two chances to interrupt [s]
+      const base::Stopwatch watch;
       // Ranks must stop at the same step, and their clocks differ: on several of them a sample is done in one go.
       const bool pauses = rank_count() == 1;
       bool       enough = false;

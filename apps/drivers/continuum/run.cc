@@ -8,10 +8,10 @@
 #include "apps/drivers/parts/drawn_curve.h"
 #include "apps/process/mpi_session.h"
 #include "apps/process/progress.h"
-#include "apps/process/stopwatch.h"
 #include "apps/results/life_cycle.h"
 #include "apps/results/run_observer.h"
 #include "apps/results/warning.h"
+#include "base/stopwatch.h"
 
 #include <fmt/format.h>
 
@@ -104,8 +104,8 @@ namespace apps
   template <int dim>
   typename ContinuumRun<dim>::Rehearsal ContinuumRun<dim>::rehearse(const double states, const double enough)
   {
-    Rehearsal       found;
-    const Stopwatch spent;
+    Rehearsal             found;
+    const base::Stopwatch spent;
     try
       {
         // Ranks go on together or not at all, whatever their clocks say.

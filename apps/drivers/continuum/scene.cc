@@ -34,10 +34,10 @@ namespace apps
     template <int dim>
     std::string forecast_of(const ContinuumModel &model)
     {
-      const Stopwatch   set_up;
-      ContinuumRun<dim> run(RunRequest{}, model); // refuses what a run would refuse
-      const double      set_up_seconds = set_up.seconds();
-      std::string       text;
+      const base::Stopwatch set_up;
+      ContinuumRun<dim>     run(RunRequest{}, model); // refuses what a run would refuse
+      const double          set_up_seconds = set_up.seconds();
+      std::string           text;
       for (const std::string &warning : coarse_elements(run.body(), model))
         text += fmt::format("  warning      {}\n", warning);
       text += fmt::format("  elements     {}\n", run.body().mesh().triangulation->n_global_active_cells());

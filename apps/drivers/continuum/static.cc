@@ -2,7 +2,7 @@
 #include "apps/drivers/continuum/one_step.h"
 #include "apps/drivers/continuum/solid.h"
 #include "apps/process/progress.h"
-#include "apps/process/stopwatch.h"
+#include "base/stopwatch.h"
 
 #include <fmt/format.h>
 
@@ -94,9 +94,9 @@ namespace apps
         steps.growth   = control.growth;
         steps.easy     = static_cast<unsigned int>(control.easy_iterations);
         steps.relax    = control.relax;
-        const Stopwatch watch;
-        const Speaking  speaking(working);
-        const auto      one = [&](const fem::StepReport &report, const double done) {
+        const base::Stopwatch watch;
+        const Speaking        speaking(working);
+        const auto            one = [&](const fem::StepReport &report, const double done) {
           ++accepted;
           iterations += report.iterations;
           rounded += report.rounded ? 1 : 0;

@@ -15,6 +15,7 @@
 #include "coupling/concurrent/concurrent_motion.h"
 #include "coupling/volume/overlap_medium.h"
 #include "dem/facets/surface.h"
+#include "fem/mesh/point_in_space.h"
 #include "postprocess/pictures/specimen_picture.h"
 
 #include <Eigen/Geometry>
@@ -100,7 +101,7 @@ namespace apps
       StaticStart start() override
       {
         const StaticStart found = body.start();
-        body.specimen().find_surface_forces(); // refuses particles that lie in the solid
+        body.specimen().partners().find_surface_forces(); // refuses particles that lie in the solid
         return found;
       }
 
@@ -178,10 +179,10 @@ namespace apps
 
       std::vector<double> row() const override
       {
-        const dem::Specimen      &specimen = body.specimen();
-        const fem::ExplicitEnergy s        = motion->energy();
-        const dem::EnergyAccount  p        = specimen.energy();
-        std::vector<double>       values   = {time()};
+        const dem::ObservedSpecimen &specimen = body.specimen();
+        const fem::ExplicitEnergy    s        = motion->energy();
+        const dem::EnergyAccount     p        = specimen.energy();
+        std::vector<double>          values   = {time()};
         const auto      add = [&](const auto &list) { values.insert(values.end(), std::begin(list), std::end(list)); };
         ContinuumEnergy continuum;
         continuum.internal = s.internal;
@@ -189,7 +190,7 @@ namespace apps
         add(body.gauges());
         for (const auto &surface : both.surfaces())
           for (int d = 0; d < dim; ++d)
-            values.push_back(specimen.surface(surface->surface()).total_force[d]);
+            values.push_back(specimen.surfaces().at(surface->surface()).total_force[d]);
         add(touching.forces());
         add(model.laboratory.read(columns(), values));
         const dem::Counts counts = specimen.counts();
@@ -201,7 +202,7 @@ namespace apps
         for (const auto &surface : both.surfaces())
           {
             const coupling::SurfaceBalance balance = surface->balance();
-            const dem::Surface            &touched = specimen.surface(surface->surface());
+            const dem::Surface            &touched = specimen.surfaces().at(surface->surface());
             values.push_back(static_cast<double>(touched.touching));
             if (coupling++->bond.given())
               add(std::initializer_list<double>{static_cast<double>(touched.glued), static_cast<double>(touched.torn)});
@@ -267,17 +268,18 @@ namespace apps
       {
         if (media.empty())
           return "";
-        Mismatch worst;
+        coupling::Mismatch worst;
         for (const auto &group : model.continuum.materials.groups)
           {
-            const ParticleMedium *medium = media.of(group->group);
+            const coupling::ParticleMedium *medium = media.of(group->group);
             if (!medium)
               continue;
-            const auto     number = solid->mesh().materials.at(group->group);
-            const Mismatch found  = reflected_by_mismatch(*medium, solid->material(number).elastic_stiffness(),
-                                                          motion->density(number), model.continuum.solid);
-            worst.compression     = std::max(worst.compression, found.compression);
-            worst.shear           = std::max(worst.shear, found.shear);
+            const auto               number = solid->mesh().materials.at(group->group);
+            const coupling::Mismatch found =
+              coupling::reflected_by_mismatch(*medium, solid->material(number).elastic_stiffness(),
+                                              motion->density(number), {dim, solid->options().plane});
+            worst.compression = std::max(worst.compression, found.compression);
+            worst.shear       = std::max(worst.shear, found.shear);
           }
         return fmt::format("impedances reflect {:.2g} of the energy of waves of compression, {:.2g} of shear",
                            worst.compression, worst.shear);
@@ -438,13 +440,14 @@ namespace apps
                                                                motion->density(cell->material_id())));
         };
         for (const auto &cell : solid->mesh().triangulation->active_cell_iterators())
-          if (overlap.distance(in_space(cell->center())) <= overlap.width)
+          if (overlap.distance(fem::in_space(cell->center())) <= overlap.width)
             enter(cell);
         const bool narrow = count == 0;
         for (const auto &cell : solid->mesh().triangulation->active_cell_iterators())
           if (const auto corners = cell->vertex_indices();
-              narrow && std::any_of(corners.begin(), corners.end(),
-                                    [&](const unsigned int v) { return overlap.contains(in_space(cell->vertex(v))); }))
+              narrow && std::any_of(corners.begin(), corners.end(), [&](const unsigned int v) {
+                return overlap.contains(fem::in_space(cell->vertex(v)));
+              }))
             enter(cell);
         if (count == 0)
           throw base::InputError("Handshakes/" + handshake.name +
@@ -470,15 +473,18 @@ namespace apps
         if (found.density > 0 && said.width < narrowest * needs)
           doubtful.push_back(fmt::format("{}: Overlap = {:g} m is narrower than {}, {:.3g} m", name, said.width,
                                          tied ? "an element there" : "the bonds of its particles are long", needs));
-        Mismatch worst;
+        coupling::Mismatch worst;
         for (const auto &[group, number] : solid->mesh().materials)
-          if (const ParticleMedium *known = media.of(group); reaches(number, overlap) && (known || found.density > 0))
+          if (const coupling::ParticleMedium *known = media.of(group);
+              reaches(number, overlap) && (known || found.density > 0))
             {
-              const ParticleMedium medium = known ? *known : ParticleMedium{found.stiffness, found.density};
-              const Mismatch       here   = reflected_by_mismatch(medium, solid->material(number).elastic_stiffness(),
-                                                                  motion->density(number), model.continuum.solid);
-              worst.compression           = std::max(worst.compression, here.compression);
-              worst.shear                 = std::max(worst.shear, here.shear);
+              const coupling::ParticleMedium medium =
+                known ? *known : coupling::ParticleMedium{found.stiffness, found.density};
+              const coupling::Mismatch here =
+                coupling::reflected_by_mismatch(medium, solid->material(number).elastic_stiffness(),
+                                                motion->density(number), {dim, solid->options().plane});
+              worst.compression = std::max(worst.compression, here.compression);
+              worst.shear       = std::max(worst.shear, here.shear);
             }
         mismatches.push_back(worst);
         if (std::max(worst.compression, worst.shear) > largest_mismatch)
@@ -487,7 +493,7 @@ namespace apps
                                          name, text_of(worst)));
       }
 
-      static std::string text_of(const Mismatch &mismatch)
+      static std::string text_of(const coupling::Mismatch &mismatch)
       {
         return fmt::format("impedances reflect about {:.2g} of the energy of waves of compression, {:.2g} of shear",
                            mismatch.compression, mismatch.shear);
@@ -497,14 +503,9 @@ namespace apps
       {
         for (const auto &cell : solid->mesh().triangulation->active_cell_iterators())
           if (cell->material_id() == number &&
-              overlap.distance(in_space(cell->center())) <= overlap.width + cell->diameter())
+              overlap.distance(fem::in_space(cell->center())) <= overlap.width + cell->diameter())
             return true;
         return false;
-      }
-
-      static Vector3d in_space(const dealii::Point<dim> &place)
-      {
-        return {place[0], place[1], dim == 3 ? place[dim - 1] : 0.0};
       }
 
       void step(const double rest)
@@ -522,7 +523,7 @@ namespace apps
         touching.note(figures, motion->time());
         for (const auto &coupled : both.surfaces())
           {
-            const dem::Surface &surface = body.specimen().surface(coupled->surface());
+            const dem::Surface &surface = body.specimen().surfaces().at(coupled->surface());
             if (surface.touching == 0 && surface.glued == 0)
               continue;
             figures.note(at, surface.total_force.norm());
@@ -534,7 +535,7 @@ namespace apps
       {
         std::int64_t torn = 0;
         for (const auto &coupled : both.surfaces())
-          torn += body.specimen().surface(coupled->surface()).torn;
+          torn += body.specimen().surfaces().at(coupled->surface()).torn;
         return torn;
       }
 
@@ -565,7 +566,7 @@ namespace apps
       ContactFigures                            figures;
       EnergyWatch<dim>                          energies;
       std::vector<std::string>                  doubtful;   ///< of handshakes
-      std::vector<Mismatch>                     mismatches; ///< likewise
+      std::vector<coupling::Mismatch>           mismatches; ///< likewise
       std::int64_t                              window_count = 0;
     };
   } // namespace

@@ -119,7 +119,7 @@ namespace apps
     if (region == Region::elements && !from_elements)
       {
         const auto mesh = elements_of(solid->mesh, solid->solid.dimension);
-        from_elements   = mesh->distance_from(mesh->filled(mesh->of_group(elements)), elements);
+        from_elements   = mesh->distance_from(mesh->filled(elements_of_group(*mesh, elements)), elements);
       }
     made.distance = region == Region::box  ? coupling::distance_from_box(Vector3d(low.data()), Vector3d(high.data())) :
                     region == Region::ball ? coupling::distance_from_ball(Vector3d(centre.data()), radius) :

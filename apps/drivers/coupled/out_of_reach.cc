@@ -48,7 +48,7 @@ namespace apps
     }
 
     /** Whether one of the particles is in front of a face and moves, or falls, towards it. */
-    bool in_reach(const dem::Specimen            &specimen,
+    bool in_reach(const dem::ObservedSpecimen    &specimen,
                   const std::vector<std::size_t> &particles,
                   const dem::Surface             &surface,
                   const Eigen::Vector3d          &weight)
@@ -81,17 +81,17 @@ namespace apps
       return everybody;
     }
 
-    const dem::Surface *surface_named(const dem::Specimen &specimen, const std::string &name)
+    const dem::Surface *surface_named(const dem::ObservedSpecimen &specimen, const std::string &name)
     {
-      for (std::size_t s = 0; s < specimen.surfaces(); ++s)
-        if (specimen.surface(s).name == name)
-          return &specimen.surface(s);
+      for (std::size_t s = 0; s < specimen.surfaces().size(); ++s)
+        if (specimen.surfaces().at(s).name == name)
+          return &specimen.surfaces().at(s);
       return nullptr;
     }
   } // namespace
 
   std::string
-  couplings_out_of_reach(const CoupledModel &model, const dem::Specimen &specimen, const ParticleGroups &groups)
+  couplings_out_of_reach(const CoupledModel &model, const dem::ObservedSpecimen &specimen, const ParticleGroups &groups)
   {
     std::string text;
     if (is_driven(model) || specimen.counts().wall_contacts > 0)

@@ -3,9 +3,6 @@
 #include "apps/drivers/homogenisation/report.h"
 #include "apps/drivers/parts/specimen_packing.h"
 #include "base/errors.h"
-#include "dem/homogenisation/relaxed_stiffness.h"
-#include "dem/homogenisation/resisted_strains.h"
-#include "dem/model/particles.h"
 #include "postprocess/files/summary.h"
 
 #include <fmt/format.h>
@@ -13,7 +10,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <fstream>
 #include <set>
 #include <vector>
@@ -43,43 +39,15 @@ namespace apps
       return cell;
     }
 
-    /** An element of the plane asks for nothing out of it, and a matrix must be positive. */
-    void fill_out_of_plane(base::Stiffness &stiffness)
+    std::optional<coupling::ParticleMedium> medium_of(const MediumSource &source, const std::string &material)
     {
-      const double largest = stiffness.maxCoeff();
-      for (const int c : {2, 3, 4})
-        {
-          stiffness.row(c).setZero();
-          stiffness.col(c).setZero();
-          stiffness(c, c) = largest;
-        }
-    }
-
-    std::optional<ParticleMedium> medium_of(const MediumSource &source, const std::string &material)
-    {
-      const dem::Packing     cell = numbered(source, material);
       dem::NetworkParameters links;
-      links.dimension                     = source.dimension;
-      links.rotations                     = source.rotations;
-      links.interaction_ratio             = source.specimen.interaction_ratio;
-      links.thickness                     = source.specimen.thickness;
-      const dem::LinkMaterials    known   = source.material.materials();
-      const dem::ElasticNetwork   network = dem::make_network(cell, links, known);
-      const dem::RelaxedStiffness found   = dem::relaxed_stiffness(network);
-      if (!found.solver.converged || found.resisted < dem::strains_of(source.dimension))
-        return std::nullopt;
-      const dem::ParticleShape  shape{source.dimension, source.specimen.density, source.specimen.thickness};
-      const std::vector<double> densities = known.densities(source.specimen.density);
-      ParticleMedium            medium;
-      medium.stiffness = 0.5 * (found.stiffness + found.stiffness.transpose());
-      if (source.dimension == 2)
-        fill_out_of_plane(medium.stiffness);
-      for (std::size_t i = 0; i < cell.size(); ++i)
-        {
-          const std::size_t of = cell.material.empty() ? 0 : static_cast<std::size_t>(cell.material[i]);
-          medium.density += densities.at(of) * shape.volume(cell.radius[i]) / network.volume;
-        }
-      return medium;
+      links.dimension         = source.dimension;
+      links.rotations         = source.rotations;
+      links.interaction_ratio = source.specimen.interaction_ratio;
+      links.thickness         = source.specimen.thickness;
+      return coupling::medium_of_cell(numbered(source, material), links, source.material.materials(),
+                                      source.specimen.density);
     }
 
     /** What the middles of a group's elements are of, by the regions; those in the particles' own region go. */
@@ -107,29 +75,13 @@ namespace apps
       return found;
     }
 
-    nlohmann::json described(const ParticleMedium &medium)
+    nlohmann::json described(const coupling::ParticleMedium &medium)
     {
       return {{"relaxed", {{"stiffness", json_of(medium.stiffness)}}}, {"density", medium.density}};
     }
-
-    /** Of the plane what acts in it, the rest zero; under plane stress, what is left when nothing presses on it from outside. */
-    base::Stiffness acting(const base::Stiffness &stiffness, const SolidSection &model)
-    {
-      if (model.dimension == 3)
-        return stiffness;
-      base::Stiffness D = stiffness;
-      if (model.plane_stress)
-        D -= stiffness.col(2) * stiffness.row(2) / stiffness(2, 2);
-      for (const int c : {2, 3, 4})
-        {
-          D.row(c).setZero();
-          D.col(c).setZero();
-        }
-      return D;
-    }
   } // namespace
 
-  const ParticleMedium *ParticleMedia::of(const std::string &group) const
+  const coupling::ParticleMedium *ParticleMedia::of(const std::string &group) const
   {
     const auto found = of_group.find(group);
     return found == of_group.end() ? nullptr : &found->second;
@@ -155,7 +107,7 @@ namespace apps
                                               materials_by_group<2>(source, continuum, handshakes) :
                                               materials_by_group<3>(source, continuum, handshakes))
         of_groups[group] = materials;
-    std::map<std::string, std::optional<ParticleMedium>> known;
+    std::map<std::string, std::optional<coupling::ParticleMedium>> known;
     for (const auto &[group, materials] : of_groups)
       {
         if (materials.size() != 1)
@@ -179,7 +131,7 @@ namespace apps
         if (!group->is_homogenised())
           continue;
         const std::string where = group->place.text() + ": Materials/" + group->group + ": ";
-        if (const ParticleMedium *medium = media.of(group->group))
+        if (const coupling::ParticleMedium *medium = media.of(group->group))
           {
             group->become(medium->stiffness, medium->density);
             continue;
@@ -198,8 +150,8 @@ namespace apps
 
   void ParticleMedia::write(const std::filesystem::path &file) const
   {
-    const ParticleMedium &first = of_group.begin()->second;
-    const bool            same  = std::all_of(of_group.begin(), of_group.end(), [&](const auto &of) {
+    const coupling::ParticleMedium &first = of_group.begin()->second;
+    const bool                      same  = std::all_of(of_group.begin(), of_group.end(), [&](const auto &of) {
       return of.second.stiffness == first.stiffness && of.second.density == first.density;
     });
     if (same)
@@ -232,31 +184,4 @@ namespace apps
     return media;
   }
 
-  Mismatch reflected_by_mismatch(const ParticleMedium  &medium,
-                                 const base::Stiffness &solid,
-                                 const double           density,
-                                 const SolidSection    &model)
-  {
-    const base::Stiffness of_solid = acting(solid, model), of_particles = acting(medium.stiffness, model);
-    const double          heavier  = density > 0 ? density / medium.density : 1.0;
-    const auto            reflects = [&](const int entry) {
-      if (!(of_particles(entry, entry) > 0))
-        return 0.0; // out of the plane
-      const double ratio = std::sqrt(of_solid(entry, entry) * heavier / of_particles(entry, entry));
-      return std::pow((ratio - 1) / (ratio + 1), 2);
-    };
-    Mismatch worst;
-    for (int c = 0; c < 3; ++c)
-      {
-        worst.compression = std::max(worst.compression, reflects(c));
-        worst.shear       = std::max(worst.shear, reflects(3 + c));
-      }
-    return worst;
-  }
-
-  double difference_of_stiffness(const ParticleMedium &medium, const base::Stiffness &solid, const SolidSection &model)
-  {
-    const base::Stiffness of_particles = acting(medium.stiffness, model);
-    return (acting(solid, model) - of_particles).norm() / of_particles.norm();
-  }
 } // namespace apps

@@ -4,7 +4,7 @@
 #include "apps/drivers/coupled/handshakes.h"
 #include "apps/scene/material_section.h"
 #include "apps/scene/specimen_section.h"
-#include "base/voigt.h"
+#include "coupling/volume/particle_medium.h"
 #include "dem/model/packing.h"
 
 #include <filesystem>
@@ -16,14 +16,6 @@
 
 namespace apps
 {
-  /** What particles are to a solid around them that is too coarse to see them. */
-  struct ParticleMedium
-  {
-    /** Of the periodic cell, particles in equilibrium [Pa]. In the plane, what is out of it is stiff by itself alone. */
-    base::Stiffness stiffness = base::Stiffness::Zero();
-    double          density   = 0; ///< of the bulk [kg/m^3]
-  };
-
   /** What particles would be in the places of the solid: of each group of elements. */
   class ParticleMedia
   {
@@ -33,11 +25,11 @@ namespace apps
 
     bool empty() const { return of_group.empty(); }
     /** nullptr: not known, or it would be several */
-    const ParticleMedium *of(const std::string &group) const;
+    const coupling::ParticleMedium *of(const std::string &group) const;
     /** Materials of the particles that would be in a group's places, where these are several; "" where no region is. */
     std::vector<std::string> several_in(const std::string &group) const;
 
-    void set(const std::string &group, const ParticleMedium &medium) { of_group[group] = medium; }
+    void set(const std::string &group, const coupling::ParticleMedium &medium) { of_group[group] = medium; }
     void set_several(const std::string &group, std::vector<std::string> materials)
     {
       mixed[group] = std::move(materials);
@@ -51,7 +43,7 @@ namespace apps
     static constexpr const char *file_name = "homogenised.json";
 
   private:
-    std::map<std::string, ParticleMedium>           of_group;
+    std::map<std::string, coupling::ParticleMedium> of_group;
     std::map<std::string, std::vector<std::string>> mixed;
   };
 
@@ -75,19 +67,4 @@ namespace apps
 
   /** Materials that are homogenised become the medium of their group. @throws base::InputError where there is none */
   void give_media(const MaterialsSection &materials, const ParticleMedia &media);
-
-  /** Elastic waves along an axis, at right angles to an interface: energy that media of other impedances reflect, of compression and of shear. */
-  struct Mismatch
-  {
-    double compression = 0, shear = 0;
-  };
-
-  /** The worst of the axes. @param density of the solid [kg/m^3]; 0: both are as heavy */
-  Mismatch reflected_by_mismatch(const ParticleMedium  &medium,
-                                 const base::Stiffness &solid,
-                                 double                 density,
-                                 const SolidSection    &model);
-
-  /** By how much a solid's stiffness is another one, over the norm of the particles'; in the plane what acts in it. */
-  double difference_of_stiffness(const ParticleMedium &medium, const base::Stiffness &solid, const SolidSection &model);
 } // namespace apps

@@ -62,8 +62,8 @@ namespace apps
 
   LabNotes CoupledReport::notes() const
   {
-    const dem::Specimen &specimen = body.particles().specimen();
-    LabNotes             found;
+    const dem::ObservedSpecimen &specimen = body.particles().specimen();
+    LabNotes                     found;
     found.name    = "compression";
     found.figures = LaboratorySection::figures(series);
     found.crack =
@@ -95,9 +95,9 @@ namespace apps
 
   nlohmann::json CoupledReport::cost() const
   {
-    const dem::Specimen &specimen = body.particles().specimen();
-    const dem::Counts    counts   = specimen.counts();
-    const CoupledSteps   steps    = body.steps();
+    const dem::ObservedSpecimen &specimen = body.particles().specimen();
+    const dem::Counts            counts   = specimen.counts();
+    const CoupledSteps           steps    = body.steps();
     return {{"particles", counts.particles},
             {"links", counts.links},
             {"contacts", counts.contacts},

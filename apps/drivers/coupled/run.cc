@@ -105,7 +105,7 @@ namespace apps
 
   void CoupledRun::advance(const Record &record)
   {
-    const Stopwatch watch;
+    const base::Stopwatch watch;
     body->advance_to(sampling.next_time());
     stepping_seconds += watch.seconds();
     if (!sampling.take(body->time())) // interrupted on the way
@@ -169,8 +169,8 @@ namespace apps
 
   void CoupledRun::write_results(const std::filesystem::path &folder, const postprocess::CsvTable &series)
   {
-    const dem::Specimen &specimen = body->particles().specimen();
-    const std::string    title    = std::filesystem::path(request.scene_file).stem().string();
+    const dem::ObservedSpecimen &specimen = body->particles().specimen();
+    const std::string            title    = std::filesystem::path(request.scene_file).stem().string();
     if (model.particles.bonded())
       {
         postprocess::write_discrete_state(dem::discrete_state(specimen), folder / "state.h5");

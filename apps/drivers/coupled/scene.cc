@@ -66,7 +66,7 @@ namespace apps
   std::string CoupledScene::forecast() const
   {
     start_mpi();
-    const Stopwatch             set_up;
+    const base::Stopwatch       set_up;
     std::optional<dem::Packing> cell;
     const dem::Packing          packing = model.packing(&cell);
     const auto         body  = make_coupled_body(model, packing, model.media(cell)); // refuses what a run would refuse

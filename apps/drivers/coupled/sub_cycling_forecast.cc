@@ -37,9 +37,9 @@ namespace apps
     const CoupledSteps steps = body.steps();
     if (steps.particle_steps == 1 && steps.solid_steps == 1)
       return "";
-    const dem::Specimen &specimen  = body.particles().specimen();
-    const double         thickness = model.dimension() == 2 ? specimen.parameters().thickness : 0;
-    ImpactLoss           worst;
+    const dem::ObservedSpecimen &specimen  = body.particles().specimen();
+    const double                 thickness = model.dimension() == 2 ? specimen.parameters().thickness : 0;
+    ImpactLoss                   worst;
     for (const CouplingSection &coupling : model.couplings.couplings)
       {
         if (coupling.pressure)

@@ -1,8 +1,8 @@
 #include "apps/drivers/homogenisation/moduli.h"
 
 #include "apps/drivers/parts/specimen_packing.h"
-#include "apps/process/stopwatch.h"
 #include "base/errors.h"
+#include "base/stopwatch.h"
 #include "dem/homogenisation/resisted_strains.h"
 
 #include <fmt/format.h>
@@ -79,8 +79,8 @@ namespace apps
   HomogenisationAnswer
   homogenise(const dem::Packing &packing, const HomogenisationQuestion &question, const std::string &origin)
   {
-    const Stopwatch watch;
-    const auto     &links = question.links;
+    const base::Stopwatch watch;
+    const auto           &links = question.links;
     refuse_unsuitable(packing, question, origin);
     const dem::ElasticNetwork network =
       question.materials ? dem::make_network(packing, links, *question.materials) : dem::make_network(packing, links);

@@ -212,15 +212,15 @@ namespace apps
   {
     const std::vector<double> interaction = numbers_in(interaction_ratios, interaction_range),
                               shear       = numbers_in(shear_ratios, shear_range);
-    const bool         made               = source == SpecimenSection::Source::generator;
-    const auto         count              = static_cast<double>(made ? seeds : 1);
-    const Stopwatch    making;
-    const dem::Packing first          = made ? made_packing(1) : postprocess::read_packing(file, length_unit);
-    const double       making_seconds = making.seconds();
-    double             solving        = 0; // of all cases of the first packing, one solved for each interaction ratio
+    const bool            made            = source == SpecimenSection::Source::generator;
+    const auto            count           = static_cast<double>(made ? seeds : 1);
+    const base::Stopwatch making;
+    const dem::Packing    first          = made ? made_packing(1) : postprocess::read_packing(file, length_unit);
+    const double          making_seconds = making.seconds();
+    double                solving = 0; // of all cases of the first packing, one solved for each interaction ratio
     for (const double ratio : interaction)
       {
-        const Stopwatch watch;
+        const base::Stopwatch watch;
         homogenise(first, question(ratio, shear.front()), made ? "generator" : file);
         solving += watch.seconds() * static_cast<double>(shear.size());
       }

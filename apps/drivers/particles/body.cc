@@ -57,8 +57,8 @@ namespace apps
     const StaticStart found = start_statically(body, model->gravity);
     model->initial_velocity.give(body, *packing, groups);
     motion.lead_next_step(); // what is held moves as prescribed from the start
-    if (body.surfaces() > 0)
-      body.find_surface_forces(); // refuses particles that lie in a wall
+    if (body.surfaces().size() > 0)
+      body.partners().find_surface_forces(); // refuses particles that lie in a wall
     return found;
   }
 
@@ -76,7 +76,7 @@ namespace apps
   void ParticlesBody::push()
   {
     if (lab && lab->pushes() && forces.empty())
-      body.clear_forces();
+      body.partners().clear_forces();
     forces.apply();
     if (lab)
       lab->lead();
@@ -129,7 +129,7 @@ namespace apps
     if (model->gauges.gauges.empty())
       return values;
     const dem::ParticleOutput particles = body.particles();
-    const ObservedSpecimen    seen{body, particles, motion, groups, walls};
+    const GaugedBody          seen{body, particles, motion, groups, walls};
     for (const GaugeSection &gauge : model->gauges.gauges)
       values.push_back(value_of(gauge, seen));
     return values;

@@ -17,8 +17,8 @@ namespace apps
   {
     const std::vector<dem::Break> breaks = specimen.breaks();
     std::vector<std::string>      surfaces;
-    for (std::size_t s = 0; s < specimen.surfaces(); ++s)
-      surfaces.push_back(specimen.surface(s).name);
+    for (std::size_t s = 0; s < specimen.surfaces().size(); ++s)
+      surfaces.push_back(specimen.surfaces().at(s).name);
     postprocess::write_break_table(folder / "breaks.csv", breaks, materials, surfaces);
     const bool               plane = specimen.parameters().physics.dimension == 2;
     postprocess::PictureSlab slab;
@@ -31,8 +31,8 @@ namespace apps
       acts = acts || force != 0;
     if (acts)
       warn_of_missing("forces.png",
-                      postprocess::picture_of_forces(folder / "forces.png", particles, links, specimen.wall_contacts(),
-                                                     "Forces at the end", slab));
+                      postprocess::picture_of_forces(folder / "forces.png", particles, links,
+                                                     specimen.surfaces().contacts(), "Forces at the end", slab));
     if (breaks.empty())
       return;
     warn_of_missing("breaks.png",

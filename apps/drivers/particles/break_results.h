@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dem/specimen/specimen.h"
+#include "dem/specimen/observation.h"
 
 #include <filesystem>
 #include <string>
@@ -11,7 +11,7 @@ namespace apps
   /** What a run of bonded particles leaves of its cracks and forces when it ends: breaks.csv, breaks.png, directions.png, forces.png. */
   struct BreakResults
   {
-    const dem::Specimen            &specimen;
+    const dem::ObservedSpecimen    &specimen;
     const std::vector<std::string> &materials; ///< their names; empty: there is one
 
     /** Pictures that cannot be drawn are warned of; of what broke there are none where nothing did. @throws postprocess::OutputError */

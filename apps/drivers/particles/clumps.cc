@@ -12,7 +12,7 @@ namespace apps
   namespace
   {
     /** Its particles as they are, all together: their mass, its centre, and their inertia about it. */
-    dem::RigidClump together(const dem::Specimen &specimen, const std::vector<std::size_t> &particles)
+    dem::RigidClump together(const dem::ObservedSpecimen &specimen, const std::vector<std::size_t> &particles)
     {
       dem::RigidClump clump;
       clump.particles = particles;
@@ -34,8 +34,9 @@ namespace apps
     }
 
     /** The shape that its particles stand for, of their density. */
-    dem::RigidClump
-    shaped(const dem::Specimen &specimen, const std::vector<std::size_t> &particles, const dem::PackedBody &body)
+    dem::RigidClump shaped(const dem::ObservedSpecimen    &specimen,
+                           const std::vector<std::size_t> &particles,
+                           const dem::PackedBody          &body)
     {
       const dem::SpecimenParameters &p     = specimen.parameters();
       const dem::ParticleState       one   = specimen.particle(particles.at(0));
@@ -173,7 +174,7 @@ namespace apps
           clump.inertia(2, 2) = given.inertia;
         try
           {
-            specimen.add_clump(clump);
+            specimen.clumps().add(clump);
           }
         catch (const base::InputError &refused)
           {

@@ -36,10 +36,10 @@ namespace apps
   {
     if (forces.empty())
       return;
-    specimen->clear_forces();
+    specimen->partners().clear_forces();
     for (const GroupForce &given : forces)
       for (const std::size_t i : groups->at(given.group))
-        specimen->add_force(i, value_of(given.force, specimen->particle(i).position, specimen->time()),
-                            Eigen::Vector3d::Zero());
+        specimen->partners().add_force(i, value_of(given.force, specimen->particle(i).position, specimen->time()),
+                                       Eigen::Vector3d::Zero());
   }
 } // namespace apps

@@ -141,20 +141,20 @@ namespace apps
   {
     using Quantity = GaugeSection::Quantity;
 
-    dem::GroupMotion motion_of(const std::string &group, const ObservedSpecimen &seen)
+    dem::GroupMotion motion_of(const std::string &group, const GaugedBody &seen)
     {
       return dem::motion_of(seen.specimen, seen.particles, seen.groups.at(group));
     }
 
     /** Not a number where particles are joined by nothing. */
-    double unbalanced_ratio(const dem::Specimen &specimen)
+    double unbalanced_ratio(const dem::ObservedSpecimen &specimen)
     {
       const dem::Counts counts = specimen.counts();
       return counts.links + counts.contacts + counts.wall_contacts > 0 ? specimen.unbalanced_ratio() :
                                                                          std::numeric_limits<double>::quiet_NaN();
     }
 
-    Eigen::Vector3d vector_of(const GaugeSection &gauge, const ObservedSpecimen &seen)
+    Eigen::Vector3d vector_of(const GaugeSection &gauge, const GaugedBody &seen)
     {
       switch (gauge.quantity)
         {
@@ -189,7 +189,7 @@ namespace apps
     }
   } // namespace
 
-  double value_of(const GaugeSection &gauge, const ObservedSpecimen &seen)
+  double value_of(const GaugeSection &gauge, const GaugedBody &seen)
   {
     if (gauge.quantity == Quantity::kinetic_energy)
       return motion_of(gauge.group, seen).kinetic_energy;

@@ -2,7 +2,7 @@
 
 #include "apps/drivers/particles/motion.h"
 #include "apps/drivers/particles/walls.h"
-#include "dem/specimen/specimen.h"
+#include "dem/specimen/observation.h"
 
 #include <array>
 #include <list>
@@ -76,15 +76,15 @@ namespace apps
   };
 
   /** What a specimen looks like at one moment, for all gauges. */
-  struct ObservedSpecimen
+  struct GaugedBody
   {
-    const dem::Specimen       &specimen;
-    const dem::ParticleOutput &particles;
-    const PrescribedMotion    &motion;
-    const ParticleGroups      &groups;
-    const Walls               &walls;
+    const dem::ObservedSpecimen &specimen;
+    const dem::ParticleOutput   &particles;
+    const PrescribedMotion      &motion;
+    const ParticleGroups        &groups;
+    const Walls                 &walls;
   };
 
   /** Value of a gauge. Means over a group are those of its centre of mass; a rigid body counts as one. */
-  double value_of(const GaugeSection &gauge, const ObservedSpecimen &seen);
+  double value_of(const GaugeSection &gauge, const GaugedBody &seen);
 } // namespace apps

@@ -148,7 +148,7 @@ namespace apps
           }
         varying               = varying || motion.by_place() || motion.turns();
         turning[g].centre     = Eigen::Vector3d(motion.centre[0], motion.centre[1], motion.centre[2]);
-        grip_of[motion.group] = body.add_grip(grip);
+        grip_of[motion.group] = body.grips().add(grip);
         members.push_back(grip.particles);
       }
     lead_next_step();
@@ -164,8 +164,8 @@ namespace apps
   {
     const double          middle = specimen->time() + 0.5 * specimen->time_step();
     const Eigen::Vector3d nowhere(0, 0, 0);
-    specimen->set_grip_velocity(g, value_of(motions[g].velocity, nowhere, middle),
-                                value_of(motions[g].spin, nowhere, middle));
+    specimen->grips().set_velocity(g, value_of(motions[g].velocity, nowhere, middle),
+                                   value_of(motions[g].spin, nowhere, middle));
   }
 
   namespace
@@ -206,7 +206,7 @@ namespace apps
         velocity.push_back(velocity_at_middle(motions[g], state, now, step));
         spin.push_back(value_of(motions[g].spin, state.position + 0.5 * step * velocity.back(), now + 0.5 * step));
       }
-    specimen->set_grip_velocities(g, velocity, spin);
+    specimen->grips().set_velocities(g, velocity, spin);
   }
 
   void PrescribedMotion::lead_turning(const std::size_t g)
@@ -228,13 +228,13 @@ namespace apps
         velocity.push_back(about.velocity + (rotated * arm - arm) / step); // along the chord: to where it then is
         spin.push_back(turn + own);
       }
-    specimen->set_grip_velocities(g, velocity, spin);
+    specimen->grips().set_velocities(g, velocity, spin);
   }
 
   Eigen::Vector3d PrescribedMotion::reaction(const std::string &group) const
   {
     const std::size_t g     = grip_of.at(group);
-    Eigen::Vector3d   force = specimen->reaction(g);
+    Eigen::Vector3d   force = specimen->grips().reaction(g);
     for (int c = 0; c < 3; ++c)
       if (!motions[g].prescribes(c))
         force[c] = 0; // what is free is accelerated by the rest
@@ -244,7 +244,7 @@ namespace apps
   Eigen::Vector3d PrescribedMotion::reaction_moment(const std::string &group) const
   {
     const std::size_t g      = grip_of.at(group);
-    Eigen::Vector3d   moment = specimen->reaction_moment(g);
+    Eigen::Vector3d   moment = specimen->grips().reaction_moment(g);
     for (int c = 0; c < 3; ++c)
       if (!motions[g].prescribes(3 + c))
         moment[c] = 0;

@@ -73,7 +73,7 @@ namespace apps
     /** Moment of all that holds it about a point [N m]. */
     Eigen::Vector3d reaction_torque(const std::string &group, const Eigen::Vector3d &about) const
     {
-      return specimen->reaction_moment(grip_of.at(group), about);
+      return specimen->grips().reaction_moment(grip_of.at(group), about);
     }
 
     /** Where what turns turns about, besides what the specimen's state has. */

@@ -23,7 +23,7 @@ namespace apps
              static_cast<double>(body.counts().particles);
     }
 
-    double mean_radius(const dem::Specimen &specimen)
+    double mean_radius(const dem::ObservedSpecimen &specimen)
     {
       const std::vector<double> radius = specimen.particles().radius;
       return std::accumulate(radius.begin(), radius.end(), 0.0) / static_cast<double>(radius.size());
@@ -60,14 +60,14 @@ namespace apps
     const Eigen::Vector3d low(0, 0, 0), high = Eigen::Vector3d::Constant(2 * touching * radius * along());
     dem::BoxSides         there = {true, true, true, true, true, true};
     there[plane ? 3 : 5]        = false; // above
-    made.add_surface({"box", plane ? dem::rectangle(low, high, there) : dem::box(low, high, there), *ground});
+    made.surfaces().add({"box", plane ? dem::rectangle(low, high, there) : dem::box(low, high, there), *ground});
     return made;
   }
 
   dem::Specimen LatticeOfParticles::apart() const { return body(far_away); }
 
   double dearer_step_when_piled_up(const ParticlesModel                    &model,
-                                   const dem::Specimen                     &now,
+                                   const dem::ObservedSpecimen             &now,
                                    const std::optional<dem::LinkMaterials> &ground)
   {
     constexpr double  of_each = 2.5; // contacts in a pile: two share one

@@ -32,6 +32,6 @@ namespace apps
    * @param now its contacts are not counted again @param ground contact with what they lie on, if there is anything
    */
   double dearer_step_when_piled_up(const ParticlesModel                    &model,
-                                   const dem::Specimen                     &now,
+                                   const dem::ObservedSpecimen             &now,
                                    const std::optional<dem::LinkMaterials> &ground);
 } // namespace apps

@@ -29,8 +29,8 @@ namespace apps
     std::string text() const;
 
   private:
-    const dem::Specimen &specimen() const { return body.specimen(); }
-    MotionReport         common() const;
-    nlohmann::json       figures() const;
+    const dem::ObservedSpecimen &specimen() const { return body.specimen(); }
+    MotionReport                 common() const;
+    nlohmann::json               figures() const;
   };
 } // namespace apps

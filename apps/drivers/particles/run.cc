@@ -27,14 +27,14 @@ namespace apps
     constexpr double slower = 0.5;
 
     /** What another scene can begin with: places as they are, outside any mould. */
-    dem::Packing at_end(const dem::Packing &packing, const dem::Specimen &specimen)
+    dem::Packing at_end(const dem::Packing &packing, const dem::ObservedSpecimen &specimen)
     {
       dem::Packing now = packing;
       now.centre       = specimen.particles().position;
-      const auto first = specimen.clumps() - packing.bodies.size(); // others come from the scene
+      const auto first = specimen.clumps().size() - packing.bodies.size(); // others come from the scene
       for (std::size_t b = 0; b < packing.bodies.size(); ++b)
         {
-          const dem::ClumpState clump = specimen.clump(first + b);
+          const dem::ClumpState clump = specimen.clumps().state(first + b);
           now.bodies[b].centre        = clump.position;
           now.bodies[b].inertia       = clump.turned * packing.bodies[b].inertia * clump.turned.transpose();
         }
@@ -109,7 +109,7 @@ namespace apps
 
   void ParticlesRun::begin_rows_of_test()
   {
-    const dem::Specimen &specimen = body->specimen();
+    const dem::ObservedSpecimen &specimen = body->specimen();
     rows_of_test.begin(specimen.time(),
                        static_cast<double>(body->test()->parameters().ramp_steps) * specimen.time_step());
   }
@@ -187,9 +187,9 @@ namespace apps
   {
     if (genesis)
       return genesis->details();
-    const dem::Specimen &moves  = sampling.finished() && slow ? slow->specimen() : body->specimen();
-    const dem::Counts    counts = moves.counts();
-    const std::string    text =
+    const dem::ObservedSpecimen &moves  = sampling.finished() && slow ? slow->specimen() : body->specimen();
+    const dem::Counts            counts = moves.counts();
+    const std::string            text =
       fmt::format("time {:.4g} s, {} contacts, {} links broken", moves.time(), counts.contacts, counts.broken);
     if (&moves != &body->specimen())
       return text;
@@ -222,8 +222,8 @@ namespace apps
     if (sampling.finished())
       return slow->advance_to(std::min(slow->specimen().time() + seconds_of_a_row(), last_time_of_slow()));
     keep_start_of_loading();
-    const Stopwatch watch;
-    const bool      due = move();
+    const base::Stopwatch watch;
+    const bool            due = move();
     stepping_seconds += watch.seconds();
     if (!due) // interrupted on the way
       return;

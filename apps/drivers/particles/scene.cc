@@ -58,15 +58,15 @@ namespace apps
   {
     if (model.source.source == SpecimenSection::Source::genesis)
       return growth_forecast(model);
-    const Stopwatch    set_up;
-    const dem::Packing packing = model.packing();
-    ParticlesBody      body(model, packing); // refuses what a run would refuse
-    const StaticStart  start          = body.start();
-    const double       set_up_seconds = set_up.seconds();
-    const auto        &specimen       = body.specimen();
-    const double       longest        = model.end_time > 0 ? model.end_time : body.test()->longest_loading();
-    const double       steps          = longest / specimen.time_step();
-    std::string        text;
+    const base::Stopwatch set_up;
+    const dem::Packing    packing = model.packing();
+    ParticlesBody         body(model, packing); // refuses what a run would refuse
+    const StaticStart     start          = body.start();
+    const double          set_up_seconds = set_up.seconds();
+    const auto           &specimen       = body.specimen();
+    const double          longest        = model.end_time > 0 ? model.end_time : body.test()->longest_loading();
+    const double          steps          = longest / specimen.time_step();
+    std::string           text;
     text += fmt::format("  particles    {}\n", specimen.counts().particles);
     text += fmt::format("  links        {}\n", specimen.counts().links);
     text += extent_lines(packing, model.physics.dimension);

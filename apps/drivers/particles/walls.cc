@@ -220,10 +220,10 @@ namespace apps
   {
     for (std::size_t w = 0; w < walls.size(); ++w)
       {
-        body.add_surface(
+        body.surfaces().add(
           {walls[w].name, walls[w].mesh(body.parameters().physics.dimension), walls[w].contact.materials()});
         if (walls[w].control == WallSection::Control::motion)
-          body.set_surface_motion(w, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), vector(walls[w].centre));
+          body.surfaces().set_motion(w, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), vector(walls[w].centre));
         for (const Expressions *formulas : {&walls[w].velocity, &walls[w].spin})
           for (const Expression &formula : *formulas)
             varying = varying || formula.varies_in_time();
@@ -238,10 +238,11 @@ namespace apps
     const double          middle = specimen->time() + 0.5 * specimen->time_step();
     const Eigen::Vector3d nowhere(0, 0, 0);
     if (wall.control == WallSection::Control::force)
-      specimen->hold_surface(w, {vector(wall.direction), wall.force(0, 0, 0, middle), wall.largest_speed, wall.gain});
+      specimen->surfaces().hold_at_force(
+        w, {vector(wall.direction), wall.force(0, 0, 0, middle), wall.largest_speed, wall.gain});
     else
-      specimen->set_surface_motion(w, value_of(wall.velocity, nowhere, middle), value_of(wall.spin, nowhere, middle),
-                                   specimen->surface(w).centre);
+      specimen->surfaces().set_motion(w, value_of(wall.velocity, nowhere, middle), value_of(wall.spin, nowhere, middle),
+                                      specimen->surfaces().at(w).centre);
   }
 
   void Walls::lead_next_step()
@@ -254,7 +255,7 @@ namespace apps
   {
     const auto found =
       std::find_if(walls.begin(), walls.end(), [&](const WallSection &w) { return same_name(w.name, name); });
-    return specimen->surface(static_cast<std::size_t>(found - walls.begin()));
+    return specimen->surfaces().at(static_cast<std::size_t>(found - walls.begin()));
   }
 
   std::string Walls::text() const
@@ -263,7 +264,7 @@ namespace apps
     for (std::size_t w = 0; w < walls.size(); ++w)
       text += fmt::format("{}{}{}{}", w ? ", " : "", walls[w].name,
                           walls[w].is_plane() ? " (unbounded)" :
-                                                fmt::format(" ({} facets)", specimen->surface(w).mesh.size()),
+                                                fmt::format(" ({} facets)", specimen->surfaces().at(w).mesh.size()),
                           walls[w].control == WallSection::Control::force ? " at a force" : "");
     return text;
   }

@@ -10,8 +10,8 @@ namespace apps
   {
     constexpr double enough = 0.5;
     work(1); // the first one makes room for what the others use again
-    const Stopwatch watch;
-    std::int64_t    units = 0;
+    const base::Stopwatch watch;
+    std::int64_t          units = 0;
     for (std::int64_t batch = 1; watch.seconds() < enough; batch *= 2)
       {
         const std::int64_t done = work(batch);
@@ -22,7 +22,7 @@ namespace apps
     return units > 0 ? watch.seconds() / static_cast<double>(units) : 0.0;
   }
 
-  double seconds_per_step(const dem::Specimen &body, const std::function<void(std::int64_t)> &advance)
+  double seconds_per_step(const dem::ObservedSpecimen &body, const std::function<void(std::int64_t)> &advance)
   {
     return seconds_per_unit([&](const std::int64_t count) {
       const std::int64_t before = body.steps();

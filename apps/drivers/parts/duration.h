@@ -1,7 +1,7 @@
 #pragma once
 
-#include "apps/process/stopwatch.h"
-#include "dem/specimen/specimen.h"
+#include "base/stopwatch.h"
+#include "dem/specimen/observation.h"
 
 #include <cstdint>
 #include <functional>
@@ -16,7 +16,7 @@ namespace apps
   double seconds_per_unit(const std::function<std::int64_t(std::int64_t)> &work);
 
   /** The same of time steps. @param advance takes so many steps, or fewer where its test ends */
-  double seconds_per_step(const dem::Specimen &body, const std::function<void(std::int64_t)> &advance);
+  double seconds_per_step(const dem::ObservedSpecimen &body, const std::function<void(std::int64_t)> &advance);
 
   /** The line of a forecast. @param at_most [s]; 0: nothing is known of it */
   std::string duration_line(double expected, double at_most = 0);

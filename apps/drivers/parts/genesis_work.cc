@@ -2,9 +2,9 @@
 
 #include "apps/process/interrupt.h"
 #include "apps/process/progress.h"
-#include "apps/process/stopwatch.h"
 #include "apps/process/version.h"
 #include "apps/results/warning.h"
+#include "base/stopwatch.h"
 #include "dem/genesis/contact_areas.h"
 #include "postprocess/files/atomic_file.h"
 #include "postprocess/packings/packing_io.h"
@@ -30,7 +30,7 @@ namespace apps
 
   void GenesisWork::advance()
   {
-    const Stopwatch watch;
+    const base::Stopwatch watch;
     genesis.advance(steps_at_once);
     // Steps of a like piece of time: only where it is cut depends on the clock, nothing of the result.
     const double took = watch.seconds();

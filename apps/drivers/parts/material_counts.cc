@@ -25,7 +25,7 @@ namespace apps
       ++links.at(static_cast<std::size_t>(number));
   }
 
-  MaterialCounts::MaterialCounts(std::vector<std::string> scene_names, const dem::Specimen &specimen)
+  MaterialCounts::MaterialCounts(std::vector<std::string> scene_names, const dem::ObservedSpecimen &specimen)
     : MaterialCounts(scene_names.size() > 1 ?
                        MaterialCounts(std::move(scene_names), specimen.particles().material, specimen.links().pair) :
                        MaterialCounts())

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dem/specimen/specimen.h"
+#include "dem/specimen/observation.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -22,7 +22,7 @@ namespace apps
                    const std::vector<std::int32_t> &material,
                    const std::vector<std::int32_t> &pair);
     /** Of a specimen as it now is, with the names of its packing's materials. */
-    MaterialCounts(std::vector<std::string> scene_names, const dem::Specimen &specimen);
+    MaterialCounts(std::vector<std::string> scene_names, const dem::ObservedSpecimen &specimen);
 
     std::string text() const; ///< two lines, or none
     /** Put `materials` and `material_pairs` into a summary; nothing where there is one material. */

@@ -3,7 +3,7 @@
 #include "apps/drivers/parts/material_counts.h"
 #include "apps/drivers/parts/static_start.h"
 #include "apps/scene/scene.h"
-#include "dem/specimen/specimen.h"
+#include "dem/specimen/observation.h"
 #include "postprocess/files/csv_table.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -26,7 +26,7 @@ namespace apps
     const StaticStart           &start;
     const postprocess::CsvTable &series;         ///< complete
     const std::string           &not_in_balance; ///< see left_out_of_balance()
-    const dem::Specimen         &specimen;       ///< as it is at the end
+    const dem::ObservedSpecimen &specimen;       ///< as it is at the end
     std::vector<std::string>     notes    = {};  ///< what else a user should know, one sentence each
     std::vector<std::string>     warnings = {};  ///< what else a user should doubt, likewise
 

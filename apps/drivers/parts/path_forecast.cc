@@ -1,7 +1,7 @@
 #include "apps/drivers/parts/path_forecast.h"
 
 #include "apps/drivers/parts/link_failure.h"
-#include "apps/process/stopwatch.h"
+#include "base/stopwatch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,10 +18,10 @@ namespace apps
     physics.dimension         = loaded.network.dimension;
     const LinkFailure failure = failure_in_tension(*materials.bonds_in_space(physics));
     // Of a link's damaging strain until it carries nothing.
-    const double         growth = failure.softening > 0 ? std::log(5 * failure.softening / failure.onset) : 0.0;
-    const Stopwatch      watch;
-    dem::QuasiStaticPath path(loaded, materials, parameters);
-    std::int64_t         solutions = 0;
+    const double          growth = failure.softening > 0 ? std::log(5 * failure.softening / failure.onset) : 0.0;
+    const base::Stopwatch watch;
+    dem::QuasiStaticPath  path(loaded, materials, parameters);
+    std::int64_t          solutions = 0;
     while (!path.finished() && (solutions < 2 || watch.seconds() < enough))
       solutions += path.advance().iterations;
     const double solution = watch.seconds() / static_cast<double>(std::max<std::int64_t>(1, solutions));

@@ -31,7 +31,7 @@ namespace apps
   template <typename Work>
   double seconds_of(const Work &work)
   {
-    const Stopwatch watch;
+    const base::Stopwatch watch;
     work();
     return watch.seconds();
   }

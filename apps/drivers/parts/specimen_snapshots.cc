@@ -20,7 +20,7 @@ namespace apps
       breaks.emplace(folder, name + "_breaks");
   }
 
-  void SpecimenSnapshots::take(const dem::Specimen &specimen)
+  void SpecimenSnapshots::take(const dem::ObservedSpecimen &specimen)
   {
     if (!wanted())
       return;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/results/run_state.h"
-#include "dem/specimen/specimen.h"
+#include "dem/specimen/observation.h"
 #include "postprocess/vtk/pvd.h"
 
 #include <filesystem>
@@ -24,7 +24,7 @@ namespace apps
     void open(const std::filesystem::path &folder, const std::string &name, const ShownBesides &besides = {});
     bool wanted() const { return particles.has_value(); }
     /** If wanted. @throws postprocess::OutputError. */
-    void take(const dem::Specimen &specimen);
+    void take(const dem::ObservedSpecimen &specimen);
     /** The lists of what was taken. */
     void visit_state(RunState &state);
 

@@ -149,7 +149,7 @@ namespace apps
 
   std::string QuasiStaticScene::forecast() const
   {
-    const Stopwatch         set_up;
+    const base::Stopwatch   set_up;
     const QuasiStaticModel &model          = asked;
     const dem::Packing      packing        = model.packing();
     const auto              loaded         = model.load(packing);

@@ -51,7 +51,7 @@ namespace apps
       template <typename Work>
       void watch(dem::Specimen &specimen, const Work &work)
       {
-        const Stopwatch clock;
+        const base::Stopwatch clock;
         if (specimen.steps() == 0 && !equilibrium)
           settle(specimen);
         work();
@@ -221,8 +221,8 @@ namespace apps
 
   double expected_seconds(ParticleCase &particles, const double part)
   {
-    constexpr double enough = 0.25;
-    const Stopwatch  watch;
+    constexpr double      enough = 0.25;
+    const base::Stopwatch watch;
     while (!particles.finished() && watch.seconds() < enough)
       particles.advance();
     return particles.finished() ? watch.seconds() : watch.seconds() * part / particles.done();

@@ -6,9 +6,9 @@
 #include "apps/drivers/sequential/continuation.h"
 #include "apps/drivers/sequential/study.h"
 #include "apps/drivers/sequential/transfer_output.h"
-#include "apps/process/stopwatch.h"
 #include "apps/results/terminal.h"
 #include "apps/results/warning.h"
+#include "base/stopwatch.h"
 #include "postprocess/files/atomic_file.h"
 #include "postprocess/files/summary.h"
 
@@ -214,7 +214,7 @@ namespace apps
       record.write(number, outcome, field, options, state);
       tell(request, &RunObserver::says, lines_of(outcome, field, state));
     };
-    const Stopwatch watch;
+    const base::Stopwatch watch;
     try
       {
         return in_case(
@@ -232,7 +232,7 @@ namespace apps
 
   RunResult SequentialRun::carry_on()
   {
-    const Stopwatch watch;
+    const base::Stopwatch watch;
     if (!find_law() || !particles.complete(ground.packing))
       return interrupted();
     TransferRecord                 record(running);

@@ -163,7 +163,7 @@ namespace apps
 
   std::string SequentialScene::forecast() const
   {
-    const Stopwatch            set_up;
+    const base::Stopwatch      set_up;
     const SequentialGroundwork ground         = groundwork();
     const double               set_up_seconds = set_up.seconds();
     std::string text = fmt::format("  transfers    {}\n  elements     {}\n  unknowns     {}\n", model.particles.cases(),

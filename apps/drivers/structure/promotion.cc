@@ -67,7 +67,7 @@ namespace apps
 
   void Promotion::refuse_empty()
   {
-    MeshElements::Set filled;
+    coupling::MeshElements::Set filled;
     for (const auto &place : now->surrounding()->motions_at(packing.centre, now->way().motion()))
       if (place)
         filled.insert(mesh->with_centre(place->element));
@@ -114,7 +114,7 @@ namespace apps
   std::vector<std::size_t> Promotion::promotable() const
   {
     std::vector<std::size_t> counted;
-    for (const MeshElements::Set &of_one : may)
+    for (const coupling::MeshElements::Set &of_one : may)
       counted.push_back(of_one.size());
     return counted;
   }
@@ -183,7 +183,7 @@ namespace apps
   bool Promotion::add_elements(const dem::LoadedMotion &motion)
   {
     bonds->evaluate(motion);
-    const std::vector<MeshElements::Set> before = region;
+    const std::vector<coupling::MeshElements::Set> before = region;
     for (std::size_t l = 0; l < bonds->size(); ++l)
       for (const std::int32_t end : {whole->network.links[l].first, whole->network.links[l].second})
         {
@@ -291,7 +291,7 @@ namespace apps
       {
         std::vector<std::int32_t> elements(region[h].begin(), region[h].end());
         state.column(fmt::format("elements_{}", h), elements);
-        region[h] = MeshElements::Set(elements.begin(), elements.end());
+        region[h] = coupling::MeshElements::Set(elements.begin(), elements.end());
       }
     if (state.reads() && region != first)
       now = made();

@@ -55,13 +55,14 @@ namespace apps
     void go_on_from(const Structure &before, const Numbers &awake_before, const dem::LoadedMotion &motion);
     std::vector<std::optional<std::size_t>> links_before(const Structure &before, const Numbers &awake_before) const;
 
-    const StructureModel               &model;
-    const dem::Packing                 &packing;
-    const ParticleMedia                &media;
-    std::unique_ptr<MeshElements>       mesh;               ///< none: nothing becomes particles
-    std::vector<MeshElements::Set>      first, may, region; ///< by handshake: at the start, those that may follow, now
-    ParticleGroups                      groups;             ///< numbers of the packing; as they were at the start
-    Numbers                             awake;              ///< numbers in the packing of the structure's particles
+    const StructureModel                    &model;
+    const dem::Packing                      &packing;
+    const ParticleMedia                     &media;
+    std::unique_ptr<coupling::MeshElements>  mesh; ///< none: nothing becomes particles
+    std::vector<coupling::MeshElements::Set> first, may,
+      region;                                   ///< by handshake: at the start, those that may follow, now
+    ParticleGroups                      groups; ///< numbers of the packing; as they were at the start
+    Numbers                             awake;  ///< numbers in the packing of the structure's particles
     std::optional<dem::LoadedNetwork>   whole; ///< of the packing, with the bonds that particles in elements would have
     std::unique_ptr<dem::DamagingLinks> bonds; ///< of the whole, as if never damaged
     std::vector<std::optional<PlaceMotion>> in_solid; ///< of all particles of the packing, at the last point looked at

@@ -15,7 +15,7 @@ namespace apps
   std::string StructureScene::forecast() const
   {
     start_mpi();
-    const Stopwatch             watch;
+    const base::Stopwatch       watch;
     std::optional<dem::Packing> cell;
     const dem::Packing          packing = model.packing(&cell);
     const ParticleMedia         media   = model.media(cell);

@@ -6,6 +6,7 @@
 #include "apps/drivers/coupled/taken_places.h"
 #include "coupling/volume/static_handshake.h"
 #include "fem/mesh/extent.h"
+#include "fem/mesh/point_in_space.h"
 #include "fem/solid/point_search.h"
 
 #include <Eigen/Geometry>
@@ -24,7 +25,6 @@ namespace apps
     public:
       SurroundingSolid(const StructureModel &model, const HandshakesSection &handshakes, dem::LoadedNetwork particles)
         : solid(made(model, handshakes))
-        , plane_model(model.continuum.solid)
         , both(std::move(particles), *solid, parameters(model, handshakes))
         , gauges(*solid, model.continuum)
       {
@@ -72,7 +72,7 @@ namespace apps
         std::vector<Eigen::Vector3d> places;
         for (dealii::types::global_dof_index i = 0; i < place.size(); ++i)
           if (solid->constraints().is_constrained(i) || force[i] != 0)
-            places.push_back(in_space(place[i]));
+            places.push_back(fem::in_space(place[i]));
         return places;
       }
 
@@ -85,9 +85,10 @@ namespace apps
       {
         double largest = 0;
         for (const auto &[name, number] : solid->mesh().materials)
-          if (const ParticleMedium *medium = media.of(name))
-            largest = std::max(
-              largest, difference_of_stiffness(*medium, solid->material(number).elastic_stiffness(), plane_model));
+          if (const coupling::ParticleMedium *medium = media.of(name))
+            largest =
+              std::max(largest, coupling::difference_of_stiffness(*medium, solid->material(number).elastic_stiffness(),
+                                                                  {dim, solid->options().plane}));
         return largest;
       }
 
@@ -126,11 +127,6 @@ namespace apps
         fem::Vector displacement, internal, external;
       };
 
-      static Eigen::Vector3d in_space(const dealii::Point<dim> &place)
-      {
-        return {place[0], place[1], dim == 3 ? place[dim - 1] : 0.0};
-      }
-
       /** Elements around places, which are the same ones every time. */
       void find(const std::vector<Eigen::Vector3d> &places) const
       {
@@ -145,7 +141,7 @@ namespace apps
       static PlaceMotion motion_of(const fem::PlaceInElement<dim> &at, const fem::Vector &displacement)
       {
         PlaceMotion motion;
-        motion.element = in_space(at.cell->center());
+        motion.element = fem::in_space(at.cell->center());
         for (std::size_t k = 0; k < at.nodes.size(); ++k)
           {
             Eigen::Vector3d u = Eigen::Vector3d::Zero(), gradient = u;
@@ -209,7 +205,6 @@ namespace apps
       }
 
       std::unique_ptr<fem::Solid<dim>> solid;
-      SolidSection                     plane_model;
       coupling::StaticHandshake<dim>   both;
       ContinuumGauges<dim>             gauges;
       std::vector<std::size_t>         told; ///< of its columns

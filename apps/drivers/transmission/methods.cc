@@ -4,35 +4,35 @@ namespace apps
 {
   namespace
   {
-    WaveMethod tied(const std::string &name, const coupling::Compatibility compatibility, const bool lumped)
+    coupling::WaveMethod tied(const std::string &name, const coupling::Compatibility compatibility, const bool lumped)
     {
-      WaveMethod method;
+      coupling::WaveMethod method;
       method.name          = name;
       method.compatibility = compatibility;
       method.lumped        = lumped;
       return method;
     }
 
-    WaveMethod absorbing(const std::string &name, const int sharpness)
+    coupling::WaveMethod absorbing(const std::string &name, const int sharpness)
     {
-      WaveMethod method = tied(name, coupling::Compatibility::coarse, false);
-      method.absorbs    = true;
-      method.sharpness  = sharpness;
+      coupling::WaveMethod method = tied(name, coupling::Compatibility::coarse, false);
+      method.absorbs              = true;
+      method.sharpness            = sharpness;
       return method;
     }
 
-    WaveMethod led(const std::string &name, const coupling::VolumeMethod kind)
+    coupling::WaveMethod led(const std::string &name, const coupling::VolumeMethod kind)
     {
-      WaveMethod method;
+      coupling::WaveMethod method;
       method.name   = name;
       method.method = kind;
       return method;
     }
   } // namespace
 
-  const std::vector<WaveMethod> &wave_methods()
+  const std::vector<coupling::WaveMethod> &wave_methods()
   {
-    static const std::vector<WaveMethod> all = {
+    static const std::vector<coupling::WaveMethod> all = {
       absorbing("absorber", 3),
       absorbing("absorber p=2", 2),
       tied("coarse", coupling::Compatibility::coarse, false),

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "apps/drivers/transmission/wave_case.h"
+#include "coupling/transmission/wave_case.h"
 
 #include <vector>
 
 namespace apps
 {
   /** All methods that a scene can name, the one for dynamics first. */
-  const std::vector<WaveMethod> &wave_methods();
+  const std::vector<coupling::WaveMethod> &wave_methods();
 } // namespace apps

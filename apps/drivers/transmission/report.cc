@@ -36,12 +36,14 @@ namespace apps
                      {"particles", p.answer.particles}});
     return all;
   }
-  std::vector<postprocess::PlotPanel> wave_panels(const std::vector<WavePoint> &points, const WaveCase &common)
+  std::vector<postprocess::PlotPanel> wave_panels(const std::vector<WavePoint> &points,
+                                                  const coupling::WaveCase     &common)
   {
-    const std::pair<const char *, double WaveAnswer::*> shares[] = {{"Reflected", &WaveAnswer::reflected},
-                                                                    {"Transmitted", &WaveAnswer::transmitted},
-                                                                    {"Absorbed", &WaveAnswer::absorbed}};
-    std::vector<postprocess::PlotPanel>                 panels;
+    const std::pair<const char *, double coupling::WaveAnswer::*> shares[] = {
+      {"Reflected", &coupling::WaveAnswer::reflected},
+      {"Transmitted", &coupling::WaveAnswer::transmitted},
+      {"Absorbed", &coupling::WaveAnswer::absorbed}};
+    std::vector<postprocess::PlotPanel> panels;
     for (const auto &[title, share] : shares)
       {
         postprocess::PlotPanel panel;
@@ -59,7 +61,7 @@ namespace apps
             panel.series.back().x.push_back(p.wavelength / common.medium.spacing);
             panel.series.back().y.push_back(p.answer.*share);
           }
-        if (share == &WaveAnswer::reflected && common.medium.lattice == WaveMedium::Lattice::chain)
+        if (share == &coupling::WaveAnswer::reflected && common.medium.lattice == coupling::WaveMedium::Lattice::chain)
           {
             postprocess::PlotSeries reference;
             reference.name                 = "no overlap, exact";
@@ -75,7 +77,7 @@ namespace apps
                   std::pow(longest->wavelength / shortest->wavelength, static_cast<double>(i) / between) /
                   common.medium.spacing;
                 reference.x.push_back(lambda);
-                reference.y.push_back(edge_to_edge_reflection(common.element, lambda));
+                reference.y.push_back(coupling::edge_to_edge_reflection(common.element, lambda));
               }
             panel.series.push_back(reference);
           }

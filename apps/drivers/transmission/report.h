@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/drivers/transmission/wave_case.h"
+#include "coupling/transmission/wave_case.h"
 #include "postprocess/pictures/plot.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -13,9 +13,9 @@ namespace apps
   /** One packet of a table. */
   struct WavePoint
   {
-    std::string method;
-    double      wavelength = 0; ///< [m]
-    WaveAnswer  answer;
+    std::string          method;
+    double               wavelength = 0; ///< [m]
+    coupling::WaveAnswer answer;
   };
 
   /** reflection.csv. */
@@ -23,5 +23,6 @@ namespace apps
   /** A list for summary.json. */
   nlohmann::json json_of_waves(const std::vector<WavePoint> &points);
   /** Shares over the wavelength; of a row of particles beside what elements reflect that begin at a particle. @param common medium and mesh of all */
-  std::vector<postprocess::PlotPanel> wave_panels(const std::vector<WavePoint> &points, const WaveCase &common);
+  std::vector<postprocess::PlotPanel> wave_panels(const std::vector<WavePoint> &points,
+                                                  const coupling::WaveCase     &common);
 } // namespace apps

@@ -1,16 +1,17 @@
 #include "apps/drivers/transmission/scene.h"
 
 #include "apps/drivers/parts/duration.h"
+#include "apps/drivers/parts/specimen_packing.h"
 #include "apps/drivers/transmission/methods.h"
 #include "apps/drivers/transmission/report.h"
 #include "apps/process/mpi_session.h"
-#include "apps/process/stopwatch.h"
 #include "apps/process/version.h"
 #include "apps/results/short_run.h"
 #include "apps/results/warning.h"
 #include "apps/scene/name_list.h"
 #include "apps/scene/number_list.h"
 #include "apps/scene/value_text.h"
+#include "base/stopwatch.h"
 #include "postprocess/files/atomic_file.h"
 
 #include <fmt/format.h>
@@ -27,7 +28,7 @@ namespace apps
     std::string method_names()
     {
       std::string names;
-      for (const WaveMethod &method : wave_methods())
+      for (const coupling::WaveMethod &method : wave_methods())
         names += (names.empty() ? "" : ", ") + method.name;
       return names;
     }
@@ -39,10 +40,10 @@ namespace apps
     Section &s =
       root.section(transmission_section, "Packets of waves that run through particles and on into a continuum");
     s.choice("Medium", common.medium.lattice,
-             {{"chain", WaveMedium::Lattice::chain},
-              {"strip", WaveMedium::Lattice::strip},
-              {"plane", WaveMedium::Lattice::plane},
-              {"bar", WaveMedium::Lattice::bar}},
+             {{"chain", coupling::WaveMedium::Lattice::chain},
+              {"strip", coupling::WaveMedium::Lattice::strip},
+              {"plane", coupling::WaveMedium::Lattice::plane},
+              {"bar", coupling::WaveMedium::Lattice::bar}},
              Need::optional)
       .means("Particles in a row, in hexagonal rows of an unbounded plane for waves along them, the same for narrow "
              "packets of any "
@@ -53,8 +54,8 @@ namespace apps
       .means("Of the medium, voids included; the continuum has the same");
     s.integer("Rows", common.medium.rows, "-", Range::between(2, 1000), Need::optional)
       .means("Of a strip, from one line of symmetry to the other")
-      .only_if([this] { return common.medium.lattice == WaveMedium::Lattice::strip; }, "Medium = strip");
-    const auto of_bar = [this] { return common.medium.lattice == WaveMedium::Lattice::bar; };
+      .only_if([this] { return common.medium.lattice == coupling::WaveMedium::Lattice::strip; }, "Medium = strip");
+    const auto of_bar = [this] { return common.medium.lattice == coupling::WaveMedium::Lattice::bar; };
     s.integer("Width", common.medium.width, "-", Range::between(1, 64), Need::optional)
       .means("Of a bar, in elements")
       .only_if(of_bar, "Medium = bar");
@@ -91,16 +92,17 @@ namespace apps
         "Longest time that absorbers damp at once, times their largest eigenvalue; less is nearer to the exponential");
     s.number("Angle", degrees, "-", Range::between(0, 60), Need::optional)
       .means("Of the packets' way with the normal of the overlap, in degrees")
-      .only_if([this] { return common.medium.lattice == WaveMedium::Lattice::plane; }, "Medium = plane");
+      .only_if([this] { return common.medium.lattice == coupling::WaveMedium::Lattice::plane; }, "Medium = plane");
   }
 
-  std::vector<WaveMethod> TransmissionScene::chosen() const
+  std::vector<coupling::WaveMethod> TransmissionScene::chosen() const
   {
-    std::vector<WaveMethod> found;
+    std::vector<coupling::WaveMethod> found;
     for (const std::string &name : names_in(methods))
       {
         const auto &all = wave_methods();
-        const auto  one = std::find_if(all.begin(), all.end(), [&](const WaveMethod &m) { return m.name == name; });
+        const auto  one =
+          std::find_if(all.begin(), all.end(), [&](const coupling::WaveMethod &m) { return m.name == name; });
         if (one == all.end())
           return {};
         found.push_back(*one);
@@ -122,12 +124,13 @@ namespace apps
     return found;
   }
 
-  WaveCase TransmissionScene::wave(const WaveMethod &method, const double length) const
+  coupling::WaveCase TransmissionScene::wave(const coupling::WaveMethod &method, const double length) const
   {
-    WaveCase one   = common;
-    one.method     = method;
-    one.angle      = degrees * M_PI / 180;
-    one.wavelength = length;
+    coupling::WaveCase one = common;
+    one.compact            = compact_with_progress;
+    one.method             = method;
+    one.angle              = degrees * M_PI / 180;
+    one.wavelength         = length;
     return one;
   }
 
@@ -140,11 +143,11 @@ namespace apps
                                           4 * common.medium.spacing, 1e4 * common.medium.spacing));
     if (chosen().empty())
       s.refuse("Methods", "expected names among " + method_names() + ", separated by commas.");
-    const bool one_way =
-      common.medium.lattice == WaveMedium::Lattice::chain || common.medium.lattice == WaveMedium::Lattice::bar;
+    const bool one_way = common.medium.lattice == coupling::WaveMedium::Lattice::chain ||
+                         common.medium.lattice == coupling::WaveMedium::Lattice::bar;
     if (common.shear && one_way)
       s.refuse("Shear", "particles in a row or bar move along it. Take Medium = strip.");
-    if (common.medium.scatter > 0 && common.medium.lattice == WaveMedium::Lattice::bar)
+    if (common.medium.scatter > 0 && common.medium.lattice == coupling::WaveMedium::Lattice::bar)
       s.refuse("Scatter", "spheres in a bar have no order as it is. Take Medium = chain, strip or plane.");
   }
 
@@ -152,14 +155,15 @@ namespace apps
   {
     start_mpi();
     // The shortest packet tells; cost grows with the square of the length.
-    const auto      all      = lengths();
-    const double    shortest = *std::min_element(all.begin(), all.end());
-    const Stopwatch watch;
-    const auto      answer  = transmit(wave(chosen().front(), shortest));
-    const double    seconds = watch.seconds();
-    double          sum     = 0;
+    const auto            all      = lengths();
+    const double          shortest = *std::min_element(all.begin(), all.end());
+    const base::Stopwatch watch;
+    const auto            answer  = coupling::transmit(wave(chosen().front(), shortest));
+    const double          seconds = watch.seconds();
+    double                sum     = 0;
     for (const double length : all)
-      sum += wave_cost(wave(chosen().front(), length)) / wave_cost(wave(chosen().front(), shortest));
+      sum +=
+        coupling::wave_cost(wave(chosen().front(), length)) / coupling::wave_cost(wave(chosen().front(), shortest));
     return fmt::format("  packets      {}, of {} steps of {} particles at least\n", all.size() * chosen().size(),
                        answer.steps, answer.particles) +
            duration_line(seconds * sum * static_cast<double>(chosen().size()));
@@ -170,13 +174,13 @@ namespace apps
     ShortRun run(request, "a packet of waves");
     start_mpi();
     std::vector<WavePoint> points;
-    for (const WaveMethod &method : chosen())
+    for (const coupling::WaveMethod &method : chosen())
       for (const double length : lengths())
         {
           if (run.interrupted())
             return run.interrupted_result();
-          points.push_back({method.name, length, transmit(wave(method, length))});
-          const WaveAnswer &a = points.back().answer;
+          points.push_back({method.name, length, coupling::transmit(wave(method, length))});
+          const coupling::WaveAnswer &a = points.back().answer;
           run.says(fmt::format("{:14} wavelength {:<10.4g} m: reflected {:.4f}, transmitted {:.4f}, absorbed {:.4f}\n",
                                method.name, length, a.reflected, a.transmitted, a.absorbed));
         }

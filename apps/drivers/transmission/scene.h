@@ -1,7 +1,7 @@
 #pragma once
 
-#include "apps/drivers/transmission/wave_case.h"
 #include "apps/scene/scene.h"
+#include "coupling/transmission/wave_case.h"
 
 #include <string>
 #include <vector>
@@ -23,12 +23,12 @@ namespace apps
 
     std::vector<double> lengths() const; ///< [m]
     /** @pre validated */
-    WaveCase wave(const WaveMethod &method, double length) const;
+    coupling::WaveCase wave(const coupling::WaveMethod &method, double length) const;
 
   private:
-    std::vector<WaveMethod> chosen() const;
+    std::vector<coupling::WaveMethod> chosen() const;
 
-    WaveCase                      common; ///< without method and wavelength
+    coupling::WaveCase            common; ///< without method and wavelength
     std::string                   methods = "absorber, coarse, slaved", wavelengths;
     coupling::AbsorberProportions proportions;
     double                        degrees = 0; ///< between the packets' way and the normal of the overlap

@@ -2,9 +2,9 @@
 
 #include "apps/drivers/parts/energy_terms.h"
 #include "apps/process/progress.h"
-#include "apps/process/stopwatch.h"
 #include "apps/results/warning.h"
 #include "base/errors.h"
+#include "base/stopwatch.h"
 #include "dem/observation/discrete_state.h"
 #include "postprocess/hdf5/discrete_state_hdf5.h"
 #include "postprocess/pictures/specimen_picture.h"
@@ -72,8 +72,8 @@ namespace apps
   {
     if (specimen.steps() == 0)
       snapshots.take(specimen);
-    const Stopwatch    watch;
-    const std::int64_t before = specimen.steps();
+    const base::Stopwatch watch;
+    const std::int64_t    before = specimen.steps();
     test.advance(sampling.steps());
     result.stepping_seconds += watch.seconds();
 

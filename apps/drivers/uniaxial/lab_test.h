@@ -57,10 +57,10 @@ namespace apps
     /** Of a complete test; it has none itself from then on. */
     std::shared_ptr<const dem::Specimen> specimen_at_end();
 
-    const dem::Specimen &body() const { return specimen; }
-    std::string          size() const;    ///< "175 particles, 1203 links"
-    double               done() const;    ///< part of the most that the test can take, in [0, 1]
-    std::string          details() const; ///< where it is and how fast, for the progress line
+    const dem::ObservedSpecimen &body() const { return specimen; }
+    std::string                  size() const;    ///< "175 particles, 1203 links"
+    double                       done() const;    ///< part of the most that the test can take, in [0, 1]
+    std::string                  details() const; ///< where it is and how fast, for the progress line
 
     /** Everything to go on to the same bits. */
     void visit_state(RunState &state);

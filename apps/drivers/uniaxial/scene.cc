@@ -75,7 +75,7 @@ namespace apps
     }
 
     /** Rows and snapshots of a test that goes to its stop strain. */
-    double writing_seconds_of_test(const dem::Specimen &body, const OutputSection &output)
+    double writing_seconds_of_test(const dem::ObservedSpecimen &body, const OutputSection &output)
     {
       const double row      = seconds_of([&] {
         body.energy();
@@ -98,13 +98,13 @@ namespace apps
 
   std::string UniaxialScene::forecast() const
   {
-    const Stopwatch     set_up;
-    const UniaxialModel asked     = model();
-    const dem::Packing  packing   = asked.packing();
-    const auto          materials = asked.material.materials();
-    dem::Specimen       body(packing, asked.specimen, materials);
-    const double        set_up_seconds = set_up.seconds();
-    std::string         text;
+    const base::Stopwatch set_up;
+    const UniaxialModel   asked     = model();
+    const dem::Packing    packing   = asked.packing();
+    const auto            materials = asked.material.materials();
+    dem::Specimen         body(packing, asked.specimen, materials);
+    const double          set_up_seconds = set_up.seconds();
+    std::string           text;
     text += fmt::format("  particles    {}\n", body.counts().particles);
     text += fmt::format("  links        {}\n", body.counts().links);
     text += extent_lines(packing, asked.specimen.physics.dimension);

@@ -26,7 +26,7 @@ namespace apps
     };
   } // namespace
 
-  void SidewaysStrain::note(const dem::Specimen &specimen, const int axis, const double stress)
+  void SidewaysStrain::note(const dem::ObservedSpecimen &specimen, const int axis, const double stress)
   {
     if (!(stress > 0) || (!notes.empty() && !(stress > growth * notes[notes.size() - note_length])))
       return;

@@ -2,7 +2,7 @@
 
 #include "base/column.h"
 #include "base/state.h"
-#include "dem/specimen/specimen.h"
+#include "dem/specimen/observation.h"
 
 #include <optional>
 
@@ -16,7 +16,7 @@ namespace apps
   {
   public:
     /** @param stress in the direction of the load, magnitude [Pa] */
-    void note(const dem::Specimen &specimen, int axis, double stress);
+    void note(const dem::ObservedSpecimen &specimen, int axis, double stress);
 
     /**
      * Poisson's ratio: the slope of the sideways strain over that along the axis, by least squares of all that was taken up to a third of

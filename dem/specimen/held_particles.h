@@ -1,0 +1,95 @@
+#pragma once
+
+#include "base/column.h"
+#include "base/state.h"
+#include "dem/kernels/particle_pass.h"
+#include "dem/model/particles.h"
+#include "dem/specimen/energy_book.h"
+#include "dem/specimen/grip.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace dem
+{
+  /**
+   * The particles of a specimen whose motion is prescribed: by grips, each with a rate for all of its members or one for each of them; and
+   * those left to a partner, who corrects their motion in every step. Forces and moments are those of the last force evaluation.
+   */
+  class HeldParticles
+  {
+  public:
+    /**
+     * Hold a group from now on; its rates come with set_rates().
+     * @param slot place of each packing number among the particles @return the grip's number, from 0
+     */
+    std::size_t add(const Grip &grip, const std::vector<std::int32_t> &slot, Particles &particles);
+    /** The members of a grip take corrections of a step from now on. */
+    void leave_to_partner(std::size_t grip, std::size_t particles);
+
+    std::size_t size() const { return grips.size(); }
+    const Grip &grip(const std::size_t number) const { return grips.at(number).grip; }
+
+    /**
+     * Rates of all members alike, from now on [m/s, rad/s].
+     * @param work takes up what the sudden change gives: an impulse; nullptr before the first step, where it is initial energy [J]
+     */
+    void set_rates(std::size_t            grip,
+                   const Eigen::Vector3d &velocity,
+                   const Eigen::Vector3d &spin,
+                   Particles             &particles,
+                   EnergyFlow            *work);
+    /** Rates of each member on its own, in the order of Grip::particles. @throws base::InputError for another number of them */
+    void set_own_rates(std::size_t                         grip,
+                       const std::vector<Eigen::Vector3d> &velocity,
+                       const std::vector<Eigen::Vector3d> &spin,
+                       Particles                          &particles,
+                       EnergyFlow                         *work);
+    /**
+     * Another rate of one component of a particle that was left to a partner.
+     * @return kinetic energy that this gives [J]; none where no grip prescribes the component
+     */
+    std::optional<double>
+    correct_rate(const Particles &particles, std::size_t particle, std::size_t component, double before, double now);
+
+    /** Sum up what links and weight do to each grip's members. */
+    void sum_forces(const Particles &particles);
+    /** Work of all grips in the half steps before and after t_n. */
+    void add_work(const Particles &particles, const StepHalves &halves, EnergyFlow &work);
+
+    Eigen::Vector3d reaction(std::size_t grip) const; ///< force of the grip on its members [N]
+    Eigen::Vector3d
+    reaction_moment(std::size_t grip) const; ///< sum of the moments about the members' own centres [N m]
+    /** Moment of all that the grip exerts in prescribed directions, about a point [m], [N m]. */
+    Eigen::Vector3d reaction_moment(const Particles &particles, std::size_t grip, const Eigen::Vector3d &about) const;
+
+    void visit_state(base::StateVisitor &visitor);
+
+  private:
+    struct HeldGrip
+    {
+      Grip                      grip;
+      std::vector<std::int32_t> members; ///< in the particles' order
+      std::vector<std::size_t>  given;   ///< which of grip.particles each member is
+      std::array<double, 6>     pull =
+        {};                   ///< sum of the links' (and weight's) force and moment over the members, at t_n [N, N m]
+      base::Column own_rates; ///< 6 of each member, where members move each on its own; empty: all alike
+      double       own_power = 0; ///< that the grip puts in at these rates and the forces at t_n [W]
+      base::Column lost_velocity; ///< of each member, 6 components: what new rates took away since the last step
+
+      double rate(std::size_t member, int component) const;
+      double power() const; ///< that the grip puts into the specimen [W]
+    };
+
+    static void set_rate(HeldGrip &held, std::size_t member, int component, Particles &particles, EnergyFlow *work);
+
+    std::vector<HeldGrip> grips;
+    std::vector<std::pair<std::int32_t, std::size_t>>
+      left; ///< of each particle the grip and its member that a partner moves; -1: none does; empty: none was left
+  };
+} // namespace dem

@@ -1,0 +1,321 @@
+#include "dem/specimen/observation.h"
+
+#include "dem/measures/link_measures.h"
+#include "dem/specimen/core.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <utility>
+
+namespace dem
+{
+  ObservedSpecimen::ObservedSpecimen(std::unique_ptr<SpecimenCore> core)
+    : self(std::move(core))
+  {
+  }
+  ObservedSpecimen::~ObservedSpecimen()                                       = default;
+  ObservedSpecimen::ObservedSpecimen(ObservedSpecimen &&) noexcept            = default;
+  ObservedSpecimen &ObservedSpecimen::operator=(ObservedSpecimen &&) noexcept = default;
+  ObservedSpecimen::ObservedSpecimen(const ObservedSpecimen &other)
+    : self(std::make_unique<SpecimenCore>(*other.self))
+  {
+  }
+  ObservedSpecimen &ObservedSpecimen::operator=(const ObservedSpecimen &other)
+  {
+    if (this != &other)
+      *self = *other.self;
+    return *this;
+  }
+
+  const SpecimenParameters &ObservedSpecimen::parameters() const { return self->parameters; }
+
+  std::int64_t ObservedSpecimen::steps() const { return self->step_count; }
+  double       ObservedSpecimen::time() const { return self->time; }
+  double       ObservedSpecimen::time_step() const { return self->time_step; }
+  double       ObservedSpecimen::stable_step() const { return self->stable(); }
+
+  double ObservedSpecimen::critical_step() const
+  {
+    return dem::critical_step(self->particles, self->all_links(), self->parameters.physics.rotations);
+  }
+
+  Counts ObservedSpecimen::counts() const
+  {
+    const std::size_t in_place = self->bonds.broken();
+    return {self->particles.count,
+            self->bonds.alive - in_place,
+            self->touching_contacts() + in_place,
+            self->cracks.count(),
+            self->search.searches(),
+            self->surfaces.list().size(),
+            std::max(self->overlaps.deepest(), deepest_overlap(self->particles, self->bonds, self->contacts).depth),
+            self->largest_turn};
+  }
+
+  std::size_t ObservedSpecimen::bytes() const
+  {
+    return self->particles.bytes() + self->bonds.bytes() + self->contacts.bytes();
+  }
+
+  double ObservedSpecimen::longest_step() const { return self->longest_step; }
+
+  GripReadings    ObservedSpecimen::grips() const { return GripReadings(*self); }
+  SurfaceReadings ObservedSpecimen::surfaces() const { return SurfaceReadings(*self); }
+  ClumpReadings   ObservedSpecimen::clumps() const { return ClumpReadings(*self); }
+
+  namespace
+  {
+    std::array<bool, 6> held_axes(const double *inverse_mass)
+    {
+      std::array<bool, 6> held{};
+      for (std::size_t c = 0; c < held.size(); ++c)
+        held[c] = !(inverse_mass[c] > 0);
+      return held;
+    }
+  } // namespace
+
+  ParticleState ObservedSpecimen::particle(const std::size_t number) const
+  {
+    const Particles &p = self->particles;
+    const auto       i = static_cast<std::size_t>(self->slot.at(number));
+    const double    *v = &p.velocity[record_size * i];
+    return {p.position_of(i),   Eigen::Vector3d(&p.motion[record_size * i]),
+            Eigen::Vector3d(v), Eigen::Vector3d(v + 3),
+            p.radius_of(i),     self->mass_of(i),
+            p.inertia[i],       held_axes(&p.inverse_mass[record_size * i])};
+  }
+
+  double ObservedSpecimen::stiffness_around(const std::size_t number) const
+  {
+    return dem::stiffness_around(self->particles, self->all_links(), self->parameters.physics.rotations,
+                                 self->slot.at(number), 0, self->stiffening.ahead());
+  }
+
+  EnergyAccount ObservedSpecimen::energy() const
+  {
+    EnergyAccount         e;
+    const auto           &s           = *self;
+    const SurfaceEnergies of_surfaces = s.surface_energies();
+    e.external_work                   = s.book.work.at_forces();
+    e.gravity                         = s.step_count == 0 ? 0.0 : s.weight_work() - s.book.weight_at_start;
+    e.initial                         = s.book.initial;
+    if (s.step_count == 0)
+      {
+        e.kinetic = s.kinetic_of_velocities();
+        e.initial = e.kinetic + s.book.stored_at_start + elastic_energy(s.particles, s.contacts, *s.contact_law) +
+                    of_surfaces.stored;
+      }
+    else
+      for (const auto &block : s.accounts)
+        e.kinetic += block.kinetic;
+    e.elastic = elastic_energy(s.particles, s.bonds, *s.bond_law) +
+                elastic_energy(s.particles, s.contacts, *s.contact_law) + of_surfaces.stored;
+    e.damage   = damage_dissipation(s.particles, s.bonds, *s.bond_law) + s.cracks.dissipated() + of_surfaces.damage;
+    e.friction = plastic_dissipation(s.bonds) + plastic_dissipation(s.contacts) + of_surfaces.friction;
+    e.released = s.book.released + released_in_place(s.bonds) + of_surfaces.released;
+    e.damping  = s.book.damped.at_forces() + viscous_dissipation(s.contacts) + of_surfaces.viscous;
+    e.rounding = s.book.rounding;
+    return e;
+  }
+
+  double ObservedSpecimen::kinetic_energy() const
+  {
+    if (self->step_count == 0)
+      return self->kinetic_of_velocities();
+    double sum = 0;
+    for (const auto &block : self->accounts)
+      sum += block.kinetic;
+    return sum;
+  }
+
+  double ObservedSpecimen::external_work() const { return self->book.work.at_forces(); }
+
+  std::size_t ObservedSpecimen::logged_breaks() const { return self->cracks.events().size(); }
+
+  std::vector<Break> ObservedSpecimen::breaks(const std::size_t from) const
+  {
+    std::vector<Break> found;
+    for (std::size_t b = from; b < self->cracks.events().size(); ++b)
+      {
+        found.push_back(self->cracks.events().at(b));
+        for (std::int32_t &end : found.back().ends)
+          if (end >= 0)
+            end = self->particles.number[static_cast<std::size_t>(end)];
+      }
+    return found;
+  }
+
+  Eigen::Vector3d ObservedSpecimen::displacement(const std::size_t particle) const
+  {
+    const auto i = static_cast<std::size_t>(self->slot.at(particle));
+    return self->particles.position_of(i) - Eigen::Vector3d(&self->particles.reference[3 * i]);
+  }
+
+  double ObservedSpecimen::mean_damage() const
+  {
+    if (self->made_links == 0)
+      return 0.0;
+    double     sum = static_cast<double>(self->cracks.count());
+    LinkReader reader(self->particles, self->bonds, *self->bond_law);
+    for (std::size_t l = 0; l < self->bonds.count; ++l)
+      if (self->bonds.is_alive(l) && !self->bonds.is_broken(l))
+        {
+          reader.read(l);
+          sum += reader.damage().stiffness;
+        }
+    return sum / static_cast<double>(self->made_links);
+  }
+
+  ParticleOutput ObservedSpecimen::particles() const
+  {
+    const Particles             &p = self->particles;
+    const std::size_t            n = p.count;
+    std::vector<double>          damage(n, 0.0);
+    std::vector<Eigen::Matrix3d> moments(n, Eigen::Matrix3d::Zero());
+    add_stress_moments(p, self->bonds, moments);
+    add_stress_moments(p, self->contacts, moments);
+    for (const SurfaceContact &contact : self->surfaces.list())
+      moments[static_cast<std::size_t>(contact.particle)] +=
+        contact.distance * contact.direction * contact.force.transpose();
+    for (const SurfaceBonds &glue : self->surfaces.bonds())
+      for (std::size_t bond = 0; bond < glue.count(); ++bond)
+        if (glue.is_alive(bond))
+          moments[static_cast<std::size_t>(glue.particle_of(bond))] += glue.branch(bond) * glue.force(bond).transpose();
+    LinkReader reader(p, self->bonds, *self->bond_law);
+    for (std::size_t l = 0; l < self->bonds.count; ++l)
+      if (self->bonds.is_alive(l) && !self->bonds.is_broken(l))
+        {
+          reader.read(l);
+          damage[self->bonds.first[l]] += reader.damage().stiffness;
+          damage[self->bonds.second[l]] += reader.damage().stiffness;
+        }
+
+    ParticleOutput out;
+    out.position.resize(n);
+    out.displacement.resize(n);
+    out.velocity.resize(n);
+    out.angular_velocity.resize(n);
+    out.radius.resize(n);
+    out.mass.resize(n);
+    out.damage.resize(n);
+    out.broken_links.resize(n);
+    out.volume.resize(n);
+    out.held.assign(n, 0);
+    out.stress.resize(n);
+    out.material.resize(p.material.size());
+    for (std::size_t grip = 0; grip < self->held.size(); ++grip)
+      for (const std::size_t i : self->held.grip(grip).particles)
+        out.held[i] = 1;
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        const std::size_t     to     = static_cast<std::size_t>(p.number[i]);
+        const double          space  = self->space_per_solid * p.cell.deformation().determinant(); // 1 without a cell
+        const double          volume = space * self->shape.volume(p.radius_of(i));
+        const Eigen::Matrix3d moment = moments[i] / volume;
+        out.position[to]             = p.position_of(i);
+        out.displacement[to]         = p.position_of(i) - Eigen::Vector3d(&p.reference[3 * i]);
+        out.velocity[to]         = Eigen::Vector3d(&p.velocity[record_size * i]) + p.cell.gradient() * p.position_of(i);
+        out.angular_velocity[to] = Eigen::Vector3d(&p.velocity[record_size * i + 3]);
+        out.radius[to]           = p.radius_of(i);
+        out.mass[to]             = self->mass_of(i);
+        out.damage[to]           = p.made_links[i] > 0 ? (damage[i] + p.broken_links[i]) / p.made_links[i] : 0.0;
+        out.broken_links[to]     = p.broken_links[i];
+        if (!p.material.empty())
+          out.material[to] = p.material[i];
+        out.volume[to] = volume;
+        out.stress[to] = 0.5 * (moment + moment.transpose());
+      }
+    return out;
+  }
+
+  namespace
+  {
+    void append(LinkOutput &out, const Particles &particles, const LinkSet &links, const LinkLaw &law)
+    {
+      LinkReader reader(particles, links, law);
+      for (std::size_t l = 0; l < links.count; ++l)
+        {
+          if (!links.is_alive(l))
+            continue;
+          reader.read(l);
+          if (law.waits() && reader.phase() == LinkPhase::apart)
+            continue;
+          if (links.several_pairs)
+            out.pair.push_back(links.pair[l]);
+          const LinkView &view     = reader.view();
+          const bool      cohesive = law.bonds() && !links.is_broken(l);
+          const double normal = view.force.dot(view.direction), shear = (view.force - normal * view.direction).norm();
+          out.ends.push_back({static_cast<std::size_t>(particles.number[links.first[l]]),
+                              static_cast<std::size_t>(particles.number[links.second[l]])});
+          out.kind.push_back(cohesive ? LinkOutput::cohesive : LinkOutput::contact);
+          out.normal_force.push_back(normal);
+          out.shear_force.push_back(shear);
+          out.normal_stress.push_back(normal / links.area[l]);
+          out.shear_stress.push_back(shear / links.area[l]);
+          out.normal_strain.push_back(view.strain);
+          out.damage.push_back(reader.damage().stiffness);
+          out.strength_damage.push_back(reader.damage().strength);
+          out.dissipated.push_back(cohesive ? reader.damage_dissipation() : 0.0);
+          out.load.push_back(load_at(particles, links, l));
+          std::size_t shown = 0;
+          for (std::size_t c = 0; c < links.quantities.size(); ++c)
+            if (law.bonds() && links.quantities[c].shown)
+              out.history[shown++].push_back(links.history[c][l]);
+          for (; shown < out.history.size(); ++shown)
+            out.history[shown].push_back(0.0);
+        }
+    }
+  } // namespace
+
+  namespace
+  {
+    /** Which particles are of a group, in the order of Particles. */
+    std::vector<bool> members(const std::vector<std::size_t> &group, const std::vector<std::int32_t> &slot)
+    {
+      std::vector<bool> is_of(slot.size(), false);
+      for (const std::size_t number : group)
+        is_of[static_cast<std::size_t>(slot.at(number))] = true;
+      return is_of;
+    }
+  } // namespace
+
+  Eigen::Vector3d ObservedSpecimen::force_on(const std::vector<std::size_t> &group) const
+  {
+    const std::vector<bool> is_of = members(group, self->slot);
+    Eigen::Vector3d         sum   = Eigen::Vector3d::Zero();
+    for (const LinkSet *links : {&self->bonds, &self->contacts})
+      for (std::size_t l = 0; l < links->count; ++l)
+        if (links->is_alive(l) && is_of[links->first[l]] != is_of[links->second[l]])
+          {
+            const Eigen::Vector3d force = link_at(self->particles, *links, l).force;
+            sum += is_of[links->first[l]] ? force : Eigen::Vector3d(-force);
+          }
+    self->surfaces.each_push(
+      [&](std::int32_t, const std::int32_t particle, const Eigen::Vector3d &force, const Eigen::Vector3d &) {
+        if (is_of[static_cast<std::size_t>(particle)])
+          sum += force;
+      });
+    return sum;
+  }
+
+  std::size_t ObservedSpecimen::broken_links_of(const std::vector<std::size_t> &group) const
+  {
+    return self->cracks.count_of(members(group, self->slot));
+  }
+
+  LinkOutput ObservedSpecimen::links() const
+  {
+    LinkOutput out;
+    for (const LinkQuantity &quantity : self->bond_law->columns())
+      if (quantity.shown && self->bond_law->bonds())
+        out.quantities.push_back(quantity);
+    out.history.resize(out.quantities.size());
+    append(out, self->particles, self->bonds, *self->bond_law);
+    append(out, self->particles, self->contacts, *self->contact_law);
+    self->cracks.append(out, self->particles, self->bond_law->several());
+    for (const SurfaceBonds &glue : self->surfaces.bonds())
+      glue.show(out.glue, self->particles, self->surfaces.surfaces()[static_cast<std::size_t>(glue.surface())]);
+    return out;
+  }
+} // namespace dem
