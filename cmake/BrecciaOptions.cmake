@@ -36,6 +36,9 @@ endif()
 set(CMAKE_CXX_STANDARD 17)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
+# Rooms may become part of a shared library, a Python module say; calls inside a room stay direct all the same.
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+add_compile_options(-fno-semantic-interposition)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
 find_program(BRECCIA_CCACHE ccache)

@@ -2,7 +2,7 @@
 
 #include "apps/bench/results.h"
 #include "apps/drivers/homogenisation/report.h"
-#include "apps/drivers/parts/specimen_packing.h"
+#include "apps/specimens/specimen_packing.h"
 #include "base/stopwatch.h"
 #include "base/voigt.h"
 #include "dem/laws/elastic_links.h"

@@ -1,6 +1,6 @@
 #include "apps/bench/peridynamic_plate.h"
 
-#include "apps/drivers/parts/duration.h"
+#include "apps/forecasts/duration.h"
 #include "base/stopwatch.h"
 
 #include <algorithm>

@@ -2,10 +2,10 @@
 
 #include "apps/bench/results.h"
 #include "apps/bench/scene_variant.h"
-#include "apps/drivers/parts/specimen_packing.h"
 #include "apps/drivers/quasi_static/lab_test.h"
 #include "apps/drivers/uniaxial/lab_test.h"
 #include "apps/drivers/uniaxial/scene.h"
+#include "apps/specimens/specimen_packing.h"
 #include "base/stopwatch.h"
 
 #include <fmt/format.h>

@@ -4,12 +4,12 @@
 #include "apps/bench/scene_variant.h"
 #include "apps/bench/uniaxial_cases.h"
 #include "apps/bench/uniaxial_table.h"
-#include "apps/drivers/parts/specimen_packing.h"
 #include "apps/drivers/uniaxial/lab_test.h"
 #include "apps/drivers/uniaxial/scene.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
 #include "apps/process/progress.h"
+#include "apps/specimens/specimen_packing.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "apps/commands/command.h"
 #include "apps/commands/scene_options.h"
-#include "apps/drivers/parts/summary_head.h"
+#include "apps/figures/summary_head.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/version.h"
 #include "apps/results/result_folder.h"

@@ -1,7 +1,7 @@
 #include "apps/commands/scene_options.h"
 
-#include "apps/drivers/parts/packing_cache.h"
 #include "apps/process/mpi_session.h"
+#include "apps/specimens/packing_cache.h"
 #include "base/errors.h"
 
 #include <CLI/Validators.hpp>

@@ -1,4 +1,4 @@
-#include "apps/drivers/parts/packing_cache.h"
+#include "apps/specimens/packing_cache.h"
 
 #include "postprocess/packings/packing_io.h"
 #include "tests/apps/program.h"

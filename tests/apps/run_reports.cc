@@ -1,9 +1,9 @@
 // What reports of runs are made of: figures of a series, balance, materials, laboratory notes.
-#include "apps/drivers/parts/energy_terms.h"
-#include "apps/drivers/parts/lab_report.h"
-#include "apps/drivers/parts/material_counts.h"
-#include "apps/drivers/parts/series_figures.h"
-#include "apps/drivers/parts/summary_head.h"
+#include "apps/figures/energy_terms.h"
+#include "apps/figures/lab_report.h"
+#include "apps/figures/series_figures.h"
+#include "apps/figures/summary_head.h"
+#include "apps/specimens/material_counts.h"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 // Columns of a series: which are drawn, which end a run, what a summary tells of them.
 #include "apps/drivers/continuum/summary.h"
 #include "apps/drivers/particles/stops.h"
-#include "apps/drivers/parts/drawn_curve.h"
+#include "apps/figures/drawn_curve.h"
 #include "apps/scene/overrides.h"
 #include "apps/scene/reader.h"
 #include "tests/apps/scratch_folder.h"

@@ -1,10 +1,10 @@
 #include "apps/drivers/cell/report.h"
 
-#include "apps/drivers/parts/deep_overlap.h"
-#include "apps/drivers/parts/energy_terms.h"
-#include "apps/drivers/parts/summary_head.h"
+#include "apps/figures/energy_terms.h"
+#include "apps/figures/summary_head.h"
 #include "apps/process/progress.h"
 #include "apps/scene/tension_beyond_apex.h"
+#include "apps/specimens/deep_overlap.h"
 #include "base/voigt.h"
 #include "postprocess/pictures/plot.h"
 

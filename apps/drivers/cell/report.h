@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/drivers/cell/scene.h"
-#include "apps/drivers/parts/material_counts.h"
+#include "apps/specimens/material_counts.h"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -1,10 +1,10 @@
 #include "apps/drivers/cell/run.h"
 
 #include "apps/drivers/cell/report.h"
-#include "apps/drivers/parts/energy_terms.h"
-#include "apps/drivers/parts/specimen_packing.h"
+#include "apps/figures/energy_terms.h"
 #include "apps/results/life_cycle.h"
 #include "apps/results/warning.h"
+#include "apps/specimens/specimen_packing.h"
 #include "base/voigt.h"
 #include "postprocess/pictures/specimen_picture.h"
 

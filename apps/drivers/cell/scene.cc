@@ -1,13 +1,13 @@
 #include "apps/drivers/cell/scene.h"
 
 #include "apps/drivers/cell/run.h"
-#include "apps/drivers/parts/duration.h"
-#include "apps/drivers/parts/material_counts.h"
-#include "apps/drivers/parts/packing_extents.h"
-#include "apps/drivers/parts/specimen_packing.h"
+#include "apps/forecasts/duration.h"
 #include "apps/scene/physics_section.h"
 #include "apps/scene/tension_beyond_apex.h"
 #include "apps/scene/value_text.h"
+#include "apps/specimens/material_counts.h"
+#include "apps/specimens/packing_extents.h"
+#include "apps/specimens/specimen_packing.h"
 #include "base/voigt.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "apps/drivers/continuum/cells.h"
 
-#include "apps/drivers/parts/specimen_packing.h"
+#include "apps/specimens/specimen_packing.h"
 #include "coupling/multiscale/moving_cells.h"
 #include "fem/points/driven_point.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/drivers/continuum/contact_section.h"
-#include "apps/drivers/parts/contact_figures.h"
+#include "apps/figures/contact_figures.h"
 #include "coupling/contact/solid_contacts.h"
 #include "postprocess/files/series.h"
 

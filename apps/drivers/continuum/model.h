@@ -4,7 +4,7 @@
 #include "apps/drivers/continuum/loads.h"
 #include "apps/drivers/continuum/materials.h"
 #include "apps/drivers/continuum/mesh.h"
-#include "apps/drivers/parts/contact_figures.h"
+#include "apps/figures/contact_figures.h"
 
 namespace apps
 {

@@ -2,7 +2,7 @@
 
 #include "apps/drivers/continuum/analysis.h"
 #include "apps/drivers/continuum/motion.h"
-#include "apps/drivers/parts/duration.h"
+#include "apps/forecasts/duration.h"
 #include "apps/process/mpi_session.h"
 #include "base/errors.h"
 

@@ -5,7 +5,7 @@
 #include "apps/drivers/continuum/solid.h"
 #include "apps/drivers/continuum/stress_picture.h"
 #include "apps/drivers/continuum/summary.h"
-#include "apps/drivers/parts/drawn_curve.h"
+#include "apps/figures/drawn_curve.h"
 #include "apps/process/mpi_session.h"
 #include "apps/process/progress.h"
 #include "apps/results/life_cycle.h"

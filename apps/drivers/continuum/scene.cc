@@ -4,10 +4,10 @@
 #include "apps/drivers/continuum/expected_duration.h"
 #include "apps/drivers/continuum/run.h"
 #include "apps/drivers/continuum/solid.h"
-#include "apps/drivers/parts/duration.h"
-#include "apps/drivers/parts/packing_extents.h"
-#include "apps/drivers/parts/run_forecast.h"
+#include "apps/forecasts/duration.h"
+#include "apps/forecasts/run_forecast.h"
 #include "apps/process/mpi_session.h"
+#include "apps/specimens/packing_extents.h"
 #include "fem/mesh/extent.h"
 
 #include <fmt/format.h>

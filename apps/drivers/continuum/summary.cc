@@ -1,8 +1,8 @@
 #include "apps/drivers/continuum/summary.h"
 
-#include "apps/drivers/parts/drawn_curve.h"
-#include "apps/drivers/parts/series_figures.h"
-#include "apps/drivers/parts/summary_head.h"
+#include "apps/figures/drawn_curve.h"
+#include "apps/figures/series_figures.h"
+#include "apps/figures/summary_head.h"
 #include "apps/process/mpi_session.h"
 #include "apps/process/progress.h"
 #include "apps/results/warning.h"

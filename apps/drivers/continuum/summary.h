@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/drivers/continuum/gauge_column.h"
-#include "apps/drivers/parts/contact_figures.h"
+#include "apps/figures/contact_figures.h"
 #include "apps/scene/scene.h"
 #include "fem/output/solid_extremes.h"
 #include "postprocess/files/csv_table.h"

@@ -1,7 +1,7 @@
 #include "apps/drivers/coupled/model.h"
 
 #include "apps/drivers/continuum/upright.h"
-#include "apps/drivers/parts/drawn_curve.h"
+#include "apps/figures/drawn_curve.h"
 #include "apps/scene/nearest_name.h"
 
 #include <fmt/format.h>

@@ -5,7 +5,7 @@
 #include "apps/drivers/coupled/laboratory.h"
 #include "apps/drivers/coupled/particle_medium.h"
 #include "apps/drivers/particles/model.h"
-#include "apps/drivers/parts/contact_figures.h"
+#include "apps/figures/contact_figures.h"
 
 #include <utility>
 

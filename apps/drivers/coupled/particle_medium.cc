@@ -1,7 +1,7 @@
 #include "apps/drivers/coupled/particle_medium.h"
 
 #include "apps/drivers/homogenisation/report.h"
-#include "apps/drivers/parts/specimen_packing.h"
+#include "apps/specimens/specimen_packing.h"
 #include "base/errors.h"
 #include "postprocess/files/summary.h"
 

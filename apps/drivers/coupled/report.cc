@@ -2,7 +2,7 @@
 
 #include "apps/drivers/continuum/gauge_column.h"
 #include "apps/drivers/particles/break_results.h"
-#include "apps/drivers/parts/series_figures.h"
+#include "apps/figures/series_figures.h"
 #include "apps/process/progress.h"
 #include "apps/scene/tension_beyond_apex.h"
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "apps/drivers/coupled/body.h"
-#include "apps/drivers/parts/lab_report.h"
-#include "apps/drivers/parts/motion_report.h"
+#include "apps/figures/lab_report.h"
+#include "apps/figures/motion_report.h"
 
 #include <nlohmann/json.hpp>
 

@@ -2,14 +2,14 @@
 
 #include "apps/drivers/coupled/report.h"
 #include "apps/drivers/particles/break_results.h"
-#include "apps/drivers/parts/drawn_curve.h"
-#include "apps/drivers/parts/duration.h"
-#include "apps/drivers/parts/left_out_of_balance.h"
-#include "apps/drivers/parts/specimen_packing.h"
+#include "apps/figures/drawn_curve.h"
+#include "apps/forecasts/duration.h"
 #include "apps/process/progress.h"
 #include "apps/results/life_cycle.h"
 #include "apps/results/snapshots.h"
 #include "apps/results/warning.h"
+#include "apps/specimens/left_out_of_balance.h"
+#include "apps/specimens/specimen_packing.h"
 #include "dem/observation/discrete_state.h"
 #include "postprocess/hdf5/discrete_state_hdf5.h"
 

@@ -1,12 +1,12 @@
 #pragma once
 
 #include "apps/drivers/coupled/body.h"
-#include "apps/drivers/parts/material_counts.h"
-#include "apps/drivers/parts/sampling.h"
-#include "apps/drivers/parts/specimen_snapshots.h"
+#include "apps/figures/sampling.h"
 #include "apps/results/run_result.h"
 #include "apps/results/run_work.h"
 #include "apps/scene/scene.h"
+#include "apps/specimens/material_counts.h"
+#include "apps/specimens/specimen_snapshots.h"
 
 #include <memory>
 #include <optional>

@@ -5,13 +5,13 @@
 #include "apps/drivers/coupled/sub_cycling_forecast.h"
 #include "apps/drivers/particles/damped_fall.h"
 #include "apps/drivers/particles/piled_up.h"
-#include "apps/drivers/parts/duration.h"
-#include "apps/drivers/parts/material_counts.h"
-#include "apps/drivers/parts/packing_extents.h"
-#include "apps/drivers/parts/run_forecast.h"
-#include "apps/drivers/parts/specimen_snapshots.h"
+#include "apps/forecasts/duration.h"
+#include "apps/forecasts/run_forecast.h"
 #include "apps/process/mpi_session.h"
 #include "apps/scene/tension_beyond_apex.h"
+#include "apps/specimens/material_counts.h"
+#include "apps/specimens/packing_extents.h"
+#include "apps/specimens/specimen_snapshots.h"
 #include "postprocess/vtk/pvd.h"
 
 #include <fmt/format.h>

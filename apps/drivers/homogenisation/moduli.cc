@@ -1,6 +1,6 @@
 #include "apps/drivers/homogenisation/moduli.h"
 
-#include "apps/drivers/parts/specimen_packing.h"
+#include "apps/specimens/specimen_packing.h"
 #include "base/errors.h"
 #include "base/stopwatch.h"
 #include "dem/homogenisation/resisted_strains.h"

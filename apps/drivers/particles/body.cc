@@ -1,6 +1,6 @@
 #include "apps/drivers/particles/body.h"
 
-#include "apps/drivers/parts/energy_terms.h"
+#include "apps/figures/energy_terms.h"
 #include "apps/process/interrupt.h"
 #include "base/errors.h"
 #include "base/flat_state.h"

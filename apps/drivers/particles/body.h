@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/drivers/particles/model.h"
-#include "apps/drivers/parts/static_start.h"
+#include "apps/specimens/static_start.h"
 #include "dem/laboratory/lab_test.h"
 #include "dem/specimen/specimen.h"
 

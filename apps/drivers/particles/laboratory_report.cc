@@ -1,6 +1,6 @@
 #include "apps/drivers/particles/laboratory_report.h"
 
-#include "apps/drivers/parts/summary_head.h"
+#include "apps/figures/summary_head.h"
 #include "apps/results/warning.h"
 #include "postprocess/files/series.h"
 #include "postprocess/pictures/plot.h"

@@ -1,7 +1,7 @@
 #include "apps/drivers/particles/model.h"
 
-#include "apps/drivers/parts/drawn_curve.h"
-#include "apps/drivers/parts/energy_terms.h"
+#include "apps/figures/drawn_curve.h"
+#include "apps/figures/energy_terms.h"
 #include "apps/scene/physics_section.h"
 
 #include <algorithm>

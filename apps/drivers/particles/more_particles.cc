@@ -1,11 +1,11 @@
 #include "apps/drivers/particles/more_particles.h"
 
-#include "apps/drivers/parts/packing_file.h"
-#include "apps/drivers/parts/specimen_packing.h"
 #include "apps/scene/corner_list.h"
 #include "apps/scene/length_unit_entry.h"
 #include "apps/scene/nearest_name.h"
 #include "apps/scene/number_list.h"
+#include "apps/specimens/packing_file.h"
+#include "apps/specimens/specimen_packing.h"
 #include "dem/packing/overlaps.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "apps/drivers/particles/piled_up.h"
 
-#include "apps/drivers/parts/duration.h"
+#include "apps/forecasts/duration.h"
 #include "dem/facets/shapes.h"
 #include "dem/facets/surface.h"
 #include "dem/packing/lattice.h"

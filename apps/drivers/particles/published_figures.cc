@@ -1,6 +1,6 @@
 #include "apps/drivers/particles/published_figures.h"
 
-#include "apps/drivers/parts/summary_head.h"
+#include "apps/figures/summary_head.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

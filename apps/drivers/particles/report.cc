@@ -2,8 +2,8 @@
 
 #include "apps/drivers/particles/break_results.h"
 #include "apps/drivers/particles/laboratory_report.h"
-#include "apps/drivers/parts/energy_terms.h"
-#include "apps/drivers/parts/series_figures.h"
+#include "apps/figures/energy_terms.h"
+#include "apps/figures/series_figures.h"
 #include "apps/process/progress.h"
 #include "apps/scene/tension_beyond_apex.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/drivers/particles/body.h"
-#include "apps/drivers/parts/motion_report.h"
+#include "apps/figures/motion_report.h"
 #include "dem/laboratory/lab_test.h"
 
 #include <nlohmann/json_fwd.hpp>

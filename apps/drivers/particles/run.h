@@ -1,13 +1,13 @@
 #pragma once
 
 #include "apps/drivers/particles/body.h"
-#include "apps/drivers/parts/genesis_work.h"
-#include "apps/drivers/parts/material_counts.h"
-#include "apps/drivers/parts/sampling.h"
-#include "apps/drivers/parts/specimen_snapshots.h"
+#include "apps/figures/sampling.h"
 #include "apps/results/run_result.h"
 #include "apps/results/run_work.h"
 #include "apps/scene/scene.h"
+#include "apps/specimens/genesis_work.h"
+#include "apps/specimens/material_counts.h"
+#include "apps/specimens/specimen_snapshots.h"
 
 #include <memory>
 #include <optional>

@@ -3,14 +3,14 @@
 #include "apps/drivers/particles/damped_fall.h"
 #include "apps/drivers/particles/piled_up.h"
 #include "apps/drivers/particles/run.h"
-#include "apps/drivers/parts/duration.h"
-#include "apps/drivers/parts/genesis_work.h"
-#include "apps/drivers/parts/material_counts.h"
-#include "apps/drivers/parts/packing_extents.h"
-#include "apps/drivers/parts/run_forecast.h"
-#include "apps/drivers/parts/specimen_snapshots.h"
+#include "apps/forecasts/duration.h"
+#include "apps/forecasts/run_forecast.h"
 #include "apps/process/progress.h"
 #include "apps/scene/tension_beyond_apex.h"
+#include "apps/specimens/genesis_work.h"
+#include "apps/specimens/material_counts.h"
+#include "apps/specimens/packing_extents.h"
+#include "apps/specimens/specimen_snapshots.h"
 
 #include <fmt/format.h>
 

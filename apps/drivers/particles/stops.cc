@@ -1,6 +1,6 @@
 #include "apps/drivers/particles/stops.h"
 
-#include "apps/drivers/parts/run_forecast.h"
+#include "apps/forecasts/run_forecast.h"
 #include "apps/scene/nearest_name.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "apps/drivers/peridynamics/motion.h"
 
-#include "apps/drivers/parts/summary_head.h"
+#include "apps/figures/summary_head.h"
 #include "base/errors.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "apps/drivers/parts/sampling.h"
 #include "apps/drivers/peridynamics/analysis.h"
+#include "apps/figures/sampling.h"
 #include "dem/peridynamics/motion.h"
 
 namespace apps

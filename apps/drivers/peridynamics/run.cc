@@ -1,6 +1,6 @@
 #include "apps/drivers/peridynamics/run.h"
 
-#include "apps/drivers/parts/summary_head.h"
+#include "apps/figures/summary_head.h"
 #include "apps/process/progress.h"
 #include "apps/results/life_cycle.h"
 #include "apps/results/run_observer.h"

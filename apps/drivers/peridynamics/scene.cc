@@ -1,8 +1,8 @@
 #include "apps/drivers/peridynamics/scene.h"
 
-#include "apps/drivers/parts/duration.h"
 #include "apps/drivers/peridynamics/motion.h"
 #include "apps/drivers/peridynamics/run.h"
+#include "apps/forecasts/duration.h"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "apps/drivers/parts/lab_report.h"
-#include "apps/drivers/parts/material_counts.h"
 #include "apps/drivers/quasi_static/scene.h"
+#include "apps/figures/lab_report.h"
 #include "apps/results/run_work.h"
 #include "apps/results/warning.h"
+#include "apps/specimens/material_counts.h"
 #include "dem/observation/link_images.h"
 #include "postprocess/vtk/pvd.h"
 

@@ -1,6 +1,6 @@
 #include "apps/drivers/quasi_static/report.h"
 
-#include "apps/drivers/parts/summary_head.h"
+#include "apps/figures/summary_head.h"
 #include "apps/process/progress.h"
 #include "apps/scene/tension_beyond_apex.h"
 

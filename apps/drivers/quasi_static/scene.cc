@@ -1,12 +1,12 @@
 #include "apps/drivers/quasi_static/scene.h"
 
-#include "apps/drivers/parts/duration.h"
-#include "apps/drivers/parts/lab_run.h"
-#include "apps/drivers/parts/packing_extents.h"
-#include "apps/drivers/parts/path_forecast.h"
-#include "apps/drivers/parts/specimen_packing.h"
 #include "apps/drivers/quasi_static/report.h"
+#include "apps/figures/lab_run.h"
+#include "apps/forecasts/duration.h"
+#include "apps/forecasts/path_forecast.h"
 #include "apps/scene/tension_beyond_apex.h"
+#include "apps/specimens/packing_extents.h"
+#include "apps/specimens/specimen_packing.h"
 
 #include <fmt/format.h>
 

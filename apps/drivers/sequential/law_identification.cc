@@ -1,9 +1,9 @@
 #include "apps/drivers/sequential/law_identification.h"
 
-#include "apps/drivers/parts/link_failure.h"
-#include "apps/drivers/parts/summary_head.h"
 #include "apps/drivers/sequential/particles.h"
 #include "apps/drivers/sequential/scene.h"
+#include "apps/figures/link_failure.h"
+#include "apps/figures/summary_head.h"
 #include "apps/results/warning.h"
 #include "coupling/sequential/damage_observation.h"
 #include "postprocess/files/atomic_file.h"

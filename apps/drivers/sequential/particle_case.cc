@@ -1,6 +1,6 @@
 #include "apps/drivers/sequential/particle_case.h"
 
-#include "apps/drivers/parts/duration.h"
+#include "apps/forecasts/duration.h"
 #include "postprocess/hdf5/discrete_state_hdf5.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "apps/drivers/parts/static_start.h"
 #include "apps/drivers/sequential/particle_event.h"
+#include "apps/specimens/static_start.h"
 #include "dem/observation/discrete_state.h"
 
 #include <memory>

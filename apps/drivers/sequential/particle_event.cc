@@ -1,9 +1,9 @@
 #include "apps/drivers/sequential/particle_event.h"
 
-#include "apps/drivers/parts/specimen_packing.h"
 #include "apps/scene/number_list.h"
 #include "apps/scene/physics_section.h"
 #include "apps/scene/value_text.h"
+#include "apps/specimens/specimen_packing.h"
 
 #include <cmath>
 #include <limits>

@@ -1,12 +1,12 @@
 #include "apps/drivers/sequential/scene.h"
 
 #include "apps/drivers/continuum/expected_duration.h"
-#include "apps/drivers/parts/duration.h"
-#include "apps/drivers/parts/packing_extents.h"
 #include "apps/drivers/sequential/law_identification.h"
 #include "apps/drivers/sequential/outline.h"
 #include "apps/drivers/sequential/particle_case.h"
 #include "apps/drivers/sequential/run.h"
+#include "apps/forecasts/duration.h"
+#include "apps/specimens/packing_extents.h"
 
 #include <fmt/format.h>
 

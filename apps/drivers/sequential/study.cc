@@ -1,7 +1,7 @@
 #include "apps/drivers/sequential/study.h"
 
 #include "apps/drivers/continuum/summary.h"
-#include "apps/drivers/parts/summary_head.h"
+#include "apps/figures/summary_head.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

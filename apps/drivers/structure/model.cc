@@ -1,6 +1,6 @@
 #include "apps/drivers/structure/model.h"
 
-#include "apps/drivers/parts/specimen_packing.h"
+#include "apps/specimens/specimen_packing.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,7 +1,7 @@
 #include "apps/drivers/structure/promotion.h"
 
-#include "apps/drivers/parts/specimen_packing.h"
 #include "apps/results/run_work.h"
+#include "apps/specimens/specimen_packing.h"
 
 #include <fmt/format.h>
 

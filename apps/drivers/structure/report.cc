@@ -1,9 +1,9 @@
 #include "apps/drivers/structure/report.h"
 
-#include "apps/drivers/parts/drawn_curve.h"
-#include "apps/drivers/parts/series_figures.h"
-#include "apps/drivers/parts/summary_head.h"
 #include "apps/drivers/structure/promotion_steps.h"
+#include "apps/figures/drawn_curve.h"
+#include "apps/figures/series_figures.h"
+#include "apps/figures/summary_head.h"
 #include "apps/process/progress.h"
 #include "apps/results/warning.h"
 #include "apps/scene/tension_beyond_apex.h"

@@ -1,12 +1,12 @@
 #include "apps/drivers/structure/scene.h"
 
-#include "apps/drivers/parts/duration.h"
-#include "apps/drivers/parts/packing_extents.h"
-#include "apps/drivers/parts/path_forecast.h"
 #include "apps/drivers/structure/promotion.h"
 #include "apps/drivers/structure/run.h"
+#include "apps/forecasts/duration.h"
+#include "apps/forecasts/path_forecast.h"
 #include "apps/process/mpi_session.h"
 #include "apps/scene/tension_beyond_apex.h"
+#include "apps/specimens/packing_extents.h"
 
 #include <fmt/format.h>
 

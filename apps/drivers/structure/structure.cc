@@ -1,7 +1,7 @@
 #include "apps/drivers/structure/structure.h"
 
-#include "apps/drivers/parts/drawn_curve.h"
 #include "apps/drivers/quasi_static/lab_test.h"
+#include "apps/figures/drawn_curve.h"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "apps/drivers/coupled/particle_medium.h"
-#include "apps/drivers/parts/material_counts.h"
 #include "apps/drivers/structure/solid.h"
 #include "apps/results/run_work.h"
+#include "apps/specimens/material_counts.h"
 #include "dem/observation/path_output.h"
 
 #include <memory>

@@ -1,9 +1,8 @@
 #include "apps/drivers/transmission/scene.h"
 
-#include "apps/drivers/parts/duration.h"
-#include "apps/drivers/parts/specimen_packing.h"
 #include "apps/drivers/transmission/methods.h"
 #include "apps/drivers/transmission/report.h"
+#include "apps/forecasts/duration.h"
 #include "apps/process/mpi_session.h"
 #include "apps/process/version.h"
 #include "apps/results/short_run.h"
@@ -11,6 +10,7 @@
 #include "apps/scene/name_list.h"
 #include "apps/scene/number_list.h"
 #include "apps/scene/value_text.h"
+#include "apps/specimens/specimen_packing.h"
 #include "base/stopwatch.h"
 #include "postprocess/files/atomic_file.h"
 

@@ -1,6 +1,6 @@
 #include "apps/drivers/uniaxial/lab_test.h"
 
-#include "apps/drivers/parts/energy_terms.h"
+#include "apps/figures/energy_terms.h"
 #include "apps/process/progress.h"
 #include "apps/results/warning.h"
 #include "base/errors.h"

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "apps/drivers/parts/material_counts.h"
-#include "apps/drivers/parts/sampling.h"
-#include "apps/drivers/parts/specimen_snapshots.h"
 #include "apps/drivers/uniaxial/model.h"
 #include "apps/drivers/uniaxial/result.h"
 #include "apps/drivers/uniaxial/sideways.h"
+#include "apps/figures/sampling.h"
 #include "apps/results/run_work.h"
+#include "apps/specimens/material_counts.h"
+#include "apps/specimens/specimen_snapshots.h"
 
 #include <filesystem>
 #include <memory>

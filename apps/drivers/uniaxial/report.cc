@@ -1,10 +1,10 @@
 #include "apps/drivers/uniaxial/report.h"
 
-#include "apps/drivers/parts/energy_terms.h"
-#include "apps/drivers/parts/left_out_of_balance.h"
-#include "apps/drivers/parts/summary_head.h"
+#include "apps/figures/energy_terms.h"
+#include "apps/figures/summary_head.h"
 #include "apps/process/progress.h"
 #include "apps/scene/tension_beyond_apex.h"
+#include "apps/specimens/left_out_of_balance.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "apps/drivers/parts/lab_report.h"
-#include "apps/drivers/parts/static_start.h"
+#include "apps/figures/lab_report.h"
 #include "apps/scene/loading_section.h"
+#include "apps/specimens/static_start.h"
 #include "base/column.h"
 #include "base/state.h"
 #include "dem/model/energy.h"

@@ -1,19 +1,19 @@
 #include "apps/drivers/uniaxial/scene.h"
 
-#include "apps/drivers/parts/duration.h"
-#include "apps/drivers/parts/lab_run.h"
-#include "apps/drivers/parts/link_failure.h"
-#include "apps/drivers/parts/material_counts.h"
-#include "apps/drivers/parts/packing_extents.h"
-#include "apps/drivers/parts/run_forecast.h"
-#include "apps/drivers/parts/specimen_packing.h"
-#include "apps/drivers/parts/specimen_snapshots.h"
-#include "apps/drivers/parts/static_start.h"
 #include "apps/drivers/uniaxial/report.h"
+#include "apps/figures/lab_run.h"
+#include "apps/figures/link_failure.h"
+#include "apps/forecasts/duration.h"
+#include "apps/forecasts/run_forecast.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/progress.h"
 #include "apps/scene/physics_section.h"
 #include "apps/scene/tension_beyond_apex.h"
+#include "apps/specimens/material_counts.h"
+#include "apps/specimens/packing_extents.h"
+#include "apps/specimens/specimen_packing.h"
+#include "apps/specimens/specimen_snapshots.h"
+#include "apps/specimens/static_start.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "apps/drivers/parts/drawn_curve.h"
+#include "apps/figures/drawn_curve.h"
 
 #include "apps/results/warning.h"
 #include "apps/scene/nearest_name.h"

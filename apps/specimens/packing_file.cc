@@ -1,4 +1,4 @@
-#include "apps/drivers/parts/packing_file.h"
+#include "apps/specimens/packing_file.h"
 
 #include "base/errors.h"
 #include "postprocess/packings/packing_io.h"

@@ -1,4 +1,4 @@
-#include "apps/drivers/parts/link_failure.h"
+#include "apps/figures/link_failure.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "apps/drivers/parts/left_out_of_balance.h"
+#include "apps/specimens/left_out_of_balance.h"
 
 #include "dem/kernels/first_order_shear.h"
 

@@ -1,4 +1,4 @@
-#include "apps/drivers/parts/sampling.h"
+#include "apps/figures/sampling.h"
 
 #include <algorithm>
 

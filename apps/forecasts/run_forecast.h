@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/drivers/parts/duration.h"
+#include "apps/forecasts/duration.h"
 #include "apps/process/progress.h"
 #include "postprocess/files/errors.h"
 #include "postprocess/files/scratch_folder.h"

@@ -1,9 +1,9 @@
-#include "apps/drivers/parts/motion_report.h"
+#include "apps/figures/motion_report.h"
 
-#include "apps/drivers/parts/deep_overlap.h"
-#include "apps/drivers/parts/left_out_of_balance.h"
-#include "apps/drivers/parts/series_figures.h"
-#include "apps/drivers/parts/summary_head.h"
+#include "apps/figures/series_figures.h"
+#include "apps/figures/summary_head.h"
+#include "apps/specimens/deep_overlap.h"
+#include "apps/specimens/left_out_of_balance.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "apps/drivers/parts/material_counts.h"
-#include "apps/drivers/parts/static_start.h"
 #include "apps/scene/scene.h"
+#include "apps/specimens/material_counts.h"
+#include "apps/specimens/static_start.h"
 #include "dem/specimen/observation.h"
 #include "postprocess/files/csv_table.h"
 

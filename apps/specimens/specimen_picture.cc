@@ -1,4 +1,4 @@
-#include "apps/drivers/parts/specimen_picture.h"
+#include "apps/specimens/specimen_picture.h"
 
 #include "postprocess/pictures/picture_axes.h"
 

@@ -1,4 +1,4 @@
-#include "apps/drivers/parts/packing_cache.h"
+#include "apps/specimens/packing_cache.h"
 
 #include "base/errors.h"
 #include "postprocess/files/digest.h"

@@ -1,4 +1,4 @@
-#include "apps/drivers/parts/duration.h"
+#include "apps/forecasts/duration.h"
 
 #include "apps/process/progress.h"
 

@@ -1,4 +1,4 @@
-#include "apps/drivers/parts/specimen_snapshots.h"
+#include "apps/specimens/specimen_snapshots.h"
 
 #include "apps/results/snapshots.h"
 #include "dem/observation/link_images.h"

@@ -1,4 +1,4 @@
-#include "apps/drivers/parts/static_start.h"
+#include "apps/specimens/static_start.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

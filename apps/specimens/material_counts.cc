@@ -1,4 +1,4 @@
-#include "apps/drivers/parts/material_counts.h"
+#include "apps/specimens/material_counts.h"
 
 #include "dem/model/materials.h"
 

@@ -1,7 +1,7 @@
-#include "apps/drivers/parts/lab_report.h"
+#include "apps/figures/lab_report.h"
 
-#include "apps/drivers/parts/deep_overlap.h"
-#include "apps/drivers/parts/summary_head.h"
+#include "apps/figures/summary_head.h"
+#include "apps/specimens/deep_overlap.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-#include "apps/drivers/parts/summary_head.h"
+#include "apps/figures/summary_head.h"
 
 #include "apps/process/version.h"
 

@@ -1,4 +1,4 @@
-#include "apps/drivers/parts/energy_terms.h"
+#include "apps/figures/energy_terms.h"
 
 #include <nlohmann/json.hpp>
 

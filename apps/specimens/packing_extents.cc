@@ -1,6 +1,6 @@
-#include "apps/drivers/parts/packing_extents.h"
+#include "apps/specimens/packing_extents.h"
 
-#include "apps/drivers/parts/packing_density.h"
+#include "apps/specimens/packing_density.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "apps/drivers/parts/genesis_work.h"
+#include "apps/specimens/genesis_work.h"
 
 #include "apps/process/interrupt.h"
 #include "apps/process/progress.h"

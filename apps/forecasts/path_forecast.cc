@@ -1,6 +1,6 @@
-#include "apps/drivers/parts/path_forecast.h"
+#include "apps/forecasts/path_forecast.h"
 
-#include "apps/drivers/parts/link_failure.h"
+#include "apps/figures/link_failure.h"
 #include "base/stopwatch.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "apps/drivers/parts/packing_density.h"
+#include "apps/specimens/packing_density.h"
 
 #include "dem/measures/bulk_volume.h"
 

@@ -1,4 +1,4 @@
-#include "apps/drivers/parts/contact_figures.h"
+#include "apps/figures/contact_figures.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
-#include "apps/drivers/parts/series_figures.h"
+#include "apps/figures/series_figures.h"
 
-#include "apps/drivers/parts/drawn_curve.h"
+#include "apps/figures/drawn_curve.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,4 +1,4 @@
-#include "apps/drivers/parts/deep_overlap.h"
+#include "apps/specimens/deep_overlap.h"
 
 #include "dem/contacts/deepest_overlap.h"
 
