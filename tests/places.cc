@@ -1,5 +1,7 @@
 #include "tests/places.h"
 
+#include <iostream>
+
 // Functions, so that constants of other sources may be made of them before main begins.
 namespace places
 {
@@ -17,5 +19,11 @@ namespace places
   {
     static const std::string file = BRECCIA_MPIRUN;
     return file;
+  }
+  bool skipped_without_mpirun()
+  {
+    if (mpirun().empty())
+      std::cout << "Skipped: there is no mpirun.\n";
+    return mpirun().empty();
   }
 } // namespace places

@@ -8,4 +8,6 @@ namespace places
   const std::string &sources(); ///< folder of the sources, for scenes, meshes and reference files
   const std::string &program(); ///< the program `breccia`; "" where it is not built
   const std::string &mpirun();  ///< "" where there is none
+  /** Whether there is none; then a test of ranks says so and returns, and CTest counts it as skipped (tests/main.cc). */
+  bool skipped_without_mpirun();
 } // namespace places

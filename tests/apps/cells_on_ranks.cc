@@ -70,7 +70,7 @@ namespace
 TEST_CASE("Cells that damage give a structure the same bits on any number of ranks and threads",
           "[apps][mpi][cells][slow]")
 {
-  if (places::mpirun().empty())
+  if (places::skipped_without_mpirun())
     return;
   const ScratchFolder folder;
   same_on_ranks(folder, plate("0.2"));
@@ -78,7 +78,7 @@ TEST_CASE("Cells that damage give a structure the same bits on any number of ran
 
 TEST_CASE("More ranks than cells give the same bits, and are told what one is", "[apps][mpi][cells][slow]")
 {
-  if (places::mpirun().empty())
+  if (places::skipped_without_mpirun())
     return;
   const ScratchFolder folder;
   const std::string   changes =
@@ -100,7 +100,7 @@ TEST_CASE("More ranks than cells give the same bits, and are told what one is", 
 TEST_CASE("Cells in motion give a structure the same bits on any number of ranks and threads",
           "[apps][mpi][cells][slow]")
 {
-  if (places::mpirun().empty())
+  if (places::skipped_without_mpirun())
     return;
   const ScratchFolder folder;
   same_on_ranks(folder, run_of("three_cubes.prm", {"Motion/End time=0.02", "Output/Snapshots=2"}));
@@ -116,7 +116,7 @@ TEST_CASE(
   const std::string whole = content_of(folder / "whole/series.csv");
   for (const int ranks : {0, 2})
     {
-      if (ranks > 0 && places::mpirun().empty())
+      if (ranks > 0 && places::skipped_without_mpirun())
         return;
       const std::string name = "ranks_" + std::to_string(ranks), into = words + " -o " + name;
       // Not before there are promoted cells to save: some of the ten snapshots are then written.

@@ -42,7 +42,7 @@ namespace
 
 TEST_CASE("Two ranks under mpirun give the displacement of one, and PVTU files", "[apps][mpi]")
 {
-  if (mpirun.empty())
+  if (places::skipped_without_mpirun())
     return;
   const ScratchFolder folder;
   folder.file("x.prm", impact_scene());
@@ -63,7 +63,7 @@ TEST_CASE("Two ranks under mpirun give the displacement of one, and PVTU files",
 
 TEST_CASE("Two ranks follow a softening beam past its peak as one does", "[apps][mpi][slow]")
 {
-  if (mpirun.empty())
+  if (places::skipped_without_mpirun())
     return;
   const ScratchFolder folder;
   folder.file("x.prm", concrete_beam_scene());
@@ -87,7 +87,7 @@ TEST_CASE("Two ranks follow a softening beam past its peak as one does", "[apps]
 
 TEST_CASE("A run on two ranks that is interrupted past the peak goes on to the same bits", "[apps][mpi][slow][S13]")
 {
-  if (mpirun.empty())
+  if (places::skipped_without_mpirun())
     return;
   const ScratchFolder folder;
   folder.file("x.prm", replaced(concrete_beam_scene(), "subsection Output",
@@ -110,7 +110,7 @@ TEST_CASE("A run on two ranks that is interrupted past the peak goes on to the s
 
 TEST_CASE("A scene of particles under mpirun is refused in one message", "[apps][mpi][S14]")
 {
-  if (mpirun.empty())
+  if (places::skipped_without_mpirun())
     return;
   const ScratchFolder folder;
   folder.file("packing.txt", stack_packing());
@@ -126,7 +126,7 @@ TEST_CASE("A scene of particles under mpirun is refused in one message", "[apps]
 
 TEST_CASE("Interrupted under mpirun, a run says how to go on under mpirun, and does", "[apps][mpi][slow]")
 {
-  if (mpirun.empty())
+  if (places::skipped_without_mpirun())
     return;
   const ScratchFolder folder;
   // Ten seconds: mpirun hands a signal on up to two seconds late, and the run must not be over by then.

@@ -217,6 +217,7 @@ TEST_CASE("responding cell: Newton's method on its stress converges with the squ
   UNSCOPED_INFO("errors end with " << error[last] << ", " << error[last + 1] << ": order " << order);
   CHECK(parts == 1); // else the tangent would be that of the last part
   CHECK(order > 1.7);
+  CHECK(order < 2.5); // the constant before the square is below one, which adds some tenths
 }
 
 TEST_CASE("responding cell: a strain far past the peak in one call is answered in parts, with the energy closed",

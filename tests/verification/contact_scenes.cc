@@ -79,6 +79,7 @@ TEST_CASE("Two balls of finite elements meet as Hertz has it: within 2 %, and th
       CHECK(second < first);
       CHECK(last < second);
       CHECK(order > 1.2);
+      CHECK(order < 4); // nothing vanishes faster than what the layer of contact gives way
       CHECK(last < 0.02);
     }
 }
