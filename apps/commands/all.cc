@@ -13,6 +13,7 @@ namespace apps
   void add_transfer(CLI::App &program, Action &chosen);
   void add_envelope(CLI::App &program, Action &chosen);
   void add_study(CLI::App &program, Action &chosen);
+  void add_invert(CLI::App &program, Action &chosen);
   void add_analyse(CLI::App &program, Action &chosen);
   void add_bench(CLI::App &program, Action &chosen);
 
@@ -20,7 +21,7 @@ namespace apps
   {
     static const std::vector<AddCommand> commands = {
       add_run,      add_check,    add_describe, add_pack,  add_homogenise, add_link_test, add_point_test,
-      add_envelope, add_transfer, add_measure,  add_study, add_analyse,    add_bench};
+      add_envelope, add_transfer, add_measure,  add_study, add_analyse,    add_invert,    add_bench};
     return commands;
   }
 } // namespace apps

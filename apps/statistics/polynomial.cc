@@ -1,5 +1,8 @@
 #include "apps/statistics/polynomial.h"
 
+#include "base/errors.h"
+
+#include <algorithm>
 #include <utility>
 
 namespace statistics
@@ -17,6 +20,33 @@ namespace statistics
           terms.back()[factor] = 1;
         }
       return terms;
+    }
+
+    /** "A^2" as factor and exponent, from 1 to 9. */
+    std::pair<std::size_t, int>
+    factor_and_exponent(const std::string &part, const std::vector<std::string> &factors, const std::string &term)
+    {
+      const std::size_t length = part.size();
+      const bool raised = length > 2 && part[length - 2] == '^' && part[length - 1] >= '1' && part[length - 1] <= '9';
+      const auto found  = std::find(factors.begin(), factors.end(), raised ? part.substr(0, length - 2) : part);
+      if (found == factors.end())
+        throw base::InputError("the term \"" + term + "\" is not made of powers, from 1 to 9, of the factors.");
+      return {found - factors.begin(), raised ? part[length - 1] - '0' : 1};
+    }
+
+    Powers powers_of(const std::string &term, const std::vector<std::string> &factors)
+    {
+      Powers powers(factors.size(), 0);
+      if (term == "1")
+        return powers;
+      for (std::size_t begin = 0; begin <= term.size();)
+        {
+          const std::size_t star        = std::min(term.find('*', begin), term.size());
+          const auto [factor, exponent] = factor_and_exponent(term.substr(begin, star - begin), factors, term);
+          powers[factor] += exponent;
+          begin = star + 1;
+        }
+      return powers;
     }
 
     double power(const double base, const int exponent)
@@ -81,6 +111,14 @@ namespace statistics
           terms.emplace_back(factors.size(), 0);
           terms.back()[first] = terms.back()[second] = 1;
         }
+    return {factors, terms};
+  }
+
+  Polynomial Polynomial::of_terms(const std::vector<std::string> &factors, const std::vector<std::string> &names)
+  {
+    std::vector<Powers> terms;
+    for (const std::string &name : names)
+      terms.push_back(powers_of(name, factors));
     return {factors, terms};
   }
 

@@ -27,6 +27,11 @@ namespace statistics
     /** Constant, linear, squares, products of two: (p + 1)(p + 2) / 2 terms. */
     static Polynomial quadratic(const std::vector<std::string> &factors);
 
+    /**
+     * Terms by their names, "1", "A", "A^2", "B*A". @throws base::InputError for one that is not made of the factors
+     */
+    static Polynomial of_terms(const std::vector<std::string> &factors, const std::vector<std::string> &names);
+
     const std::vector<std::string> &factors() const { return factor_names; }
     std::size_t                     size() const { return terms.size(); }
     /** "1", "A", "A^2", "A*B". */

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace statistics
+{
+  /** How sure constants are that were fitted by least squares (doc/theory/studies.md, 8). */
+  struct Uncertainty
+  {
+    Eigen::VectorXd  standard_errors;   ///< NaN of those that are not determined
+    Eigen::MatrixXd  covariance;        ///< zero of those that are not determined
+    Eigen::MatrixXd  correlation;       ///< likewise, but one on the diagonal
+    std::vector<int> undetermined;      ///< from 0, in the order in which they were taken out
+    double           condition     = 0; ///< of J^T J in units of `ranges`, of those that are determined
+    double           scatter       = 0; ///< standard deviation of a residual
+    int              degrees       = 0; ///< residuals less determined constants
+    bool             known_scatter = false;
+
+    /** Half width of the band that holds a constant with that probability; NaN where it is not determined. */
+    double half_width(int constant, double probability) const;
+    /** The same of a prediction with these derivatives by the constants, without the scatter of a single observation. */
+    double half_width_of(const Eigen::VectorXd &derivatives, double probability) const;
+
+  private:
+    double quantile(double probability) const;
+  };
+
+  struct UncertaintyOptions
+  {
+    std::vector<int> held;                    ///< constants that were not fitted, or lie on a bound: not determined
+    double           known_scatter     = 0;   ///< standard deviation of a residual; 0: from the residuals
+    double           largest_condition = 1e8; ///< beyond it the least determined constant is taken out
+  };
+
+  /**
+   * @param jacobian of the residuals by the constants, at the least sum of squares @param ranges of the constants, as units
+   * @throws base::InputError for fewer residuals than constants, or as many without a known scatter
+   */
+  Uncertainty uncertainty(const Eigen::MatrixXd    &jacobian,
+                          const Eigen::VectorXd    &residuals,
+                          const Eigen::VectorXd    &ranges,
+                          const UncertaintyOptions &options = {});
+} // namespace statistics

@@ -1,0 +1,125 @@
+#include "apps/optimisation/least_squares_search.h"
+#include "apps/statistics/uncertainty.h"
+#include "base/errors.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <random>
+
+namespace
+{
+  constexpr int samples = 12;
+
+  /** Stress over strain that rises, peaks and softens: modulus, peak, brittleness. */
+  Eigen::VectorXd stresses(const Eigen::VectorXd &c)
+  {
+    Eigen::VectorXd all(samples);
+    for (int k = 0; k < samples; ++k)
+      {
+        const double x = 2.0 * (k + 1) / samples;
+        all[k]         = c[0] * x * std::exp(-std::pow(x / c[1], c[2]) / c[2]);
+      }
+    return all;
+  }
+
+  optimisation::LeastSquaresFit
+  fitted(const Eigen::VectorXd &observed, const Eigen::VectorXd &start, const double deviation)
+  {
+    optimisation::LeastSquaresProblem problem;
+    problem.start     = start;
+    problem.lower     = Eigen::Vector3d(0.1, 0.1, 0.3);
+    problem.upper     = Eigen::Vector3d(50, 10, 10);
+    problem.steps     = Eigen::Vector3d::Constant(1e-5);
+    problem.residuals = [&observed, deviation](const std::vector<Eigen::VectorXd> &places) {
+      std::vector<std::optional<Eigen::VectorXd>> all;
+      for (const Eigen::VectorXd &place : places)
+        all.push_back((stresses(place) - observed) / deviation);
+      return all;
+    };
+    optimisation::LeastSquaresOptions options;
+    options.central_differences = true;
+    return optimisation::least_squares(problem, options);
+  }
+} // namespace
+
+TEST_CASE(
+  "uncertainty: over 1000 calibrations the truth lies inside the band of 95 percent in 92 to 98 percent of cases",
+  "[optimisation]")
+{
+  const Eigen::VectorXd      truth = Eigen::Vector3d(3, 1, 2), ranges = Eigen::Vector3d(10, 3, 5);
+  const bool                 known        = GENERATE(true, false); // whether the scatter of observations is known
+  constexpr int              calibrations = 1000;
+  constexpr double           deviation    = 0.05;
+  std::mt19937               stream(38);
+  std::normal_distribution<> noise(0, deviation);
+  Eigen::Vector3i            inside      = Eigen::Vector3i::Zero();
+  int                        peak_inside = 0;
+  for (int calibration = 0; calibration < calibrations; ++calibration)
+    {
+      Eigen::VectorXd observed = stresses(truth);
+      for (double &stress : observed)
+        stress += noise(stream);
+      const auto fit  = fitted(observed, Eigen::Vector3d(2, 1.5, 1.5), deviation);
+      const auto sure = statistics::uncertainty(fit.jacobian, fit.residuals, ranges, {{}, known ? 1.0 : 0.0});
+      REQUIRE(sure.undetermined.empty());
+      for (int k = 0; k < 3; ++k)
+        inside[k] += std::fabs(fit.place[k] - truth[k]) < sure.half_width(k, 0.95);
+      constexpr int at = samples / 2; // a predicted stress, too
+      peak_inside += std::fabs(stresses(fit.place)[at] - stresses(truth)[at]) <
+                     deviation * sure.half_width_of(fit.jacobian.row(at).transpose(), 0.95);
+    }
+  for (int k = 0; k < 3; ++k)
+    {
+      INFO("constant " << k + 1 << (known ? ", scatter known" : ", scatter estimated"));
+      CHECK(inside[k] >= 0.92 * calibrations);
+      CHECK(inside[k] <= 0.98 * calibrations);
+    }
+  CHECK(peak_inside >= 0.92 * calibrations);
+  CHECK(peak_inside <= 0.98 * calibrations);
+}
+
+TEST_CASE("uncertainty: standard errors of a straight line are those of the textbook", "[optimisation]")
+{
+  const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(5, 1, 5);
+  Eigen::MatrixXd       jacobian(5, 2);
+  jacobian << Eigen::VectorXd::Ones(5), x;
+  Eigen::VectorXd residuals(5);
+  residuals << 0.1, -0.2, 0.1, 0.05, -0.05;
+  const auto   sure = statistics::uncertainty(jacobian, residuals, Eigen::Vector2d(1, 10));
+  const double s    = std::sqrt(residuals.squaredNorm() / 3);
+  CHECK(sure.scatter == Approx(s).epsilon(1e-14));
+  CHECK(sure.standard_errors[1] == Approx(s / std::sqrt(10.0)).epsilon(1e-12));               // Sxx = 10
+  CHECK(sure.standard_errors[0] == Approx(s * std::sqrt(1.0 / 5 + 9.0 / 10)).epsilon(1e-12)); // mean 3
+  CHECK(sure.correlation(0, 1) == Approx(-3 / std::sqrt(11.0)).epsilon(1e-12));
+  CHECK(sure.half_width(1, 0.95) == Approx(3.182446305 * s / std::sqrt(10.0)).epsilon(1e-9)); // t of 3 degrees
+}
+
+TEST_CASE("uncertainty: a constant that the data do not determine is taken out, and the others stay", "[optimisation]")
+{
+  std::srand(1); // Eigen draws from it
+  Eigen::MatrixXd jacobian = Eigen::MatrixXd::Random(20, 3);
+  jacobian.col(2)          = 2 * jacobian.col(0); // only a sum of the first and the third is seen
+  jacobian.col(2) *= 0.1;                         // by the third, less
+  const Eigen::VectorXd residuals = Eigen::VectorXd::Random(20);
+  const auto            sure      = statistics::uncertainty(jacobian, residuals, Eigen::Vector3d(1, 1, 1));
+  CHECK(sure.undetermined == std::vector<int>{2});
+  CHECK(std::isnan(sure.standard_errors[2]));
+  CHECK(sure.condition < 100);
+  const auto without = statistics::uncertainty(jacobian.leftCols(2), residuals, Eigen::Vector2d(1, 1));
+  CHECK(sure.standard_errors.head(2).isApprox(without.standard_errors, 1e-12));
+  jacobian.col(1).setZero(); // of which nothing is seen at all
+  CHECK(statistics::uncertainty(jacobian, residuals, Eigen::Vector3d(1, 1, 1)).undetermined == std::vector<int>{1, 2});
+}
+
+TEST_CASE("uncertainty: as many residuals as constants have no scatter, unless that is known", "[optimisation]")
+{
+  const Eigen::MatrixXd jacobian = Eigen::Matrix2d::Identity();
+  const Eigen::VectorXd none     = Eigen::Vector2d::Zero();
+  CHECK_THROWS_AS(statistics::uncertainty(jacobian, none, Eigen::Vector2d(1, 1)), base::InputError);
+  const auto sure = statistics::uncertainty(jacobian, none, Eigen::Vector2d(1, 1), {{}, 0.5});
+  CHECK(sure.standard_errors[0] == Approx(0.5));
+  CHECK(sure.half_width(0, 0.95) == Approx(0.5 * 1.959963985).epsilon(1e-8));
+}
