@@ -34,11 +34,13 @@ namespace apps
     /** Values of the gauges, now. */
     std::vector<double> gauges() const;
     /** Numbers of the columns of the series, now. */
-    std::vector<double>   row() const;
-    const dem::Specimen  &specimen() const { return body; }
-    dem::Specimen        &specimen() { return body; } ///< for what is coupled with it
-    const Walls          &all_walls() const { return walls; }
-    const ParticleGroups &all_groups() const { return groups; }
+    std::vector<double> row() const;
+    /** Groups of section Initial velocity that nothing has touched, as far as damping lets that be told. */
+    std::vector<std::string> untouched_groups() const;
+    const dem::Specimen     &specimen() const { return body; }
+    dem::Specimen           &specimen() { return body; } ///< for what is coupled with it
+    const Walls             &all_walls() const { return walls; }
+    const ParticleGroups    &all_groups() const { return groups; }
     /** A reader must have been made from the same model and packing. */
     void visit_state(base::StateVisitor &visitor);
     /** The test of section Laboratory; nullptr: there is none. */
