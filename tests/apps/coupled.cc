@@ -523,6 +523,26 @@ TEST_CASE("Sub-cycling is forecast, held to what it may lose, and said", "[apps]
   CHECK(results_of(folder, "x.prm").summary["warnings"].dump().find("lost") == std::string::npos);
 }
 
+TEST_CASE("A ball that was thrown past everything is said, and one that has hit is not", "[apps][coupled]")
+{
+  const ScratchFolder folder;
+  const std::string   stray =
+    "  subsection Initial velocity\n    subsection stray\n      set Velocity x = -3\n      set Velocity z = "
+    "4\n    end\n";
+  std::string scene = replaced(collision, "  subsection Initial velocity\n", stray);
+  scene             = replaced(scene, "  subsection More particles\n",
+                               "  subsection More particles\n    subsection stray\n      set Centre = 0.03, 0.062, 0.3\n"
+                                           "      set Radius = 0.02\n    end\n");
+  folder.file("x.prm", scene);
+  for (const std::string weight : {"0, 0, 0", "0, 0, -9.81"})
+    {
+      const std::string warnings =
+        results_of(folder, "x.prm", {"Gravity/Acceleration=" + weight}).summary["warnings"].dump();
+      CHECK_THAT(warnings, Contains("Initial velocity/stray: it moves at the end as it was thrown"));
+      CHECK_THAT(warnings, !Contains("Initial velocity/ball"));
+    }
+}
+
 TEST_CASE("An interface that nobody ever touches is said", "[apps][coupled]")
 {
   const ScratchFolder folder;

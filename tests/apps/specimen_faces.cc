@@ -1,6 +1,7 @@
 // Faces of generated boxes: cut out of a cell, or moulded; what is said of them before a run, and what they make of a specimen.
 #include "postprocess/packings/packing_io.h"
 #include "tests/apps/scene_runs.h"
+#include "tests/apps/scenes.h"
 #include "tests/apps/scratch_folder.h"
 #include "tests/places.h"
 
@@ -64,6 +65,38 @@ TEST_CASE("A small box cut out of a cell is told of before the run, a moulded on
   // Large specimens have the same faces, and they hardly count; periodic cells have none.
   CHECK(number_after("packed       ",
                      outcome_of(folder, "check", places::sources() + "/apps/scenes/periodic_cell.prm", {}).out) > 0.5);
+}
+
+TEST_CASE("Sparse faces are told of where bonds hold the grains together, and not where they are loose", "[apps]")
+{
+  const ScratchFolder folder;
+  const std::string   grains = R"(set Kind = particles
+subsection Specimen
+  set Source   = generator
+  set Box size = 0.04, 0.04, 0.04
+  set Density  = 2500
+  subsection Generator
+    set Particle radius = 0.002
+  end
+end
+subsection Time
+  set End time = 1e-4
+end
+)";
+  folder.file("loose.prm", grains + "subsection Material\n  set Law = linear\n  subsection linear\n"
+                                    "    set Effective modulus = 1e8\n  end\nend\n");
+  folder.file(
+    "bonded.prm",
+    replaced(grains, "set Density", "set Interaction ratio = 1.05\n  set Density") +
+      "subsection Material\n  set Law = parallel-bond\n  subsection parallel-bond\n    set Effective modulus = 1e9\n"
+      "    set Tensile strength = 1e6\n    set Cohesion = 1e6\n  end\nend\n");
+  const Outcome loose  = outcome_of(folder, "check", "loose.prm", {}),
+                bonded = outcome_of(folder, "check", "bonded.prm", {"Specimen/Loose pieces=drop"});
+  INFO(loose.err << bonded.err);
+  CHECK(loose.status == 0);
+  CHECK_THAT(loose.err, !Contains(note));
+  CHECK(bonded.status == 0);
+  CHECK_THAT(bonded.err, Contains(note));
 }
 
 TEST_CASE("A moulded specimen of ten diameters is stiffer by a quarter than one whose sparse faces are cut",

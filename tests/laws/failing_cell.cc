@@ -46,8 +46,8 @@ namespace
     static std::shared_ptr<const dem::LinkLaw>
     bonds(const std::vector<Parameters> &pairs, const dem::Physics &physics, const int vectors)
     {
-      return std::make_shared<dem::LinkLawOf<UncountedBond>>(
-        std::vector<dem::CpmConstants>(pairs.begin(), pairs.end()), vectors, physics.rotations);
+      return std::make_shared<dem::LinkLawOf<UncountedBond>>(std::vector<dem::CpmConstants>(pairs.begin(), pairs.end()),
+                                                             vectors, physics.rotations);
     }
     static std::shared_ptr<const dem::LinkLaw>
     contacts(const std::vector<Parameters> &pairs, const dem::Physics &physics, const int vectors)

@@ -39,6 +39,12 @@ namespace apps
       all.push_back(doubt);
     if (!body.interface().touched() && model.handshakes.empty())
       all.emplace_back("nothing has ever touched the solid");
+    else
+      for (const std::string &group : body.particles().untouched_groups())
+        all.push_back(
+          fmt::format("Particles/Initial velocity/{}: it moves at the end as it was thrown, and has touched "
+                      "nothing. Check its place, its velocity and Time/End time",
+                      group));
     if (const std::string doubt = body.interface().doubt(); !doubt.empty())
       all.push_back(doubt);
     return all;

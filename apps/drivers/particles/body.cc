@@ -62,6 +62,14 @@ namespace apps
     return found;
   }
 
+  std::vector<std::string> ParticlesBody::untouched_groups() const
+  {
+    const bool may_be_damped = model->time.damping > 0 || model->time.damping_in_time.given();
+    if (may_be_damped && !model->gravity.vector().isZero(0))
+      return {}; // local damping takes part of the weight
+    return model->initial_velocity.untouched_since(body, *packing, groups, model->gravity.vector());
+  }
+
   void ParticlesBody::lead_next_step()
   {
     if (motion.varies())

@@ -34,7 +34,9 @@ namespace apps
     /** Values of the gauges, now. */
     std::vector<double> gauges() const;
     /** Numbers of the columns of the series, now. */
-    std::vector<double>          row() const;
+    std::vector<double> row() const;
+    /** Groups of section Initial velocity that nothing has touched, as far as damping lets that be told. */
+    std::vector<std::string>     untouched_groups() const;
     const dem::ObservedSpecimen &specimen() const { return body; }
     dem::Specimen               &specimen() { return body; } ///< for what is coupled with it
     const Walls                 &all_walls() const { return walls; }

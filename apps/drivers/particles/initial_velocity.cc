@@ -46,4 +46,35 @@ namespace apps
       velocities_asked.push_back(one);
     specimen.set_velocities(velocities_asked);
   }
+
+  std::vector<std::string>
+  InitialVelocitySection::untouched_since(const dem::ObservedSpecimen const dem::Specimen &specimenspecimen,
+                                          const dem::Packing                              &packing,
+                                          const ParticleGroups                            &groups,
+                                          const Eigen::Vector3d                           &acceleration) const
+  {
+    std::vector<std::string> found;
+    for (const MotionFormulas &given : velocities)
+      {
+        Eigen::Vector3d thrown = Eigen::Vector3d::Zero(), now = Eigen::Vector3d::Zero();
+        double          mass = 0, scale = 0;
+        bool            is_held = false;
+        for (const std::size_t i : groups.at(given.group))
+          {
+            const dem::ParticleState p     = specimen.particle(i);
+            const Eigen::Vector3d    start = value_of(given.velocity, packing.centre[i], 0);
+            is_held                        = is_held || p.held[0] || p.held[1];
+            thrown += p.mass * start;
+            now += p.mass * p.velocity;
+            scale += p.mass * start.norm();
+            mass += p.mass;
+          }
+        const Eigen::Vector3d weight = mass * acceleration;
+        const double          unknown =
+          1e-9 * scale + specimen.time_step() * weight.norm(); // velocities are those of half a step back
+        if (!is_held && scale > 0 && (now - thrown - specimen.time() * weight).norm() <= unknown)
+          found.push_back(given.group);
+      }
+    return found;
+  }
 } // namespace apps
