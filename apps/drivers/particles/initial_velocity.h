@@ -18,9 +18,9 @@ namespace apps
      * Names of groups whose momentum is that of the start and of the weight since: nothing has acted on them. A group of which particles
      * are held is left out. @param acceleration of free fall [m/s^2]
      */
-    std::vector<std::string> untouched_since(const dem::ObservedSpecimen const dem::Specimen &specimenspecimen,
-                                             const dem::Packing                              &packing,
-                                             const ParticleGroups                            &groups,
-                                             const Eigen::Vector3d                           &acceleration) const;
+    std::vector<std::string> untouched_since(const dem::ObservedSpecimen &specimen,
+                                             const dem::Packing          &packing,
+                                             const ParticleGroups        &groups,
+                                             const Eigen::Vector3d       &acceleration) const;
   };
 } // namespace apps
