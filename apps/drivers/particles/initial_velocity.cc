@@ -47,11 +47,10 @@ namespace apps
     specimen.set_velocities(velocities_asked);
   }
 
-  std::vector<std::string>
-  InitialVelocitySection::untouched_since(const dem::ObservedSpecimen const dem::Specimen &specimenspecimen,
-                                          const dem::Packing                              &packing,
-                                          const ParticleGroups                            &groups,
-                                          const Eigen::Vector3d                           &acceleration) const
+  std::vector<std::string> InitialVelocitySection::untouched_since(const dem::ObservedSpecimen &specimen,
+                                                                   const dem::Packing          &packing,
+                                                                   const ParticleGroups        &groups,
+                                                                   const Eigen::Vector3d       &acceleration) const
   {
     std::vector<std::string> found;
     for (const MotionFormulas &given : velocities)
