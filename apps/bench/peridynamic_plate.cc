@@ -41,7 +41,7 @@ namespace apps
       for (const std::string &side : pd::side_names(2))
         {
           auto transfer =
-            std::make_shared<pd::Transfer>(bonds.grid(), bonds.horizon(), bonds.material().model,
+            std::make_shared<pd::Transfer>(bonds.grid(), bonds.horizon(), bonds.model(),
                                            pd::boundary_points(bonds.grid(), side), plate.weight, plate.form);
           std::vector<Eigen::Vector3d> values;
           for (const pd::BoundaryPoint &p : transfer->points())

@@ -38,6 +38,15 @@ namespace apps
       add(plate, "cells, axis");
       plate.weight = W::consistent;
       add(plate, "cells, axis, consistent");
+      for (const W weight : {W::paper, W::consistent})
+        {
+          plate             = {};
+          plate.ratio       = 6;
+          plate.volumes     = pd::Volumes::partial;
+          plate.calibration = pd::Calibration::axis;
+          plate.weight      = weight;
+          add(plate, weight == W::paper ? "cells, partial, axis" : "cells, partial, axis, consistent");
+        }
       plate           = {};
       plate.corrected = true;
       add(plate, "cells, surface correction");

@@ -121,14 +121,7 @@ namespace apps
       added.declare(opened, named);
     });
 
-    Section &places =
-      root.section("Regions", "One sub-section per region whose particles are of a material; later ones win");
-    places.only_if([this] { return !regions.empty(); }, "there are several materials");
-    places.named_sections("REGION", [this](Section &opened) {
-      MaterialRegion &added = regions.emplace_back();
-      added.name            = opened.name();
-      added.declare(opened);
-    });
+    declare_regions(root, regions, "particles");
   }
 
   namespace
@@ -150,14 +143,14 @@ namespace apps
 
   void MaterialSection::check(const base::EntryPath &root, const int dimension) const
   {
-    const base::EntryPath materials_section = root.at("Materials"), places = root.at("Regions");
+    const base::EntryPath materials_section = root.at("Materials");
     if (named.empty())
       {
         only.check();
         if (!interfaces.empty())
           root.at("Interfaces").refuse("the scene has no section Materials to join.");
         if (!regions.empty())
-          places.refuse("the scene has no section Materials to take their materials from.");
+          root.at("Regions").refuse("the scene has no section Materials to take their materials from.");
         return;
       }
     if (only.given)
@@ -180,14 +173,7 @@ namespace apps
       {
         materials_section.refuse(refusal.what());
       }
-    const std::vector<std::string> known = names();
-    for (const MaterialRegion &region : regions)
-      {
-        const base::EntryPath section = places.at(region.name);
-        if (std::find(known.begin(), known.end(), region.material) == known.end())
-          section.refuse("Material", "is not in section Materials. " + did_you_mean(region.material, known));
-        region.region.check(section, dimension);
-      }
+    check_regions(regions, names(), root, dimension);
   }
 
   void MaterialSection::check_interfaces(const base::EntryPath &root) const
@@ -399,14 +385,7 @@ namespace apps
       }
     const std::vector<std::string> known   = names();
     std::vector<std::int32_t>      numbers = renumbered(packing, known, origin);
-    for (const MaterialRegion &region : regions)
-      {
-        const auto number =
-          static_cast<std::int32_t>(std::find(known.begin(), known.end(), region.material) - known.begin());
-        for (std::size_t i = 0; i < packing.size(); ++i)
-          if (region.region.holds(packing.centre[i], dimension))
-            numbers[i] = number;
-      }
+    number_by_regions(regions, known, packing.centre, dimension, numbers);
     packing.material       = std::move(numbers);
     packing.material_names = known;
   }

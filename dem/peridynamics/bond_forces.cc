@@ -31,7 +31,7 @@ namespace dem::peridynamics
     template <int dim, bool nonlinear>
     Direction<dim> direction_of(const Bonds &bonds, const Offset &o)
     {
-      const double   spacing = bonds.grid().spacing(), l = o.length * spacing, s = bonds.material().critical_stretch;
+      const double   spacing = bonds.grid().spacing(), l = o.length * spacing, s = bonds.critical_stretch();
       Direction<dim> d;
       for (int a = 0; a < dim; ++a)
         d.xi[a] = Pack(o.steps[static_cast<std::size_t>(a)] * spacing);

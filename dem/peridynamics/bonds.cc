@@ -36,36 +36,66 @@ namespace dem::peridynamics
   }
 
   Bonds::Bonds(const Grid &grid, const Horizon &horizon, const Material &material)
+    : Bonds(grid, horizon, Mixture(material))
+  {
+  }
+
+  Bonds::Bonds(const Grid &grid, const Horizon &horizon, const Mixture &mixture)
     : of(grid)
-    , made_of(material)
+    , made_of(mixture)
     , family(half_family(grid.dimension(), horizon))
     , length_of_horizon(horizon.ratio * grid.spacing())
   {
-    const Space            space    = grid.body().space;
-    const LatticeConstants as_it_is = lattice_constants(space, material.model, horizon);
-    constants                       = as_it_is.calibrated(material.calibration);
+    const Material        &shared   = made_of.materials.front();
+    const LatticeConstants as_it_is = lattice_constants(grid.body().space, shared.model, horizon);
+    constants                       = as_it_is.calibrated(shared.calibration);
     for (const Offset &o : family)
       jumps.push_back(static_cast<std::ptrdiff_t>(of.row_stride()) * (o.steps[1] + o.steps[2] * of.counts()[1]) +
                       o.steps[0]);
-
-    const double c =
-      bond_constant(space, material.model, material.young_modulus, length_of_horizon, grid.body().section()) /
-      as_it_is.factor(material.calibration);
+    std::vector<double> c; // of each pair
+    for (const PairConstants &pair : made_of.pairs)
+      c.push_back(
+        bond_constant(grid.body().space, shared.model, pair.young_modulus, length_of_horizon, grid.body().section()) /
+        as_it_is.factor(shared.calibration));
     k.assign(of.rows() * family.size() * of.row_stride(), 0.0);
     each([&](const std::size_t bond, const std::size_t o, const std::size_t i, const std::size_t j) {
-      const double per_stretch = material.model == BondModel::general ? family[o].length * of.spacing() : 1.0;
-      k[bond]                  = c * family[o].part * per_stretch * of.volume()[i] * of.volume()[j];
+      const double per_stretch = shared.model == BondModel::general ? family[o].length * of.spacing() : 1.0;
+      k[bond] = c[made_of.pair_at(i, j)] * family[o].part * per_stretch * of.volume()[i] * of.volume()[j];
     });
-    if (!horizon.surface_correction)
+    set_limits();
+    if (horizon.surface_correction)
+      correct_surface();
+  }
+
+  void Bonds::set_limits()
+  {
+    const auto differs = [this](const PairConstants &p) { return p.critical_stretch != critical_stretch(); };
+    if (std::none_of(made_of.pairs.begin(), made_of.pairs.end(), differs))
       return;
+    limit.assign(k.size(), std::numeric_limits<double>::infinity());
+    each([&](const std::size_t bond, std::size_t, const std::size_t i, const std::size_t j) {
+      limit[bond] = made_of.pairs[made_of.pair_at(i, j)].critical_stretch;
+    });
+  }
+
+  void Bonds::correct_surface()
+  {
     double whole = 0; // family of a node far from the surface
     for (const Offset &o : family)
       whole += 2 * o.part;
-    whole *= std::pow(of.spacing(), of.dimension()) * grid.body().section();
+    whole *= std::pow(of.spacing(), of.dimension()) * of.body().section();
     const base::Column volumes = family_volumes();
     each([&](const std::size_t bond, std::size_t, const std::size_t i, const std::size_t j) {
       k[bond] *= 2 * whole / (volumes[i] + volumes[j]);
     });
+  }
+
+  base::Column Bonds::masses() const
+  {
+    base::Column mass = of.volume();
+    for (const std::size_t i : of.nodes())
+      mass[i] *= made_of.at(i).density * (own_part.empty() ? 1.0 : own_part[i]);
+    return mass;
   }
 
   std::size_t Bonds::count() const
@@ -94,10 +124,18 @@ namespace dem::peridynamics
     return n;
   }
 
+  void Bonds::share(const base::Column &part)
+  {
+    own_part = part;
+    each([&](const std::size_t bond, std::size_t, const std::size_t i, const std::size_t j) {
+      k[bond] *= 0.5 * (part[i] + part[j]);
+    });
+  }
+
   void Bonds::protect(const std::vector<bool> &safe)
   {
     if (limit.empty())
-      limit.assign(k.size(), made_of.critical_stretch);
+      limit.assign(k.size(), critical_stretch());
     each([&](const std::size_t bond, std::size_t, const std::size_t i, const std::size_t j) {
       if (safe[i] || safe[j])
         limit[bond] = std::numeric_limits<double>::infinity();

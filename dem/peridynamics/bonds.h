@@ -3,6 +3,7 @@
 #include "base/state.h"
 #include "dem/peridynamics/grid.h"
 #include "dem/peridynamics/lattice_constants.h"
+#include "dem/peridynamics/mixture.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -31,12 +32,16 @@ namespace dem::peridynamics
   {
   public:
     Bonds(const Grid &grid, const Horizon &horizon, const Material &material);
+    /** Of several materials; bonds of a pair that is not bonded are broken from the start. */
+    Bonds(const Grid &grid, const Horizon &horizon, const Mixture &mixture);
 
     const Grid                &grid() const { return of; }
     const std::vector<Offset> &offsets() const { return family; }
     double                     horizon() const { return length_of_horizon; } ///< [m]
     const LatticeConstants    &lattice() const { return constants; }         ///< as calibrated
-    const Material            &material() const { return made_of; }
+    const Mixture             &mixture() const { return made_of; }
+    BondModel                  model() const { return made_of.materials.front().model; }
+    base::Column               masses() const; ///< of the nodes [kg], by place
 
     std::ptrdiff_t jump(const std::size_t offset) const { return jumps[offset]; } ///< to the place of the other end
     /** Where the stiffness of a row's bonds of an offset begins: row_stride() numbers. */
@@ -47,10 +52,11 @@ namespace dem::peridynamics
     base::Column       &stiffness() { return k; }
     const base::Column &stiffness() const { return k; }
 
-    /** Stretch at which each bond breaks [-], laid out as the stiffness; empty: the material's everywhere. */
+    /** Stretch at which each bond breaks [-], laid out as the stiffness; empty: critical_stretch() everywhere. */
     const base::Column &limits() const { return limit; }
-    bool breaks() const { return !limit.empty() || made_of.critical_stretch < std::numeric_limits<double>::infinity(); }
-    double limit_of(const std::size_t bond) const { return limit.empty() ? made_of.critical_stretch : limit[bond]; }
+    double              critical_stretch() const { return made_of.pairs.front().critical_stretch; }
+    bool   breaks() const { return !limit.empty() || critical_stretch() < std::numeric_limits<double>::infinity(); }
+    double limit_of(const std::size_t bond) const { return limit.empty() ? critical_stretch() : limit[bond]; }
 
     /** Do it for every bond that there is or was: f(bond, offset, first place, second place). */
     template <typename Function>
@@ -73,6 +79,11 @@ namespace dem::peridynamics
     void break_bond(const std::size_t bond) { k[bond] = 0; }
     /** @return how many bonds it broke */
     std::size_t cut(const Precrack &crack);
+    /**
+     * Leave the rest of stiffness and mass to another body that fills the same space: bonds keep the mean of their ends' parts.
+     * @param part that stays, by place, > 0 where there is a node [-]
+     */
+    void share(const base::Column &part);
     /** Bonds with an end at such a place never break. @param safe by place */
     void protect(const std::vector<bool> &safe);
 
@@ -87,6 +98,8 @@ namespace dem::peridynamics
     void visit_state(base::StateVisitor &visitor) { visitor.column("stiffness", k); }
 
   private:
+    void set_limits();
+    void correct_surface();
     /** Whether the row that an offset leads to from a row is one of the body: columns go on with the next plane where it ends. */
     bool leads_to_row(const std::size_t grid_row, const std::size_t offset) const
     {
@@ -96,11 +109,11 @@ namespace dem::peridynamics
     }
 
     Grid                        of;
-    Material                    made_of;
+    Mixture                     made_of;
     std::vector<Offset>         family;
     std::vector<std::ptrdiff_t> jumps;
     double                      length_of_horizon;
     LatticeConstants            constants;
-    base::Column                k, limit;
+    base::Column                k, limit, own_part; ///< part of the mass of each place; empty: all
   };
 } // namespace dem::peridynamics

@@ -5,8 +5,9 @@
 namespace dem::peridynamics
 {
   /**
-   * Gershgorin's bound of the stiffness per volume, by place: no squared frequency of a node of unit density is above it [N/m^4]. With the
-   * undamaged bonds, in their directions at rest. 1 where there is no node.
+   * Gershgorin's bound of the stiffness per volume, by place: no squared frequency of a node of unit density is above it [N/m^4]. The largest
+   * sum of magnitudes in a node's rows of the assembled matrix, with the bonds as they are, in their directions at rest; it does not grow when
+   * bonds break. 1 where there is no node.
    */
   base::Column bound_of_stiffness(const Bonds &bonds);
 

@@ -10,14 +10,17 @@ namespace dem::peridynamics
 {
   double Energies::largest() const
   {
-    return std::max({std::abs(kinetic), std::abs(strain), std::abs(released), std::abs(external), std::abs(initial)});
+    return std::max({std::abs(kinetic), std::abs(strain), std::abs(repulsion), std::abs(released), std::abs(external),
+                     std::abs(initial)});
   }
 
-  double Motion::stable_step(const Bonds &bonds)
+  double Motion::stable_step(const Bonds &bonds, const double repulsion)
   {
-    const base::Column bound = bound_of_stiffness(bonds);
-    return 2 / std::sqrt(
-                 largest_of(bonds.grid(), [&](const std::size_t i) { return bound[i] / bonds.material().density; }));
+    const Grid        &grid  = bonds.grid();
+    const base::Column bound = bound_of_stiffness(bonds), mass = bonds.masses();
+    const double       contacts = repulsion > 0 ? Repulsion::bound_of_stiffness(bonds, repulsion) : 0;
+    return 2 / std::sqrt(largest_of(
+                 grid, [&](const std::size_t i) { return (bound[i] * grid.volume()[i] + contacts) / mass[i]; }));
   }
 
   namespace
@@ -36,7 +39,8 @@ namespace dem::peridynamics
     : kinematics(how)
     , bond_forces(bonds, how)
     , length(step)
-    , mass(bonds.grid().volume())
+    , last_length(step)
+    , mass(bonds.masses())
     , u(bonds.grid().field())
     , v(velocity)
     , force(u)
@@ -44,8 +48,6 @@ namespace dem::peridynamics
     , last_step(u)
     , pushed(3, 0.0)
   {
-    for (double &m : mass)
-      m *= bonds.material().density;
     loads.displacements(0.0, u);
     find_forces(bonds, loads, true);
     // Half a step back, that the velocity at the start is the given one.
@@ -57,7 +59,7 @@ namespace dem::peridynamics
     const Eigen::Vector3d p = momentum(bonds);
     std::copy(p.data(), p.data() + 3, pushed.begin());
     const Energies e = energies(bonds);
-    start            = e.kinetic + e.strain;
+    start            = e.kinetic + e.strain - e.external;
   }
 
   void Motion::find_forces(Bonds &bonds, const Loads &loads, const bool first)
@@ -70,6 +72,8 @@ namespace dem::peridynamics
       }
     else
       bond_forces.add_up(bonds, u, force);
+    if (repulsion)
+      repulsion->add_up(bonds, u, force);
     find_external(loads);
   }
 
@@ -83,7 +87,7 @@ namespace dem::peridynamics
     loads.displacements(time() + length, ahead);
     each_component(external, [&](const std::size_t c, const std::size_t i) {
       if (loads.held[i] >> c & 1)
-        external.c[c][i] = mass[i] * ((ahead.c[c][i] - u.c[c][i]) / length - v.c[c][i]) / length - force.c[c][i];
+        external.c[c][i] = mass[i] * ((ahead.c[c][i] - u.c[c][i]) / length - v.c[c][i]) / kick() - force.c[c][i];
     });
   }
 
@@ -99,34 +103,59 @@ namespace dem::peridynamics
 
   void Motion::step(Bonds &bonds, const Loads &loads)
   {
+    const double acting = kick();
     for (std::size_t c = 0; c < static_cast<std::size_t>(bonds.grid().dimension()); ++c)
-      pushed[c] += length * ordered_sum(bonds.grid(), [&](const std::size_t i) { return external.c[c][i]; });
+      pushed[c] += acting * ordered_sum(bonds.grid(), [&](const std::size_t i) { return external.c[c][i]; });
+    work += 0.5 * acting * power(bonds);
     each_component(v, [&](const std::size_t c, const std::size_t i) {
       if (mass[i] > 0)
-        v.c[c][i] += length * (force.c[c][i] + external.c[c][i]) / mass[i];
+        v.c[c][i] += acting * (force.c[c][i] + external.c[c][i]) / mass[i];
       last_step.c[c][i] = length * v.c[c][i];
       u.c[c][i] += last_step.c[c][i];
     });
-    work += 0.5 * length * power(bonds);
+    work += 0.5 * acting * power(bonds);
     ++taken;
+    now += length;
+    last_length = length;
     loads.displacements(time(), u); // to the last bit
     find_forces(bonds, loads, false);
-    work += 0.5 * length * power(bonds);
+  }
+
+  Eigen::Vector3d Motion::velocity_ahead(const std::size_t place) const
+  {
+    return mass[place] > 0 ?
+             Eigen::Vector3d(v.at(place) + kick() / mass[place] * (force.at(place) + external.at(place))) :
+             v.at(place);
+  }
+
+  void Motion::change_velocity(const std::size_t place, const Eigen::Vector3d &by, const Loads &loads)
+  {
+    for (std::size_t c = 0; c < 3 && !v.c[c].empty(); ++c)
+      {
+        const double change = by[static_cast<Eigen::Index>(c)];
+        if (loads.held[place] >> c & 1 || mass[place] == 0)
+          continue;
+        // So much more is the kinetic energy with the velocities half a step before and after, less the loads' own work.
+        work += change * (mass[place] * (v.c[c][place] + 0.5 * change) + 0.5 * kick() * force.c[c][place]);
+        v.c[c][place] += change;
+        pushed[c] += mass[place] * change;
+      }
   }
 
   Energies Motion::energies(const Bonds &bonds)
   {
     Energies e;
-    e.kinetic  = ordered_sum(bonds.grid(), [&](const std::size_t i) {
+    e.kinetic   = ordered_sum(bonds.grid(), [&](const std::size_t i) {
       double sum = 0;
       for (std::size_t c = 0; c < static_cast<std::size_t>(bonds.grid().dimension()); ++c)
-        sum += 0.5 * v.c[c][i] * (mass[i] * v.c[c][i] + length * (force.c[c][i] + external.c[c][i]));
+        sum += 0.5 * v.c[c][i] * (mass[i] * v.c[c][i] + kick() * (force.c[c][i] + external.c[c][i]));
       return sum;
     });
-    e.strain   = bond_forces.energy(bonds, u);
-    e.released = released;
-    e.external = work;
-    e.initial  = start;
+    e.strain    = bond_forces.energy(bonds, u);
+    e.repulsion = repulsion ? repulsion->energy() : 0;
+    e.released  = released;
+    e.external  = work + 0.5 * kick() * power(bonds);
+    e.initial   = start;
     return e;
   }
 
@@ -155,5 +184,10 @@ namespace dem::peridynamics
     visitor.scalar("start_energy", start);
     visitor.scalar("broken", gone);
     visitor.scalar("steps", taken);
+    visitor.scalar("time", now);
+    visitor.scalar("step_length", length);
+    visitor.scalar("last_step_length", last_length);
+    if (repulsion)
+      repulsion->visit_state(visitor);
   }
 } // namespace dem::peridynamics

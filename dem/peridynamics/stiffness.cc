@@ -205,7 +205,7 @@ namespace dem::peridynamics
       {
         Eigen::ConjugateGradient<Lower, Eigen::Lower, FactorPreconditioner> iteration(self->matrix);
         iteration.preconditioner().factor = &self->factor;
-        const bool solved                 = self->answer(iteration, 50, b, tolerance, x);
+        const bool solved                 = self->answer(iteration, 500, b, tolerance, x);
         if (!solved)
           return false;
       }

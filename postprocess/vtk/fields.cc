@@ -190,6 +190,7 @@ namespace postprocess
               "a point per node of a peridynamic body, at its present place",
               {{"damage", "-", 1, points, "part of the volume within its horizon to which bonds are gone", ""},
                {"volume", "m^3", 1, points, "of the node", ""},
+               {"material", "", 1, points, "number in section Materials, from 0", several},
                {"displacement", "m", 3, points, "without rigid motion where nothing is held", ""}}};
     }
 

@@ -4,11 +4,14 @@
 #include "tests/apps/scene_runs.h"
 #include "tests/places.h"
 
+#include <Eigen/Core>
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <map>
+#include <vector>
 
 using namespace apps_tests;
 using Catch::Contains;
@@ -119,6 +122,22 @@ TEST_CASE("The plate with a hole holds at 376 MPa and breaks through at 380 MPa"
   CHECK(breaks.figure("first_break").value.value() == Approx(377.5e6).margin(0.2e6).epsilon(0));
 }
 
+TEST_CASE("A traction on a boundary that has cracked is doubted", "[apps]")
+{
+  const ScratchFolder            folder;
+  const std::vector<std::string> cut  = {"Grid/Spacing=0.02", "Cracks/corner/From=0, 0.26",
+                                         "Cracks/corner/To=0, 0.2"};
+  const auto                     told = [](const apps::RunResult &result) {
+    return result.summary["warnings"].dump().find("Tractions/above: damage is") != std::string::npos;
+  };
+  CHECK_FALSE(told(run_of(folder, "tension", {"Grid/Spacing=0.02"})));
+  // Between two columns of nodes; a second crack beside it leaves one column hanging by its lower bonds.
+  std::vector<std::string> twice = cut;
+  twice.emplace_back("Cracks/beside/From=0.02, 0.26");
+  twice.emplace_back("Cracks/beside/To=0.02, 0.2");
+  CHECK(told(run_of(folder, "tension", twice)));
+}
+
 TEST_CASE("Peridynamic scenes that cannot be are refused by name", "[apps]")
 {
   const ScratchFolder folder;
@@ -137,12 +156,122 @@ TEST_CASE("Peridynamic scenes that cannot be are refused by name", "[apps]")
   refused({"Analysis/Method=motion", "Analysis/End time=1e-4"}, "Density");
   refused({"Material/Critical stretch=0.01", "Material/Fracture energy=100"}, "leave one of them out");
   is_refused(folder, shipped("hole"), {"Holes/hole/Radius=0.4"}, "Holes", {"check"});
+  // An isolated node: a horizon of one spacing, and cracks around a corner.
+  refused({"Horizon/Ratio=1", "Cracks/across/From=-0.49, -0.3", "Cracks/across/To=-0.49, 0",
+           "Cracks/along/From=-0.6, -0.24", "Cracks/along/To=0, -0.24"},
+          "is isolated");
+  refused({"Cracks/beside/From=2, 0", "Cracks/beside/To=3, 0"}, "no bond crosses it");
+
+  const std::string concrete = shipped("concrete");
+  is_refused(folder, concrete, {"Material/Young modulus=1e9"}, "single one", {"check"});
+  is_refused(folder, concrete, {"Interfaces/transition zone/Material=morter"}, "Did you mean \"mortar\"", {"check"});
+  is_refused(folder, concrete, {"Interfaces/transition zone/Critical stretch=1e-3"}, "leave one of them out",
+             {"check"});
+  is_refused(folder, concrete, {"Regions/stone 1/Material=gravel"}, "is not in section Materials", {"check"});
+  is_refused(folder, concrete, {"Materials/steel/Young modulus=200e9"}, "no node is of it", {"check"});
+  is_refused(folder, scene, {"Regions/a/Material=b", "Regions/a/Radius=1", "Regions/a/Centre=0, 0, 0"},
+             "no section Materials", {"check"});
+}
+
+namespace
+{
+  /** Places of nodes at a crack: those that lost more than a third of their bonds. */
+  std::vector<Eigen::Vector2d> crack_in(const std::filesystem::path &table)
+  {
+    const postprocess::CsvTable  nodes = postprocess::read_csv_table(table);
+    std::vector<Eigen::Vector2d> found;
+    for (std::size_t n = 0; n < nodes.rows(); ++n)
+      if (nodes.column("damage")[n] > 0.35)
+        found.emplace_back(nodes.column("x")[n], nodes.column("y")[n]);
+    return found;
+  }
+} // namespace
+
+TEST_CASE("Cracks leave the notches of a struck plate at 65 to 70 degrees, as measured", "[apps][slow]")
+{
+  // Kalthoff and Winkler (1988). The notches go down to y = 0; a crack that goes on has 0 degrees to them.
+  const ScratchFolder folder;
+  run_of(folder, "impact", {});
+  for (const int side : {-1, 1})
+    {
+      // The direction of least squares of what is cracked 5 mm to 50 mm from the tip, on the side away from the blow.
+      std::vector<Eigen::Vector2d> path;
+      for (const Eigen::Vector2d &x : crack_in(folder / "results/nodes.csv"))
+        if (const Eigen::Vector2d from(side * x.x() - 0.025, -x.y());
+            from.minCoeff() > 0 && from.norm() > 5e-3 && from.norm() < 50e-3)
+          path.push_back(from);
+      REQUIRE(path.size() > 50);
+      Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+      for (const Eigen::Vector2d &x : path)
+        middle += x / static_cast<double>(path.size());
+      double xx = 0, xy = 0, yy = 0;
+      for (const Eigen::Vector2d &x : path)
+        {
+          xx += (x - middle).x() * (x - middle).x();
+          xy += (x - middle).x() * (x - middle).y();
+          yy += (x - middle).y() * (x - middle).y();
+        }
+      const double angle = 0.5 * std::atan2(2 * xy, yy - xx) * 180 / std::acos(-1.0);
+      CAPTURE(side, angle);
+      CHECK(angle > 65);
+      CHECK(angle < 70);
+    }
+}
+
+TEST_CASE("A crack in glass branches, once and on both sides alike", "[apps][slow]")
+{
+  const ScratchFolder folder;
+  run_of(folder, "branching", {});
+  /** Heights at which a column of nodes is cracked, apart by more than three spacings. */
+  std::map<int, std::vector<double>> heights;
+  for (const Eigen::Vector2d &x : crack_in(folder / "results/nodes.csv"))
+    heights[static_cast<int>(std::floor(x.x() / 0.0005))].push_back(x.y());
+  const auto branches = [&](const double x) {
+    std::vector<double> at = heights[static_cast<int>(std::floor(x / 0.0005))];
+    std::sort(at.begin(), at.end());
+    int n = at.empty() ? 0 : 1;
+    for (std::size_t k = 1; k < at.size(); ++k)
+      n += at[k] - at[k - 1] > 1.6e-3 ? 1 : 0;
+    return n;
+  };
+  CHECK(branches(-0.01) == 1); // the notch
+  CHECK(branches(0.010) == 1);
+  CHECK(branches(0.035) == 2);
+}
+
+TEST_CASE("An interface breaks at its own critical stretch in a scene of two materials", "[apps]")
+{
+  const ScratchFolder folder;
+  std::string         text   = content_of(shipped("bar"));
+  const std::string   single = "  set Young modulus = 200e9\n";
+  REQUIRE(text.find(single) != std::string::npos);
+  std::ofstream(folder / "two.prm") << text.erase(text.find(single), single.size());
+  const std::vector<std::string> two  = {"Output/Snapshots=0",
+                                         "Materials/one/Young modulus=200e9",
+                                         "Materials/one/Critical stretch=5e-3",
+                                         "Materials/other/Young modulus=200e9",
+                                         "Materials/other/Critical stretch=5e-3",
+                                         "Regions/right/Material=other",
+                                         "Regions/right/Shape=box",
+                                         "Regions/right/Lower=0, -1, -1",
+                                         "Regions/right/Upper=1, 1, 1"};
+  std::vector<std::string>       weak = two;
+  for (const char *entry : {"Material=one", "Other material=other", "Critical stretch=2e-3"})
+    weak.push_back(std::string("Interfaces/joint/") + entry);
+  const apps::RunResult joined = run_of(apps::read_scene(folder / "two.prm", two), folder / "joined");
+  const apps::RunResult held   = run_of(apps::read_scene(folder / "two.prm", weak), folder / "held");
+  CHECK(joined.figure("first_break").value.value() == Approx(5e-3 * 200e9).epsilon(1e-6));
+  CHECK(held.figure("first_break").value.value() == Approx(2e-3 * 200e9).epsilon(1e-6));
+  CHECK(held.summary["figures"]["lattice_of"]["other"]["neighbours"] == 6);
 }
 
 TEST_CASE("A peridynamic run that was stopped goes on to the same bits, fracture included", "[apps]")
 {
   const std::vector<std::string> coarse = {"Grid/Spacing=0.001", "Analysis/End time=3e-5"};
   goes_on("branching", coarse, 40);
+  std::vector<std::string> repelling = coarse;
+  repelling.emplace_back("Analysis/Repulsion=15");
+  goes_on("branching", repelling, 40);
   goes_on("bending", {"Grid/Spacing=0.02"}, 3);
   goes_on("fracture", {"Grid/Spacing=0.0125", "Analysis/Load increments=4", "Material/Critical stretch=0.004"}, 3);
 }

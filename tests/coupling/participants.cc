@@ -1,6 +1,7 @@
 // What every participant of a coupling must do, asked of each in the same words.
 
 #include "coupling/participants/particle_participant.h"
+#include "coupling/participants/peridynamic_participant.h"
 #include "coupling/participants/solid_participant.h"
 #include "dem/core/uniform_random.h"
 #include "fem/materials/isotropic_elastic.h"
@@ -67,6 +68,42 @@ namespace
     std::unique_ptr<coupling::SolidParticipant<dim>> side;
   };
 
+  template <int dim>
+  struct PeridynamicBody : Body
+  {
+    PeridynamicBody()
+      : bonds(made())
+      , side(bonds, free_of_loads(bonds), {}, bonds.grid().field())
+    {
+    }
+    static dem::peridynamics::Bonds made()
+    {
+      namespace pd = dem::peridynamics;
+      pd::Body body;
+      body.space   = dim == 3 ? pd::Space::space : pd::Space::plane_stress;
+      body.size    = {5e-3, 4e-3, dim == 3 ? 3e-3 : 0.0};
+      body.spacing = body.thickness = 1e-3;
+      pd::Material material;
+      material.young_modulus = 25e9;
+      material.density       = 2400;
+      const pd::Horizon horizon{2.015, pd::Volumes::full, false};
+      return {pd::Grid(body, pd::reach_of(horizon)), horizon, material};
+    }
+    static dem::peridynamics::Loads free_of_loads(const dem::peridynamics::Bonds &bonds)
+    {
+      namespace pd = dem::peridynamics;
+      pd::Loads none;
+      none.held.assign(bonds.grid().places(), 0);
+      none.forces        = [](double, const pd::Field *, pd::Field &) {};
+      none.displacements = [](double, pd::Field &) {};
+      return none;
+    }
+    Participant &participant() override { return side; }
+
+    dem::peridynamics::Bonds         bonds;
+    coupling::PeridynamicParticipant side;
+  };
+
   struct NamedBody
   {
     const char                            *name;
@@ -74,7 +111,9 @@ namespace
   };
   const NamedBody bodies[] = {{"particles", [] { return std::make_unique<ParticleBody>(); }},
                               {"solid", [] { return std::make_unique<SolidBody<3>>(); }},
-                              {"plane solid", [] { return std::make_unique<SolidBody<2>>(); }}};
+                              {"plane solid", [] { return std::make_unique<SolidBody<2>>(); }},
+                              {"peridynamic block", [] { return std::make_unique<PeridynamicBody<3>>(); }},
+                              {"peridynamic plate", [] { return std::make_unique<PeridynamicBody<2>>(); }}};
 
   Vector3d in_plane(const Participant &p, Vector3d v)
   {

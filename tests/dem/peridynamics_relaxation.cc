@@ -1,4 +1,5 @@
 #include "base/flat_state.h"
+#include "dem/peridynamics/fictitious_density.h"
 #include "dem/peridynamics/relaxation.h"
 #include "peridynamics_bodies.h"
 
@@ -133,9 +134,45 @@ TEST_CASE("relaxations take as many steps as published", "[dem]")
           if (coarse == 0 && relaxation.residual() < 1e-3)
             coarse = relaxation.steps();
         }
-      // With the least densities the path hangs on how the bound is taken at edges and corners, which the source leaves open.
-      const double margin = gershgorin ? 0.2 : 0.05;
-      CHECK(static_cast<double>(coarse) == Approx(gershgorin ? 168 : 500).epsilon(margin));
-      CHECK(static_cast<double>(relaxation.steps()) == Approx(gershgorin ? 328 : 914).epsilon(margin));
+      CHECK(static_cast<double>(coarse) == Approx(gershgorin ? 168 : 500).epsilon(0.05));
+      CHECK(static_cast<double>(relaxation.steps()) == Approx(gershgorin ? 328 : 914).epsilon(0.05));
+    }
+}
+
+TEST_CASE("Gershgorin's bound is that of the assembled rows, and does not grow when bonds break", "[dem]")
+{
+  Case c                    = plate(6, Layout::cell_centred);
+  c.body.size               = {1.0, 1.0, 0.0};
+  Bonds       bonds         = c.bonds();
+  const Grid &grid          = bonds.grid();
+  const auto  rows_of_nodes = [&] {
+    std::vector<double> most;
+    const auto          n = static_cast<Eigen::Index>(grid.nodes().size());
+    Eigen::MatrixXd     K = Eigen::MatrixXd::Zero(2 * n, 2 * n);
+    BondForces          forces(bonds, Kinematics::linear);
+    for (Eigen::Index column = 0; column < 2 * n; ++column)
+      {
+        Field u = grid.field(), f = u;
+        u.c[static_cast<std::size_t>(column % 2)][grid.nodes()[static_cast<std::size_t>(column / 2)]] = 1;
+        forces.add_up(bonds, u, f);
+        for (Eigen::Index row = 0; row < 2 * n; ++row)
+          K(row, column) = -f.c[static_cast<std::size_t>(row % 2)][grid.nodes()[static_cast<std::size_t>(row / 2)]];
+      }
+    const Eigen::VectorXd sums = K.cwiseAbs().rowwise().sum();
+    for (Eigen::Index i = 0; i < n; ++i)
+      most.push_back(std::max(sums[2 * i], sums[2 * i + 1]) / grid.volume()[grid.nodes()[static_cast<std::size_t>(i)]]);
+    return most;
+  };
+  base::Column before;
+  for (int round = 0; round < 3; ++round)
+    {
+      const base::Column        bound = bound_of_stiffness(bonds);
+      const std::vector<double> rows  = rows_of_nodes();
+      for (std::size_t n = 0; n < rows.size(); ++n)
+        CHECK(bound[grid.nodes()[n]] == Approx(rows[n]).epsilon(1e-12));
+      for (std::size_t i = 0; i < before.size(); ++i)
+        CHECK(bound[i] <= before[i] * (1 + 1e-12));
+      before = bound;
+      bonds.cut({{-0.3, -0.4 + 0.2 * round, 0}, {0.2, 0.3, 0}, Eigen::Vector3d::Zero()});
     }
 }

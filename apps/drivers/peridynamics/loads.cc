@@ -216,7 +216,7 @@ namespace apps
     PeridynamicLoads made;
     for (const PeridynamicTraction &t : tractions)
       {
-        auto transfer = std::make_shared<pd::Transfer>(bonds.grid(), bonds.horizon(), bonds.material().model,
+        auto transfer = std::make_shared<pd::Transfer>(bonds.grid(), bonds.horizon(), bonds.model(),
                                                        points_of(t, bonds.grid()), t.weight, t.form);
         if (made.transfers.empty())
           for (const pd::BoundaryPoint &p : transfer->points())

@@ -77,6 +77,10 @@ namespace apps
       .means("Of the motion");
     s.number("Step factor", step_factor, "-", Range::between(1e-6, 1), Need::optional)
       .means("Of the stable step of the undamaged body, which Gershgorin's bound gives");
+    s.number("Repulsion", repulsion, "-", Range::at_least(0), Need::optional)
+      .only_if(moves, "Method is motion")
+      .means("Of nodes that no bond joins any more and that come nearer than a spacing, in bond constants; 15 is "
+             "usual, and shortens the stable step; 0: fragments pass through each other");
   }
 
   void PeridynamicsModel::declare_body(Section &root)
@@ -109,28 +113,6 @@ namespace apps
       .means("Bonds of nodes whose family the surface cuts are made stiffer by the volume that it lacks");
   }
 
-  void PeridynamicsModel::declare_material(Section &root)
-  {
-    Section &s = root.section("Material", "Of the bonds");
-    s.number("Young modulus", material.young_modulus, "Pa", Range::positive(), Need::required)
-      .means("Of the continuum");
-    s.number("Poisson ratio", poisson_ratio, "-", Range::between(0, 0.5), Need::optional)
-      .means("Bonds have 1/3 in plane stress and 1/4 in plane strain and in space, and no other; 0: not asked for");
-    s.number("Density", material.density, "kg/m^3", Range::at_least(0), Need::optional).means("Needed by motion");
-    s.choice("Model", material.model, {{"prototype", pd::BondModel::prototype}, {"general", pd::BondModel::general}},
-             Need::optional)
-      .means("The force of a bond grows with its stretch, or with its elongation");
-    s.number("Critical stretch", critical_stretch, "-", Range::at_least(0), Need::optional)
-      .means("At which a bond breaks for ever; 0: from the fracture energy, or never");
-    s.number("Fracture energy", fracture_energy, "J/m^2", Range::at_least(0), Need::optional)
-      .means("Of a crack, in place of the critical stretch; 0: none");
-    s.choice("Calibration", material.calibration,
-             {{"none", pd::Calibration::none}, {"axis", pd::Calibration::axis}, {"bulk", pd::Calibration::bulk}},
-             Need::optional)
-      .means("The bond constant is divided so that the grid has Young's modulus along its axes, or the stiffness "
-             "against equal strains");
-  }
-
   void PeridynamicsModel::declare_defects(Section &root)
   {
     root.section("Holes", "One sub-section per round hole").named_sections("HOLE", [this](Section &opened) {
@@ -161,7 +143,7 @@ namespace apps
   void PeridynamicsModel::declare(Section &root)
   {
     declare_body(root);
-    declare_material(root);
+    materials.declare(root);
     declare_defects(root);
     loads.declare(root);
     Section &start = root.section("Initial velocity", "Of the motion, by place");
@@ -191,22 +173,6 @@ namespace apps
         root.at("Grid").refuse(
           "Spacing",
           fmt::format("must divide every length of the body without a rest; {} m are {:.6g} spacings.", length, cells));
-  }
-
-  void PeridynamicsModel::check_material(const base::EntryPath &root) const
-  {
-    const base::EntryPath s  = root.at("Material");
-    const double          nu = pd::poisson_ratio(space());
-    if (poisson_ratio != 0 && std::abs(poisson_ratio - nu) > 1e-3)
-      s.refuse("Poisson ratio", dimension() == 1 ?
-                                  std::string("a rod has none.") :
-                                  fmt::format("bonds have {:.6g} here, and no other: leave the entry out.", nu));
-    if (critical_stretch > 0 && fracture_energy > 0)
-      s.refuse("Fracture energy", "Critical stretch is given as well: leave one of them out.");
-    if (fracture_energy > 0 && dimension() == 1)
-      s.refuse("Fracture energy", "a rod has no crack with an energy: give Critical stretch.");
-    if (analysis.method == PeridynamicAnalysisSection::Method::motion && material.density == 0)
-      s.refuse("Density", "must be > 0 where Analysis/Method is motion.");
   }
 
   void PeridynamicsModel::check_places(const base::EntryPath &root) const
@@ -241,7 +207,7 @@ namespace apps
   void PeridynamicsModel::check(const base::EntryPath &root) const
   {
     check_body(root);
-    check_material(root);
+    materials.check(root, space(), !analysis.quiet());
     check_places(root);
     loads.check(root, dimension());
   }
@@ -259,21 +225,10 @@ namespace apps
     return made;
   }
 
-  pd::Material PeridynamicsModel::breaking_material() const
-  {
-    pd::Material made = material;
-    if (critical_stretch > 0)
-      made.critical_stretch = critical_stretch;
-    else if (fracture_energy > 0)
-      made.critical_stretch =
-        pd::critical_stretch(space(), material.model, material.young_modulus, horizon.ratio * spacing, fracture_energy);
-    return made;
-  }
-
   pd::Bonds PeridynamicsModel::bonds() const
   {
     const pd::Grid grid(body(), pd::reach_of(horizon));
-    pd::Bonds      made(grid, horizon, breaking_material());
+    pd::Bonds      made(grid, horizon, materials.mixture(grid, horizon.ratio * spacing));
     for (const PeridynamicCrack &crack : cracks)
       if (made.cut({crack.from.value(), crack.to.value(), crack.depth.value()}) == 0)
         throw base::InputError("Cracks/" + crack.name +

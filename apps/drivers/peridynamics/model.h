@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/drivers/peridynamics/loads.h"
+#include "apps/drivers/peridynamics/materials.h"
 #include "apps/scene/output_section.h"
 #include "dem/peridynamics/equilibrium.h"
 #include "dem/peridynamics/relaxation.h"
@@ -64,6 +65,7 @@ namespace apps
     double       at_once    = 0; ///< part of the largest stretch over its limit from which on bonds break together
     std::int64_t increments = 1, step_limit = 20000, row_interval = 10;
     double       tolerance = 1e-6, end_time = 0, step_factor = 0.8;
+    double       repulsion = 0; ///< in bond constants; 0: none
 
     void declare(Section &root);
     bool quiet() const { return method != Method::motion; }
@@ -78,8 +80,7 @@ namespace apps
     double                      spacing   = 0;
     dem::peridynamics::Layout   layout    = dem::peridynamics::Layout::cell_centred;
     dem::peridynamics::Horizon  horizon;
-    dem::peridynamics::Material material;
-    double                      poisson_ratio = 0, critical_stretch = 0, fracture_energy = 0;
+    PeridynamicMaterialsSection materials;
     std::list<PeridynamicHole>  holes;
     std::list<PeridynamicCrack> cracks;
     std::list<NoFailZone>       safe;
@@ -98,13 +99,10 @@ namespace apps
     dem::peridynamics::Bonds bonds() const;
 
   private:
-    void                        declare_body(Section &root);
-    void                        declare_material(Section &root);
-    void                        declare_defects(Section &root);
-    void                        check_body(const base::EntryPath &root) const;
-    void                        check_material(const base::EntryPath &root) const;
-    void                        check_places(const base::EntryPath &root) const;
-    dem::peridynamics::Space    space() const;
-    dem::peridynamics::Material breaking_material() const;
+    void                     declare_body(Section &root);
+    void                     declare_defects(Section &root);
+    void                     check_body(const base::EntryPath &root) const;
+    void                     check_places(const base::EntryPath &root) const;
+    dem::peridynamics::Space space() const;
   };
 } // namespace apps

@@ -18,7 +18,7 @@ namespace apps
     /** Steps of equal length, not above the stable one, to the end. */
     double length_of_steps(const PeridynamicsModel &model, const pd::Bonds &bonds)
     {
-      const double stable = model.analysis.step_factor * pd::Motion::stable_step(bonds);
+      const double stable = model.analysis.step_factor * pd::Motion::stable_step(bonds, model.analysis.repulsion);
       return model.analysis.end_time / std::ceil(model.analysis.end_time / stable);
     }
 
@@ -38,14 +38,23 @@ namespace apps
     , motion(of.bonds, of.loads.act, what.analysis.kinematics, velocity_at_start(what, of.bonds.grid()), length)
     , sampling(what.analysis.end_time, what.output, 1e-9)
   {
+    if (what.analysis.repulsion > 0)
+      motion.repel(of.bonds, what.analysis.repulsion);
   }
 
   std::int64_t PeridynamicMotion::steps() const { return std::llround(model.analysis.end_time / length); }
 
   std::vector<postprocess::SeriesColumn> PeridynamicMotion::columns() const
   {
-    return {{"time", "s"},           {"largest_displacement", "m"}, {"broken_bonds", ""},     {"damage", "-"},
-            {"energy_kinetic", "J"}, {"energy_strain", "J"},        {"energy_released", "J"}, {"energy_external", "J"},
+    return {{"time", "s"},
+            {"largest_displacement", "m"},
+            {"broken_bonds", ""},
+            {"damage", "-"},
+            {"energy_kinetic", "J"},
+            {"energy_strain", "J"},
+            {"energy_repulsion", "J"},
+            {"energy_released", "J"},
+            {"energy_external", "J"},
             {"energy_residual", "J"}};
   }
 
@@ -62,7 +71,7 @@ namespace apps
     largest = std::max(largest, e.largest());
     record({{},
             {motion.time(), most, static_cast<double>(motion.broken()), body.largest_damage(), e.kinetic, e.strain,
-             e.released, e.external, e.residual()},
+             e.repulsion, e.released, e.external, e.residual()},
             {}});
   }
 

@@ -54,8 +54,18 @@ namespace apps
         volume.push_back(bonds.grid().volume()[at]);
       }
     points.scalars = {{"damage", damage}, {"volume", volume}};
+    if (!bonds.mixture().of.empty())
+      points.scalars.push_back({"material", materials()});
     points.vectors = {{"displacement", moved}};
     postprocess::write_vtk_points(file, postprocess::field_file("nodes"), points, time);
+  }
+
+  std::vector<double> PeridynamicState::materials() const
+  {
+    std::vector<double> numbers;
+    for (const std::size_t at : bonds.grid().nodes())
+      numbers.push_back(bonds.mixture().of[at]);
+    return numbers;
   }
 
   namespace

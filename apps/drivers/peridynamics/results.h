@@ -29,5 +29,9 @@ namespace apps
     };
     /** Of a plate, or of the plane of a block nearest to its middle; deformed and magnified. @return what went wrong, "" if nothing */
     std::string draw(const std::filesystem::path &file, const std::string &title, Shown shown) const;
+
+  private:
+    /** Numbers of the nodes' materials, where there are several. */
+    std::vector<double> materials() const;
   };
 } // namespace apps

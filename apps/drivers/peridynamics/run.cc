@@ -41,7 +41,7 @@ namespace apps
 
   void PeridynamicsRun::begin(const Record &record)
   {
-    tell(request, &RunObserver::says, lattice_lines(body->bonds));
+    tell(request, &RunObserver::says, lattice_lines(body->bonds, model.materials.names()));
     for (const std::string &warning : body->loads.warnings)
       tell(request, &RunObserver::warns, warning);
     analysis->begin(record);
@@ -73,12 +73,15 @@ namespace apps
     nodes->add(analysis->clock());
   }
 
-  std::string lattice_lines(const pd::Bonds &bonds)
+  std::string lattice_lines(const pd::Bonds &bonds, const std::vector<std::string> &names)
   {
-    const pd::LatticeConstants &l     = bonds.lattice();
-    const double                E     = bonds.material().young_modulus;
-    std::string                 lines = fmt::format("grid         Young's modulus {:.5g} Pa along its axes ({:+.2f} %)",
-                                                    l.young_modulus * E, 100 * (l.young_modulus - 1));
+    const pd::LatticeConstants      &l     = bonds.lattice();
+    const std::vector<pd::Material> &all   = bonds.mixture().materials;
+    std::string                      lines = "grid         Young's modulus ";
+    for (std::size_t n = 0; n < all.size(); ++n)
+      lines += fmt::format("{}{:.5g} Pa{}", n == 0 ? "" : ", ", l.young_modulus * all[n].young_modulus,
+                           names.empty() ? "" : " (" + names[n] + ")");
+    lines += fmt::format(" along its axes ({:+.2f} %)", 100 * (l.young_modulus - 1));
     if (bonds.grid().dimension() > 1)
       lines += fmt::format(", {:+.2f} % at 45 degrees; Poisson's ratio {:.4f} ({:.4f}); shear {:+.2f} %",
                            100 * (l.young_modulus_oblique - 1), l.poisson_ratio,
@@ -86,19 +89,54 @@ namespace apps
     return lines + fmt::format("; {} neighbours\n", l.neighbours);
   }
 
+  namespace
+  {
+    /** Of one material. */
+    nlohmann::json lattice_figures(const pd::Bonds &bonds, const pd::Material &material)
+    {
+      const pd::LatticeConstants &l = bonds.lattice();
+      const double E = material.young_modulus, shear = E / (2 * (1 + pd::poisson_ratio(bonds.grid().body().space)));
+      return {{"young_modulus", quantity(l.young_modulus * E, "Pa")},
+              {"young_modulus_at_45_degrees", quantity(l.young_modulus_oblique * E, "Pa")},
+              {"poisson_ratio", quantity(l.poisson_ratio, "-")},
+              {"shear_modulus", quantity(l.shear_modulus * shear, "Pa")},
+              {"neighbours", l.neighbours}};
+    }
+  } // namespace
+
+  namespace
+  {
+    /** Tractions act on nodes that have broken off as before: said of those whose boundary is cracked. */
+    std::vector<std::string> doubts_of_tractions(const PeridynamicsModel &model, const PeridynamicBody &body)
+    {
+      constexpr double          cracked = 0.35; // a crack beside a node leaves 0.39
+      const std::vector<double> damage  = body.bonds.damage();
+      std::vector<std::string>  doubts;
+      auto                      transfer = body.loads.transfers.begin();
+      for (const PeridynamicTraction &traction : model.loads.tractions)
+        {
+          double most = 0;
+          for (const pd::BoundaryPoint &p : (*transfer++)->points())
+            most = std::max(most, damage[static_cast<std::size_t>(body.bonds.grid().number(p.outer))]);
+          if (most > cracked)
+            doubts.push_back(fmt::format("Tractions/{}: damage is {:.2f} at its boundary: it still acts on nodes that "
+                                         "have broken off. Keep the boundary whole by No-fail zones.",
+                                         traction.name, most));
+        }
+      return doubts;
+    }
+  } // namespace
+
   RunFindings PeridynamicsRun::findings(const postprocess::CsvTable &series, const double wall_seconds)
   {
-    const pd::Bonds            &bonds = body->bonds;
-    const pd::LatticeConstants &l     = bonds.lattice();
-    const double                E     = bonds.material().young_modulus,
-                 shear                = E / (2 * (1 + pd::poisson_ratio(bonds.grid().body().space)));
-    nlohmann::json figures            = nlohmann::json::object();
+    const pd::Bonds &bonds   = body->bonds;
+    nlohmann::json   figures = nlohmann::json::object();
     analysis->add_figures(figures);
-    figures["lattice"]              = {{"young_modulus", quantity(l.young_modulus * E, "Pa")},
-                                       {"young_modulus_at_45_degrees", quantity(l.young_modulus_oblique * E, "Pa")},
-                                       {"poisson_ratio", quantity(l.poisson_ratio, "-")},
-                                       {"shear_modulus", quantity(l.shear_modulus * shear, "Pa")},
-                                       {"neighbours", l.neighbours}};
+    const std::vector<std::string>   names = model.materials.names();
+    const std::vector<pd::Material> &all   = bonds.mixture().materials;
+    figures["lattice"]                     = lattice_figures(bonds, all.front());
+    for (std::size_t n = 0; n < names.size(); ++n)
+      figures["lattice_of"][names[n]] = lattice_figures(bonds, all[n]);
     figures["largest_displacement"] = quantity(series.column("largest_displacement").back(), "m");
     figures["broken_bonds"]         = bonds.broken();
     figures["damage"]               = quantity(body->largest_damage(), "-");
@@ -107,6 +145,8 @@ namespace apps
     summary["figures"]                = figures;
     std::vector<std::string> warnings = body->loads.warnings;
     for (const std::string &warning : analysis->warnings())
+      warnings.push_back(warning);
+    for (const std::string &warning : doubts_of_tractions(model, *body))
       warnings.push_back(warning);
     summary["warnings"] = warnings;
     summary["cost"]     = {{"nodes", bonds.grid().nodes().size()},

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace apps
 {
@@ -53,6 +54,9 @@ namespace apps
     std::optional<postprocess::PvdCollection> nodes;
   };
 
-  /** "E 2.097e+11 Pa along the axes, ...": constants of the grid, for a terminal. */
-  std::string lattice_lines(const dem::peridynamics::Bonds &bonds);
+  /**
+   * "E 2.097e+11 Pa along the axes, ...": constants of the grid, for a terminal.
+   * @param names of the materials; empty: there is one
+   */
+  std::string lattice_lines(const dem::peridynamics::Bonds &bonds, const std::vector<std::string> &names);
 } // namespace apps

@@ -37,13 +37,14 @@ namespace apps
     text += fmt::format("  horizon      {:.6g} m, {:.4g} spacings\n  memory       about {:.3g} MB for bonds\n",
                         body.bonds.horizon(), model.horizon.ratio,
                         1e-6 * static_cast<double>(8 * body.bonds.stiffness().size()));
-    text += "  " + lattice_lines(body.bonds);
+    text += "  " + lattice_lines(body.bonds, model.materials.names());
     for (const std::string &warning : body.loads.warnings)
       text += "  warning      " + warning + "\n";
     if (model.analysis.method == PeridynamicAnalysisSection::Method::motion)
       {
-        const double stable = model.analysis.step_factor * pd::Motion::stable_step(body.bonds),
-                     steps  = model.analysis.end_time / stable;
+        const double stable =
+                       model.analysis.step_factor * pd::Motion::stable_step(body.bonds, model.analysis.repulsion),
+                     steps = model.analysis.end_time / stable;
         text += fmt::format("  step         {:.4g} s\n  steps        {:.0f}\n", stable, steps);
         return text + duration_line(steps * seconds_per_pass(body.bonds, model.analysis.kinematics) * 1.5);
       }
