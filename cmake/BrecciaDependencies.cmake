@@ -43,10 +43,27 @@ if("postprocess" IN_LIST BRECCIA_ROOMS)
 endif()
 if("apps" IN_LIST BRECCIA_ROOMS)
   need(Boost 1.74) # headers only
-  need(Ceres)
   need(CLI11)
   need(pagmo)
   need(fmt)
+  # The shared library, which hides its Eigen: the archive, which Ceres' own target would take, has Eigen's functions compiled with
+  # another alignment and with vectors (BrecciaOptions.cmake), and the linker keeps one of two that have the same name. It needs ATLAS,
+  # of which CHOLMOD would then be served; but what a program needs itself comes before what its libraries need: so the program is said
+  # to need the system's BLAS and LAPACK (tests/apps/blas_of_process.cc).
+  find_path(BRECCIA_CERES_INCLUDE ceres/ceres.h)
+  find_library(BRECCIA_CERES_LIBRARY NAMES libceres.so)
+  find_library(BRECCIA_GLOG_LIBRARY glog)
+  find_library(BRECCIA_BLAS_LIBRARY NAMES libblas.so.3 blas)
+  find_library(BRECCIA_LAPACK_LIBRARY NAMES liblapack.so.3 lapack)
+  if(BRECCIA_CERES_INCLUDE AND BRECCIA_CERES_LIBRARY AND BRECCIA_GLOG_LIBRARY AND BRECCIA_BLAS_LIBRARY AND
+     BRECCIA_LAPACK_LIBRARY)
+    add_library(breccia_ceres INTERFACE)
+    target_include_directories(breccia_ceres SYSTEM INTERFACE "${BRECCIA_CERES_INCLUDE}")
+    target_link_libraries(breccia_ceres INTERFACE "${BRECCIA_CERES_LIBRARY}" "${BRECCIA_GLOG_LIBRARY}")
+    target_link_options(breccia_ceres INTERFACE "LINKER:--push-state,--no-as-needed,${BRECCIA_LAPACK_LIBRARY},${BRECCIA_BLAS_LIBRARY},--pop-state")
+  else()
+    list(APPEND missing_packages Ceres)
+  endif()
   find_path(BRECCIA_MUPARSER_INCLUDE muParser.h)
   find_library(BRECCIA_MUPARSER_LIBRARY muparser)
   if(BRECCIA_MUPARSER_INCLUDE AND BRECCIA_MUPARSER_LIBRARY)

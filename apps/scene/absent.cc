@@ -24,7 +24,8 @@ namespace apps
          "There is no Python interface: scenes are text files, changed by -s; results are CSV, JSON, HDF5 and VTK, "
          "which Python reads."},
         {{"calibration", "calibrate", "optimisation", "optimization", "optimise", "optimize"},
-         "Nothing calibrates constants by itself: doc/tutorials/constants.md says which constant moves which figure."},
+         "Constants are sought by \"breccia calibrate\" (doc/tutorials/calibrate.md) and by \"breccia invert\"; "
+         "doc/tutorials/constants.md says which constant moves which figure."},
         {{"GPU", "CUDA"}, "Nothing runs on a graphics processor: particles run on threads (--threads)."},
         {{"Poisson ratio", "Poisson's ratio", "Poissons ratio"},
          "Links have no Poisson's ratio: that of a specimen follows from \"Shear ratio\" (CPM) or \"Stiffness ratio\" "

@@ -1,5 +1,9 @@
 #include "apps/studies/child_runs.h"
 
+#include "postprocess/files/numeric_text.h"
+
+#include <fmt/format.h>
+
 #include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -57,6 +61,19 @@ namespace apps
       _exit(127);
     }
   } // namespace
+
+  std::string last_words(const std::filesystem::path &log, const int status)
+  {
+    constexpr std::string_view name = "breccia: ";
+    const std::string          text = postprocess::numeric_text::read_whole(log);
+    std::string                said;
+    for (postprocess::numeric_text::Lines lines(text); lines.next();)
+      if (lines.text().substr(0, name.size()) == name)
+        said = std::string(lines.text().substr(name.size()));
+    if (!said.empty())
+      return said;
+    return status > 128 ? fmt::format("ended by signal {}", status - 128) : fmt::format("exit status {}", status);
+  }
 
   int usable_processors()
   {

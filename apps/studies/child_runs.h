@@ -56,6 +56,9 @@ namespace apps
     std::uint64_t          largest_memory = 0; ///< [bytes]
   };
 
+  /** What the program said when it gave up: the last line of its log that begins with its name, or how it ended. */
+  std::string last_words(const std::filesystem::path &log, int status);
+
   /** Processors that this process may use. */
   int usable_processors();
 } // namespace apps

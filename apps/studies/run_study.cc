@@ -5,23 +5,16 @@
 #include "apps/process/progress.h"
 #include "apps/results/run_result.h"
 #include "apps/studies/child_runs.h"
+#include "apps/studies/folder_lock.h"
 #include "apps/studies/study_table.h"
 #include "base/errors.h"
 #include "postprocess/files/atomic_file.h"
-#include "postprocess/files/errors.h"
 #include "postprocess/files/numeric_text.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <thread>
 
 namespace apps
 {
@@ -29,38 +22,6 @@ namespace apps
 
   namespace
   {
-    /**
-     * Holds a part of a study for this process and its runs, which inherit it: whoever comes after waits until those of one that was
-     * killed are gone, too.
-     */
-    class PartLock
-    {
-    public:
-      explicit PartLock(const fs::path &file)
-        : descriptor(open(file.c_str(), O_RDWR | O_CREAT, 0666)) // inherited on purpose
-      {
-        if (descriptor < 0)
-          throw postprocess::OutputError(file.string() + ": cannot be opened: " + std::strerror(errno) + ".");
-        for (int look = 0; flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK; ++look)
-          {
-            if (look == most_looks)
-              {
-                close(descriptor);
-                throw postprocess::OutputError(file.parent_path().parent_path().string() +
-                                               ": another process works on this study, or on this part of it.");
-              }
-            std::this_thread::sleep_for(std::chrono::milliseconds(50));
-          }
-      }
-      ~PartLock() { close(descriptor); }
-      PartLock(const PartLock &)            = delete;
-      PartLock &operator=(const PartLock &) = delete;
-
-    private:
-      static constexpr int most_looks = 100; // five seconds
-      int                  descriptor;
-    };
-
     fs::path folder_of(const StudyJournal &journal, const long run)
     {
       return journal.folder() / "runs" / fmt::format("{:06}", run + 1);
@@ -69,20 +30,6 @@ namespace apps
     fs::path log_of(const StudyJournal &journal, const long run)
     {
       return journal.folder() / "runs" / fmt::format("{:06}.log", run + 1);
-    }
-
-    /** What the program said when it gave up: its last line that begins with its name. */
-    std::string last_words(const fs::path &log, const int status)
-    {
-      constexpr std::string_view name = "breccia: ";
-      const std::string          text = postprocess::numeric_text::read_whole(log);
-      std::string                said;
-      for (postprocess::numeric_text::Lines lines(text); lines.next();)
-        if (lines.text().substr(0, name.size()) == name)
-          said = std::string(lines.text().substr(name.size()));
-      if (!said.empty())
-        return said;
-      return status > 128 ? fmt::format("ended by signal {}", status - 128) : fmt::format("exit status {}", status);
     }
 
     RunRecord record_of(const StudyFile &study, const StudyJournal &journal, const EndedChild &ended)
@@ -212,7 +159,8 @@ namespace apps
   int run_study(const StudyFile &study, const StudyPlan &plan, const StudyOptions &options)
   {
     const StudyJournal journal(options.folder, plan, options.restart);
-    const PartLock lock(journal.folder() / "journal" / fmt::format("part-{}-of-{}.lock", options.part, options.parts));
+    const FolderLock   lock(journal.folder() / "journal" /
+                            fmt::format("part-{}-of-{}.lock", options.part, options.parts));
     if (!work_off(study, plan, options, journal))
       {
         fmt::print(stderr, "interrupted; runs that are done are kept. The same command goes on with the others.\n");

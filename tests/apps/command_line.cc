@@ -40,7 +40,7 @@ TEST_CASE("A wrong command line is refused with one message and status 2", "[app
   refused({}, "A subcommand is required");
   refused({"rnu", "x.prm"}, "\"rnu\" is not a command. Did you mean \"run\"?");
   refused({"help", "rnu"}, "\"rnu\" is not a command. Did you mean \"run\"?");
-  refused({"calibrate", "x.prm"}, "\"calibrate\" is not a command. Nothing calibrates constants by itself");
+  refused({"optimise", "x.prm"}, "\"optimise\" is not a command. Constants are sought by \"breccia calibrate\"");
   refused({"run"}, "breccia run: scene is required");
   refused({"run", "x.prm", "--threads", "0"}, "--threads: Value 0 not in range");
   refused({"run", "x.prm", "--wrong"}, "not expected: --wrong");

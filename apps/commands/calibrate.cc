@@ -1,0 +1,99 @@
+#include "apps/commands/command.h"
+#include "apps/commands/scene_options.h"
+#include "apps/process/exit_status.h"
+#include "apps/process/interrupt.h"
+#include "apps/studies/calibration.h"
+#include "apps/studies/folder_lock.h"
+#include "postprocess/files/atomic_file.h"
+#include "postprocess/files/errors.h"
+#include "postprocess/files/summary.h"
+
+#include <CLI/Validators.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <memory>
+
+namespace apps
+{
+  namespace
+  {
+    struct CalibrateCommand
+    {
+      std::string              file, folder;
+      std::vector<std::string> overrides;
+      StudyOptions             options;
+    };
+
+    void make_calibration_folders(const StudyOptions &options)
+    {
+      std::error_code error;
+      for (const char *part : {"journal", "runs"})
+        {
+          if (options.restart)
+            std::filesystem::remove_all(options.folder / part, error);
+          std::filesystem::create_directories(options.folder / part, error);
+          if (error)
+            throw postprocess::OutputError((options.folder / part).string() +
+                                           ": the folder cannot be made: " + error.message() + ".");
+        }
+    }
+
+    void write_calibration(const CalibrationFile       &file,
+                           const CalibrationRuns       &runs,
+                           const Calibration           &found,
+                           const std::filesystem::path &folder)
+    {
+      for (std::size_t target = 0; target < file.targets.size(); ++target)
+        if (file.targets[target].is_curve())
+          postprocess::write_text(folder / (file.targets[target].name + ".csv"),
+                                  curve_csv_of(file, runs, found, target));
+      postprocess::write_json(folder / "calibration.json", json_of(file, runs, found));
+    }
+
+    int calibrate_file(CalibrateCommand command)
+    {
+      const auto file        = read_calibration(command.file, command.overrides);
+      command.options.folder = command.folder.empty() ? file->output_folder : command.folder;
+      CalibrationRuns runs(*file, command.options);
+      make_calibration_folders(command.options);
+      const FolderLock lock(command.options.folder / "journal" / "lock");
+      catch_interrupts();
+      try
+        {
+          const Calibration found = calibrate(*file, runs);
+          write_calibration(*file, runs, found, command.options.folder);
+          fmt::print("{}\nwritten to {}: calibration.json, curves, and each run below runs\n",
+                     words_of(*file, runs, found), command.options.folder.string());
+          return exit_success;
+        }
+      catch (const CalibrationInterrupted &)
+        {
+          fmt::print(stderr, "interrupted; runs that are done are kept. The same command goes on with the others.\n");
+          return exit_interrupted;
+        }
+    }
+  } // namespace
+
+  void add_calibrate(CLI::App &program, Action &chosen)
+  {
+    const auto command = std::make_shared<CalibrateCommand>();
+    CLI::App  &sub =
+      *program.add_subcommand("calibrate", "Constants that make runs give what was measured, and how sure they are");
+    sub.footer("Runs that are done are kept in the folder: whatever ends a calibration, the same command goes on "
+               "without repeating one.");
+    sub.add_option("calibration", command->file, "Calibration file")->required()->type_name("CALIBRATION.prm");
+    add_overrides(sub, command->overrides, "Change an entry of the file, -s \"Search/Step=0.01\"; repeatable");
+    sub
+      .add_option("-o,--output", command->folder,
+                  "Folder for the results and the runs; default: the file's, or output/NAME")
+      ->type_name("DIR");
+    sub
+      .add_option("--processes", command->options.processes,
+                  "Runs at a time; default: as many as there are processors and memory for")
+      ->type_name("N")
+      ->check(CLI::Range(1, 4096));
+    sub.add_flag("--restart", command->options.restart, "Throw away the runs that are there");
+    sub.callback([command, &chosen] { chosen = [command] { return calibrate_file(*command); }; });
+  }
+} // namespace apps

@@ -1,0 +1,208 @@
+#include "apps/studies/calibration.h"
+
+#include "base/errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace apps
+{
+  namespace
+  {
+    constexpr double confidence = 0.95;
+
+    /** The constants that are sought, among all: the others are held. */
+    class SoughtAmongAll
+    {
+    public:
+      SoughtAmongAll(const CalibrationFile &file_, CalibrationRuns &runs_)
+        : file(file_)
+        , runs(runs_)
+        , all(file.constants.size())
+      {
+        for (std::size_t k = 0; k < file.constants.size(); ++k)
+          {
+            all[k] = file.constants[k].start;
+            sought.push_back(static_cast<int>(k));
+          }
+      }
+
+      const std::vector<int> &kept() const { return sought; }
+      const Eigen::VectorXd  &constants() const { return all; }
+      Eigen::VectorXd         ranges() const
+      {
+        Eigen::VectorXd values(all.size());
+        for (Eigen::Index k = 0; k < all.size(); ++k)
+          values[k] = file.constants[k].upper - file.constants[k].lower;
+        return values;
+      }
+
+      void hold_at_start(const std::vector<int> &held)
+      {
+        for (const int k : held)
+          {
+            all[k] = file.constants[k].start;
+            sought.erase(std::find(sought.begin(), sought.end(), k));
+          }
+      }
+
+      optimisation::LeastSquaresFit fit(const optimisation::LeastSquaresOptions &options)
+      {
+        optimisation::LeastSquaresProblem problem;
+        const auto                        n = static_cast<Eigen::Index>(sought.size());
+        problem.start                       = all(sought);
+        problem.lower                       = Eigen::VectorXd(n);
+        problem.upper                       = Eigen::VectorXd(n);
+        problem.steps                       = file.step * ranges()(sought);
+        for (Eigen::Index k = 0; k < n; ++k)
+          {
+            problem.lower[k] = file.constants[sought[k]].lower;
+            problem.upper[k] = file.constants[sought[k]].upper;
+          }
+        problem.residuals = [this](const std::vector<Eigen::VectorXd> &places) {
+          std::vector<Eigen::VectorXd> sets;
+          for (const Eigen::VectorXd &place : places)
+            {
+              sets.push_back(all);
+              sets.back()(sought) = place;
+            }
+          auto values = runs.predicted(sets);
+          for (auto &own : values)
+            if (own)
+              own = (*own - runs.measured()).cwiseQuotient(runs.scale());
+          return values;
+        };
+        optimisation::LeastSquaresFit found = optimisation::least_squares(problem, options);
+        all(sought)                         = found.place;
+        return found;
+      }
+
+    private:
+      const CalibrationFile &file;
+      CalibrationRuns       &runs;
+      Eigen::VectorXd        all;
+      std::vector<int>       sought;
+    };
+
+    bool scatter_is_known(const CalibrationFile &file) { return file.targets.front().deviation > 0; }
+
+    /** Of those that are sought: numbers among these. */
+    std::vector<int> on_bounds(const CalibrationFile &file, const SoughtAmongAll &problem)
+    {
+      std::vector<int> held;
+      for (std::size_t k = 0; k < problem.kept().size(); ++k)
+        {
+          const SoughtConstant &constant = file.constants[problem.kept()[k]];
+          const double          value    = problem.constants()[problem.kept()[k]];
+          if (value <= constant.lower || value >= constant.upper)
+            held.push_back(static_cast<int>(k));
+        }
+      return held;
+    }
+
+    /** Nothing where there are as many targets as constants. */
+    std::optional<statistics::Uncertainty>
+    uncertainty_of(const CalibrationFile &file, const SoughtAmongAll &problem, const optimisation::LeastSquaresFit &fit)
+    {
+      const std::vector<int> held = on_bounds(file, problem);
+      const Eigen::Index     free = fit.place.size() - static_cast<Eigen::Index>(held.size());
+      if (fit.jacobian.size() == 0 || (!scatter_is_known(file) && fit.residuals.size() <= free))
+        return std::nullopt;
+      return statistics::uncertainty(fit.jacobian, fit.residuals, problem.ranges()(problem.kept()),
+                                     {held, scatter_is_known(file) ? 1.0 : 0.0});
+    }
+
+    void put_uncertainty(const CalibrationFile                        &file,
+                         const SoughtAmongAll                         &problem,
+                         const std::optional<statistics::Uncertainty> &sure,
+                         const optimisation::LeastSquaresFit          &fit,
+                         Calibration                                  &found)
+    {
+      if (!sure)
+        {
+          found.warnings.push_back("There are no standard errors: as many targets as constants, whose standard "
+                                   "deviations are not known.");
+          return;
+        }
+      found.condition = sure->condition;
+      for (std::size_t k = 0; k < problem.kept().size(); ++k)
+        {
+          const int    own           = problem.kept()[k];
+          const double half          = sure->half_width(static_cast<int>(k), confidence);
+          found.standard_errors[own] = sure->standard_errors[k];
+          found.determined[own]      = !std::isnan(half);
+          if (std::isnan(half))
+            continue;
+          found.lower[own] = std::max(found.constants[own] - half, file.constants[own].lower);
+          found.upper[own] = std::min(found.constants[own] + half, file.constants[own].upper);
+          for (std::size_t other = 0; other < problem.kept().size(); ++other)
+            found.correlation(own, problem.kept()[other]) = sure->correlation(k, other);
+        }
+      for (Eigen::Index k = 0; k < fit.residuals.size(); ++k)
+        found.half_widths[k] = sure->half_width_of(fit.jacobian.row(k).transpose(), confidence);
+    }
+
+    void warn(const CalibrationFile &file, const std::vector<int> &undetermined, Calibration &found)
+    {
+      for (const int k : undetermined)
+        found.warnings.push_back(fmt::format("The targets do not determine {}: it is held at its start, {:g}.",
+                                             file.constants[k].name, file.constants[k].start));
+      for (std::size_t k = 0; k < file.constants.size(); ++k)
+        if (found.constants[k] <= file.constants[k].lower || found.constants[k] >= file.constants[k].upper)
+          found.warnings.push_back(file.constants[k].name +
+                                   " lies on its bound: it has no error, and the others' hold for it there.");
+      if (found.failed > 0)
+        found.warnings.push_back(fmt::format("{} sets of constants had no answer.", found.failed));
+    }
+  } // namespace
+
+  Calibration calibrate(const CalibrationFile &file, CalibrationRuns &runs)
+  {
+    optimisation::LeastSquaresOptions options;
+    const double                      targets = runs.measured().cwiseQuotient(runs.scale()).squaredNorm();
+    options.central_differences               = file.central_differences;
+    options.updated_jacobian                  = file.updated_jacobian;
+    options.most_evaluations                  = static_cast<int>(file.most_runs);
+    options.smallest_decrease                 = file.smallest_decrease;
+    options.smallest_sum                      = file.smallest_relative_sum * targets;
+
+    SoughtAmongAll                         problem(file, runs);
+    Calibration                            found;
+    std::vector<int>                       undetermined;
+    optimisation::LeastSquaresFit          fit;
+    std::optional<statistics::Uncertainty> sure;
+    while (true)
+      {
+        fit = problem.fit(options);
+        found.evaluations += fit.evaluations;
+        found.failed += fit.failed;
+        sure = uncertainty_of(file, problem, fit);
+        std::vector<int>       fresh;
+        const std::vector<int> held = on_bounds(file, problem);
+        for (const int k : sure ? sure->undetermined : std::vector<int>())
+          if (std::find(held.begin(), held.end(), k) == held.end())
+            fresh.push_back(problem.kept()[k]);
+        if (fresh.empty() || fresh.size() == problem.kept().size())
+          break;
+        undetermined.insert(undetermined.end(), fresh.begin(), fresh.end());
+        problem.hold_at_start(fresh);
+      }
+    constexpr double   nan = std::numeric_limits<double>::quiet_NaN();
+    const Eigen::Index n   = problem.constants().size();
+    found.constants        = problem.constants();
+    found.standard_errors = found.lower = found.upper = Eigen::VectorXd::Constant(n, nan);
+    found.determined.assign(static_cast<std::size_t>(n), false);
+    found.correlation  = Eigen::MatrixXd::Identity(n, n);
+    found.predicted    = runs.measured() + fit.residuals.cwiseProduct(runs.scale());
+    found.half_widths  = Eigen::VectorXd::Constant(fit.residuals.size(), nan);
+    found.relative_sum = fit.sum_of_squares() / targets;
+    found.ending       = fit.ending;
+    put_uncertainty(file, problem, sure, fit, found);
+    found.half_widths = found.half_widths.cwiseProduct(runs.scale());
+    warn(file, undetermined, found);
+    return found;
+  }
+} // namespace apps

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "apps/studies/calibration_file.h"
+#include "apps/studies/run_study.h"
+
+#include <Eigen/Core>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace apps
+{
+  /** The process was told to end while runs were going on. */
+  struct CalibrationInterrupted
+  {
+  };
+
+  /** What was measured, point by point in the order of the targets, and what runs with some constants give for it. */
+  class CalibrationRuns
+  {
+  public:
+    /** @throws base::InputError for curves that cannot be read, and scenes that are refused at the start or at a bound */
+    CalibrationRuns(const CalibrationFile &calibration, const StudyOptions &options);
+
+    const Eigen::VectorXd &measured() const { return observed; }
+    const Eigen::VectorXd &abscissae() const { return places; } ///< NaN of figures
+    const Eigen::VectorXd &scale() const { return deviations; } ///< residuals are (predicted - measured) / scale
+    Eigen::Index           first_of(std::size_t target) const { return begins[target]; }
+
+    /**
+     * Of each set of constants; nothing where a run failed or has no such figure. Runs that the folder holds already are not repeated.
+     * @throws base::InputError for a figure that no run has; CalibrationInterrupted
+     */
+    std::vector<std::optional<Eigen::VectorXd>> predicted(const std::vector<Eigen::VectorXd> &sets);
+
+    int runs() const { return made; } ///< that were not in the folder
+
+  private:
+    struct Job
+    {
+      std::string              scene;
+      std::vector<std::string> changes;
+      std::string              key; ///< of the folder
+    };
+
+    Job              job_of(const std::string &scene, const Eigen::VectorXd &constants, const std::string &seed) const;
+    std::vector<Job> jobs_of(const Eigen::VectorXd &constants) const;
+    std::optional<std::string>     message_of(const Job &job) const; ///< nothing: it was not run; "": it succeeded
+    Eigen::VectorXd                values_of(const Job &job, std::size_t target) const;
+    void                           work_off(const std::vector<Job> &jobs);
+    std::optional<Eigen::VectorXd> mean_of(const Eigen::VectorXd &constants) const;
+
+    std::filesystem::path folder_of(const Job &job) const { return options.folder / "runs" / job.key; }
+    std::filesystem::path log_of(const Job &job) const { return options.folder / "runs" / (job.key + ".log"); }
+    std::filesystem::path record_of(const Job &job) const { return options.folder / "journal" / (job.key + ".json"); }
+
+    const CalibrationFile    &calibration;
+    const StudyOptions       &options;
+    std::vector<std::string>  scenes, seeds;
+    std::vector<Eigen::Index> begins; ///< of each target, and the end
+    Eigen::VectorXd           observed, places, deviations;
+    int                       made = 0;
+  };
+} // namespace apps

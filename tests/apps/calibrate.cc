@@ -1,0 +1,198 @@
+// breccia calibrate: constants that make runs give what was measured.
+#include "apps/studies/measured_curve.h"
+#include "base/errors.h"
+#include "postprocess/files/csv_table.h"
+#include "tests/apps/program.h"
+#include "tests/apps/scenes.h"
+#include "tests/apps/scratch_folder.h"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <random>
+#include <sstream>
+
+using namespace apps_tests;
+using Catch::Contains;
+
+namespace
+{
+  /** Constants of a stack of spheres that is pulled until it breaks, in part of a second. */
+  std::string calibration_of_stack(const std::string &targets)
+  {
+    return R"(set Kind       = calibration
+set Base scene = stack.prm
+subsection Constants
+  subsection modulus
+    set Entry = Material/CPM/Normal modulus
+    set Start = 22e9
+    set Lower = 15e9
+    set Upper = 40e9
+  end
+  subsection limit
+    set Entry = Material/CPM/Limit elastic strain
+    set Start = 1.2e-4
+    set Lower = 0.4e-4
+    set Upper = 2e-4
+  end
+  subsection unseen
+    set Entry = Loading/Compression/Strain rate
+    set Start = 15
+    set Lower = 10
+    set Upper = 20
+  end
+end
+subsection Targets
+)" + targets +
+           "end\n";
+  }
+
+  const std::string figures = R"(  subsection E
+    set Figure = young_modulus
+    set Value  = 1e9
+    set Standard deviation = 1e8
+  end
+  subsection f_t
+    set Figure = tensile_strength
+    set Value  = 1e6
+    set Standard deviation = 1e5
+  end
+)";
+
+  void write_calibration(const ScratchFolder &folder, const std::string &text)
+  {
+    folder.file("packing.txt", stack_packing());
+    std::string scene = replaced(scene_with_file(), "set Grip thickness", "set Tests = tension\n  set Grip thickness");
+    folder.file("stack.prm", replaced(scene, "set Snapshots = 5", "set Snapshots = 0"));
+    folder.file("calibration.prm", text);
+  }
+
+  /** A process of its own: a calibration starts its program again for each run. */
+  Outcome calibrate(const ScratchFolder &folder, const std::vector<std::string> &options)
+  {
+    std::vector<std::string> words = {"calibrate", "calibration.prm"};
+    words.insert(words.end(), options.begin(), options.end());
+    return Program(folder.path(), words).wait();
+  }
+
+  /** The curve that known constants give up to its peak, with noise: its standard deviation. Beyond the peak it is jagged. */
+  double measure(const ScratchFolder &folder)
+  {
+    REQUIRE(run(folder.path(), {"run", "stack.prm", "-o", "truth", "-s", "Material/CPM/Normal modulus=27e9", "-s",
+                                "Material/CPM/Limit elastic strain=0.8e-4"})
+              .status == 0);
+    const auto                 truth = postprocess::read_csv_table(folder / "truth/series.csv", true, {"test"});
+    const auto                &x = truth.column("strain"), &y = truth.column("stress");
+    const auto                 peak      = std::max_element(y.begin(), y.end());
+    const double               deviation = 0.02 * *peak;
+    std::mt19937               stream(5);
+    std::normal_distribution<> noise(0, deviation);
+    std::ostringstream         text;
+    text.precision(17);
+    text << "strain,stress\n";
+    for (std::size_t row = 0; row <= std::size_t(peak - y.begin()); ++row)
+      text << x[row] << ',' << y[row] + noise(stream) << '\n';
+    folder.file("measured.csv", text.str());
+    return deviation;
+  }
+} // namespace
+
+TEST_CASE("breccia calibrate recovers known constants within their error bars and names the undetermined one",
+          "[apps][slow]")
+{
+  const ScratchFolder folder;
+  write_calibration(folder, "");
+  const double       deviation = measure(folder);
+  std::ostringstream target;
+  target << "  subsection pull\n    set Curve = measured.csv\n    set Test = tension\n    set Standard deviation = "
+         << deviation << "\n  end\n";
+  write_calibration(folder, calibration_of_stack(target.str()));
+  const Outcome told = calibrate(folder, {"-o", "out"});
+  INFO(told.err << told.out);
+  REQUIRE(told.status == 0);
+  const auto found     = nlohmann::json::parse(content_of(folder / "out/calibration.json"));
+  const auto constants = found["constants"];
+  for (const auto &[name, truth] : {std::pair("modulus", 27e9), std::pair("limit", 0.8e-4)})
+    {
+      INFO(name);
+      const double value = constants[name]["value"], error = constants[name]["standard_error"];
+      CHECK(constants[name]["determined"] == true);
+      CHECK(std::fabs(value - truth) < 3 * error);
+      CHECK(error < 0.05 * truth);
+      CHECK(constants[name]["band_95"][0].get<double>() < value);
+    }
+  CHECK(constants["unseen"]["determined"] == false);
+  CHECK(constants["unseen"]["value"].get<double>() == 15);
+  CHECK(constants["unseen"]["standard_error"].is_null());
+  CHECK_THAT(told.out, Contains("do not determine unseen: it is held at its start, 15"));
+  CHECK(found["evaluations"].get<int>() <= 40);
+  CHECK_THAT(content_of(folder / "out/pull.csv"), Catch::StartsWith("strain,measured,predicted,half_width_95\n"));
+
+  const std::string before = content_of(folder / "out/calibration.json");
+  const Outcome     again  = calibrate(folder, {"-o", "out", "--processes", "3"});
+  CHECK(again.status == 0);
+  CHECK_THAT(again.out, Contains(" 0 new runs"));
+  CHECK(content_of(folder / "out/calibration.json") == before);
+}
+
+TEST_CASE("breccia calibrate refuses what it cannot seek before its first run, in one message", "[apps]")
+{
+  const ScratchFolder folder;
+  const auto [from, to, said] = GENERATE(table<std::string, std::string, std::string>(
+    {{"Kind       = calibration", "Kind = study", "a calibration is wanted"},
+     {"set Base scene = stack.prm", "set Base scene = gone.prm", "gone.prm"},
+     {"set Base scene = stack.prm", "", "\"Base scene\" is not set"},
+     {"Material/CPM/Normal modulus", "Material/CPM/Normal moduli", "Normal modul"},
+     {"set Lower = 15e9", "set Lower = -1", "Normal modulus"},
+     {"set Lower = 15e9", "set Lower = 41e9", "must be above Lower"},
+     {"set Start = 22e9", "set Start = 2e9", "must lie between Lower and Upper"},
+     {"set Figure = young_modulus", "", "Targets/E/Curve"},
+     {"set Value  = 1e9", "", "it must not be zero"},
+     {"set Standard deviation = 1e8", "", "all or none"},
+     {"set Figure = young_modulus", "set Curve = gone.csv", "gone.csv"},
+     {"subsection Constants", "subsection Replicates\n set Seeds = 1\nend\nsubsection Constants",
+      "wanted with Entry"}}));
+  write_calibration(folder, replaced(calibration_of_stack(figures), from, to));
+  const Outcome told = run(folder.path(), {"calibrate", "calibration.prm", "-o", "out"});
+  INFO(from << told.err);
+  CHECK(told.status == 2);
+  CHECK_THAT(told.err, Contains(said));
+  CHECK_FALSE(std::filesystem::exists(folder / "out/runs"));
+}
+
+TEST_CASE("a figure that no run has is refused by name, with those that there are, when constants are sought",
+          "[apps][slow]")
+{
+  const ScratchFolder folder;
+  write_calibration(folder, replaced(calibration_of_stack(figures), "young_modulus", "younger_modulus"));
+  const Outcome told = calibrate(folder, {"-o", "out"});
+  CHECK(told.status == 2);
+  CHECK_THAT(told.err, Contains("younger_modulus") && Contains("tensile_strength"));
+}
+
+TEST_CASE("curves are compared where they first get as far, and beyond its end a curve falls to zero", "[apps]")
+{
+  postprocess::CsvTable table;
+  table.names   = {"strain", "stress"};
+  table.units   = {"-", "Pa"};
+  table.columns = {{0.1, 0.2, 0.15, 0.4}, {1, 3, 9, 1}}; // the third goes back
+  const apps::CurveColumns columns{"strain", "stress", ""};
+  Eigen::VectorXd          places(6);
+  places << 0.05, 0.1, 0.15, 0.3, 0.42, 0.5;
+  const Eigen::VectorXd found = apps::ordinates_at(places, table, columns);
+  CHECK(found[0] == Approx(0.5)); // from the origin
+  CHECK(found[1] == Approx(1));
+  CHECK(found[2] == Approx(2));
+  CHECK(found[3] == Approx(2));
+  CHECK(found[4] == Approx(0.6)); // 0.02 beyond, of 0.05
+  CHECK(found[5] == 0);
+  for (auto &strain : table.columns[0]) // compression is negative
+    strain = -strain;
+  CHECK(apps::ordinates_at(-places, table, columns) == found);
+  CHECK(apps::abscissae_of(table, columns) == Eigen::Vector3d(-0.1, -0.2, -0.4)); // its own: no more was observed
+  table.columns = {{0}, {0}};
+  CHECK_THROWS_AS(apps::abscissae_of(table, columns), base::InputError);
+}
