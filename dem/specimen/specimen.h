@@ -94,9 +94,9 @@ namespace dem
     void advance(std::int64_t steps, const std::function<bool()> &go_on);
 
     /**
-   * Take a step and let somebody else correct it before it is over: contacts, walls and the energy account know only the corrected one.
+   * Take a step that a caller corrects before it is complete: contacts, walls and the energy account use the corrected one only.
    * The work of a correction is external work. Of a particle that was left to
-   * somebody else (leave()) a correction says how it moves; nothing comes of one of what another grip prescribes.
+   * another solver (leave()) a correction prescribes the motion. Corrections of degrees of freedom prescribed by a grip are ignored.
    * @param particles that may be corrected, by packing number @throws base::InputError in a periodic cell
    */
     void advance(const std::vector<std::size_t> &particles, const std::function<void(StepCorrection &)> &correct);
@@ -251,7 +251,7 @@ namespace dem
     void set_velocities(const std::vector<AskedVelocity> &asked);
 
     EnergyAccount   energy() const;                     ///< at t_n of the last step
-    double          kinetic_energy() const;             ///< of it, for who asks often: no link is looked at [J]
+    double          kinetic_energy() const;             ///< of it; cheap: does not visit links [J]
     double          external_work() const;              ///< likewise: of grips, walls and pushes since the start [J]
     ParticleState   particle(std::size_t number) const; ///< by packing number
     double          stiffness_around(std::size_t particle) const; ///< of its links and contacts, as (5.1) has it [N/m]
