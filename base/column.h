@@ -32,7 +32,7 @@ namespace base
 
     /**
      * A part of a larger block, whose place is kept before it. An aligned block of the system would be simpler, but the GNU C library
-     * (2.36) finds hardly a use for those that were freed: a run that makes columns anew would grow and grow.
+     * (2.36) rarely reuses freed ones: a run that allocates columns again and again would keep growing.
      */
     T *allocate(const std::size_t n)
     {

@@ -19,7 +19,7 @@ namespace coupling
     stop,       ///< the run ends with that state
     crack_band, ///< it goes on as a layer of its element
     refuse,     ///< such a state is none: the solver looks for another, with shorter steps
-    go_on       ///< as if nothing were: what follows hangs on the size of the elements
+    go_on       ///< without regularisation: what follows depends on the size of the elements
   };
 
   /** How points are given cells. */

@@ -41,7 +41,7 @@ namespace coupling
     bool of_discs() const { return network->network.dimension == 2; }
     /**
      * A stiffness of the cell as a point of a structure has it. Discs do not answer to strains out of their plane, and a plane model has
-     * none: there the cell's elastic shear modulus stands in, so that the stiffness is definite, and nothing else hangs on it.
+     * none: there the cell's elastic shear modulus stands in, so that the stiffness is definite; it affects nothing else.
      */
     base::Stiffness in_space(const base::Stiffness &of_cell) const;
     double          volume() const { return network->volume; } ///< [m^3]

@@ -142,7 +142,7 @@ namespace coupling
    */
   bool Averaging::fit_linearly(const std::vector<Weighted> &near, Average &average) const
   {
-    // A fit that hangs on particles nearly in a plane magnifies their scatter: eigenvalues of M are 1 and, inside, 1 per direction.
+    // A fit that rests on particles nearly in a plane magnifies their scatter: eigenvalues of M are 1 and, inside, 1 per direction.
     constexpr double smallest_condition = 0.02;
     const int        terms              = 1 + field->dimension;
     Eigen::MatrixXd  M                  = Eigen::MatrixXd::Zero(terms, terms);

@@ -19,9 +19,9 @@ namespace dem
     LinkRelaxationParameters relaxation; ///< its tolerance is the one above
     /**
      * What an answer could not reach in one part is kept until commit() or begin_step(): a cascade that it went through is the start of the
-     * next answers too, as what particles come to in it hangs on the way there in its last digits, and asked anew for each strain the
-     * answer would be rough where the one who asks looks for a strain; and where its last part began, strains near by are looked for from
-     * there, of which the tangent is then consistent.
+     * next answers too. Where particles end after a cascade depends on the path in the last digits, so that an answer computed afresh for
+     * every strain would not be smooth, and a solver that iterates on the strain would not converge. Strains near the start of the last
+     * part are likewise reached from there, so that the tangent is consistent with the answer.
      */
     bool keeps_its_way = false;
   };

@@ -20,7 +20,7 @@ namespace dem
   /**
    * Consistent (algorithmic) tangent d stress / d strain of the update [Pa] for the strain vector eps = eps_N n + eps_T;
    * doc/theory/cpm.md, 5. Negative along the link on the softening branch; unsymmetric where the link slides, because
-   * its strength hangs on normal stress and damage.
+   * its strength depends on normal stress and damage.
    */
   Eigen::Matrix3d cpm_tangent(const CpmConstants &law, const Eigen::Vector3d &direction, const CpmUpdate &update);
 

@@ -302,7 +302,7 @@ namespace dem
 
   /**
    * Joints of which at least one is not bonded throughout, or may break. Those among them that are take the answer of a bonded one: so
-   * what a joint answers does not hang on its neighbours in the list.
+   * the answer of a joint does not depend on its neighbours in the list.
    */
   template <typename K, typename T, int m, typename S>
   BRECCIA_BRANCH void advance_elements(const K                &k,

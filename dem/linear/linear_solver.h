@@ -42,7 +42,7 @@ namespace dem
   /**
    * Solve K x = -(forces of the macroscopic strains) + b in the load lanes, and look for mechanisms in the probe lanes.
    *
-   * The choice between the methods hangs on operation counts only, never on the clock: the same input gives the same bits.
+   * The choice between the methods depends on operation counts only, never on the clock: the same input gives the same bits.
    *
    * @param b          [N] in lanes below first_probe, may be empty: no other load
    * @param x          in: prescribed values in held motions, a start elsewhere; out: the solution [m]; probe lanes: scratch

@@ -55,7 +55,7 @@ namespace dem
     /** Steps to the stop strain, the most that the test can take. */
     std::int64_t most_steps() const;
 
-    /** Shows every step to the caller; what is noted so does not hang on how often the curve is sampled. Not part of the state. */
+    /** Reports every step to the caller, however seldom the curve is sampled. Not part of the state. */
     void watch(std::function<void(const UniaxialSample &)> each_step) { watcher = std::move(each_step); }
 
     const std::vector<UniaxialSample> &curve() const { return samples; }

@@ -108,7 +108,7 @@ namespace dem
         r.set_stiffness(l.stiffness);
         records.push_back(r);
       }
-    // Nothing but memory locality hangs on the order.
+    // The order matters for memory locality only.
     std::stable_sort(records.begin(), records.end(), [](const Record &a, const Record &b) {
       return std::minmax(a.first, a.second) < std::minmax(b.first, b.second);
     });

@@ -17,7 +17,7 @@ namespace dem::peridynamics
   /**
    * Forces of all bonds on their nodes, each bond once.
    *
-   * Layers of the grid (rows of a plate, planes of a block) are handed to threads in groups of a size that hangs on the grid alone; what a
+   * Layers of the grid (rows of a plate, planes of a block) are handed to threads in groups of a size that depends on the grid alone; what a
    * group gives to the nodes beyond it is added afterwards. So no thread writes where another does, and sums have one order: the same
    * bits for any number of threads.
    */

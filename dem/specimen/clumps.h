@@ -74,7 +74,7 @@ namespace dem
     {
       std::vector<std::int32_t>    members;
       std::vector<Eigen::Vector3d> arms;   ///< of the pebbles, at the start [m]
-      std::vector<double>          shares; ///< of the mass, for who asks what a pebble weighs
+      std::vector<double>          shares; ///< of the mass, for queries of a pebble's weight
       bool                         planar = false;
       double                       mass   = 0;
       Eigen::Vector3d              start  = Eigen::Vector3d::Zero(); ///< of the centre [m]

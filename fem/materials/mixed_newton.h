@@ -22,7 +22,7 @@ namespace fem
   /**
    * Newton for the components given in stress, with halved steps.
    *
-   * Far from the committed state a softening law has several answers; which one this finds hangs on the guess.
+   * Far from the committed state a softening law has several answers; which one this finds depends on the guess.
    * @param guess start; its strain-given components are replaced by the target.
    * @param reach largest strain increment, in any component, that is tried [-]
    * @param stress_unit [Pa] against which the residual is measured: converged below 1e-12 of it, or when rounding stops

@@ -38,7 +38,7 @@ namespace fem
 
   // What a material may offer beside what every one has (doc/theory/materials.md).
 
-  /// Its answer hangs on what was before.
+  /// Its answer depends on its history.
   template <typename Law>
   inline constexpr bool has_history = !std::is_empty_v<typename Law::State>;
 
