@@ -154,6 +154,9 @@ namespace apps
         if (found.constants[k] <= file.constants[k].lower || found.constants[k] >= file.constants[k].upper)
           found.warnings.push_back(file.constants[k].name +
                                    " lies on its bound: it has no error, and the others' hold for it there.");
+        else if (found.lower[k] <= file.constants[k].lower && found.upper[k] >= file.constants[k].upper)
+          found.warnings.push_back("The targets say next to nothing of " + file.constants[k].name +
+                                   ": its band of 95 % is as wide as its bounds.");
       if (found.failed > 0)
         found.warnings.push_back(fmt::format("{} sets of constants had no answer.", found.failed));
     }
