@@ -1,5 +1,6 @@
 #include "apps/commands/command.h"
 #include "apps/commands/scene_options.h"
+#include "apps/commands/study_options.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
 #include "apps/studies/calibration.h"
@@ -8,7 +9,6 @@
 #include "postprocess/files/errors.h"
 #include "postprocess/files/summary.h"
 
-#include <CLI/Validators.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -84,16 +84,7 @@ namespace apps
                "without repeating one.");
     sub.add_option("calibration", command->file, "Calibration file")->required()->type_name("CALIBRATION.prm");
     add_overrides(sub, command->overrides, "Change an entry of the file, -s \"Search/Step=0.01\"; repeatable");
-    sub
-      .add_option("-o,--output", command->folder,
-                  "Folder for the results and the runs; default: the file's, or output/NAME")
-      ->type_name("DIR");
-    sub
-      .add_option("--processes", command->options.processes,
-                  "Runs at a time; default: as many as there are processors and memory for")
-      ->type_name("N")
-      ->check(CLI::Range(1, 4096));
-    sub.add_flag("--restart", command->options.restart, "Throw away the runs that are there");
+    add_study_options(sub, "calibration", command->folder, command->options);
     sub.callback([command, &chosen] { chosen = [command] { return calibrate_file(*command); }; });
   }
 } // namespace apps

@@ -1,11 +1,11 @@
 #include "apps/commands/command.h"
 #include "apps/commands/scene_options.h"
+#include "apps/commands/study_options.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
 #include "apps/studies/run_study.h"
 #include "base/errors.h"
 
-#include <CLI/Validators.hpp>
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -52,22 +52,13 @@ namespace apps
                "others.\nA run that fails is a row of the table without a result, and a comment that says why.");
     sub.add_option("study", command->file, "Study file")->required()->type_name("STUDY.prm");
     add_overrides(sub, command->overrides, "Change an entry of the study, -s \"Design/Runs=40\"; repeatable");
-    sub
-      .add_option("-o,--output", command->folder,
-                  "Folder for the table and the runs; default: the study's, or output/NAME")
-      ->type_name("DIR");
-    sub
-      .add_option("--processes", command->options.processes,
-                  "Runs at a time; default: as many as there are processors and memory for")
-      ->type_name("N")
-      ->check(CLI::Range(1, 4096));
+    add_study_options(sub, "study", command->folder, command->options);
     sub
       .add_option(
         "--part", command->part,
         "Only the third of forty parts, for jobs of a batch array that share the folder; the last one writes the "
         "table")
       ->type_name("3/40");
-    sub.add_flag("--restart", command->options.restart, "Throw away the runs that are there");
     sub.add_flag("--no-cache", command->options.no_cache, "Make every packing anew");
     sub.callback([command, &chosen] { chosen = [command] { return study(*command); }; });
   }
