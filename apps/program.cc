@@ -6,7 +6,7 @@
 #include "apps/process/progress.h"
 #include "apps/process/version.h"
 #include "apps/scene/absent.h"
-#include "apps/scene/nearest_name.h"
+#include "apps/text/nearest_name.h"
 #include "base/errors.h"
 #include "dem/core/floating_point_traps.h"
 #include "dem/core/kernel_vectors.h"

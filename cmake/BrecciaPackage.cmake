@@ -18,7 +18,7 @@ target_compile_features(base INTERFACE cxx_std_17)
 target_include_directories(base INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/breccia>)
 
 set(BRECCIA_PACKAGE_TARGETS "")
-foreach(target IN ITEMS breccia_native breccia_suitesparse breccia_dealii breccia_muparser breccia_ceres ${BRECCIA_ROOMS} statistics optimisation)
+foreach(target IN ITEMS breccia_native breccia_suitesparse breccia_dealii breccia_muparser breccia_ceres ${BRECCIA_ROOMS} runs scenes statistics optimisation)
   if(TARGET ${target})
     list(APPEND BRECCIA_PACKAGE_TARGETS ${target})
   endif()

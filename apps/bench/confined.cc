@@ -4,8 +4,8 @@
 #include "apps/bench/line_fit.h"
 #include "apps/bench/results.h"
 #include "apps/bench/scene_variant.h"
-#include "apps/drivers/particles/body.h"
-#include "apps/drivers/particles/scene.h"
+#include "apps/runs/particles/body.h"
+#include "apps/runs/particles/model.h"
 #include "base/stopwatch.h"
 
 #include <fmt/format.h>
@@ -59,7 +59,7 @@ namespace apps
     ConfinedRow test_at(const ConfinedBench &bench, const double pressure)
     {
       const CheckedScene    checked = SceneVariant{"", "", {pressure_entry(pressure)}}.of(bench.scene, bench.overrides);
-      const ParticlesModel &model   = scene_of_kind<ParticlesScene>(checked, "particles").parameters();
+      const ParticlesModel &model   = model_of_kind<ParticlesModel>(checked, "particles");
       if (!model.laboratory.confined())
         refuse_scene(checked, "Laboratory/Test: this bench needs biaxial or triaxial compression.");
       const double       start   = base::processor_seconds();

@@ -1,7 +1,7 @@
 #include "apps/bench/homogenise.h"
 
 #include "apps/bench/results.h"
-#include "apps/drivers/homogenisation/report.h"
+#include "apps/runs/homogenisation/report.h"
 #include "apps/specimens/specimen_packing.h"
 #include "base/stopwatch.h"
 #include "base/voigt.h"

@@ -1,7 +1,7 @@
 #include "apps/bench/impact_of_bodies.h"
 
-#include "apps/drivers/continuum/analysis.h"
-#include "apps/drivers/continuum/solid.h"
+#include "apps/runs/continuum/analysis.h"
+#include "apps/runs/continuum/solid.h"
 #include "apps/process/interrupt.h"
 #include "base/stopwatch.h"
 

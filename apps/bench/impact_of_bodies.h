@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/bench/impact.h"
-#include "apps/drivers/continuum/model.h"
+#include "apps/runs/continuum/model.h"
 #include "apps/process/progress.h"
 
 namespace apps

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/drivers/particles/body.h"
+#include "apps/runs/particles/body.h"
 
 #include <limits>
 #include <string>

@@ -4,7 +4,7 @@
 #include "apps/bench/line_fit.h"
 #include "apps/bench/mortar_crush.h"
 #include "apps/bench/results.h"
-#include "apps/scene/value_text.h"
+#include "apps/text/value_text.h"
 #include "base/stopwatch.h"
 
 #include <fmt/format.h>

@@ -1,13 +1,13 @@
 #include "apps/bench/mortar_crush.h"
 
 #include "apps/bench/laboratory_run.h"
-#include "apps/drivers/particles/scene.h"
+#include "apps/runs/particles/model.h"
 
 namespace apps
 {
   const ParticlesModel &mortar_in(const CheckedScene &checked)
   {
-    const ParticlesModel &model = scene_of_kind<ParticlesScene>(checked, "particles").parameters();
+    const ParticlesModel &model = model_of_kind<ParticlesModel>(checked, "particles");
     if (model.source.source != SpecimenSection::Source::genesis)
       refuse_scene(checked, "Specimen/Source: this bench needs genesis.");
     if (model.laboratory.test != SpecimenTestSection::Test::compression)

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/bench/scene_variant.h"
-#include "apps/drivers/particles/model.h"
+#include "apps/runs/particles/model.h"
 
 #include <cstddef>
 #include <string>

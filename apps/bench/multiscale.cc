@@ -2,10 +2,10 @@
 
 #include "apps/bench/results.h"
 #include "apps/bench/scene_variant.h"
-#include "apps/drivers/continuum/analysis.h"
-#include "apps/drivers/continuum/gauges.h"
-#include "apps/drivers/continuum/scene.h"
-#include "apps/drivers/continuum/solid.h"
+#include "apps/runs/continuum/analysis.h"
+#include "apps/runs/continuum/gauges.h"
+#include "apps/runs/continuum/model.h"
+#include "apps/runs/continuum/solid.h"
 #include "apps/process/mpi_session.h"
 #include "apps/specimens/specimen_packing.h"
 #include "base/stopwatch.h"
@@ -57,7 +57,7 @@ namespace apps
 
     const ContinuumModel &plane_model(const CheckedScene &checked)
     {
-      const ContinuumModel &model = scene_of_kind<ContinuumScene>(checked, "continuum").parameters();
+      const ContinuumModel &model = model_of_kind<ContinuumModel>(checked, "continuum");
       if (model.solid.dimension != 2)
         refuse_scene(checked, "Model: must be plane.");
       return model;

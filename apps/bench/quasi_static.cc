@@ -2,9 +2,9 @@
 
 #include "apps/bench/results.h"
 #include "apps/bench/scene_variant.h"
-#include "apps/drivers/quasi_static/lab_test.h"
-#include "apps/drivers/uniaxial/lab_test.h"
-#include "apps/drivers/uniaxial/scene.h"
+#include "apps/runs/quasi_static/lab_test.h"
+#include "apps/runs/uniaxial/lab_test.h"
+#include "apps/runs/uniaxial/model.h"
 #include "apps/specimens/specimen_packing.h"
 #include "base/stopwatch.h"
 
@@ -31,8 +31,8 @@ namespace apps
     /** The scene, pulled only, with the specimen of the bench. */
     UniaxialModel model_of(const CheckedScene &scene, const QuasiStaticBench &bench)
     {
-      UniaxialModel model = scene_of_kind<UniaxialScene>(scene, "uniaxial").model();
-      if (model.source.source != SpecimenSection::Source::generator || model.specimen.physics.dimension != 3)
+      UniaxialModel model = model_of_kind<UniaxialModel>(scene, "uniaxial");
+      if (model.source.source != SpecimenSection::Source::generator || model.physics.dimension != 3)
         refuse_scene(scene, "Specimen/Source and Physics/Dimension: this bench makes its own specimen of spheres and "
                             "needs the generator.");
       const double edge                   = bench.edge * model.source.generator.radius;
@@ -50,7 +50,7 @@ namespace apps
     {
       QuasiStaticModel still;
       still.source             = model.source;
-      still.rotations          = model.specimen.physics.rotations;
+      still.rotations          = model.physics.rotations;
       still.material           = model.material;
       still.tests              = model.loading.tests;
       still.axis               = model.loading.axis;
@@ -159,7 +159,7 @@ namespace apps
       }
     const UniaxialModel model = model_of(read_scene(bench.scene, bench.overrides), bench);
     const BenchResults  results(bench.folder, "quasi_static");
-    const dem::Packing  packing = make_packing(model.source, model.material, model.specimen.physics.dimension);
+    const dem::Packing  packing = make_packing(model.source, model.material, model.physics.dimension);
     fmt::print("{} particles\n", packing.size());
 
     std::vector<RateRow> rows = {follow(model, packing)};

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "apps/drivers/read_scene.h"
+#include "apps/scene/read_scene.h"
+#include "apps/scene/scene_of.h"
 #include "base/errors.h"
 
 #include <array>
@@ -32,13 +33,13 @@ namespace apps
     throw base::InputError(scene.file + ": " + why);
   }
 
-  /** The scene of a bench. @throws base::InputError where it is of another kind than `kind` */
-  template <typename Kind>
-  const Kind &scene_of_kind(const CheckedScene &scene, const std::string &kind)
+  /** The model of a bench's scene. @throws base::InputError where it is of another kind than `kind` */
+  template <typename Model>
+  const Model &model_of_kind(const CheckedScene &scene, const std::string &kind)
   {
-    const auto *found = dynamic_cast<const Kind *>(scene.scene.get());
+    const auto *found = dynamic_cast<const SceneOf<Model> *>(scene.scene.get());
     if (!found)
       refuse_scene(scene, "Kind = " + scene.kind + ": this bench needs a scene of kind " + kind + ".");
-    return *found;
+    return found->model();
   }
 } // namespace apps

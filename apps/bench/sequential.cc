@@ -2,9 +2,10 @@
 
 #include "apps/bench/results.h"
 #include "apps/bench/scene_variant.h"
-#include "apps/drivers/sequential/continuation.h"
-#include "apps/drivers/sequential/particles.h"
-#include "apps/drivers/sequential/study.h"
+#include "apps/runs/sequential/continuation.h"
+#include "apps/runs/sequential/groundwork.h"
+#include "apps/runs/sequential/particles.h"
+#include "apps/runs/sequential/study.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
 #include "apps/results/result_folder.h"
@@ -75,7 +76,7 @@ namespace apps
 
     const SequentialModel &sequential(const CheckedScene &scene)
     {
-      const SequentialModel &model = scene_of_kind<SequentialScene>(scene, "sequential").parameters();
+      const SequentialModel &model = model_of_kind<SequentialModel>(scene, "sequential");
       if (model.particles.source != ParticleEventSection::Source::uniaxial || model.particles.end_strain == 0)
         refuse_scene(scene, "this bench compares with an all-particle run: it wants Particles/Source = uniaxial and "
                             "Particles/Uniaxial/End strain.");
@@ -200,7 +201,7 @@ namespace apps
     ResultFolder               folder(bench.folder, ResultFolder::Start::afresh);
     ParticleCases              particles(model.particles, folder.running(),
                                          completed_scene(*base.root, Completed::what_decides_results));
-    const SequentialGroundwork ground = dynamic_cast<const SequentialScene &>(*base.scene).groundwork();
+    const SequentialGroundwork ground = groundwork_of(model_of_kind<SequentialModel>(base, "sequential"));
     if (!particles.complete(ground.packing))
       return exit_interrupted;
     std::optional<coupling::MappingLaw> identified; // one for all variants: with the kernel of the scene

@@ -2,8 +2,8 @@
 
 #include "apps/bench/results.h"
 #include "apps/bench/scene_variant.h"
-#include "apps/drivers/structure/promotion.h"
-#include "apps/drivers/structure/scene.h"
+#include "apps/runs/structure/promotion.h"
+#include "apps/runs/structure/model.h"
 #include "apps/process/mpi_session.h"
 #include "base/stopwatch.h"
 
@@ -41,7 +41,7 @@ namespace apps
     BeamRow bend(const SceneVariant &variant, const std::string &scene, const std::vector<std::string> &overrides)
     {
       const CheckedScene          checked = variant.of(scene, overrides);
-      const StructureModel       &model   = scene_of_kind<StructureScene>(checked, "structure").parameters();
+      const StructureModel       &model   = model_of_kind<StructureModel>(checked, "structure");
       std::optional<dem::Packing> cell;
       const dem::Packing          packing = model.packing(&cell);
       const ParticleMedia         media   = model.media(cell);

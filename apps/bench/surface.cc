@@ -3,9 +3,9 @@
 #include "apps/bench/impact_of_bodies.h"
 #include "apps/bench/results.h"
 #include "apps/bench/scene_variant.h"
-#include "apps/drivers/continuum/scene.h"
-#include "apps/drivers/coupled/body.h"
-#include "apps/drivers/coupled/scene.h"
+#include "apps/runs/continuum/model.h"
+#include "apps/runs/coupled/body.h"
+#include "apps/runs/coupled/model.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
 #include "apps/process/mpi_session.h"
@@ -77,7 +77,7 @@ namespace apps
 
     const CoupledModel &model_of(const CheckedScene &scene)
     {
-      const CoupledModel &model = scene_of_kind<CoupledScene>(scene, "coupled").parameters();
+      const CoupledModel &model = model_of_kind<CoupledModel>(scene, "coupled");
       if (model.continuum.mesh.source != MeshSection::Source::box || model.couplings.couplings.size() != 1)
         refuse_scene(scene, "this bench varies the divisions of a box (Continuum/Mesh/Source) and one coupling.");
       if (!(model.references.peak_force > 0 && model.references.contact_time > 0))
@@ -88,10 +88,10 @@ namespace apps
     /** Where the scene is one of bodies that touch; nullptr: it is of particles on a solid. */
     const ContinuumModel *bodies_of(const CheckedScene &scene)
     {
-      const auto *found = dynamic_cast<const ContinuumScene *>(scene.scene.get());
+      const auto *found = dynamic_cast<const SceneOf<ContinuumModel> *>(scene.scene.get());
       if (!found)
         return nullptr;
-      const ContinuumModel &model = found->parameters();
+      const ContinuumModel &model = found->model();
       if (model.mesh.source != MeshSection::Source::bodies || model.mesh.balls.empty() ||
           model.contacts.contacts.size() != 1)
         refuse_scene(scene, "this bench varies the elements of balls (Mesh/Balls) and one contact.");

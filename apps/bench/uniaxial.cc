@@ -4,8 +4,8 @@
 #include "apps/bench/scene_variant.h"
 #include "apps/bench/uniaxial_cases.h"
 #include "apps/bench/uniaxial_table.h"
-#include "apps/drivers/uniaxial/lab_test.h"
-#include "apps/drivers/uniaxial/scene.h"
+#include "apps/runs/uniaxial/lab_test.h"
+#include "apps/runs/uniaxial/model.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
 #include "apps/process/progress.h"
@@ -30,7 +30,7 @@ namespace apps
         const auto             found  = packings.find(key);
         return found != packings.end() ?
                  found->second :
-                 packings.emplace(key, make_packing(source, model.material, model.specimen.physics.dimension))
+                 packings.emplace(key, make_packing(source, model.material, model.physics.dimension))
                    .first->second;
       }
 
@@ -41,7 +41,7 @@ namespace apps
     UniaxialModel model_of(const UniaxialBench &bench)
     {
       const CheckedScene  scene = read_scene(bench.scene, bench.overrides);
-      const UniaxialModel model = scene_of_kind<UniaxialScene>(scene, "uniaxial").model();
+      const UniaxialModel model = model_of_kind<UniaxialModel>(scene, "uniaxial");
       if (model.source.source != SpecimenSection::Source::generator)
         refuse_scene(scene, "Specimen/Source = file: this bench varies the particle size and needs the generator.");
       if (!model.loading.asks_for(UniaxialLoad::tension) || !model.loading.asks_for(UniaxialLoad::compression))

@@ -17,7 +17,7 @@ namespace apps
   UniaxialModel UniaxialCase::apply(UniaxialModel model) const
   {
     if (study == time_step)
-      model.specimen.step_factor = value;
+      model.time.step_factor = value;
     else if (study == loading_rate)
       {
         model.loading.tension.rate *= value;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/drivers/uniaxial/model.h"
+#include "apps/runs/uniaxial/model.h"
 
 #include <string>
 #include <vector>

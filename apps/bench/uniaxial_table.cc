@@ -10,13 +10,13 @@ namespace apps
 {
   namespace
   {
-    using Figure = Scatter UniaxialMeasurement::*;
+    using Measured = Scatter UniaxialMeasurement::*;
 
     struct NamedFigure
     {
       const char *name, *unit;
       double      scale; ///< from SI to the unit
-      Figure      figure;
+      Measured    figure;
     };
 
     const NamedFigure figures[] = {{"E", "GPa", 1e-9, &UniaxialMeasurement::modulus},
@@ -32,7 +32,7 @@ namespace apps
     }
 
     /** Relative, with sign, against the reference of the study; the reference comes first in its study. */
-    double error_of(const std::vector<UniaxialMeasurement> &rows, const UniaxialMeasurement &row, const Figure figure)
+    double error_of(const std::vector<UniaxialMeasurement> &rows, const UniaxialMeasurement &row, const Measured figure)
     {
       return (row.*figure).mean() / (reference_of(rows, row.which.study)->*figure).mean() - 1;
     }

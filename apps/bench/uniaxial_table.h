@@ -2,7 +2,7 @@
 
 #include "apps/bench/results.h"
 #include "apps/bench/uniaxial_cases.h"
-#include "apps/drivers/uniaxial/result.h"
+#include "apps/runs/uniaxial/result.h"
 
 #include <string>
 #include <vector>

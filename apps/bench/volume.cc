@@ -2,9 +2,9 @@
 
 #include "apps/bench/results.h"
 #include "apps/bench/scene_variant.h"
-#include "apps/drivers/transmission/methods.h"
-#include "apps/drivers/transmission/report.h"
-#include "apps/drivers/transmission/scene.h"
+#include "apps/runs/transmission/methods.h"
+#include "apps/runs/transmission/report.h"
+#include "apps/runs/transmission/model.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
 #include "apps/process/mpi_session.h"
@@ -41,7 +41,7 @@ namespace apps
   {
     start_mpi();
     const CheckedScene asked = read_scene(bench.scene, bench.overrides);
-    const auto        &scene = scene_of_kind<TransmissionScene>(asked, "transmission");
+    const auto        &scene = model_of_kind<TransmissionModel>(asked, "transmission");
     const BenchResults results(bench.folder, "volume");
     catch_interrupts();
     std::vector<double> lengths = scene.lengths();

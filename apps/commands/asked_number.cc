@@ -1,7 +1,7 @@
 #include "apps/commands/asked_number.h"
 
 #include "apps/scene/usual_sizes.h"
-#include "apps/scene/value_text.h"
+#include "apps/text/value_text.h"
 
 #include <CLI/Error.hpp>
 

@@ -1,10 +1,10 @@
 #include "apps/commands/command.h"
-#include "apps/drivers/all.h"
-#include "apps/drivers/read_scene.h"
+#include "apps/scene/kinds.h"
+#include "apps/scene/read_scene.h"
 #include "apps/process/exit_status.h"
 #include "apps/scene/absent.h"
 #include "apps/scene/description.h"
-#include "apps/scene/nearest_name.h"
+#include "apps/text/nearest_name.h"
 
 #include <CLI/Validators.hpp>
 #include <fmt/format.h>

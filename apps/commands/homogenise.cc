@@ -3,16 +3,17 @@
 #include "apps/commands/length_unit_option.h"
 #include "apps/commands/link_law_named.h"
 #include "apps/commands/scene_options.h"
-#include "apps/drivers/homogenisation/report.h"
+#include "apps/runs/homogenisation/report.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
 #include "apps/process/version.h"
 #include "apps/results/result_folder.h"
-#include "apps/scene/material_section.h"
+#include "apps/models/material.h"
 #include "apps/scene/overrides.h"
 #include "apps/scene/parameter_file.h"
+#include "apps/scene/entries/material.h"
 #include "apps/scene/reader.h"
-#include "apps/scene/value_text.h"
+#include "apps/text/value_text.h"
 #include "base/errors.h"
 #include "dem/packing/compaction.h"
 #include "postprocess/files/summary.h"
@@ -57,7 +58,7 @@ namespace apps
     {
       MaterialSection materials;
       Section         root;
-      materials.declare(root);
+      declare(root, materials);
       std::vector<Assignment>       said    = read_parameter_file(scene);
       const std::vector<Assignment> changed = read_overrides(changes);
       said.insert(said.end(), changed.begin(), changed.end());

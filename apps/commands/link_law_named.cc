@@ -1,7 +1,7 @@
 #include "apps/commands/link_law_named.h"
 
 #include "apps/scene/law_block.h"
-#include "apps/scene/nearest_name.h"
+#include "apps/text/nearest_name.h"
 #include "apps/scene/overrides.h"
 #include "apps/scene/reader.h"
 #include "base/errors.h"

@@ -6,7 +6,7 @@
 #include "apps/process/interrupt.h"
 #include "apps/process/version.h"
 #include "apps/scene/usual_sizes.h"
-#include "apps/scene/value_text.h"
+#include "apps/text/value_text.h"
 #include "apps/specimens/specimen_packing.h"
 #include "base/errors.h"
 #include "dem/packing/box_cell.h"

@@ -1,6 +1,6 @@
 #include "apps/commands/command.h"
 #include "apps/commands/scene_options.h"
-#include "apps/drivers/read_scene.h"
+#include "apps/scene/read_scene.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
 #include "apps/results/run_result.h"

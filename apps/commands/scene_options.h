@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/drivers/read_scene.h"
+#include "apps/scene/read_scene.h"
 #include "apps/process/threads.h"
 
 #include <CLI/App.hpp>

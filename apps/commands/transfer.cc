@@ -1,7 +1,8 @@
 #include "apps/commands/command.h"
 #include "apps/commands/scene_options.h"
-#include "apps/drivers/read_scene.h"
-#include "apps/drivers/sequential/scene.h"
+#include "apps/scene/read_scene.h"
+#include "apps/scene/scene_of.h"
+#include "apps/runs/sequential/run.h"
 #include "apps/process/interrupt.h"
 #include "apps/results/run_result.h"
 #include "apps/results/terminal.h"
@@ -27,7 +28,7 @@ namespace apps
       if (options.identify)
         overrides.push_back("Transfer/Mapping law/Law=identify");
       const CheckedScene scene      = read_scene(options.scene, overrides);
-      const auto        *sequential = dynamic_cast<const SequentialScene *>(scene.scene.get());
+      const auto        *sequential = dynamic_cast<const SceneOf<SequentialModel> *>(scene.scene.get());
       if (!sequential)
         throw base::InputError(scene.file + ": Kind = " + scene.kind +
                                ": a transfer wants a scene of kind sequential.");
@@ -41,7 +42,7 @@ namespace apps
       request.overrides  = options.overrides;
       Terminal terminal;
       request.observers = {&terminal};
-      return (options.identify ? sequential->identify(request) : sequential->transfer_only(request)).exit_status();
+      return (options.identify ? apps::identify(sequential->model(), request) : transfer_only(sequential->model(), request)).exit_status();
     }
   } // namespace
 

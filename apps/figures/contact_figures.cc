@@ -20,19 +20,7 @@ namespace apps
     }
   } // namespace
 
-  void ReferencesSection::declare(Section &root)
-  {
-    Section &s =
-      root.section("References", "Known answers: summary.json then tells the relative error of what was found");
-    s.number("Peak force", peak_force, "N", Range::at_least(0), Need::optional)
-      .means("Largest resultant between what touches; 0: not known")
-      .housekeeping();
-    s.number("Contact time", contact_time, "s", Range::at_least(0), Need::optional)
-      .means("From the first touch to the last; 0: not known")
-      .housekeeping();
-  }
-
-  bool ContactFigures::note(const double time, const double force)
+    bool ContactFigures::note(const double time, const double force)
   {
     if (!touched())
       first_touch = time;

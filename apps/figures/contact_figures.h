@@ -1,9 +1,9 @@
 #pragma once
 
-#include "apps/scene/section.h"
 #include "base/state.h"
 
 #include <nlohmann/json_fwd.hpp>
+#include <string>
 
 namespace apps
 {
@@ -11,8 +11,6 @@ namespace apps
   struct ReferencesSection
   {
     double peak_force = 0, contact_time = 0; ///< [N], [s]; 0: not known
-
-    void declare(Section &root);
   };
 
   /** How two bodies have touched, of every step. */

@@ -1,7 +1,7 @@
 #include "apps/figures/drawn_curve.h"
 
 #include "apps/results/warning.h"
-#include "apps/scene/nearest_name.h"
+#include "apps/text/nearest_name.h"
 #include "base/errors.h"
 #include "postprocess/pictures/drawn_unit.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/scene/loading_section.h"
+#include "apps/models/loading.h"
 #include "base/column.h"
 #include "dem/grips/grip_layers.h"
 #include "dem/loading/curve_figures.h"

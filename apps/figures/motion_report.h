@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/scene/scene.h"
+#include "apps/results/run_request.h"
 #include "apps/specimens/material_counts.h"
 #include "apps/specimens/static_start.h"
 #include "dem/specimen/observation.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/scene/scene.h"
+#include "apps/results/run_request.h"
 
 #include <string>
 #include <vector>

@@ -3,11 +3,14 @@
 #include "apps/results/run_files.h"
 #include "apps/results/run_result.h"
 #include "apps/results/run_work.h"
-#include "apps/scene/scene.h"
+#include "apps/results/run_request.h"
 #include "base/stopwatch.h"
 
 #include <functional>
 #include <optional>
+#include <string>
+#include <cstdint>
+#include <memory>
 
 namespace apps
 {

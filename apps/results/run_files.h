@@ -2,10 +2,12 @@
 
 #include "apps/results/result_folder.h"
 #include "apps/results/run_work.h"
-#include "apps/scene/scene.h"
+#include "apps/results/run_request.h"
 #include "postprocess/hdf5/checkpoint.h"
 
 #include <memory>
+#include <vector>
+#include <cstdint>
 
 namespace apps
 {

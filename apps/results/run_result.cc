@@ -1,7 +1,7 @@
 #include "apps/results/run_result.h"
 
 #include "apps/process/exit_status.h"
-#include "apps/scene/nearest_name.h"
+#include "apps/text/nearest_name.h"
 #include "base/errors.h"
 
 #include <algorithm>

@@ -1,9 +1,10 @@
 #pragma once
 
 #include "apps/results/run_result.h"
-#include "apps/scene/scene.h"
+#include "apps/results/run_request.h"
 
 #include <functional>
+#include <string>
 
 namespace apps
 {

@@ -1,6 +1,6 @@
 #include "apps/scene/absent.h"
 
-#include "apps/scene/same_name.h"
+#include "apps/text/same_name.h"
 
 #include <vector>
 

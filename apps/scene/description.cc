@@ -1,6 +1,6 @@
 #include "apps/scene/description.h"
 
-#include "apps/scene/time_table.h"
+#include "apps/text/time_table.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

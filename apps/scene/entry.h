@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/scene/place.h"
+#include "apps/text/place.h"
 
 #include <functional>
 #include <string>

@@ -1,6 +1,6 @@
 #include "apps/scene/overrides.h"
 
-#include "apps/scene/value_text.h"
+#include "apps/text/value_text.h"
 #include "base/errors.h"
 
 #include <sstream>

@@ -1,7 +1,7 @@
 #include "apps/scene/reader.h"
 
 #include "apps/scene/absent.h"
-#include "apps/scene/nearest_name.h"
+#include "apps/text/nearest_name.h"
 
 #include <algorithm>
 #include <map>

@@ -2,46 +2,15 @@
 
 #include "apps/scene/section.h"
 
-#include <filesystem>
-#include <functional>
 #include <string>
-#include <vector>
 
 namespace apps
 {
-  class RunObserver;
+  struct RunRequest;
   struct RunResult;
 
-  /** A file that a scene names, and its content. */
-  struct InputFile
-  {
-    std::string    entry;  ///< "Specimen/File"
-    std::string    file;   ///< from the current folder
-    std::uintmax_t bytes;  ///< its length
-    std::uint64_t  digest; ///< postprocess::digest_of_file()
-  };
-
-  /** What a run is asked besides its scene. */
-  struct RunRequest
-  {
-    std::filesystem::path    output_folder;   ///< "": no file is written, and an interrupted run cannot go on
-    std::string              command = "run"; ///< by which it can be resumed: "run", "transfer --identify"
-    bool                     resume  = false;
-    bool                     restart = false; ///< what an interrupted run left may be thrown away
-    std::string              scene_file;      ///< as typed
-    std::string              scene_text;      ///< the scene as completed, to be written beside the results
-    std::string              deciding_text;   ///< of it, what decides the results: a checkpoint belongs to this text
-    std::vector<std::string> overrides;       ///< as typed after -s
-    std::vector<InputFile>   inputs;          ///< files that the scene names
-
-    std::vector<RunObserver *>
-      observers; ///< are told of the run as it goes (apps/results/run_observer.h); they must outlive it
-    /** Whether the run shall stop and save its state, besides when the process is interrupted. Asked often; empty: it shall not. */
-    std::function<bool()> stop;
-  };
-
   /**
-   * A kind of scene: its parameters, and what to do with them. One class per kind, listed in apps/drivers/all.h.
+   * A kind of scene: its parameters, and what to do with them. One class per kind, listed in apps/scene/kinds.h.
    *
    * Order: declare(), then the reader fills the members, check(), and then either forecast() or run().
    */

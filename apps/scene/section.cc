@@ -1,9 +1,9 @@
 #include "apps/scene/section.h"
 
-#include "apps/scene/same_name.h"
-#include "apps/scene/time_table.h"
+#include "apps/text/same_name.h"
+#include "apps/text/time_table.h"
 #include "apps/scene/usual_sizes.h"
-#include "apps/scene/value_text.h"
+#include "apps/text/value_text.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/scene/entry.h"
-#include "apps/scene/expression.h"
+#include "apps/text/expression.h"
 #include "base/entry_path.h"
 
 #include <array>

@@ -1,6 +1,6 @@
 #include "apps/scene/usual_sizes.h"
 
-#include "apps/scene/value_text.h"
+#include "apps/text/value_text.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/scene/specimen_section.h"
+#include "apps/models/specimen.h"
 #include "dem/genesis/genesis.h"
 
 #include <nlohmann/json_fwd.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "apps/scene/material_section.h"
-#include "apps/scene/specimen_section.h"
+#include "apps/models/material.h"
+#include "apps/models/specimen.h"
 #include "dem/model/packing.h"
 #include "dem/packing/compaction.h"
 

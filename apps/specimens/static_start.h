@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/scene/gravity_section.h"
+#include "apps/models/gravity.h"
 #include "dem/specimen/specimen.h"
 
 #include <nlohmann/json_fwd.hpp>

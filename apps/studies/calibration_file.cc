@@ -3,8 +3,8 @@
 #include "apps/scene/overrides.h"
 #include "apps/scene/parameter_file.h"
 #include "apps/scene/reader.h"
-#include "apps/scene/same_name.h"
-#include "apps/scene/value_text.h"
+#include "apps/text/same_name.h"
+#include "apps/text/value_text.h"
 #include "base/errors.h"
 
 #include <filesystem>

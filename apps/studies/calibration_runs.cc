@@ -1,10 +1,10 @@
 #include "apps/studies/calibration_runs.h"
 
-#include "apps/drivers/read_scene.h"
+#include "apps/scene/read_scene.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
 #include "apps/results/run_result.h"
-#include "apps/scene/value_text.h"
+#include "apps/text/value_text.h"
 #include "apps/studies/child_runs.h"
 #include "apps/studies/measured_curve.h"
 #include "base/errors.h"

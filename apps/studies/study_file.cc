@@ -3,7 +3,7 @@
 #include "apps/scene/overrides.h"
 #include "apps/scene/parameter_file.h"
 #include "apps/scene/reader.h"
-#include "apps/scene/same_name.h"
+#include "apps/text/same_name.h"
 
 #include <algorithm>
 #include <filesystem>

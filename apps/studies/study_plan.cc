@@ -1,8 +1,8 @@
 #include "apps/studies/study_plan.h"
 
-#include "apps/drivers/read_scene.h"
-#include "apps/scene/same_name.h"
-#include "apps/scene/value_text.h"
+#include "apps/scene/read_scene.h"
+#include "apps/text/same_name.h"
+#include "apps/text/value_text.h"
 #include "apps/statistics/level_designs.h"
 #include "apps/statistics/orthogonal_array.h"
 #include "apps/statistics/space_filling.h"

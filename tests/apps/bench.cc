@@ -1,4 +1,4 @@
-#include "apps/scene/value_text.h"
+#include "apps/text/value_text.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scenes.h"
 #include "tests/apps/scratch_folder.h"

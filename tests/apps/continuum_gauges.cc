@@ -1,8 +1,9 @@
 // What the gauges of a solid read, against closed forms, at displacements made by hand.
-#include "apps/drivers/continuum/gauges.h"
-#include "apps/drivers/continuum/scene.h"
-#include "apps/drivers/continuum/solid.h"
-#include "apps/drivers/read_scene.h"
+#include "apps/runs/continuum/gauges.h"
+#include "apps/runs/continuum/model.h"
+#include "apps/runs/continuum/solid.h"
+#include "apps/scene/read_scene.h"
+#include "apps/scene/scene_of.h"
 #include "apps/process/mpi_session.h"
 #include "tests/apps/scene_runs.h"
 #include "tests/apps/scratch_folder.h"
@@ -35,7 +36,7 @@ namespace
   {
     explicit Gauged(const std::string &scene_text)
       : scene((apps::start_mpi(), apps::read_scene(folder.file("bar.prm", scene_text), {})))
-      , model(dynamic_cast<const apps::ContinuumScene &>(*scene.scene).parameters())
+      , model(dynamic_cast<const apps::SceneOf<apps::ContinuumModel> &>(*scene.scene).model())
       , solid(apps::make_solid<2>(model))
       , gauges(*solid, model)
     {

@@ -1,5 +1,5 @@
 // What `breccia check` says of the time that a run will take.
-#include "apps/drivers/particles/piled_up.h"
+#include "apps/runs/particles/piled_up.h"
 #include "apps/forecasts/duration.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scenes.h"

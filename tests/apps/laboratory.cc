@@ -1,5 +1,5 @@
 // What a laboratory asks of a uniaxial test: section and gauge length, figures from every step, one piece, cracks told.
-#include "apps/drivers/quasi_static/lab_test.h"
+#include "apps/runs/quasi_static/lab_test.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scenes.h"
 #include "tests/apps/scratch_folder.h"

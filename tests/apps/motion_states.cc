@@ -1,8 +1,9 @@
 // What a motion of a solid must remember to go on to the same bits, pushed and led from outside.
-#include "apps/drivers/continuum/motion.h"
-#include "apps/drivers/continuum/scene.h"
-#include "apps/drivers/continuum/solid.h"
-#include "apps/drivers/read_scene.h"
+#include "apps/runs/continuum/motion.h"
+#include "apps/runs/continuum/model.h"
+#include "apps/runs/continuum/solid.h"
+#include "apps/scene/read_scene.h"
+#include "apps/scene/scene_of.h"
 #include "apps/process/mpi_session.h"
 #include "tests/apps/scratch_folder.h"
 #include "tests/dem/memory_state.h"
@@ -48,7 +49,7 @@ subsection Motion
 end
 )"),
                                 {})))
-      , model(dynamic_cast<const apps::ContinuumScene &>(*scene.scene).parameters())
+      , model(dynamic_cast<const apps::SceneOf<apps::ContinuumModel> &>(*scene.scene).model())
       , solid(apps::make_solid<2>(model))
       , motion(apps::make_motion<2>(*solid, model, {0, -9.81, 0}))
     {

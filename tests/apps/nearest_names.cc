@@ -1,4 +1,4 @@
-#include "apps/scene/nearest_name.h"
+#include "apps/text/nearest_name.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,9 +1,11 @@
 // Section "Particles" of a sequential scene: what its words ask for, and what makes no sense; and for whom a mapping law is.
-#include "apps/drivers/sequential/law_origin.h"
-#include "apps/drivers/sequential/particle_event.h"
-#include "apps/drivers/sequential/transfer_section.h"
+#include "apps/runs/sequential/law_origin.h"
+#include "apps/runs/sequential/particle_event.h"
+#include "apps/runs/sequential/transfer_section.h"
 #include "apps/scene/overrides.h"
 #include "apps/scene/reader.h"
+#include "apps/scene/sequential/particle_event.h"
+#include "apps/scene/section.h"
 
 #include <catch2/catch.hpp>
 
@@ -24,7 +26,7 @@ namespace
   {
     apps::Section              root;
     apps::ParticleEventSection event;
-    event.declare(root);
+    declare(root, event);
     std::vector<std::string> all = {"Particles/Specimen/Source=generator",
                                     "Particles/Specimen/Generator/Particle radius=1e-3",
                                     "Particles/Specimen/Box size=0.02, 0.02, 0.02",

@@ -1,7 +1,11 @@
 // What gauges of particles read, what their groups hold and what makes up a row, without the program.
-#include "apps/drivers/particles/body.h"
+#include "apps/runs/particles/body.h"
 #include "apps/scene/overrides.h"
 #include "apps/scene/reader.h"
+#include "apps/scene/particles/model.h"
+#include "apps/scene/particles/gauges.h"
+#include "apps/scene/particles/groups.h"
+#include "apps/scene/section.h"
 
 #include <catch2/catch.hpp>
 
@@ -14,7 +18,7 @@ namespace
   {
     explicit TwoBalls(const std::vector<std::string> &more)
     {
-      model.declare(root);
+      declare(root, model);
       std::vector<std::string> entries = {"Specimen/Source=none",
                                           "Specimen/Density=2500",
                                           "More particles/large/Centre=0, 0, 0",

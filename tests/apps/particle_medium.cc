@@ -1,9 +1,10 @@
 // A solid that takes its material from the particles inside it.
-#include "apps/drivers/coupled/particle_medium.h"
+#include "apps/runs/coupled/particle_medium.h"
 
-#include "apps/drivers/coupled/scene.h"
-#include "apps/drivers/read_scene.h"
-#include "apps/drivers/structure/scene.h"
+#include "apps/runs/coupled/model.h"
+#include "apps/scene/read_scene.h"
+#include "apps/scene/scene_of.h"
+#include "apps/runs/structure/model.h"
 #include "apps/process/mpi_session.h"
 #include "dem/packing/lattice.h"
 #include "tests/apps/scene_runs.h"
@@ -133,7 +134,7 @@ TEST_CASE("A hexagonal plane is the medium that the published example says, and 
 {
   apps::start_mpi();
   const apps::CheckedScene          read  = apps::read_scene(shipped("beam_with_core.prm"), {});
-  const apps::CoupledModel         &model = dynamic_cast<const apps::CoupledScene &>(*read.scene).parameters();
+  const apps::CoupledModel         &model = dynamic_cast<const apps::SceneOf<apps::CoupledModel> &>(*read.scene).model();
   const std::optional<dem::Packing> cell  = dem::make_lattice(dem::Lattice::hexagonal, 5e-3, {6, 6, 1});
   const apps::ParticleMedia         media = model.media(cell);
   const coupling::ParticleMedium   *found = media.of("concrete");
@@ -162,7 +163,7 @@ TEST_CASE("Elements in a region of another material of the particles are as stif
   folder.file("bar.prm", bar_of_two());
   apps::start_mpi();
   const apps::CheckedScene    read  = apps::read_scene((folder / "bar.prm").string(), {});
-  const apps::StructureModel &model = dynamic_cast<const apps::StructureScene &>(*read.scene).parameters();
+  const apps::StructureModel &model = dynamic_cast<const apps::SceneOf<apps::StructureModel> &>(*read.scene).model();
   std::optional<dem::Packing> cell;
   model.packing(&cell);
   const apps::ParticleMedia media = model.media(cell);

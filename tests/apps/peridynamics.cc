@@ -1,5 +1,5 @@
 // Scenes of kind "peridynamics": what they find, refuse and remember.
-#include "apps/drivers/read_scene.h"
+#include "apps/scene/read_scene.h"
 #include "apps/results/run_result.h"
 #include "tests/apps/scene_runs.h"
 #include "tests/places.h"

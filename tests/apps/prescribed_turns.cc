@@ -1,7 +1,10 @@
 // Groups of particles that are led on circles: by formulas of their place, and about an axis as rigid bodies.
-#include "apps/drivers/particles/body.h"
+#include "apps/runs/particles/body.h"
 #include "apps/scene/overrides.h"
 #include "apps/scene/reader.h"
+#include "apps/scene/particles/model.h"
+#include "apps/scene/particles/motion.h"
+#include "apps/scene/section.h"
 #include "base/flat_state.h"
 #include "tests/apps/scene_runs.h"
 #include "tests/places.h"
@@ -22,7 +25,7 @@ namespace
   {
     explicit LedBalls(const std::vector<std::string> &more)
     {
-      model.declare(root);
+      declare(root, model);
       std::vector<std::string> entries = {"Specimen/Source=none",
                                           "Specimen/Density=2500",
                                           "More particles/large/Centre=0.05, 0, 0",

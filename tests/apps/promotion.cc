@@ -1,5 +1,5 @@
 // Elements of a structure that become particles where these would be damaged, through the program.
-#include "apps/drivers/coupled/element_region.h"
+#include "apps/runs/coupled/element_region.h"
 #include "apps/process/mpi_session.h"
 #include "tests/apps/structure_runs.h"
 #include "tests/places.h"

@@ -1,9 +1,12 @@
 // Columns of a series: which are drawn, which end a run, what a summary tells of them.
-#include "apps/drivers/continuum/summary.h"
-#include "apps/drivers/particles/stops.h"
+#include "apps/runs/continuum/summary.h"
+#include "apps/runs/particles/stops.h"
 #include "apps/figures/drawn_curve.h"
 #include "apps/scene/overrides.h"
 #include "apps/scene/reader.h"
+#include "apps/scene/particles/stops.h"
+#include "apps/scene/particles/model.h"
+#include "apps/scene/section.h"
 #include "tests/apps/scratch_folder.h"
 
 #include <catch2/catch.hpp>
@@ -31,7 +34,7 @@ namespace
   {
     apps::Section      root;
     apps::StopsSection read;
-    read.declare(root);
+    declare(root, read);
     assign(root, apps::read_overrides(texts), "test");
     with_places(root, [&] { read.check({}, names); });
     return read;

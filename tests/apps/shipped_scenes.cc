@@ -1,4 +1,4 @@
-#include "apps/drivers/read_scene.h"
+#include "apps/scene/read_scene.h"
 #include "apps/scene/description.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scratch_folder.h"

@@ -1,5 +1,5 @@
-#include "apps/drivers/sequential/study.h"
-#include "apps/scene/value_text.h"
+#include "apps/runs/sequential/study.h"
+#include "apps/text/value_text.h"
 #include "postprocess/files/csv_table.h"
 #include "postprocess/hdf5/discrete_state_hdf5.h"
 #include "tests/apps/interrupted_runs.h"

@@ -1,6 +1,6 @@
 // Models filled by a program, without any text: checked, run, and with the answers of the text that says the same.
-#include "apps/drivers/particles/run.h"
-#include "apps/drivers/read_scene.h"
+#include "apps/runs/particles/run.h"
+#include "apps/scene/read_scene.h"
 #include "apps/results/run_result.h"
 #include "base/entry_path.h"
 #include "dem/laws/hertz_mindlin.h"

@@ -1,9 +1,12 @@
-// A kind of scene of one's own: a class and a line, and it is read, described, checked and run like the others.
-#include "apps/drivers/all.h"
-#include "apps/drivers/read_scene.h"
+// A kind of scene of one's own: a model, three functions and a line, and it is read, described, checked and run like the others.
+#include "apps/scene/kinds.h"
+#include "apps/scene/read_scene.h"
 #include "apps/results/life_cycle.h"
 #include "apps/results/run_observer.h"
 #include "apps/scene/description.h"
+#include "apps/scene/scene_of.h"
+#include "apps/scene/section.h"
+#include "base/entry_path.h"
 #include "base/errors.h"
 #include "tests/apps/scratch_folder.h"
 
@@ -20,6 +23,8 @@ namespace
   struct Oscillator
   {
     double mass = 1, stiffness = 1, amplitude = 1, end_time = 1, steps = 100;
+
+    void check(const base::EntryPath &) const {}
   };
 
   class OscillatorRun : public apps::RunWork
@@ -77,37 +82,32 @@ namespace
     double       place = 0, before = 0;
   };
 
-  class OscillatorScene : public apps::Scene
+  // What a kind of scene is: entries, and what to do with the model that they fill.
+  void declare(apps::Section &root, Oscillator &model)
   {
-  public:
-    void declare(apps::Section &root) override
-    {
-      using apps::Need;
-      using apps::Range;
-      apps::Section &s = root.section("Oscillator", "A weight on a spring");
-      s.number("Mass", model.mass, "kg", Range::positive(), Need::required).means("Of the weight");
-      s.number("Stiffness", model.stiffness, "N/m", Range::positive(), Need::required).means("Of the spring");
-      s.number("Amplitude", model.amplitude, "m", Range::positive(), Need::optional).means("At the start, at rest");
-      s.number("End time", model.end_time, "s", Range::positive(), Need::optional).means("Of the motion");
-      s.number("Steps", model.steps, "-", Range::positive(), Need::optional).means("Until then");
-    }
-    void            check() const override {}
-    std::string     forecast() const override { return "  steps        " + std::to_string(model.steps) + "\n"; }
-    apps::RunResult run(const apps::RunRequest &request) const override
-    {
-      OscillatorRun work(model);
-      return apps::LifeCycle(request, 600, work).execute();
-    }
+    using apps::Need;
+    using apps::Range;
+    apps::Section &s = root.section("Oscillator", "A weight on a spring");
+    s.number("Mass", model.mass, "kg", Range::positive(), Need::required).means("Of the weight");
+    s.number("Stiffness", model.stiffness, "N/m", Range::positive(), Need::required).means("Of the spring");
+    s.number("Amplitude", model.amplitude, "m", Range::positive(), Need::optional).means("At the start, at rest");
+    s.number("End time", model.end_time, "s", Range::positive(), Need::optional).means("Of the motion");
+    s.number("Steps", model.steps, "-", Range::positive(), Need::optional).means("Until then");
+  }
 
-  private:
-    Oscillator model;
-  };
+  std::string forecast(const Oscillator &model) { return "  steps        " + std::to_string(model.steps) + "\n"; }
+
+  apps::RunResult run(const Oscillator &model, const apps::RunRequest &request)
+  {
+    OscillatorRun work(model);
+    return apps::LifeCycle(request, 600, work).execute();
+  }
 
   void register_once()
   {
     static const bool done = [] {
       apps::add_scene_kind(
-        {"oscillator", "a weight on a spring", [] { return std::unique_ptr<apps::Scene>(new OscillatorScene); }});
+        {"oscillator", "a weight on a spring", apps::make_scene<Oscillator>});
       return true;
     }();
     static_cast<void>(done);
@@ -158,6 +158,6 @@ TEST_CASE("A kind of scene that a program registers is read, described, checked 
   CHECK(std::filesystem::exists(folder / "out/summary.json"));
 
   CHECK_THROWS_WITH(
-    apps::add_scene_kind({"Coupled", "", [] { return std::unique_ptr<apps::Scene>(new OscillatorScene); }}),
+    apps::add_scene_kind({"Coupled", "", apps::make_scene<Oscillator>}),
     Contains("already"));
 }

@@ -1,5 +1,5 @@
 // What a run returns: in memory what its files say, with or without files, several times in a process and at a time.
-#include "apps/drivers/read_scene.h"
+#include "apps/scene/read_scene.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/mpi_session.h"
 #include "apps/results/run_observer.h"

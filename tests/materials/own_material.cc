@@ -1,9 +1,10 @@
 // A material that fem does not know, written here: meshes, plane stress, checkpoint, ParaView files, gauges, point-test, scenes and
 // transfer take it as it is.
-#include "apps/drivers/continuum/analysis.h"
-#include "apps/drivers/continuum/scene.h"
-#include "apps/drivers/continuum/solid.h"
-#include "apps/drivers/read_scene.h"
+#include "apps/runs/continuum/analysis.h"
+#include "apps/runs/continuum/model.h"
+#include "apps/runs/continuum/solid.h"
+#include "apps/scene/read_scene.h"
+#include "apps/scene/scene_of.h"
 #include "apps/process/mpi_session.h"
 #include "apps/results/run_result.h"
 #include "coupling/sequential/transfer.h"
@@ -334,7 +335,7 @@ TEST_CASE("an analysis of a material of one's own goes on from a checkpoint to t
   apps::start_mpi();
   const ScratchFolder         folder;
   const apps::CheckedScene    scene          = apps::read_scene(folder.file("bar.prm", bar_scene("stress")), {});
-  const apps::ContinuumModel &model          = dynamic_cast<const apps::ContinuumScene &>(*scene.scene).parameters();
+  const apps::ContinuumModel &model          = dynamic_cast<const apps::SceneOf<apps::ContinuumModel> &>(*scene.scene).model();
   const auto                  straight_solid = apps::make_solid<2>(model), resumed_solid = apps::make_solid<2>(model);
   const auto                  straight = apps::make_static_analysis(*straight_solid, model),
              resumed                   = apps::make_static_analysis(*resumed_solid, model);

@@ -1,5 +1,5 @@
 // Regular particles whose links are not all as stiff: spec/coupling.md, 3.6, and doc/theory/volume-coupling.md, 6.
-#include "apps/drivers/transmission/methods.h"
+#include "apps/runs/transmission/methods.h"
 #include "coupling/transmission/wave_case.h"
 
 #include <Eigen/SparseCholesky>

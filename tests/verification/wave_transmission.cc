@@ -1,5 +1,5 @@
 // Waves from particles into a continuum: tables of spec/coupling.md, 3.5 and 3.6, as doc/theory/volume-coupling.md, 6, has them.
-#include "apps/drivers/transmission/methods.h"
+#include "apps/runs/transmission/methods.h"
 #include "coupling/transmission/wave_case.h"
 #include "tests/verification/row_and_elements.h"
 

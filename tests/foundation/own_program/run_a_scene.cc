@@ -1,5 +1,5 @@
 // Runs a scene in this process and reads a figure of its result, without a file of results.
-#include <apps/drivers/read_scene.h>
+#include <apps/scene/read_scene.h>
 #include <apps/results/run_result.h>
 #include <base/errors.h>
 

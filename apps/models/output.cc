@@ -1,0 +1,5 @@
+#include "apps/models/output.h"
+
+namespace apps
+{
+  } // namespace apps

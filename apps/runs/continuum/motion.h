@@ -1,0 +1,20 @@
+#pragma once
+
+#include "apps/runs/continuum/model.h"
+#include "base/state.h"
+#include "fem/explicit/explicit_solver.h"
+
+namespace apps
+{
+  /**
+   * The motion of a solid as a scene asks for it: densities, damping, safety and initial velocity.
+   * @param solid must outlive it. @param gravity acceleration of what falls [m/s^2]. @throws base::InputError
+   */
+  template <int dim>
+  std::unique_ptr<fem::ExplicitSolver<dim>>
+  make_motion(fem::Solid<dim> &solid, const ContinuumModel &model, const std::array<double, 3> &gravity = {0, 0, 0});
+
+  /** All that a motion needs to go on to the same bits, histories of the points included. Columns hold this rank's part. */
+  template <int dim>
+  void visit_motion(base::StateVisitor &visitor, fem::ExplicitSolver<dim> &motion, fem::Solid<dim> &solid);
+} // namespace apps

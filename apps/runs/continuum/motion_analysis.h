@@ -1,0 +1,131 @@
+#pragma once
+
+#include "apps/runs/continuum/analysis.h"
+#include "apps/runs/continuum/motion.h"
+#include "apps/forecasts/duration.h"
+#include "apps/process/mpi_session.h"
+#include "base/errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace apps
+{
+  /** A solid in explicit motion: what does not hang on how long the steps are. */
+  template <int dim>
+  class MotionAnalysis : public ContinuumAnalysis<dim>
+  {
+  public:
+    MotionAnalysis(fem::Solid<dim> &solid_, const ContinuumModel &model)
+      : solid(solid_)
+      , motion(model.motion)
+      , own_solver(make_motion(solid_, model))
+      , solver(*own_solver)
+    {
+    }
+
+    SolidState state() const override
+    {
+      return {&solver.displacement(), &solver.internal_force(), &solver.external_force()};
+    }
+
+    ContinuumEnergy energy() const override
+    {
+      const fem::ExplicitEnergy &e = solver.energy();
+      ContinuumEnergy            energy;
+      energy.external = e.external;
+      energy.internal = e.internal;
+      energy.kinetic  = e.kinetic;
+      energy.damped   = e.damped;
+      energy.start    = e.start;
+      return energy;
+    }
+
+    double end() const override { return motion.end_time; }
+
+    std::vector<postprocess::SeriesColumn> columns() const override
+    {
+      return {{"time", "s"}, {"energy_kinetic", "J"}, {"energy_damped", "J"}, {"energy_start", "J"}};
+    }
+
+    std::vector<double> values() const override
+    {
+      const fem::ExplicitEnergy &e = solver.energy();
+      return {this->coordinate(), e.kinetic, e.damped, e.start};
+    }
+
+    std::string details() const override
+    {
+      return fmt::format("time {:.3e} s, {:.0f} steps/s", this->coordinate(),
+                         static_cast<double>(steps) / std::max(seconds, 1e-9));
+    }
+
+    std::map<std::string, double> cost() const override
+    {
+      return {{"steps", static_cast<double>(steps)},
+              {"time_step", step()},
+              {"critical_step", solver.critical_step()},
+              {"stepping_seconds", seconds}};
+    }
+
+    std::string linear_solver() const override { return ""; }
+
+    void visit_state(base::StateVisitor &visitor) override
+    {
+      visit_motion(visitor, solver, solid);
+      visitor.scalar("steps", steps);
+      visitor.scalar("stepping_seconds", seconds);
+    }
+
+  protected:
+    virtual double step() const = 0; ///< the longest one now [s]
+
+    /** Call `take` for steps until it says that there are enough, or it is time for a chance to interrupt. @return whether enough */
+    template <typename Take>
+    bool take_steps(const Take &take)
+    {
+      constexpr double      longest_stretch = 0.5; // between two chances to interrupt [s]
+      const base::Stopwatch watch;
+      // Ranks must stop at the same step, and their clocks differ: on several of them a sample is done in one go.
+      const bool pauses = rank_count() == 1;
+      bool       enough = false;
+      do
+        {
+          enough = take();
+          ++steps;
+        }
+      while (!enough && !(pauses && watch.seconds() > longest_stretch));
+      seconds += watch.seconds();
+      return enough;
+    }
+
+    /** How many steps of this length the motion takes. @throws base::InputError for more than ever end */
+    std::int64_t count_steps(const double length) const
+    {
+      constexpr double most = 1e12;
+      const double     n    = std::ceil(motion.end_time / length * (1 - 1e-12));
+      if (!(n < most))
+        throw base::InputError(fmt::format("Motion/End time = {}: would take {:.1e} steps of {:.1e} s. Check density, "
+                                           "moduli and sizes: all in SI units.",
+                                           motion.end_time, n, length));
+      return std::max<std::int64_t>(1, static_cast<std::int64_t>(n));
+    }
+
+    fem::Solid<dim>                          &solid;
+    const MotionSection                      &motion;
+    std::unique_ptr<fem::ExplicitSolver<dim>> own_solver;
+    fem::ExplicitSolver<dim>                 &solver;
+    std::int64_t                              steps   = 0;
+    double                                    seconds = 0;
+  };
+
+  /** Steps of one length. */
+  template <int dim>
+  std::unique_ptr<ContinuumAnalysis<dim>> make_explicit_analysis(fem::Solid<dim> &solid, const ContinuumModel &model);
+
+  /** Steps by what touches: of a solid whose bodies are in contact with each other. */
+  template <int dim>
+  std::unique_ptr<ContinuumAnalysis<dim>> make_contact_analysis(fem::Solid<dim> &solid, const ContinuumModel &model);
+} // namespace apps

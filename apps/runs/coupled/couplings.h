@@ -1,0 +1,42 @@
+#pragma once
+
+#include "base/entry_path.h"
+#include "apps/runs/continuum/model.h"
+#include "apps/runs/coupled/bond.h"
+#include "apps/runs/particles/groups.h"
+#include "apps/models/contact_law.h"
+#include "coupling/surface/surface_coupling.h"
+
+#include <list>
+#include <string>
+#include <vector>
+
+namespace apps
+{
+  /** Sub-section of "Couplings": particles on a part of the boundary of the solid. */
+  struct CouplingSection
+  {
+    std::string         name;
+    std::string         boundary; ///< names, separated by commas; "": all of it
+    std::string         group;    ///< names, separated by commas; "": all particles
+    ContactLaw          contact;
+    bool                pressure     = false;                          ///< on areas, not at points
+    double              skin         = 0;                              ///< [m]; 0: by the size of the facets
+    coupling::Spreading spreading    = coupling::Spreading::automatic; ///< of points
+    double              energy_limit = 0.01;                           ///< that it may make, over the largest energy
+    BondSection         bond;
+
+    std::vector<std::string> boundaries() const;
+    /** Packing numbers, sorted; none: all. @pre validated */
+    std::vector<std::size_t> particles(const ParticleGroups &groups) const;
+  };
+
+  /** Section "Couplings". */
+  struct CouplingsSection
+  {
+    std::list<CouplingSection> couplings;
+
+    /** @param alone nothing else couples. @throws base::InputError where nothing is coupled, or a group that is not there */
+    void check(const base::EntryPath &root, const GroupNames &groups, bool alone) const;
+  };
+} // namespace apps

@@ -1,0 +1,194 @@
+#include "apps/runs/coupled/run.h"
+
+#include "apps/process/mpi_session.h"
+#include "apps/runs/coupled/report.h"
+#include "apps/runs/particles/break_results.h"
+#include "apps/figures/drawn_curve.h"
+#include "apps/forecasts/duration.h"
+#include "apps/process/progress.h"
+#include "apps/results/life_cycle.h"
+#include "apps/results/snapshots.h"
+#include "apps/results/warning.h"
+#include "apps/specimens/left_out_of_balance.h"
+#include "apps/specimens/specimen_packing.h"
+#include "dem/observation/discrete_state.h"
+#include "postprocess/hdf5/discrete_state_hdf5.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace apps
+{
+  CoupledRun::CoupledRun(const RunRequest &asked, const CoupledModel &what)
+    : request(asked)
+    , model(what)
+    , sampling(model.particles.end_time, model.particles.output, 1e-12)
+  {
+  }
+
+  RunResult CoupledRun::execute()
+  {
+    return LifeCycle(request, model.particles.output.checkpoint_interval, *this).execute();
+  }
+
+  void CoupledRun::make_body()
+  {
+    const Progress progress("links");
+    body      = make_coupled_body(model, packing, media);
+    materials = MaterialCounts(packing.material_names, body->particles().specimen());
+  }
+
+  void CoupledRun::prepare()
+  {
+    std::optional<dem::Packing> cell;
+    packing = model.packing(&cell);
+    media   = model.media(cell);
+    make_body();
+    const Progress progress("initial state");
+    start = body->start();
+  }
+
+  void CoupledRun::keep_files(const std::filesystem::path &folder, const bool fresh)
+  {
+    location = folder;
+    if (fresh)
+      keep_packing(packing, folder);
+    if (fresh && !media.empty())
+      media.write(folder / ParticleMedia::file_name);
+    if (model.particles.output.snapshots == 0)
+      return;
+    snapshots.open(folder, "particles", {true, model.particles.bonded()});
+    solids.emplace(folder, "solid", ".vtu");
+  }
+
+  void CoupledRun::begin(const Record &record)
+  {
+    snapshot();
+    record({{}, body->row(), {}});
+    body->watch();
+  }
+
+  void CoupledRun::reopen(const std::filesystem::path &folder)
+  {
+    packing = kept_packing(folder);
+    media   = ParticleMedia::kept_in(folder, model.continuum);
+    make_body();
+  }
+
+  void CoupledRun::visit_state(RunState &state)
+  {
+    state.group("coupled");
+    apps::visit_state(state, start);
+    sampling.visit_state(state);
+    body->visit_state(state);
+    snapshots.visit_state(state);
+    visit_snapshots(state, "solid_snapshots", solids);
+    windows_before = body->windows();
+  }
+
+  std::string CoupledRun::size() const
+  {
+    const dem::Counts counts = body->particles().specimen().counts();
+    return fmt::format("{} elements, {} unknowns, {} particles, {} links", body->elements(), body->unknowns(),
+                       counts.particles, counts.links);
+  }
+
+  double CoupledRun::done() const { return std::min(1.0, body->time() / model.particles.end_time); }
+
+  std::string CoupledRun::details() const
+  {
+    const dem::Counts counts = body->particles().specimen().counts();
+    return fmt::format("time {:.4g} s, {} contacts, {} links broken, {:.0f} steps/s", body->time(),
+                       counts.contacts + counts.wall_contacts, counts.broken,
+                       static_cast<double>(body->windows() - windows_before) / std::max(stepping_seconds, 1e-9));
+  }
+
+  void CoupledRun::advance(const Record &record)
+  {
+    const base::Stopwatch watch;
+    body->advance_to(sampling.next_time());
+    stepping_seconds += watch.seconds();
+    if (!sampling.take(body->time())) // interrupted on the way
+      return;
+    record_row(record);
+    if (sampling.snapshot_due())
+      snapshot();
+  }
+
+  void CoupledRun::record_row(const Record &record)
+  {
+    const std::vector<double> row = body->row();
+    std::vector<std::string>  names;
+    for (const auto &column : body->columns())
+      names.push_back(column.name);
+    if (!model.particles.stops.fulfilled(names, row).empty() || !body->end_of_validity().empty())
+      sampling.stop();
+    record({{}, row, {}});
+    body->watch();
+  }
+
+  void CoupledRun::snapshot()
+  {
+    if (!solids)
+      return;
+    body->write_solid(location, solids->size());
+    solids->add(body->time());
+    snapshots.take(body->particles().specimen());
+    list_together();
+  }
+
+  void CoupledRun::list_together() const
+  {
+    std::vector<postprocess::PvdPart> parts;
+    const base::Column               &times = solids->listed();
+    for (std::size_t i = 0; i < times.size(); ++i)
+      {
+        const auto list = [&](const int part, const char *name, const char *folder, const char *extension) {
+          parts.push_back({times[i], part, name, fmt::format("{0}/{0}_{1:06}{2}", folder, i, extension)});
+        };
+        list(0, "solid", "solid", ".vtu");
+        list(1, "particles", "particles_particles", ".vtp");
+        list(2, "surfaces", "particles_walls", ".vtp");
+      }
+    postprocess::write_pvd(location / "coupled.pvd", parts);
+  }
+
+  RunFindings CoupledRun::findings(const postprocess::CsvTable &series, const double wall_seconds)
+  {
+    const CoupledReport found{request,
+                              model,
+                              *body,
+                              materials,
+                              start,
+                              series,
+                              wall_seconds,
+                              left_out_of_balance(*model.particles.material.materials().bonds(model.particles.physics),
+                                                  body->particles().specimen().particles().radius)};
+    return {found.summary(), found.text(), std::shared_ptr<const dem::Specimen>(body, &body->particles().specimen())};
+  }
+
+  void CoupledRun::write_results(const std::filesystem::path &folder, const postprocess::CsvTable &series)
+  {
+    const dem::ObservedSpecimen &specimen = body->particles().specimen();
+    const std::string            title    = std::filesystem::path(request.scene_file).stem().string();
+    if (model.particles.bonded())
+      {
+        postprocess::write_discrete_state(dem::discrete_state(specimen), folder / "state.h5");
+        warn_of_missing("crack.png", body->draw_cracks(folder / "crack.png", title));
+      }
+    if (model.particles.bonded() || specimen.logged_breaks() > 0) // glue may have a law of its own
+      BreakResults{specimen, packing.material_names}.write(folder);
+    warn_of_missing("coupled.png", body->draw(folder / "coupled.png", title));
+    warn_of_missing("damage.png", body->draw_damage(folder / "damage.png", title));
+    warn_of_missing("promoted.png", body->draw_promotion(folder / "promoted.png", title));
+    const auto [horizontal, vertical] = model.curve(body->columns(), body->told());
+    write_curve(folder, series, horizontal, vertical, title);
+  }
+
+  RunResult run(const CoupledModel &model, const RunRequest &request)
+  {
+    start_mpi();
+    return CoupledRun(request, model).execute();
+  }
+} // namespace apps

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "apps/runs/particles/laboratory_section.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace apps
+{
+  /** What a test of section "Laboratory" found: for programs, for the eye, for the terminal. */
+  struct LaboratoryReport
+  {
+    const SpecimenTestSection &asked;
+    const dem::LabTest        &test;
+    const dem::LabTest        *slower = nullptr; ///< its loading at half the speed; nullptr: there was none
+
+    /** Every figure with its unit; where one is not determined, null and the reason. */
+    nlohmann::json json() const;
+    /** stress_strain.csv, that at half the speed, and stress_strain.png. @throws postprocess::OutputError */
+    void write(const std::filesystem::path &folder, const std::string &title) const;
+    /** What casts doubt on these figures, one sentence each. */
+    std::vector<std::string> warnings() const;
+    /** Strength, moduli, ratio of Poisson and the criteria of a static loading. */
+    std::string text() const;
+
+  private:
+    const char      *strength_name() const;
+    std::string      strength_text(const dem::TestFigures &found) const;
+    dem::QuasiStatic how_static() const;
+  };
+} // namespace apps

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "apps/runs/peridynamics/analysis.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace apps
+{
+  /** A body as files and pictures show it. */
+  struct PeridynamicState
+  {
+    const dem::peridynamics::Bonds &bonds;
+    dem::peridynamics::Field        displacement; ///< without rigid motion where nothing is held
+    std::vector<double>             damage;       ///< in the order of the grid's nodes
+
+    PeridynamicState(const PeridynamicBody &body, const dem::peridynamics::Field &u);
+
+    /** A row per node: place, displacement, damage, volume. @throws postprocess::OutputError */
+    void write_table(const std::filesystem::path &file) const;
+    /** A point per node, for ParaView. @throws postprocess::OutputError */
+    void write_points(const std::filesystem::path &file, double time) const;
+
+    enum class Shown
+    {
+      displacement,
+      damage
+    };
+    /** Of a plate, or of the plane of a block nearest to its middle; deformed and magnified. @return what went wrong, "" if nothing */
+    std::string draw(const std::filesystem::path &file, const std::string &title, Shown shown) const;
+
+  private:
+    /** Numbers of the nodes' materials, where there are several. */
+    std::vector<double> materials() const;
+  };
+} // namespace apps

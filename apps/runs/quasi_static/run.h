@@ -1,0 +1,11 @@
+#pragma once
+
+#include "apps/runs/quasi_static/model.h"
+#include "apps/results/run_request.h"
+#include "apps/results/run_result.h"
+
+namespace apps
+{
+  /** Check nothing further, and do the work of a checked model. Throws as Scene::run(). */
+  RunResult run(const QuasiStaticModel &model, const RunRequest &request);
+} // namespace apps

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "base/entry_path.h"
+#include "apps/runs/particles/groups.h"
+#include "postprocess/files/series.h"
+
+#include <Eigen/Core>
+
+#include <list>
+#include <string>
+#include <vector>
+
+namespace apps
+{
+  /** Sub-section of "Gauges": the mean displacement of a group of particles, or that against another group. */
+  struct DisplacementGauge
+  {
+    std::string name, group = GroupNames::all, other;
+    int         axis = 0;
+  };
+
+  /** Section "Gauges" of a structure. */
+  struct DisplacementGaugesSection
+  {
+    std::list<DisplacementGauge> gauges;
+
+    /** @throws base::InputError */
+    void check(const base::EntryPath &root, int dimension, const GroupNames &names) const;
+
+    std::vector<postprocess::SeriesColumn> columns() const;
+    /** @param displacement of each particle [m] */
+    std::vector<double> read(const std::vector<Eigen::Vector3d> &displacement, const ParticleGroups &groups) const;
+  };
+} // namespace apps

@@ -1,0 +1,109 @@
+#include "apps/runs/structure/model.h"
+
+#include "apps/specimens/specimen_packing.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace apps
+{
+    void PathSection::check(const base::EntryPath &root) const
+  {
+    if (step > end)
+      root.at("Path").refuse("Step", "must not be above End.");
+  }
+
+  dem::QuasiStaticParameters PathSection::parameters() const
+  {
+    dem::QuasiStaticParameters p;
+    p.strain_step        = step;
+    p.end_strain         = end;
+    p.end_stress         = stop_fraction;
+    p.growth_step        = growth_step;
+    p.tolerance          = tolerance;
+    p.relaxation.damping = damping;
+    return p;
+  }
+
+      void StructureModel::check(const base::EntryPath &root) const
+  {
+    source.check(root, dimension);
+    material.check(root, dimension);
+    for (const VoidSection &empty : voids)
+      empty.region.check(root.at("Voids").at(empty.name), dimension);
+    GroupNames names;
+    groups.check(root, dimension, names);
+    supports.check(root, dimension, names);
+    gauges.check(root, dimension, names);
+    path.check(root);
+    if (!has_solid())
+      return;
+    const base::EntryPath solid = root.at("Continuum");
+    continuum.check_as_static_part(solid);
+    if (continuum.solid.dimension != dimension)
+      solid.at("Model").refuse("Dimension", "must be that of the particles (Physics/Dimension).");
+    handshakes.check(root, dimension);
+    if (handshakes.promote() && any_given(continuum.loads.body_force))
+      solid.refuse("Body force", "elements that become particles would lose it: leave out Promote at, or the force.");
+  }
+
+  bool StructureModel::is_void(const Eigen::Vector3d &place) const
+  {
+    return std::any_of(voids.begin(), voids.end(),
+                       [&](const VoidSection &empty) { return empty.region.holds(place, dimension); });
+  }
+
+  dem::Packing StructureModel::packing(std::optional<dem::Packing> *const cell) const
+  {
+    const dem::Packing whole = specimen_particles(source, dimension, cell);
+    dem::Packing       kept  = particles_where(whole, [&](const std::size_t i) {
+      const Eigen::Vector3d &place = whole.centre[i];
+      return (!has_solid() || handshakes.may_come_to_hold(place)) && !is_void(place);
+    });
+    if (kept.size() == 0)
+      throw base::InputError(
+        "no particle of the specimen lies where particles are to be. Check the places of Handshakes and Voids "
+        "against the packing (metres).");
+    material.assign(kept, dimension, origin_of(source));
+    return kept;
+  }
+
+  ParticleMedia StructureModel::media(const std::optional<dem::Packing> &cell) const
+  {
+    if (!has_solid())
+      return {};
+    return media_of({cell, source, material, dimension, rotations}, continuum, handshakes);
+  }
+
+  ParticleGroups StructureModel::groups_in(const dem::Packing &packing) const
+  {
+    ParticleGroups found;
+    groups.find(packing, dimension, found);
+    return found;
+  }
+
+  dem::Physics StructureModel::physics() const
+  {
+    dem::Physics modelled;
+    modelled.dimension = dimension;
+    modelled.rotations = rotations;
+    return modelled;
+  }
+
+  dem::ElasticNetwork StructureModel::network(const dem::Packing &packing) const
+  {
+    dem::NetworkParameters links;
+    links.dimension         = dimension;
+    links.rotations         = rotations;
+    links.interaction_ratio = source.interaction_ratio;
+    links.thickness         = source.thickness;
+    return dem::make_network(packing, links, material.materials());
+  }
+
+  dem::LoadedNetwork StructureModel::particles(const dem::Packing &packing, const ParticleGroups &members) const
+  {
+    dem::LoadedNetwork loaded = dem::unloaded(network(packing));
+    supports.lead(loaded, members);
+    return loaded;
+  }
+} // namespace apps

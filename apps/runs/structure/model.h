@@ -1,0 +1,73 @@
+#pragma once
+
+#include "base/entry_path.h"
+#include "apps/runs/continuum/model.h"
+#include "apps/runs/coupled/handshakes.h"
+#include "apps/runs/coupled/particle_medium.h"
+#include "apps/runs/structure/gauges.h"
+#include "apps/runs/structure/supports.h"
+#include "apps/models/material.h"
+#include "apps/models/region.h"
+#include "apps/models/specimen.h"
+#include "dem/model/particles.h"
+#include "dem/statics/quasi_static_path.h"
+
+#include <list>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace apps
+{
+  /** Sub-section of "Voids": a place without particles, as a notch is. */
+  struct VoidSection
+  {
+    std::string name;
+    Region      region;
+  };
+
+  /** Section "Path": how a structure is led along its equilibria. */
+  struct PathSection
+  {
+    double end = 0, step = 0, stop_fraction = 0.2, growth_step = 0.2, tolerance = 1e-7, damping = 0.7;
+
+    /** @throws base::InputError */
+    void                       check(const base::EntryPath &root) const;
+    dem::QuasiStaticParameters parameters() const;
+  };
+
+  /** Everything that a scene of kind "structure" says. */
+  struct StructureModel
+  {
+    SpecimenSection           source;
+    MaterialSection           material;
+    int                       dimension = 3;
+    bool                      rotations = true;
+    std::list<VoidSection>    voids;
+    GroupsSection             groups;
+    ParticleSupportsSection   supports;
+    DisplacementGaugesSection gauges;
+    ContinuumModel            continuum; ///< where there are handshakes
+    HandshakesSection         handshakes;
+    PathSection               path;
+    std::int64_t              snapshot_interval   = 20; ///< points of the path
+    double                    checkpoint_interval = 600;
+    std::string               horizontal, vertical; ///< columns of the curve, as the scene asks for them
+
+    /** @throws base::InputError */
+    void check(const base::EntryPath &root) const;
+
+    bool has_solid() const { return !handshakes.empty(); }
+    bool is_void(const Eigen::Vector3d &place) const;
+    /** Of the specimen what is in no void and, beside a solid, may come to be in a region or its overlap. @param cell as specimen_particles() has it @throws as make_packing() */
+    dem::Packing packing(std::optional<dem::Packing> *cell = nullptr) const;
+    /** Of the particles, where there is a solid and they are known. @param cell as packing() gives it */
+    ParticleMedia       media(const std::optional<dem::Packing> &cell) const;
+    ParticleGroups      groups_in(const dem::Packing &packing) const;
+    dem::ElasticNetwork network(const dem::Packing &packing) const;
+    /** The particles alone, held and led. @throws base::InputError */
+    dem::LoadedNetwork particles(const dem::Packing &packing, const ParticleGroups &groups) const;
+    dem::ParticleShape shape() const { return {dimension, 0, source.thickness}; }
+    dem::Physics       physics() const;
+  };
+} // namespace apps

@@ -1,0 +1,124 @@
+#include "apps/runs/structure/report.h"
+
+#include "apps/runs/structure/promotion_steps.h"
+#include "apps/figures/drawn_curve.h"
+#include "apps/figures/series_figures.h"
+#include "apps/figures/summary_head.h"
+#include "apps/process/progress.h"
+#include "apps/results/warning.h"
+#include "apps/models/tension_beyond_apex.h"
+#include "dem/observation/crack.h"
+#include "postprocess/pictures/plot.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace apps
+{
+  nlohmann::json StructureReport::figures() const
+  {
+    nlohmann::json found = nlohmann::json::object();
+    for (const postprocess::SeriesColumn &column : structure.told())
+      found[column.name] = figure_of(series, column.name, column.unit, "load_factor");
+    const dem::Crack crack = dem::measure_crack(structure.particle_output(), structure.link_output(), model.shape());
+    found["crack"]       = {{"links", crack.links}, {"cracked", crack.cracked}, {"area", quantity(crack.area, "m^2")}};
+    found["load_factor"] = quantity(series.column("load_factor").back(), "-");
+    return found;
+  }
+
+  std::size_t StructureReport::points_by(const dem::StepControl control) const
+  {
+    const auto &points = structure.way().points();
+    return static_cast<std::size_t>(
+      std::count_if(points.begin() + 1, points.end(), [&](const auto &p) { return p.control == control; }));
+  }
+
+  nlohmann::json StructureReport::energy() const
+  {
+    nlohmann::json    terms  = {{"balance_error", worst_residual(series)}, {"unit", "J"}};
+    const std::string prefix = "energy_";
+    for (const std::string &name : series.names)
+      if (name.rfind(prefix, 0) == 0)
+        terms[name.substr(prefix.size())] = series.column(name).back();
+    return terms;
+  }
+
+  nlohmann::json StructureReport::cost() const
+  {
+    std::int64_t solutions = 0;
+    for (const dem::QuasiStaticPoint &p : structure.way().points())
+      solutions += p.iterations;
+    nlohmann::json found = {{"particles", structure.network().network.particles()},
+                            {"links", structure.network().network.links.size()},
+                            {"solutions", solutions},
+                            {"threads", omp_get_max_threads()},
+                            {"wall_seconds", wall_seconds}};
+    if (const StructureSolid *solid = structure.surrounding())
+      found.update({{"elements", solid->elements()}, {"unknowns", solid->unknowns()}, {"joints", solid->joints()}});
+    return found;
+  }
+
+  nlohmann::json StructureReport::summary() const
+  {
+    nlohmann::json summary = summary_head(request, "structure");
+    summary["figures"]     = figures();
+    summary["points"]      = {{"strain", points_by(dem::StepControl::strain)},
+                              {"opening", points_by(dem::StepControl::opening)},
+                              {"relaxed", points_by(dem::StepControl::relaxed)},
+                              {"promotion", points_by(dem::StepControl::changed)}};
+    summary["warnings"]    = tension_beyond_apex(model.material);
+    summary["energy"]      = energy();
+    summary["cost"]        = cost();
+    structure.material_counts().put_into(summary);
+    if (!media.empty() && structure.surrounding())
+      summary["medium"] = {{"difference_of_stiffness", quantity(structure.surrounding()->difference_from(media), "-")}};
+    auto handshake = model.handshakes.handshakes.begin();
+    for (const auto &[all, damaged] : structure.shared_bonds())
+      summary["handshakes"][(handshake++)->name] = {{"bonds", all}, {"damaged", damaged}};
+    handshake = model.handshakes.handshakes.begin();
+    for (const std::size_t elements : structure.promoted())
+      summary["handshakes"][(handshake++)->name]["promoted"] = elements;
+    if (const auto step = largest_promotion_step(series, structure.way().points()))
+      summary["promotion"] = {{"largest_change_of_force", quantity(step->change, "-")},
+                              {"load_factor", quantity(step->load_factor, "-")}};
+    return summary;
+  }
+
+  std::string StructureReport::text() const
+  {
+    std::string text;
+    for (const postprocess::SeriesColumn &column : structure.told())
+      {
+        const auto &values = series.column(column.name);
+        text += fmt::format("{:<40} {:.6g} {} at its peak, {:.6g} at the end\n", column.name, values[peak_row(values)],
+                            column.unit, values.back());
+      }
+    const dem::Crack crack = dem::measure_crack(structure.particle_output(), structure.link_output(), model.shape());
+    text += fmt::format("crack        {} of {} links cracked, {:.4g} m^2\n", crack.cracked, crack.links, crack.area);
+    if (!media.empty() && structure.surrounding())
+      text += fmt::format("medium       stiffness of the solid differs by {:.2g} from that of the particles\n",
+                          structure.surrounding()->difference_from(media));
+    auto handshake = model.handshakes.handshakes.begin();
+    for (const auto &[all, damaged] : structure.shared_bonds())
+      text +=
+        fmt::format("handshake    {}: {} of {} bonds in the overlap damaged\n", (handshake++)->name, damaged, all);
+    handshake = model.handshakes.handshakes.begin();
+    for (const std::size_t elements : structure.promoted())
+      text += fmt::format("promotion    {}: {} elements have become particles\n", (handshake++)->name, elements);
+    if (const auto step = largest_promotion_step(series, structure.way().points()))
+      text +=
+        fmt::format("             the force changes by {:+.2g} % at most where they do, at the load factor {:.6g}\n",
+                    100 * step->change, step->load_factor);
+    text += fmt::format("path         {} points led by the load factor, {} by opening, {} relaxed (cascades)\n",
+                        points_by(dem::StepControl::strain), points_by(dem::StepControl::opening),
+                        points_by(dem::StepControl::relaxed));
+    text += fmt::format("energy       balance error {:.1e} at worst\n", worst_residual(series));
+    text += fmt::format("cost         {} with {} threads\n", duration_text(wall_seconds), omp_get_max_threads());
+    return text;
+  }
+} // namespace apps

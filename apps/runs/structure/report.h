@@ -1,0 +1,34 @@
+#pragma once
+
+#include "apps/runs/structure/structure.h"
+#include "apps/results/run_request.h"
+#include "postprocess/files/csv_table.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <filesystem>
+#include <string>
+
+namespace apps
+{
+  /** What a complete run of kind "structure" tells: for programs, for the eye, for the terminal. */
+  struct StructureReport
+  {
+    const RunRequest            &request;
+    const StructureModel        &model;
+    const Structure             &structure;
+    const ParticleMedia         &media;  ///< of the particles, where they are known
+    const postprocess::CsvTable &series; ///< complete
+    double                       wall_seconds;
+
+    nlohmann::json summary() const;
+    std::string    text() const;
+
+  private:
+    nlohmann::json figures() const;
+    nlohmann::json energy() const;
+    nlohmann::json cost() const;
+    /** Points of the path that were controlled so. */
+    std::size_t points_by(dem::StepControl control) const;
+  };
+} // namespace apps

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "apps/runs/continuum/gauge_column.h"
+#include "apps/runs/coupled/particle_medium.h"
+#include "apps/runs/structure/model.h"
+
+#include <Eigen/Core>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace apps
+{
+  /** How a place in a solid moves. */
+  struct PlaceMotion
+  {
+    Eigen::Vector3d displacement = Eigen::Vector3d::Zero(); ///< [m]
+    Eigen::Vector3d rotation     = Eigen::Vector3d::Zero(); ///< half the curl of the displacement [-]
+    Eigen::Vector3d element      = Eigen::Vector3d::Zero(); ///< centre of the element that it lies in, undeformed [m]
+  };
+
+  /** The solid around the particles of a structure, whatever the dimension. */
+  class StructureSolid
+  {
+  public:
+    virtual ~StructureSolid() = default;
+
+    /** Particles and joints, tied. */
+    virtual const dem::LoadedNetwork &network() const = 0;
+
+    virtual std::vector<GaugeColumn> columns() const                             = 0;
+    virtual std::vector<double>      read(const dem::LoadedMotion &motion) const = 0;
+
+    /** Of each place its motion; none where it lies in no element. */
+    virtual std::vector<std::optional<PlaceMotion>> motions_at(const std::vector<Eigen::Vector3d> &places,
+                                                               const dem::LoadedMotion            &motion) const = 0;
+    virtual std::vector<Eigen::Vector3d>            joint_places() const                              = 0;
+    /** Of nodes whose displacement is prescribed, or on which a load acts [m]. */
+    virtual std::vector<Eigen::Vector3d> burdened_nodes() const = 0;
+
+    /** Links with an end in the overlap of each handshake, in the scene's order. */
+    virtual std::vector<std::vector<std::size_t>> shared_links() const = 0;
+    virtual std::size_t                           elements() const     = 0;
+    virtual std::size_t                           unknowns() const     = 0;
+    virtual std::size_t                           joints() const       = 0;
+
+    /** Largest difference of a material's stiffness from that of the particles in its place, over its norm. */
+    virtual double difference_from(const ParticleMedia &media) const = 0;
+
+    /** @param number of the snapshot. @return name of its file in the folder. @throws postprocess::OutputError */
+    virtual std::string write(const std::filesystem::path &folder,
+                              std::size_t                  number,
+                              double                       time,
+                              const dem::LoadedMotion     &motion) const = 0;
+
+    /** Corners of its elements in the plane of a picture, displacements magnified. @param across axis of the picture, found here */
+    virtual std::vector<std::vector<Eigen::Vector2d>>
+    outlines(const dem::LoadedMotion &motion, double magnify, int &across) const = 0;
+  };
+
+  /** @param handshakes between both @param particles held and led. The model must outlive the solid. @throws base::InputError */
+  std::unique_ptr<StructureSolid>
+  surround(const StructureModel &model, const HandshakesSection &handshakes, dem::LoadedNetwork particles);
+} // namespace apps

@@ -1,0 +1,180 @@
+#include "apps/runs/structure/structure.h"
+
+#include "apps/runs/quasi_static/lab_test.h"
+#include "apps/figures/drawn_curve.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace apps
+{
+  Structure::Structure(const StructureModel &what, const StructureParts &parts, const ParticleMedia &media)
+    : model(what)
+    , handshakes(parts.handshakes)
+    , groups(parts.groups)
+    , promoted_elements(parts.promoted)
+    , radius(parts.packing.radius)
+    , solid(make_solid(parts.packing, media))
+    , alone(solid ? std::nullopt : std::optional(what.particles(parts.packing, groups)))
+    , materials(materials_in(network().network, parts.packing.material_names))
+    , path(network(), what.material.materials(), what.path.parameters())
+  {
+    curve();
+  }
+
+  std::unique_ptr<StructureSolid> Structure::make_solid(const dem::Packing &packing, const ParticleMedia &media) const
+  {
+    if (!model.has_solid())
+      return nullptr;
+    give_media(model.continuum.materials, media);
+    return surround(model, handshakes, model.particles(packing, groups));
+  }
+
+  std::string Structure::size() const
+  {
+    std::string text =
+      fmt::format("{} particles, {} links", network().network.particles(), network().network.links.size());
+    if (solid)
+      text += fmt::format(", {} elements", solid->elements());
+    return text;
+  }
+
+  dem::ParticleOutput Structure::particle_output() const
+  {
+    return dem::particles_of(network(), path, radius, model.shape());
+  }
+
+  std::vector<postprocess::SeriesColumn> Structure::told() const
+  {
+    std::vector<postprocess::SeriesColumn> all = model.gauges.columns();
+    for (const ParticleSupport &support : model.supports.supports)
+      for (int c = 0; c < model.dimension; ++c)
+        if (support.leads(c))
+          all.push_back({"reaction_" + column_name(support.group) + "_" + "xyz"[c], "N"});
+    if (!solid)
+      return all;
+    for (const GaugeColumn &gauge : solid->columns())
+      {
+        all.push_back(gauge.column);
+        if (const std::string energy = "energy_"; all.back().name.rfind(energy, 0) == 0)
+          all.back().name.insert(energy.size(), "solid_");
+      }
+    return all;
+  }
+
+  std::vector<postprocess::SeriesColumn> Structure::columns() const
+  {
+    std::vector<postprocess::SeriesColumn> all = {{"point", ""}, {"load_factor", "-"}, {"force_of_load_factor", "J"}};
+    for (const postprocess::SeriesColumn &told_one : told())
+      all.push_back(told_one);
+    all.push_back({"mean_damage", "-"});
+    for (const HandshakeSection &handshake : handshakes.handshakes)
+      all.push_back({column_name(handshake.name) + "_damaged", ""});
+    if (handshakes.promote())
+      for (const HandshakeSection &handshake : handshakes.handshakes)
+        all.push_back({column_name(handshake.name) + "_promoted", ""});
+    for (const char *term : {"work", "stored", "damage", "friction", "damped", "residual"})
+      all.push_back({std::string("energy_") + term, "J"});
+    if (handshakes.promote())
+      all.push_back({"energy_promoted", "J"});
+    for (const auto &end : {postprocess::SeriesColumn{"unbalanced", "-"},
+                            {"solutions", ""},
+                            {"relaxation_steps", ""},
+                            {"control", "", true}})
+      all.push_back(end);
+    return all;
+  }
+
+  std::pair<std::string, std::string> Structure::curve() const
+  {
+    std::vector<std::string> names;
+    std::string              reaction = "force_of_load_factor";
+    for (const postprocess::SeriesColumn &column : columns())
+      {
+        names.push_back(column.name);
+        if (column.name.rfind("reaction_", 0) == 0 && reaction.rfind("reaction_", 0) != 0)
+          reaction = column.name;
+      }
+    std::sort(names.begin(), names.end());
+    if (const auto twice = std::adjacent_find(names.begin(), names.end()); twice != names.end())
+      throw base::InputError("column " + *twice +
+                             " of series.csv would be there twice. Name a gauge or a group otherwise.");
+    const auto gauges = model.gauges.columns();
+    return {
+      chosen_column(names, "Curve horizontal", model.horizontal, gauges.empty() ? "load_factor" : gauges.front().name),
+      chosen_column(names, "Curve vertical", model.vertical, reaction)};
+  }
+
+  std::vector<double> Structure::reactions() const
+  {
+    const auto                  &links = network().network.links;
+    const auto                  &force = path.links().forces();
+    std::vector<Eigen::Vector3d> on(network().network.particles(), Eigen::Vector3d::Zero());
+    for (std::size_t l = 0; l < links.size(); ++l)
+      {
+        on[links[l].first] += force[l];
+        on[links[l].second] -= force[l];
+      }
+    std::vector<double> values;
+    for (const ParticleSupport &support : model.supports.supports)
+      for (int c = 0; c < model.dimension; ++c)
+        if (support.leads(c))
+          {
+            double sum = 0;
+            for (const std::size_t i : groups.at(support.group))
+              sum -= on[i][c];
+            values.push_back(sum);
+          }
+    return values;
+  }
+
+  std::vector<std::pair<std::size_t, std::size_t>> Structure::shared_bonds() const
+  {
+    std::vector<std::pair<std::size_t, std::size_t>> counted;
+    if (solid)
+      for (const std::vector<std::size_t> &links : solid->shared_links())
+        counted.emplace_back(links.size(), std::count_if(links.begin(), links.end(), [this](const std::size_t l) {
+                               return path.links().damage_of(l).stiffness > 0 || path.links().damage_of(l).strength > 0;
+                             }));
+    return counted;
+  }
+
+  SeriesRow Structure::row() const
+  {
+    const dem::QuasiStaticPoint &p      = last();
+    std::vector<double>          values = {static_cast<double>(path.points().size() - 1), load_factor(),
+                                           p.stress[network().led] * network().volume};
+    const auto add = [&](const std::vector<double> &more) { values.insert(values.end(), more.begin(), more.end()); };
+    add(model.gauges.read(dem::displacements_of(network(), path.motion()), groups));
+    add(reactions());
+    if (solid)
+      add(solid->read(path.motion()));
+    add({p.mean_damage});
+    for (const auto &[all, damaged] : shared_bonds())
+      add({static_cast<double>(damaged)});
+    if (handshakes.promote())
+      add({promoted_elements.begin(), promoted_elements.end()});
+    add({p.external_work, p.stored, p.damage, p.friction, p.damped, p.energy_residual()});
+    if (handshakes.promote())
+      add({p.changed});
+    add({p.residual, static_cast<double>(p.iterations), static_cast<double>(p.relaxation_steps)});
+    return {{}, values, {dem::name_of(p.control)}};
+  }
+
+  void Structure::watch() const
+  {
+    const auto counted   = shared_bonds();
+    auto       handshake = handshakes.handshakes.begin();
+    for (const auto &[all, damaged] : counted)
+      {
+        if (static_cast<double>(damaged) > handshake->damage_limit * static_cast<double>(all))
+          throw StoppedShort(
+            fmt::format("Handshakes/{}: at the load factor {:.6g} {} of the {} bonds in the overlap are damaged, more "
+                        "than Damage limit = {}: there the solid cannot follow. Give the particles a larger {}.",
+                        handshake->name, load_factor(), damaged, all, handshake->damage_limit,
+                        handshake->promotes() ? "Promotion reach" : "region"));
+        ++handshake;
+      }
+  }
+} // namespace apps

@@ -1,0 +1,100 @@
+#include "apps/runs/uniaxial/forecast.h"
+
+#include "apps/runs/uniaxial/lab_test.h"
+#include "apps/figures/link_failure.h"
+#include "apps/forecasts/duration.h"
+#include "apps/forecasts/run_forecast.h"
+#include "apps/process/progress.h"
+#include "apps/models/tension_beyond_apex.h"
+#include "apps/specimens/material_counts.h"
+#include "apps/specimens/packing_extents.h"
+#include "apps/specimens/specimen_snapshots.h"
+#include "apps/specimens/static_start.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace apps
+{
+  namespace
+  {
+    double expected_end(const UniaxialModel &asked, const dem::Packing &packing, const UniaxialLoad load)
+    {
+      const dem::UniaxialParameters test = asked.loading.parameters(load);
+      if (!asked.physics.damage)
+        return test.stop_strain;
+      return std::min(
+        test.stop_strain,
+        strain_of_failure(*asked.material.materials().bonds_in_space(asked.physics), packing, test));
+    }
+
+    /** Rows and snapshots of a test that goes to its stop strain. */
+    double writing_seconds_of_test(const dem::ObservedSpecimen &body, const OutputSection &output)
+    {
+      const double row      = seconds_of([&] {
+        body.energy();
+        body.mean_damage();
+      });
+      const double snapshot = output.snapshots == 0 ? 0.0 : seconds_to_write([&](const std::filesystem::path &folder) {
+        SpecimenSnapshots taken;
+        taken.open(folder, "test");
+        taken.take(body);
+      });
+      return static_cast<double>(output.samples) * row +
+             static_cast<double>(std::min(output.snapshots, output.samples)) * snapshot;
+    }
+
+    std::string megabytes(const std::size_t bytes)
+    {
+      return fmt::format("{:.1f} MB", 1e-6 * static_cast<double>(bytes));
+    }
+  } // namespace
+
+  std::string forecast(const UniaxialModel &asked)
+  {
+    const base::Stopwatch set_up;
+    const dem::Packing    packing   = asked.packing();
+    const auto            materials = asked.material.materials();
+    dem::Specimen         body(packing, asked.specimen(), materials);
+    const double          set_up_seconds = set_up.seconds();
+    std::string           text;
+    text += fmt::format("  particles    {}\n", body.counts().particles);
+    text += fmt::format("  links        {}\n", body.counts().links);
+    text += extent_lines(packing, asked.physics.dimension);
+    text += lines_of_tension_beyond_apex(asked.material);
+    text += MaterialCounts(packing.material_names, body).text();
+    text += fmt::format("  time step    {:.4g} s = {} of the bound of its particles\n", body.time_step(),
+                        asked.time.step_factor);
+    text += fmt::format("               {:.4g} s would be critical: sharp, by the largest eigenvalue\n",
+                        body.critical_step());
+    text += fmt::format("  memory       {} for particles and links\n", megabytes(body.bytes()));
+    double steps = 0, expected = 0, parts = 0; // parts of the way to the stop strain, of all tests
+    double cost = 0;
+    for (const UniaxialLoad load : asked.loading.tests)
+      {
+        // Refuses what a run would refuse.
+        dem::Specimen      fresh(packing, asked.specimen(), materials);
+        dem::UniaxialTest  test(fresh, asked.loading.parameters(load));
+        const std::int64_t most = most_steps(asked.loading, load, fresh.time_step());
+        if (load == asked.loading.tests.front()) // the grips hold alike in all of them
+          {
+            text += fmt::format("  basis        {}\n", text_of(test.grip_layers(), asked.loading.grips.parameters()));
+            if (const StaticStart start = start_statically(fresh, asked.gravity))
+              text += fmt::format("  start        {}\n", text_of(*start));
+            cost = seconds_per_step(fresh, [&](const std::int64_t count) { test.advance(count); });
+          }
+        const double part = expected_end(asked, packing, load) / asked.loading.parameters(load).stop_strain;
+        steps += static_cast<double>(most);
+        expected += static_cast<double>(most) * part;
+        parts += part;
+        text += fmt::format("  {:<12} at most {} steps\n", name_of(load), most);
+      }
+    const double writing = writing_seconds_of_test(body, asked.output);
+    const double tests   = static_cast<double>(asked.loading.tests.size());
+    return text + duration_line(set_up_seconds + expected * cost + parts * writing,
+                                set_up_seconds + steps * cost + tests * writing);
+  }
+
+} // namespace apps

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "apps/models/gravity.h"
+#include "apps/models/loading.h"
+#include "apps/models/material.h"
+#include "apps/models/output.h"
+#include "apps/models/specimen.h"
+#include "apps/models/time.h"
+#include "base/entry_path.h"
+#include "dem/specimen/specimen.h"
+
+#include <vector>
+
+namespace apps
+{
+  /** Everything that a uniaxial run computes from. */
+  struct UniaxialModel
+  {
+    SpecimenSection        source;
+    MaterialSection        material;
+    dem::Physics           physics;
+    TimeSection            time;
+    GravitySection         gravity;
+    UniaxialLoadingSection loading;
+    OutputSection          output;
+
+    /** Rules between entries. @throws base::InputError */
+    void                             check(const base::EntryPath &root) const;
+    dem::SpecimenParameters          specimen() const;
+    const std::vector<UniaxialLoad> &loads() const { return loading.tests; } ///< of the tests, in their order
+    double                           longest_without_checkpoint() const { return output.checkpoint_interval; } ///< [s]
+    dem::Packing                     packing() const; ///< of all tests. @throws as make_packing()
+  };
+} // namespace apps

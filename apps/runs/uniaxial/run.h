@@ -1,0 +1,11 @@
+#pragma once
+
+#include "apps/runs/uniaxial/model.h"
+#include "apps/results/run_request.h"
+#include "apps/results/run_result.h"
+
+namespace apps
+{
+  /** Check nothing further, and do the work of a checked model. Throws as Scene::run(). */
+  RunResult run(const UniaxialModel &model, const RunRequest &request);
+} // namespace apps

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "apps/runs/coupled/handshakes.h"
+
+namespace apps
+{
+  class Section;
+
+  /**
+   * @param around the particles, outlives this @param moves whether both sides are in motion, or led along equilibria, where particles are
+   * slaved unless a scene says otherwise
+   */
+  void declare(Section &section, HandshakeSection &handshake, const ContinuumModel &around, bool moves);
+  /** @param around, moves as above */
+  void declare(Section &root, HandshakesSection &handshakes, const ContinuumModel &around, bool moves = true);
+} // namespace apps

@@ -1,0 +1,105 @@
+#include "apps/scene/entries/material.h"
+
+#include "apps/scene/entries/material_region.h"
+#include "apps/scene/law_block.h"
+#include "apps/text/nearest_name.h"
+#include "apps/scene/section.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace apps
+{
+  void declare(Section &section, LinkLaw &link_law)
+  {
+    const auto              &laws = dem::link_laws();
+    std::vector<std::string> names;
+    link_law.law = laws.front().get();
+    for (const auto &kind : laws)
+      names.push_back(kind->name());
+    section
+      .choice_of(
+        "Law", names, 0, [&link_law, &laws](const std::size_t chosen) { link_law.law = laws.at(chosen).get(); }, Need::required)
+      .notes(link_law.given)
+      .means("Law of the links; the section of its name holds its constants");
+    std::vector<std::string> of_contacts = {"own"};
+    of_contacts.insert(of_contacts.end(), names.begin(), names.end());
+    section
+      .choice_of(
+        "Contacts", of_contacts, 0,
+        [&link_law, &laws](const std::size_t chosen) { link_law.contacts = chosen == 0 ? nullptr : laws.at(chosen - 1).get(); },
+        Need::optional)
+      .means("Law of what is born where particles meet; own: as Law leaves a broken link. Its constants stand in the "
+             "section of its name");
+    for (const auto &kind : laws)
+      {
+        Section &block = section.section(kind->name(), kind->meaning());
+        block.only_if([&link_law, kind] { return link_law.law == kind.get() || link_law.contacts == kind.get(); },
+                      section.path() + "/Law or Contacts = " + kind->name());
+        LawBlock entries(block);
+        link_law.constants[kind->name()] = kind->constants();
+        link_law.constants[kind->name()]->visit(entries);
+      }
+  }
+
+  void declare(Section &section, MaterialInterface &material_interface, const std::list<NamedMaterial> &materials)
+  {
+    section.text("Material", material_interface.one, Need::required).means("Name of a section in Materials");
+    section.text("Other material", material_interface.other, Need::required)
+      .means("Likewise; of links between its own particles the same");
+    std::vector<std::string> laws = {"of the materials"};
+    for (const auto &kind : dem::link_laws())
+      laws.push_back(kind->name());
+    section
+      .choice_of(
+        "Law", laws, 0,
+        [&material_interface](const std::size_t chosen) { material_interface.law = chosen == 0 ? nullptr : dem::link_laws().at(chosen - 1).get(); },
+        Need::optional)
+      .means("Law of its links, where it is not that of both materials");
+    section.flag("Bonded", material_interface.bonded).means("The two are linked at the start; off: they only touch");
+    for (const auto &kind : dem::link_laws())
+      {
+        Section &block = section.section(kind->name(), kind->meaning());
+        block.only_if(
+          [&material_interface, &materials, kind] {
+            return !materials.empty() &&
+                   (material_interface.law_among(materials) == kind.get() || materials.front().law.contacts == kind.get());
+          },
+          "its Law, or Contacts of the materials = " + kind->name());
+        LawBlock entries(block);
+        material_interface.constants[kind->name()] = kind->constants();
+        material_interface.constants[kind->name()]->visit(entries);
+      }
+  }
+
+  void declare(Section &root, MaterialSection &material, const bool inertia)
+  {
+    Section &section = root.section("Material", "The material of the links, if there is one for all");
+    section.only_if([&material] { return material.named.empty(); }, "there is no section Materials");
+    declare(section, material.only);
+
+    Section &several = root.section(
+      "Materials", "One sub-section per material; a link between particles of two takes the means of their constants");
+    several.only_if([&material] { return !material.named.empty(); }, "there are several materials");
+    several.named_sections("MATERIAL", [&material, inertia](Section &opened) {
+      NamedMaterial &added = material.named.emplace_back();
+      added.name           = opened.name();
+      declare(opened, added.law);
+      if (inertia)
+        opened.number("Density", added.density, "kg/m^3", Range::at_least(0), Need::optional)
+          .means("Of its particles, not of the bulk; 0: Specimen/Density");
+    });
+
+    Section &between =
+      root.section("Interfaces", "One sub-section per pair of materials whose links do not take the means");
+    between.only_if([&material] { return !material.interfaces.empty(); }, "there are several materials");
+    between.named_sections("INTERFACE", [&material](Section &opened) {
+      MaterialInterface &added = material.interfaces.emplace_back();
+      added.name               = opened.name();
+      declare(opened, added, material.named);
+    });
+
+    declare_regions(root, material.regions, "particles");
+  }
+} // namespace apps

@@ -1,0 +1,25 @@
+#include "apps/scene/entries/material_region.h"
+
+#include "apps/scene/entries/region.h"
+#include "apps/scene/section.h"
+
+namespace apps
+{
+  void declare(Section &section, MaterialRegion &material_region)
+    {
+      section.text("Material", material_region.material, Need::required).means("Name of a section in Materials");
+      declare(section, material_region.region);
+    }
+
+  void declare_regions(Section &root, std::list<MaterialRegion> &regions, const std::string &of)
+  {
+    Section &places =
+      root.section("Regions", "One sub-section per region whose " + of + " are of a material; later ones win");
+    places.only_if([&regions] { return !regions.empty(); }, "there are several materials");
+    places.named_sections("REGION", [&regions](Section &opened) {
+      MaterialRegion &added = regions.emplace_back();
+      added.name            = opened.name();
+      declare(opened, added);
+    });
+  }
+} // namespace apps

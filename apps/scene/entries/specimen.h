@@ -1,0 +1,12 @@
+#pragma once
+
+#include "apps/models/specimen.h"
+
+namespace apps
+{
+  class Section;
+
+  /** @param dimension chosen in section "Physics"; read only after reading. */
+  void declare(Section &root, SpecimenSection &specimen, const int &dimension, const SpecimenSection::Use &use);
+  void declare(Section &root, SpecimenSection &specimen, const int &dimension);
+} // namespace apps

@@ -1,0 +1,74 @@
+#include "apps/scene/particles/gauges.h"
+
+#include "apps/text/nearest_name.h"
+#include "apps/scene/particles/motion.h"
+#include "apps/scene/particles/walls.h"
+#include "apps/text/same_name.h"
+#include "apps/scene/section.h"
+#include "dem/observation/group_motion.h"
+
+#include <algorithm>
+#include <cctype>
+#include <limits>
+
+namespace apps
+{
+  void declare(Section &s, GaugeSection &gauge)
+  {
+    using Quantity = GaugeSection::Quantity;
+    using Component = GaugeSection::Component;
+    s.choice("Quantity", gauge.quantity,
+             {{"position", Quantity::position},
+              {"displacement", Quantity::displacement},
+              {"velocity", Quantity::velocity},
+              {"spin", Quantity::spin},
+              {"distance", Quantity::distance},
+              {"reaction", Quantity::reaction},
+              {"reaction moment", Quantity::reaction_moment},
+              {"reaction torque", Quantity::reaction_torque},
+              {"wall force", Quantity::wall_force},
+              {"wall moment", Quantity::wall_moment},
+              {"wall travel", Quantity::wall_travel},
+              {"wall impulse", Quantity::wall_impulse},
+              {"force", Quantity::force},
+              {"kinetic energy", Quantity::kinetic_energy},
+              {"broken links", Quantity::broken_links},
+              {"unbalanced ratio", Quantity::unbalanced_ratio}},
+             Need::required)
+      .means(
+        "position, displacement, velocity: of the centre of mass of the group; spin: mean of its particles (and rigid "
+        "bodies) by mass; distance: from it to that of the "
+        "other group; reaction: force that the prescribed motion exerts on the group; reaction moment: sum of its "
+        "moments on the particles about their own centres; reaction torque: moment of its forces and moments about "
+        "Point; wall force, wall moment: of the particles on the wall, the moment about Point; wall travel: of the "
+        "wall since the start; wall impulse: momentum that it has taken; force: of "
+        "links, contacts and walls on the group, from all that is not of it; kinetic "
+        "energy: of the group; broken links: that have "
+        "an end in it; unbalanced ratio: mean force on all free particles over mean force of links and contacts");
+    s.text("Group", gauge.group, Need::optional).means("What is measured");
+    s.text("Wall", gauge.wall, Need::required)
+      .means("Of section Walls")
+      .only_if([&gauge] { return gauge.of_wall(); }, "Quantity is of a wall");
+    s.vector("Point", gauge.point, "m", Range(), Need::optional)
+      .means("About which the moment is taken; it stays where it is. In two dimensions z is 0")
+      .only_if([&gauge] { return gauge.quantity == Quantity::reaction_torque || gauge.quantity == Quantity::wall_moment; },
+               "Quantity is reaction torque or wall moment");
+    s.text("Other group", gauge.other, Need::required)
+      .means("To which the distance is measured")
+      .only_if([&gauge] { return gauge.quantity == Quantity::distance; }, "Quantity = distance");
+    s.choice("Component", gauge.component,
+             {{"x", Component::x}, {"y", Component::y}, {"z", Component::z}, {"size", Component::size}}, Need::optional)
+      .means("Of a vector; size: its length")
+      .only_if([&gauge] { return gauge.is_vector(); }, "Quantity is a vector");
+  }
+
+  void declare(Section &root, GaugesSection &gauges)
+  {
+    root.section("Gauges", "One sub-section per number that is measured; its name is that of a column of series.csv")
+      .named_sections("GAUGE", [&gauges](Section &opened) {
+        GaugeSection &added = gauges.gauges.emplace_back();
+        added.name          = opened.name();
+        declare(opened, added);
+      });
+  }
+} // namespace apps

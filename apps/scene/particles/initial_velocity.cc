@@ -1,0 +1,24 @@
+#include "apps/scene/particles/initial_velocity.h"
+
+#include "apps/scene/particles/motion.h"
+#include "apps/scene/section.h"
+
+#include <map>
+
+namespace apps
+{
+  void declare(Section &root, InitialVelocitySection &initial_velocity)
+  {
+    root
+      .section("Initial velocity",
+               "One sub-section per group that moves at the start, named after the group; of two groups with the same "
+               "particle the later one counts. A rigid body takes the motion that is nearest to what is asked of its "
+               "particles, by their masses")
+      .named_sections("GROUP", [&initial_velocity](Section &opened) {
+        MotionFormulas &added = initial_velocity.velocities.emplace_back();
+        added.group           = opened.name();
+        declare(opened, added, "At the start, by the place of each particle; empty: none, and of a rigid body's "
+                              "particles whatever the other components make of it");
+      });
+  }
+} // namespace apps

@@ -1,0 +1,139 @@
+#include "apps/scene/peridynamics/model.h"
+
+#include "apps/scene/peridynamics/loads.h"
+#include "apps/scene/peridynamics/materials.h"
+#include "apps/scene/entries/components.h"
+#include "apps/scene/entries/region.h"
+#include "apps/scene/entries/material_region.h"
+#include "apps/scene/entries/output.h"
+#include "apps/scene/number_list.h"
+#include "apps/scene/section.h"
+#include "apps/text/value_text.h"
+#include "base/errors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace apps
+{
+  namespace pd = dem::peridynamics;
+
+  namespace
+  {
+  void declare_body(Section &root, PeridynamicsModel &model)
+  {
+    Section &body = root.section("Body", "A rod, plate or block, centred at the origin");
+    declare_list(body, "Size", model.size, "m", Need::required)
+      .means("Lengths along x, y and z between commas: one of a rod, two of a plate, three of a block");
+    body.number("Thickness", model.thickness, "m", Range::at_least(0), Need::optional)
+      .means("Of a plate; of a rod its width and height; 0: the spacing of nodes");
+    body
+      .choice("Plane", model.plane, {{"stress", pd::Space::plane_stress}, {"strain", pd::Space::plane_strain}},
+              Need::optional)
+      .means("Of a plate: free to change its thickness, or not");
+    Section &grid = root.section("Grid", "Nodes");
+    grid.number("Spacing", model.spacing, "m", Range::positive(), Need::required)
+      .means("Between nodes; divides every length of the body");
+    grid
+      .choice("Layout", model.layout,
+              {{"cell-centred", pd::Layout::cell_centred}, {"boundary nodes", pd::Layout::boundary_nodes}},
+              Need::optional)
+      .means("Nodes in the middle of cells, or on the boundary too with a half of a cell there");
+    Section &reach = root.section("Horizon", "How far bonds reach");
+    reach.number("Ratio", model.horizon.ratio, "-", Range::between(1, 100), Need::optional)
+      .means("Of the horizon to the spacing");
+    reach
+      .choice("Volumes", model.horizon.volumes, {{"full", pd::Volumes::full}, {"partial", pd::Volumes::partial}},
+              Need::optional)
+      .means("Of nodes at the edge of the horizon: counted whole, or in part");
+    reach.flag("Surface correction", model.horizon.surface_correction)
+      .means("Bonds of nodes whose family the surface cuts are made stiffer by the volume that it lacks");
+  }
+
+  void declare_defects(Section &root, PeridynamicsModel &model)
+  {
+    root.section("Holes", "One sub-section per round hole").named_sections("HOLE", [&model](Section &opened) {
+      PeridynamicHole &added = model.holes.emplace_back();
+      added.name             = opened.name();
+      declare_list(opened, "Centre", added.centre.text, "m", Need::required)
+        .means("Of the circle; in space of the cylinder along z");
+      opened.number("Radius", added.radius, "m", Range::positive(), Need::required).means("Of the hole");
+    });
+    root.section("Cracks", "One sub-section per crack: bonds that cross it are broken from the start")
+      .named_sections("CRACK", [&model](Section &opened) {
+        PeridynamicCrack &added = model.cracks.emplace_back();
+        added.name              = opened.name();
+        declare_list(opened, "From", added.from.text, "m", Need::required)
+          .means("One end of the segment; in space a corner of a parallelogram");
+        declare_list(opened, "To", added.to.text, "m", Need::required).means("The other end; in space of one edge");
+        declare_list(opened, "Depth", added.depth.text, "m", Need::optional)
+          .means("In space: the other edge, as a vector");
+      });
+    root.section("No-fail zones", "One sub-section per region whose nodes have bonds that never break")
+      .named_sections("ZONE", [&model](Section &opened) {
+        NoFailZone &added = model.safe.emplace_back();
+        added.name        = opened.name();
+        declare(opened, added.region);
+      });
+  }
+  } // namespace
+
+  void declare(Section &root, PeridynamicAnalysisSection &peridynamic_analysis)
+  {
+    using Method = PeridynamicAnalysisSection::Method;
+    using Breakage = PeridynamicAnalysisSection::Breakage;
+    Section &s = root.section("Analysis", "How the body is brought to rest, or moves");
+    s.choice("Method", peridynamic_analysis.method,
+             {{"relaxation", Method::relaxation}, {"static", Method::statics}, {"motion", Method::motion}},
+             Need::optional)
+      .means(
+        "static: equilibria by sparse factors; relaxation: by adaptive dynamic relaxation; motion: explicit, in time");
+    s.choice("Kinematics", peridynamic_analysis.kinematics, {{"linear", pd::Kinematics::linear}, {"nonlinear", pd::Kinematics::nonlinear}},
+             Need::optional)
+      .means("nonlinear: stretch and direction of the deformed bonds, and tractions that turn with the body's nodes");
+    s.choice("Solver", peridynamic_analysis.solver, {{"direct", pd::Solver::direct}, {"iterative", pd::Solver::iterative}}, Need::optional)
+      .means("Of static: a sparse Cholesky factor, or conjugate gradients alone, which need less memory");
+    s.integer("Load increments", peridynamic_analysis.increments, "", Range::between(1, 1e6), Need::optional)
+      .means("Steps in which the load factor grows to 1 where bonds may break");
+    s.choice("Breakage", peridynamic_analysis.breakage, {{"between equilibria", Breakage::between}, {"every step", Breakage::steps}},
+             Need::optional)
+      .means(
+        "When bonds break that are stretched to their limit: at rest, or in every step of the relaxation as published");
+    s.number("Break from", peridynamic_analysis.at_once, "-", Range::between(0, 1), Need::optional)
+      .means("Of bonds beyond their limit, at rest, those break together whose stretch is at least this part of the "
+             "largest; 0: all");
+    s.choice("Fictitious density", peridynamic_analysis.density,
+             {{"gershgorin", pd::FictitiousDensity::gershgorin}, {"constant", pd::FictitiousDensity::constant}},
+             Need::optional)
+      .means("Of the relaxation: the least that is stable, node by node, or that of the published example programs");
+    s.number("Tolerance", peridynamic_analysis.tolerance, "-", Range::between(1e-13, 1e-2), Need::optional)
+      .means("Forces out of balance over loads or reactions, at rest");
+    s.integer("Step limit", peridynamic_analysis.step_limit, "", Range::between(1, 1e9), Need::optional)
+      .means("Steps of the relaxation at most from one state at rest to the next");
+    s.integer("Steps per row", peridynamic_analysis.row_interval, "", Range::between(1, 1e9), Need::optional)
+      .means("Steps of the relaxation from one row of series.csv to the next");
+    const auto moves = [&peridynamic_analysis] { return peridynamic_analysis.method == Method::motion; };
+    s.number("End time", peridynamic_analysis.end_time, "s", Range::positive(), Need::required)
+      .only_if(moves, "Method is motion")
+      .means("Of the motion");
+    s.number("Step factor", peridynamic_analysis.step_factor, "-", Range::between(1e-6, 1), Need::optional)
+      .means("Of the stable step of the undamaged body, which Gershgorin's bound gives");
+    s.number("Repulsion", peridynamic_analysis.repulsion, "-", Range::at_least(0), Need::optional)
+      .only_if(moves, "Method is motion")
+      .means("Of nodes that no bond joins any more and that come nearer than a spacing, in bond constants; 15 is "
+             "usual, and shortens the stable step; 0: fragments pass through each other");
+  }
+
+  void declare(Section &root, PeridynamicsModel &model)
+  {
+    declare_body(root, model);
+    declare(root, model.materials);
+    declare_defects(root, model);
+    declare(root, model.loads);
+    Section &start = root.section("Initial velocity", "Of the motion, by place");
+    declare_components(start, "", model.velocity, "m/s", "Empty: at rest");
+    declare(root, model.analysis);
+    declare(root, model.output);
+  }
+} // namespace apps

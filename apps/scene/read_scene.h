@@ -1,0 +1,36 @@
+#pragma once
+
+#include "apps/results/run_request.h"
+#include "apps/scene/scene.h"
+#include "apps/scene/section.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace apps
+{
+  /** A scene as read: complete, and every value within its range. */
+  struct CheckedScene
+  {
+    std::string              file;          ///< as typed
+    std::string              kind;          ///< entry "Kind"
+    std::string              output_folder; ///< entry "Output folder"
+    std::vector<std::string> overrides;     ///< as typed
+    std::unique_ptr<Section> root;
+    std::unique_ptr<Scene>   scene;
+  };
+
+  /**
+   * Read a scene file, apply the overrides ("Section/Key=value") and check everything that can be without building
+   * the model.
+   * @throws base::InputError.
+   */
+  CheckedScene read_scene(const std::string &file, const std::vector<std::string> &overrides);
+
+  /** What a run of the scene is asked, but for resuming and the changes as typed. */
+  RunRequest request_of(const CheckedScene &scene);
+
+  /** The parameters of a kind, unread: what `breccia describe` shows. @throws base::InputError for an unknown kind. */
+  CheckedScene declare_scene(const std::string &kind);
+} // namespace apps

@@ -1,0 +1,24 @@
+#include "apps/scene/structure/gauges.h"
+
+#include "apps/runs/continuum/gauge_column.h"
+#include "apps/scene/particles/groups.h"
+#include "apps/scene/section.h"
+
+namespace apps
+{
+  void declare(Section &root, DisplacementGaugesSection &displacement_gauges)
+  {
+    root
+      .section("Gauges",
+               "One sub-section per displacement of particles that is recorded; its name is the column of series.csv")
+      .named_sections("GAUGE", [&displacement_gauges](Section &opened) {
+        DisplacementGauge &added = displacement_gauges.gauges.emplace_back();
+        added.name               = opened.name();
+        opened.text("Group", added.group, Need::optional).means("Of particles whose mean displacement is measured");
+        opened.text("Other group", added.other, Need::optional)
+          .means("From which it is measured, as the opening of a notch is; empty: from where it was");
+        opened.choice("Component", added.axis, {{"x", 0}, {"y", 1}, {"z", 2}}, Need::required)
+          .means("Of the displacement");
+      });
+  }
+} // namespace apps

@@ -1,0 +1,89 @@
+#include "apps/scene/structure/model.h"
+
+#include "apps/scene/continuum/model.h"
+#include "apps/scene/coupled/handshakes.h"
+#include "apps/scene/entries/material.h"
+#include "apps/scene/entries/region.h"
+#include "apps/scene/entries/specimen.h"
+#include "apps/scene/entries/physics.h"
+#include "apps/scene/particles/groups.h"
+#include "apps/scene/section.h"
+#include "apps/scene/structure/gauges.h"
+#include "apps/scene/structure/supports.h"
+#include "apps/specimens/specimen_packing.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace apps
+{
+  namespace
+  {
+  void declare_output(Section &root, StructureModel &model)
+  {
+    Section &output = root.section("Output", "How often results are written");
+    output.integer("Points per snapshot", model.snapshot_interval, "", Range::between(0, 1e6), Need::optional)
+      .means("Points of the path from one set of ParaView files to the next; 0: none at all")
+      .housekeeping();
+    output.number("Checkpoint interval", model.checkpoint_interval, "s", Range::positive(), Need::optional)
+      .means("Longest wall-clock time between checkpoints; from one minute on they are made wherever saving is cheap")
+      .housekeeping();
+    output.text("Curve horizontal", model.horizontal, Need::optional)
+      .means("Column of series.csv for curve.png; empty: the first gauge, or the load factor")
+      .housekeeping();
+    output.text("Curve vertical", model.vertical, Need::optional)
+      .means("Column of series.csv for curve.png; empty: the first reaction, or the force of the load factor")
+      .housekeeping();
+  }
+  } // namespace
+
+  void declare(Section &root, PathSection &path)
+  {
+    Section &s = root.section("Path", "How the load factor t is led along the equilibria, in which it may fall back");
+    s.number("End", path.end, "-", Range::positive(), Need::required)
+      .means("Load factor at which the path ends at the latest");
+    s.number("Step", path.step, "-", Range::positive(), Need::required)
+      .means("Largest step of the load factor; halve it to see what it decides (and to lower the error of the energy "
+             "balance)");
+    s.number("Stop fraction", path.stop_fraction, "-", Range::from_up_to(0, 1), Need::optional)
+      .means("The path ends when the force of the load factor has fallen to this part of its peak; 0: never");
+    s.number("Growth step", path.growth_step, "-", Range::between(1e-4, 1), Need::optional)
+      .means("Largest growth of any link's damaging strain in a step, over itself; it controls the steps where damage "
+             "is fast");
+    s.number("Tolerance", path.tolerance, "-", Range::between(1e-13, 1e-2), Need::optional)
+      .means("Unbalanced force over forces of links and solid, both as root of the sum of squares");
+    s.number("Damping", path.damping, "-", Range::from_up_to(0.01, 1), Need::optional)
+      .means("Local (Cundall) damping where cracks run away and dynamics looks for the next equilibrium");
+  }
+
+  void declare(Section &root, StructureModel &model)
+  {
+    SpecimenSection::Use use;
+    use.inertia = false;
+    declare(root, model.source, model.dimension, use);
+    declare(root, model.material, use.inertia);
+    Section &modelled = root.section("Physics", "What is modelled");
+    modelled.choice("Dimension", model.dimension, {{"2", 2}, {"3", 3}}, Need::optional)
+      .means("3: spheres in space; 2: discs in the plane z = 0");
+    modelled.flag("Rotations", model.rotations).means("Particles spin; off: they only translate");
+    root
+      .section("Voids",
+               "One sub-section per place without particles, as a notch is: those whose centre lies in it are left out")
+      .named_sections("VOID", [&model](Section &opened) {
+        VoidSection &added = model.voids.emplace_back();
+        added.name         = opened.name();
+        declare(opened, added.region);
+      });
+    declare(root, model.groups);
+    declare(root, model.supports);
+    Section &solid = root.section(
+      "Continuum", "The solid around the particles, linear elastic; sections of a scene of kind continuum, "
+                   "its loads and displacements in proportion to t");
+    solid.only_if([&model] { return model.has_solid(); }, "section Handshakes is there");
+    declare_as_static_part(solid, model.continuum);
+    declare(root, model.handshakes, model.continuum, false);
+    declare(root, model.path);
+    declare(root, model.gauges);
+    declare_output(root, model);
+  }
+} // namespace apps

@@ -1,0 +1,24 @@
+#include "apps/scene/structure/supports.h"
+
+#include "apps/scene/particles/groups.h"
+#include "apps/scene/entries/components.h"
+#include "apps/scene/section.h"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+
+namespace apps
+{
+  void declare(Section &root, ParticleSupportsSection &particle_supports)
+  {
+    root.section("Supports", "One sub-section per group of particles that is held or led; its name is the group's")
+      .named_sections("GROUP", [&particle_supports](Section &opened) {
+        ParticleSupport &added = particle_supports.supports.emplace_back();
+        added.group            = opened.name();
+        declare_components(opened, "Displacement", added.displacement, "m",
+                           "Prescribed, a number times the load factor t, 0 to hold; empty: free");
+        opened.flag("Rotations", added.spins).means("Its particles may turn");
+      });
+  }
+} // namespace apps

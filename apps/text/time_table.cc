@@ -1,0 +1,112 @@
+#include "apps/text/time_table.h"
+
+#include "apps/text/same_name.h"
+#include "apps/text/value_text.h"
+#include "base/errors.h"
+#include "postprocess/files/csv_table.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace apps
+{
+  std::optional<TableName> table_in(const std::string &value)
+  {
+    const std::string text = trimmed(value), begin = "table ";
+    if (text.compare(0, begin.size(), begin) != 0)
+      return std::nullopt;
+    const std::string rest  = trimmed(text.substr(begin.size()));
+    const std::size_t colon = rest.rfind(": ");
+    if (colon == std::string::npos)
+      return TableName{rest, ""};
+    return TableName{trimmed(rest.substr(0, colon)), trimmed(rest.substr(colon + 1))};
+  }
+
+  namespace
+  {
+    /** By what values of a unit are divided to be in another, which it has but for a prefix: "kN" to "N". Empty: it is another. */
+    std::optional<double> divisor(const std::string &from, const std::string &to)
+    {
+      if (from.empty() || from == to)
+        return 1.0;
+      static constexpr std::pair<char, double> prefixes[] = {{'u', 1e6},  {'m', 1e3},  {'c', 1e2},
+                                                             {'k', 1e-3}, {'M', 1e-6}, {'G', 1e-9}};
+      for (const auto &[letter, by] : prefixes)
+        if (from[0] == letter && from.substr(1) == to)
+          return by;
+      return std::nullopt;
+    }
+
+    std::vector<double> column_of(const postprocess::CsvTable &table, const std::size_t place, const std::string &unit)
+    {
+      const std::optional<double> by = divisor(table.units[place], unit);
+      if (!by)
+        throw base::InputError(fmt::format("{}: column {} is in [{}], expected [{}], with a prefix if you like.",
+                                           table.origin, table.names[place], table.units[place], unit));
+      std::vector<double> values = table.columns[place];
+      for (double &value : values)
+        value = *by < 1 ? value * std::round(1 / *by) : value / *by; // one rounding
+      return values;
+    }
+
+    std::size_t place_of_column(const postprocess::CsvTable &table, const std::string &name)
+    {
+      const auto found = std::find_if(table.names.begin(), table.names.end(),
+                                      [&](const std::string &one) { return same_name(one, name); });
+      if (found == table.names.end())
+        throw base::InputError(
+          fmt::format("{}: there is no column {}. Columns: {}.", table.origin, name, fmt::join(table.names, ", ")));
+      return static_cast<std::size_t>(found - table.names.begin());
+    }
+
+    /** The one that is asked for, or the only one that is not the time. */
+    std::size_t place_of_quantity(const postprocess::CsvTable &table, const std::string &asked, const std::size_t time)
+    {
+      if (!asked.empty())
+        return place_of_column(table, asked);
+      if (table.names.size() != 2)
+        throw base::InputError(fmt::format("{}: has {} columns besides the time. Say which: table FILE: COLUMN, of {}.",
+                                           table.origin, table.names.size() - 1, fmt::join(table.names, ", ")));
+      return 1 - time;
+    }
+  } // namespace
+
+  TimeTable::TimeTable(const std::string &file, const std::string &column, const std::string &unit)
+  {
+    const postprocess::CsvTable table    = postprocess::read_csv_table(file);
+    const std::size_t           at       = place_of_column(table, "time");
+    const std::size_t           quantity = place_of_quantity(table, column, at);
+    time                                 = column_of(table, at, "s");
+    value                                = column_of(table, quantity, unit);
+    says                                 = !table.units[quantity].empty();
+    if (time.empty())
+      throw base::InputError(file + ": has no rows. Give one of time and value each.");
+    for (std::size_t row = 1; row < time.size(); ++row)
+      if (!(time[row] > time[row - 1]))
+        throw base::InputError(
+          fmt::format("{}: row {}: time {} after {}: times must ascend.", file, row + 1, time[row], time[row - 1]));
+  }
+
+  double TimeTable::operator()(const double now) const
+  {
+    const auto after = std::upper_bound(time.begin(), time.end(), now);
+    if (after == time.begin())
+      return value.front();
+    if (after == time.end())
+      return value.back();
+    const auto   k    = static_cast<std::size_t>(after - time.begin());
+    const double part = (now - time[k - 1]) / (time[k] - time[k - 1]);
+    return value[k - 1] + part * (value[k] - value[k - 1]);
+  }
+
+  double TimeTable::largest() const
+  {
+    double most = 0;
+    for (const double one : value)
+      most = std::max(most, std::abs(one));
+    return most;
+  }
+} // namespace apps
