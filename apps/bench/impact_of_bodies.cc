@@ -1,8 +1,8 @@
 #include "apps/bench/impact_of_bodies.h"
 
+#include "apps/process/interrupt.h"
 #include "apps/runs/continuum/analysis.h"
 #include "apps/runs/continuum/solid.h"
-#include "apps/process/interrupt.h"
 #include "base/stopwatch.h"
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "apps/bench/impact.h"
-#include "apps/runs/continuum/model.h"
 #include "apps/process/progress.h"
+#include "apps/runs/continuum/model.h"
 
 namespace apps
 {

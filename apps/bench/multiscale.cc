@@ -2,11 +2,11 @@
 
 #include "apps/bench/results.h"
 #include "apps/bench/scene_variant.h"
+#include "apps/process/mpi_session.h"
 #include "apps/runs/continuum/analysis.h"
 #include "apps/runs/continuum/gauges.h"
 #include "apps/runs/continuum/model.h"
 #include "apps/runs/continuum/solid.h"
-#include "apps/process/mpi_session.h"
 #include "apps/specimens/specimen_packing.h"
 #include "base/stopwatch.h"
 #include "coupling/multiscale/cell_points.h"

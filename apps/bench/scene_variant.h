@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/scene/read_scene.h"
+#include "apps/scene/kinds/read_scene.h"
 #include "apps/scene/scene_of.h"
 #include "base/errors.h"
 

@@ -2,14 +2,14 @@
 
 #include "apps/bench/results.h"
 #include "apps/bench/scene_variant.h"
-#include "apps/runs/sequential/continuation.h"
-#include "apps/runs/sequential/groundwork.h"
-#include "apps/runs/sequential/particles.h"
-#include "apps/runs/sequential/study.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
 #include "apps/results/result_folder.h"
 #include "apps/results/terminal.h"
+#include "apps/runs/sequential/continuation.h"
+#include "apps/runs/sequential/groundwork.h"
+#include "apps/runs/sequential/particles.h"
+#include "apps/runs/sequential/study.h"
 #include "apps/scene/description.h"
 #include "base/stopwatch.h"
 

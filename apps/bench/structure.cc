@@ -2,14 +2,13 @@
 
 #include "apps/bench/results.h"
 #include "apps/bench/scene_variant.h"
-#include "apps/runs/structure/promotion.h"
-#include "apps/runs/structure/model.h"
 #include "apps/process/mpi_session.h"
+#include "apps/runs/structure/model.h"
+#include "apps/runs/structure/promotion.h"
 #include "base/stopwatch.h"
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <cstdio>
 
 namespace apps

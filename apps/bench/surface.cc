@@ -3,13 +3,13 @@
 #include "apps/bench/impact_of_bodies.h"
 #include "apps/bench/results.h"
 #include "apps/bench/scene_variant.h"
-#include "apps/runs/continuum/model.h"
-#include "apps/runs/coupled/body.h"
-#include "apps/runs/coupled/model.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
 #include "apps/process/mpi_session.h"
 #include "apps/process/progress.h"
+#include "apps/runs/continuum/model.h"
+#include "apps/runs/coupled/body.h"
+#include "apps/runs/coupled/model.h"
 #include "base/stopwatch.h"
 
 #include <fmt/format.h>

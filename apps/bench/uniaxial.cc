@@ -4,11 +4,11 @@
 #include "apps/bench/scene_variant.h"
 #include "apps/bench/uniaxial_cases.h"
 #include "apps/bench/uniaxial_table.h"
-#include "apps/runs/uniaxial/lab_test.h"
-#include "apps/runs/uniaxial/model.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
 #include "apps/process/progress.h"
+#include "apps/runs/uniaxial/lab_test.h"
+#include "apps/runs/uniaxial/model.h"
 #include "apps/specimens/specimen_packing.h"
 
 #include <fmt/format.h>
@@ -30,8 +30,7 @@ namespace apps
         const auto             found  = packings.find(key);
         return found != packings.end() ?
                  found->second :
-                 packings.emplace(key, make_packing(source, model.material, model.physics.dimension))
-                   .first->second;
+                 packings.emplace(key, make_packing(source, model.material, model.physics.dimension)).first->second;
       }
 
     private:

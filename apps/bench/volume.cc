@@ -2,12 +2,12 @@
 
 #include "apps/bench/results.h"
 #include "apps/bench/scene_variant.h"
-#include "apps/runs/transmission/methods.h"
-#include "apps/runs/transmission/report.h"
-#include "apps/runs/transmission/model.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
 #include "apps/process/mpi_session.h"
+#include "apps/runs/transmission/methods.h"
+#include "apps/runs/transmission/model.h"
+#include "apps/runs/transmission/report.h"
 
 #include <fmt/format.h>
 

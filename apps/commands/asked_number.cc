@@ -5,8 +5,6 @@
 
 #include <CLI/Error.hpp>
 
-#include <functional>
-
 namespace apps
 {
   CLI::Option *add_asked_number(CLI::App &command, const AskedNumber &what, double &member, const std::string &meaning)

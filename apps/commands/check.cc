@@ -1,8 +1,8 @@
 #include "apps/commands/command.h"
 #include "apps/commands/scene_options.h"
-#include "apps/scene/read_scene.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
+#include "apps/scene/kinds/read_scene.h"
 #include "apps/scene/reader.h"
 #include "apps/studies/run_study.h"
 

@@ -1,9 +1,9 @@
 #include "apps/commands/command.h"
-#include "apps/scene/kinds.h"
-#include "apps/scene/read_scene.h"
 #include "apps/process/exit_status.h"
 #include "apps/scene/absent.h"
 #include "apps/scene/description.h"
+#include "apps/scene/kinds/kinds.h"
+#include "apps/scene/kinds/read_scene.h"
 #include "apps/text/nearest_name.h"
 
 #include <CLI/Validators.hpp>

@@ -2,8 +2,8 @@
 #include "apps/process/exit_status.h"
 #include "apps/process/version.h"
 #include "apps/results/result_folder.h"
-#include "apps/text/value_text.h"
 #include "apps/studies/inversion.h"
+#include "apps/text/value_text.h"
 #include "base/errors.h"
 #include "postprocess/files/summary.h"
 

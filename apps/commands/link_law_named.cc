@@ -1,9 +1,9 @@
 #include "apps/commands/link_law_named.h"
 
 #include "apps/scene/law_block.h"
-#include "apps/text/nearest_name.h"
 #include "apps/scene/overrides.h"
 #include "apps/scene/reader.h"
+#include "apps/text/nearest_name.h"
 #include "base/errors.h"
 
 namespace apps

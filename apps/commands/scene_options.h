@@ -1,7 +1,7 @@
 #pragma once
 
-#include "apps/scene/read_scene.h"
 #include "apps/process/threads.h"
+#include "apps/scene/kinds/read_scene.h"
 
 #include <CLI/App.hpp>
 

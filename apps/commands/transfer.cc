@@ -1,11 +1,11 @@
 #include "apps/commands/command.h"
 #include "apps/commands/scene_options.h"
-#include "apps/scene/read_scene.h"
-#include "apps/scene/scene_of.h"
-#include "apps/runs/sequential/run.h"
 #include "apps/process/interrupt.h"
 #include "apps/results/run_result.h"
 #include "apps/results/terminal.h"
+#include "apps/runs/sequential/run.h"
+#include "apps/scene/kinds/read_scene.h"
+#include "apps/scene/scene_of.h"
 
 #include <memory>
 
@@ -42,7 +42,9 @@ namespace apps
       request.overrides  = options.overrides;
       Terminal terminal;
       request.observers = {&terminal};
-      return (options.identify ? apps::identify(sequential->model(), request) : transfer_only(sequential->model(), request)).exit_status();
+      return (options.identify ? apps::identify(sequential->model(), request) :
+                                 transfer_only(sequential->model(), request))
+        .exit_status();
     }
   } // namespace
 

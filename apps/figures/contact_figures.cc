@@ -20,7 +20,7 @@ namespace apps
     }
   } // namespace
 
-    bool ContactFigures::note(const double time, const double force)
+  bool ContactFigures::note(const double time, const double force)
   {
     if (!touched())
       first_touch = time;

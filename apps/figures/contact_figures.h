@@ -3,6 +3,7 @@
 #include "base/state.h"
 
 #include <nlohmann/json_fwd.hpp>
+
 #include <string>
 
 namespace apps

@@ -6,7 +6,6 @@
 #include "postprocess/pictures/drawn_unit.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace apps

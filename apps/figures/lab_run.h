@@ -1,12 +1,12 @@
 #pragma once
 
-#include "apps/results/run_request.h"
+#include "apps/models/loading.h"
 #include "apps/process/interrupt.h"
 #include "apps/process/progress.h"
 #include "apps/results/life_cycle.h"
+#include "apps/results/run_request.h"
 #include "apps/results/run_work.h"
 #include "apps/results/warning.h"
-#include "apps/models/loading.h"
 #include "apps/specimens/specimen_packing.h"
 
 #include <algorithm>

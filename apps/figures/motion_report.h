@@ -8,9 +8,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include <filesystem>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace apps

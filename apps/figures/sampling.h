@@ -1,7 +1,7 @@
 #pragma once
 
-#include "apps/results/run_state.h"
 #include "apps/models/output.h"
+#include "apps/results/run_state.h"
 
 #include <cstdint>
 

@@ -1,15 +1,12 @@
 #include "apps/models/contact_law.h"
 
-
-#include <vector>
-
 namespace apps
 {
   namespace
   {
   } // namespace
 
-    void ContactLaw::check(const base::EntryPath &section) const
+  void ContactLaw::check(const base::EntryPath &section) const
   {
     try
       {

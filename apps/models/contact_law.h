@@ -4,7 +4,6 @@
 #include "dem/laws/linear_contact.h"
 #include "dem/laws/registry.h"
 
-#include <functional>
 #include <map>
 #include <memory>
 #include <string>

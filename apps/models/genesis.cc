@@ -10,13 +10,12 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 
 namespace apps
 {
   // --- Aggregates ---
 
-    dem::AggregateParameters AggregatesSection::parameters(const std::uint64_t seed) const
+  dem::AggregateParameters AggregatesSection::parameters(const std::uint64_t seed) const
   {
     dem::AggregateParameters p;
     p.content = content;
@@ -99,7 +98,7 @@ namespace apps
   {
   } // namespace
 
-    double GenesisSection::full_porosity() const
+  double GenesisSection::full_porosity() const
   {
     return laboratory_porosity > 0 ? dem::porosity_in_plane(laboratory_porosity) : porosity;
   }

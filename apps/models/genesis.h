@@ -5,10 +5,10 @@
 #include "dem/genesis/genesis.h"
 #include "dem/genesis/sizes.h"
 
-#include <string>
-#include <vector>
 #include <array>
 #include <cstdint>
+#include <string>
+#include <vector>
 
 namespace apps
 {

@@ -3,6 +3,7 @@
 #include "base/entry_path.h"
 
 #include <Eigen/Core>
+
 #include <array>
 
 namespace apps

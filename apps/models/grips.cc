@@ -11,7 +11,7 @@ namespace apps
     constexpr const char *nominal = "nominal";
   } // namespace
 
-    void GripEntries::check(const base::EntryPath &loading) const
+  void GripEntries::check(const base::EntryPath &loading) const
   {
     const auto number = number_in(trimmed(area));
     if (trimmed(area) != nominal && !(number && *number > 0))

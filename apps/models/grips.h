@@ -3,7 +3,6 @@
 #include "base/entry_path.h"
 #include "dem/grips/grip_layers.h"
 
-#include <functional>
 #include <string>
 
 namespace apps

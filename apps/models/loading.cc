@@ -17,7 +17,7 @@ namespace apps
     compression.stop_strain   = 5e-3;
   }
 
-      void UniaxialLoadingSection::check(const base::EntryPath &root, const int dimension) const
+  void UniaxialLoadingSection::check(const base::EntryPath &root, const int dimension) const
   {
     const base::EntryPath section = root.at("Loading");
     if (dimension == 2 && axis == 2)

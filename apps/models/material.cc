@@ -9,14 +9,14 @@
 
 namespace apps
 {
-    void LinkLaw::check() const
+  void LinkLaw::check() const
   {
     chosen().check();
     if (contacts != nullptr)
       constants.at(contacts->name())->check();
   }
 
-    const dem::LinkLawKind *MaterialInterface::law_among(const std::list<NamedMaterial> &materials) const
+  const dem::LinkLawKind *MaterialInterface::law_among(const std::list<NamedMaterial> &materials) const
   {
     if (law != nullptr)
       return law;
@@ -31,7 +31,7 @@ namespace apps
     return found;
   }
 
-    namespace
+  namespace
   {
     void check_material(const NamedMaterial &material, const base::EntryPath &section)
     {

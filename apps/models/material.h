@@ -5,12 +5,12 @@
 #include "dem/laws/registry.h"
 #include "dem/model/packing.h"
 
+#include <cstdint>
 #include <list>
 #include <map>
 #include <memory>
 #include <string>
 #include <vector>
-#include <cstdint>
 
 namespace apps
 {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "base/entry_path.h"
 #include "apps/models/region.h"
+#include "base/entry_path.h"
 
 #include <cstdint>
 #include <list>

@@ -2,4 +2,4 @@
 
 namespace apps
 {
-  } // namespace apps
+} // namespace apps

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 
-
 namespace apps
 {
   /** Section "Output": how often results are written. */

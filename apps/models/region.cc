@@ -2,7 +2,7 @@
 
 namespace apps
 {
-    void Region::check(const base::EntryPath &section, const int dimension) const
+  void Region::check(const base::EntryPath &section, const int dimension) const
   {
     for (int d = 0; d < dimension && shape == Shape::box; ++d)
       if (!(lower[d] < upper[d]))

@@ -5,8 +5,6 @@
 #include <Eigen/Core>
 
 #include <array>
-#include <functional>
-#include <string>
 
 namespace apps
 {

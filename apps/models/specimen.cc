@@ -27,7 +27,7 @@ namespace apps
   {
   } // namespace
 
-    void SpecimenSection::check(const base::EntryPath &root, const int dimension) const
+  void SpecimenSection::check(const base::EntryPath &root, const int dimension) const
   {
     const base::EntryPath section = root.at("Specimen");
     if (source == Source::file && !std::filesystem::is_regular_file(file))

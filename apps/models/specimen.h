@@ -5,11 +5,11 @@
 #include "base/length_unit.h"
 #include "dem/packing/compaction.h"
 
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
-#include <array>
-#include <cstdint>
 
 namespace apps
 {

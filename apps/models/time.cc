@@ -6,7 +6,7 @@
 
 namespace apps
 {
-      void TimeSection::check_by_time(const base::EntryPath &root) const
+  void TimeSection::check_by_time(const base::EntryPath &root) const
   {
     const base::EntryPath section = root.at("Time");
     if (damping_in_time.varies_in_space())

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "apps/text/expression.h"
-#include "apps/text/expression.h"
 #include "base/entry_path.h"
 
 namespace apps

@@ -1,16 +1,16 @@
 #pragma once
 
 #include "apps/results/run_files.h"
+#include "apps/results/run_request.h"
 #include "apps/results/run_result.h"
 #include "apps/results/run_work.h"
-#include "apps/results/run_request.h"
 #include "base/stopwatch.h"
 
+#include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
-#include <cstdint>
-#include <memory>
 
 namespace apps
 {

@@ -1,13 +1,13 @@
 #pragma once
 
 #include "apps/results/result_folder.h"
-#include "apps/results/run_work.h"
 #include "apps/results/run_request.h"
+#include "apps/results/run_work.h"
 #include "postprocess/hdf5/checkpoint.h"
 
+#include <cstdint>
 #include <memory>
 #include <vector>
-#include <cstdint>
 
 namespace apps
 {

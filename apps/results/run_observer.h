@@ -1,7 +1,7 @@
 #pragma once
 
-#include "apps/results/run_work.h"
 #include "apps/results/run_request.h"
+#include "apps/results/run_work.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -13,7 +13,7 @@
 
 namespace dem
 {
-  class Specimen;
+  class ObservedSpecimen;
 }
 
 namespace apps
@@ -46,7 +46,7 @@ namespace apps
     std::string           words;   ///< the same for a terminal, lines
     std::filesystem::path folder;  ///< of its files; "": none were asked for
 
-    std::shared_ptr<const dem::Specimen>
+    std::shared_ptr<const dem::ObservedSpecimen>
       specimen; ///< the particles at the end, of the last test; nullptr: there are none
 
     /**

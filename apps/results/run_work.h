@@ -14,7 +14,7 @@
 
 namespace dem
 {
-  class Specimen;
+  class ObservedSpecimen;
 }
 
 namespace postprocess
@@ -38,7 +38,7 @@ namespace apps
     nlohmann::json summary;
     std::string    words; ///< lines
 
-    std::shared_ptr<const dem::Specimen>
+    std::shared_ptr<const dem::ObservedSpecimen>
       specimen; ///< at the end, where a caller shall have it; nullptr: there are no particles
   };
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "apps/results/run_result.h"
 #include "apps/results/run_request.h"
+#include "apps/results/run_result.h"
 
 #include <functional>
 #include <string>

@@ -10,7 +10,7 @@ namespace apps
   struct RunResult;
 
   /**
-   * A kind of scene: its parameters, and what to do with them. One class per kind, listed in apps/scene/kinds.h.
+   * A kind of scene: its parameters, and what to do with them. One class per kind, listed in apps/scene/kinds/kinds.h.
    *
    * Order: declare(), then the reader fills the members, check(), and then either forecast() or run().
    */

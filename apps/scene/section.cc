@@ -1,8 +1,8 @@
 #include "apps/scene/section.h"
 
+#include "apps/scene/usual_sizes.h"
 #include "apps/text/same_name.h"
 #include "apps/text/time_table.h"
-#include "apps/scene/usual_sizes.h"
 #include "apps/text/value_text.h"
 
 #include <fmt/format.h>

@@ -1,12 +1,12 @@
 #include "apps/studies/study_plan.h"
 
-#include "apps/scene/read_scene.h"
-#include "apps/text/same_name.h"
-#include "apps/text/value_text.h"
+#include "apps/scene/kinds/read_scene.h"
 #include "apps/statistics/level_designs.h"
 #include "apps/statistics/orthogonal_array.h"
 #include "apps/statistics/space_filling.h"
 #include "apps/statistics/surface_designs.h"
+#include "apps/text/same_name.h"
+#include "apps/text/value_text.h"
 #include "postprocess/files/csv_table.h"
 
 #include <fmt/format.h>

@@ -1,10 +1,10 @@
 // What the gauges of a solid read, against closed forms, at displacements made by hand.
+#include "apps/process/mpi_session.h"
 #include "apps/runs/continuum/gauges.h"
 #include "apps/runs/continuum/model.h"
 #include "apps/runs/continuum/solid.h"
-#include "apps/scene/read_scene.h"
+#include "apps/scene/kinds/read_scene.h"
 #include "apps/scene/scene_of.h"
-#include "apps/process/mpi_session.h"
 #include "tests/apps/scene_runs.h"
 #include "tests/apps/scratch_folder.h"
 

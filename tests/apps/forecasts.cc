@@ -1,6 +1,6 @@
 // What `breccia check` says of the time that a run will take.
-#include "apps/runs/particles/piled_up.h"
 #include "apps/forecasts/duration.h"
+#include "apps/runs/particles/piled_up.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scenes.h"
 #include "tests/apps/scratch_folder.h"

@@ -1,10 +1,10 @@
 // What a motion of a solid must remember to go on to the same bits, pushed and led from outside.
-#include "apps/runs/continuum/motion.h"
-#include "apps/runs/continuum/model.h"
-#include "apps/runs/continuum/solid.h"
-#include "apps/scene/read_scene.h"
-#include "apps/scene/scene_of.h"
 #include "apps/process/mpi_session.h"
+#include "apps/runs/continuum/model.h"
+#include "apps/runs/continuum/motion.h"
+#include "apps/runs/continuum/solid.h"
+#include "apps/scene/kinds/read_scene.h"
+#include "apps/scene/scene_of.h"
 #include "tests/apps/scratch_folder.h"
 #include "tests/dem/memory_state.h"
 

@@ -4,8 +4,8 @@
 #include "apps/runs/sequential/transfer_section.h"
 #include "apps/scene/overrides.h"
 #include "apps/scene/reader.h"
-#include "apps/scene/sequential/particle_event.h"
 #include "apps/scene/section.h"
+#include "apps/scene/sequential/particle_event.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,10 +1,10 @@
 // What gauges of particles read, what their groups hold and what makes up a row, without the program.
 #include "apps/runs/particles/body.h"
 #include "apps/scene/overrides.h"
-#include "apps/scene/reader.h"
-#include "apps/scene/particles/model.h"
 #include "apps/scene/particles/gauges.h"
 #include "apps/scene/particles/groups.h"
+#include "apps/scene/particles/model.h"
+#include "apps/scene/reader.h"
 #include "apps/scene/section.h"
 
 #include <catch2/catch.hpp>

@@ -1,11 +1,11 @@
 // A solid that takes its material from the particles inside it.
 #include "apps/runs/coupled/particle_medium.h"
 
-#include "apps/runs/coupled/model.h"
-#include "apps/scene/read_scene.h"
-#include "apps/scene/scene_of.h"
-#include "apps/runs/structure/model.h"
 #include "apps/process/mpi_session.h"
+#include "apps/runs/coupled/model.h"
+#include "apps/runs/structure/model.h"
+#include "apps/scene/kinds/read_scene.h"
+#include "apps/scene/scene_of.h"
 #include "dem/packing/lattice.h"
 #include "tests/apps/scene_runs.h"
 #include "tests/places.h"
@@ -133,9 +133,9 @@ TEST_CASE("A hexagonal plane is the medium that the published example says, and 
           "[apps][volume]")
 {
   apps::start_mpi();
-  const apps::CheckedScene          read  = apps::read_scene(shipped("beam_with_core.prm"), {});
-  const apps::CoupledModel         &model = dynamic_cast<const apps::SceneOf<apps::CoupledModel> &>(*read.scene).model();
-  const std::optional<dem::Packing> cell  = dem::make_lattice(dem::Lattice::hexagonal, 5e-3, {6, 6, 1});
+  const apps::CheckedScene  read         = apps::read_scene(shipped("beam_with_core.prm"), {});
+  const apps::CoupledModel &model        = dynamic_cast<const apps::SceneOf<apps::CoupledModel> &>(*read.scene).model();
+  const std::optional<dem::Packing> cell = dem::make_lattice(dem::Lattice::hexagonal, 5e-3, {6, 6, 1});
   const apps::ParticleMedia         media = model.media(cell);
   const coupling::ParticleMedium   *found = media.of("concrete");
   REQUIRE(found != nullptr);

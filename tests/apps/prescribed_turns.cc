@@ -1,9 +1,9 @@
 // Groups of particles that are led on circles: by formulas of their place, and about an axis as rigid bodies.
 #include "apps/runs/particles/body.h"
 #include "apps/scene/overrides.h"
-#include "apps/scene/reader.h"
 #include "apps/scene/particles/model.h"
 #include "apps/scene/particles/motion.h"
+#include "apps/scene/reader.h"
 #include "apps/scene/section.h"
 #include "base/flat_state.h"
 #include "tests/apps/scene_runs.h"

@@ -1,6 +1,6 @@
 // Elements of a structure that become particles where these would be damaged, through the program.
-#include "apps/runs/coupled/element_region.h"
 #include "apps/process/mpi_session.h"
+#include "apps/runs/coupled/element_region.h"
 #include "tests/apps/structure_runs.h"
 #include "tests/places.h"
 

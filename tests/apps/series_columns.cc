@@ -1,11 +1,11 @@
 // Columns of a series: which are drawn, which end a run, what a summary tells of them.
+#include "apps/figures/drawn_curve.h"
 #include "apps/runs/continuum/summary.h"
 #include "apps/runs/particles/stops.h"
-#include "apps/figures/drawn_curve.h"
 #include "apps/scene/overrides.h"
-#include "apps/scene/reader.h"
-#include "apps/scene/particles/stops.h"
 #include "apps/scene/particles/model.h"
+#include "apps/scene/particles/stops.h"
+#include "apps/scene/reader.h"
 #include "apps/scene/section.h"
 #include "tests/apps/scratch_folder.h"
 

@@ -1,5 +1,5 @@
-#include "apps/scene/read_scene.h"
 #include "apps/scene/description.h"
+#include "apps/scene/kinds/read_scene.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scratch_folder.h"
 #include "tests/places.h"

@@ -1,6 +1,6 @@
 // Structures of particles and a solid around them in equilibrium, through the program.
-#include "apps/runs/coupled/element_region.h"
 #include "apps/process/mpi_session.h"
+#include "apps/runs/coupled/element_region.h"
 #include "tests/apps/structure_runs.h"
 #include "tests/places.h"
 

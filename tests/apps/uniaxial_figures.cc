@@ -1,6 +1,6 @@
 // Poisson's ratio and the work of fracture that uniaxial tests report, against what is known of them.
-#include "apps/runs/uniaxial/sideways.h"
 #include "apps/figures/lab_report.h"
+#include "apps/runs/uniaxial/sideways.h"
 #include "dem/loading/curve_figures.h"
 #include "tests/apps/scene_runs.h"
 #include "tests/apps/scratch_folder.h"

@@ -3,6 +3,7 @@
 #   cmake -D ROOT=<folder of the rooms> -P include_arrows.cmake
 #
 # Designs and their analysis (apps/statistics) are a library of their own, which knows base, Eigen and Boost alone.
+# So are models and their runs, which need no text of a scene: folders of apps that know nothing of scene, studies and commands.
 # Within a room the folders have an order too: no arrows that lead in a circle.
 #
 # A room may include itself, the standard library, and what is listed for it here: rooms by name, outside libraries
@@ -31,6 +32,7 @@ set(postprocess_rooms base dem fem)
 set(postprocess_libraries deal.II/ mpi.h Eigen/ hdf5 vtk fmt/ nlohmann/)
 set(apps_rooms base dem fem coupling postprocess)
 set(apps_libraries anything)
+set(run_folders "figures|forecasts|models|process|results|runs|specimens|text")
 # The operating system (POSIX, and what the GNU C library tells of its memory) is under every room.
 set(system_headers fcntl.h malloc.h signal.h spawn.h stdlib.h sys/ unistd.h)
 
@@ -58,6 +60,9 @@ function(judge_own problem room header)
     set(${problem} "no such file from the root; own headers are included with the folder name" PARENT_SCOPE)
   elseif(file MATCHES "^(tests|apps)/statistics/" AND NOT header MATCHES "^((tests|apps)/statistics|base)/|^tests/places.h$")
     set(${problem} "statistics knows only base" PARENT_SCOPE)
+  elseif(file MATCHES "^apps/(${run_folders})/" AND header MATCHES "^apps/" AND NOT header MATCHES "^apps/(${run_folders})/"
+         AND NOT header MATCHES "^apps/optimisation/")
+    set(${problem} "models and runs know no text of scenes" PARENT_SCOPE)
   elseif(owner IN_LIST rooms AND NOT owner IN_LIST allowed)
     set(${problem} "no arrow ${room} -> ${owner}" PARENT_SCOPE)
   elseif(header MATCHES "^tests/" AND NOT is_test)

@@ -10,6 +10,9 @@ cmake -S "$scratch/program" -B "$scratch/build" -DCMAKE_PREFIX_PATH="$scratch/pr
   > "$scratch/configure.log"
 cmake --build "$scratch/build" > "$scratch/build.log" || { cat "$scratch/build.log"; exit 1; }
 "$scratch/build/pull_a_bond"
+if [ -x "$scratch/build/throw_a_ball" ]; then
+  "$scratch/build/throw_a_ball"
+fi
 if [ -x "$scratch/build/run_a_scene" ]; then
   "$scratch/build/run_a_scene" "$source/apps/scenes/bouncing_sphere.prm" blow/largest
 fi

@@ -1,64 +1,18 @@
 // Models filled by a program, without any text: checked, run, and with the answers of the text that says the same.
-#include "apps/runs/particles/run.h"
-#include "apps/scene/read_scene.h"
 #include "apps/results/run_result.h"
+#include "apps/runs/particles/run.h"
+#include "apps/scene/kinds/read_scene.h"
 #include "base/entry_path.h"
-#include "dem/laws/hertz_mindlin.h"
 #include "tests/apps/scratch_folder.h"
+#include "tests/library/ball_in_code.h"
 
 #include <catch2/catch.hpp>
 
 using Catch::Contains;
+using library_tests::ball_in_code;
 
 namespace
 {
-  constexpr double radius = 0.01, start = 0.0101;
-
-  dem::HertzMindlinParameters glass()
-  {
-    dem::HertzMindlinParameters p;
-    p.young_modulus        = 1e9;
-    p.poisson_ratio        = 0.25;
-    p.friction_coefficient = 0.3;
-    p.restitution          = 0.9;
-    return p;
-  }
-
-  /** A ball that is thrown obliquely onto a floor. */
-  apps::ParticlesModel ball_in_code()
-  {
-    apps::ParticlesModel model;
-    model.source.source  = apps::SpecimenSection::Source::none;
-    model.source.density = 2500;
-
-    model.source.interaction_ratio = 1;
-    apps::AddedParticles &ball     = model.more.added.emplace_back();
-    ball.name                      = "ball";
-    ball.centre                    = {0, 0, start};
-    ball.radius                    = radius;
-    model.material.only.choose(glass());
-
-    apps::WallSection &floor = model.walls.walls.emplace_back();
-    floor.name               = "floor";
-    floor.contact.choose(glass());
-    apps::MotionFormulas &thrown = model.initial_velocity.velocities.emplace_back();
-    thrown.group                 = "ball";
-    thrown.velocity[0]           = apps::Expression("0.5", "Velocity x");
-    thrown.velocity[2]           = apps::Expression("-1", "Velocity z");
-    apps::GaugeSection &height   = model.gauges.gauges.emplace_back();
-    height.name                  = "height";
-    height.quantity              = apps::GaugeSection::Quantity::position;
-    height.group                 = "ball";
-    height.component             = apps::GaugeSection::Component::z;
-
-    model.end_time         = 1e-3;
-    model.time.step_factor = 0.1;
-    model.time.damping     = 0;
-    model.output.samples   = 50;
-    model.output.snapshots = 0;
-    return model;
-  }
-
   constexpr const char *ball_in_text = R"(
 set Kind = particles
 subsection Specimen
@@ -126,7 +80,7 @@ TEST_CASE("scene that a program has filled runs to the bits of the text that say
 
   const apps::ParticlesModel model = ball_in_code();
   REQUIRE_NOTHROW(model.check({}));
-  const apps::RunResult by_code = apps::ParticlesRun(apps::RunRequest(), model).execute();
+  const apps::RunResult by_code = run(model, apps::RunRequest());
   CHECK(by_code.series.names == by_text.series.names);
   CHECK(by_code.series.columns == by_text.series.columns);
   CHECK(by_code.series.columns.front().size() == 51);

@@ -1,9 +1,9 @@
 // A kind of scene of one's own: a model, three functions and a line, and it is read, described, checked and run like the others.
-#include "apps/scene/kinds.h"
-#include "apps/scene/read_scene.h"
 #include "apps/results/life_cycle.h"
 #include "apps/results/run_observer.h"
 #include "apps/scene/description.h"
+#include "apps/scene/kinds/kinds.h"
+#include "apps/scene/kinds/read_scene.h"
 #include "apps/scene/scene_of.h"
 #include "apps/scene/section.h"
 #include "base/entry_path.h"
@@ -106,8 +106,7 @@ namespace
   void register_once()
   {
     static const bool done = [] {
-      apps::add_scene_kind(
-        {"oscillator", "a weight on a spring", apps::make_scene<Oscillator>});
+      apps::add_scene_kind({"oscillator", "a weight on a spring", apps::make_scene<Oscillator>});
       return true;
     }();
     static_cast<void>(done);
@@ -157,7 +156,5 @@ TEST_CASE("A kind of scene that a program registers is read, described, checked 
   CHECK(b.series.columns == scene.scene->run(request).series.columns);
   CHECK(std::filesystem::exists(folder / "out/summary.json"));
 
-  CHECK_THROWS_WITH(
-    apps::add_scene_kind({"Coupled", "", apps::make_scene<Oscillator>}),
-    Contains("already"));
+  CHECK_THROWS_WITH(apps::add_scene_kind({"Coupled", "", apps::make_scene<Oscillator>}), Contains("already"));
 }

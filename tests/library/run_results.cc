@@ -1,9 +1,9 @@
 // What a run returns: in memory what its files say, with or without files, several times in a process and at a time.
-#include "apps/scene/read_scene.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/mpi_session.h"
 #include "apps/results/run_observer.h"
 #include "apps/results/run_result.h"
+#include "apps/scene/kinds/read_scene.h"
 #include "base/errors.h"
 #include "dem/specimen/specimen.h"
 #include "tests/apps/scenes.h"

@@ -1,12 +1,12 @@
 // A material that fem does not know, written here: meshes, plane stress, checkpoint, ParaView files, gauges, point-test, scenes and
 // transfer take it as it is.
+#include "apps/process/mpi_session.h"
+#include "apps/results/run_result.h"
 #include "apps/runs/continuum/analysis.h"
 #include "apps/runs/continuum/model.h"
 #include "apps/runs/continuum/solid.h"
-#include "apps/scene/read_scene.h"
+#include "apps/scene/kinds/read_scene.h"
 #include "apps/scene/scene_of.h"
-#include "apps/process/mpi_session.h"
-#include "apps/results/run_result.h"
 #include "coupling/sequential/transfer.h"
 #include "fem/materials/refuse.h"
 #include "fem/points/material_kind_of.h"
@@ -334,8 +334,8 @@ TEST_CASE("an analysis of a material of one's own goes on from a checkpoint to t
   register_once();
   apps::start_mpi();
   const ScratchFolder         folder;
-  const apps::CheckedScene    scene          = apps::read_scene(folder.file("bar.prm", bar_scene("stress")), {});
-  const apps::ContinuumModel &model          = dynamic_cast<const apps::SceneOf<apps::ContinuumModel> &>(*scene.scene).model();
+  const apps::CheckedScene    scene = apps::read_scene(folder.file("bar.prm", bar_scene("stress")), {});
+  const apps::ContinuumModel &model = dynamic_cast<const apps::SceneOf<apps::ContinuumModel> &>(*scene.scene).model();
   const auto                  straight_solid = apps::make_solid<2>(model), resumed_solid = apps::make_solid<2>(model);
   const auto                  straight = apps::make_static_analysis(*straight_solid, model),
              resumed                   = apps::make_static_analysis(*resumed_solid, model);

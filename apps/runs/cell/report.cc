@@ -2,8 +2,8 @@
 
 #include "apps/figures/energy_terms.h"
 #include "apps/figures/summary_head.h"
-#include "apps/process/progress.h"
 #include "apps/models/tension_beyond_apex.h"
+#include "apps/process/progress.h"
 #include "apps/specimens/deep_overlap.h"
 #include "base/voigt.h"
 #include "postprocess/pictures/plot.h"
@@ -12,9 +12,6 @@
 #include <nlohmann/json.hpp>
 
 #include <omp.h>
-
-#include <algorithm>
-#include <cmath>
 
 namespace apps
 {

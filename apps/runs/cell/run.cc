@@ -1,10 +1,10 @@
 #include "apps/runs/cell/run.h"
 
-#include "apps/process/progress.h"
-#include "apps/runs/cell/report.h"
 #include "apps/figures/energy_terms.h"
+#include "apps/process/progress.h"
 #include "apps/results/life_cycle.h"
 #include "apps/results/warning.h"
+#include "apps/runs/cell/report.h"
 #include "apps/specimens/specimen_packing.h"
 #include "base/voigt.h"
 #include "postprocess/pictures/specimen_picture.h"

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "apps/runs/cell/model.h"
 #include "apps/figures/sampling.h"
 #include "apps/results/run_request.h"
 #include "apps/results/run_result.h"
 #include "apps/results/run_work.h"
+#include "apps/runs/cell/model.h"
 #include "apps/specimens/material_counts.h"
 #include "apps/specimens/specimen_snapshots.h"
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "base/entry_path.h"
 #include "apps/models/material.h"
 #include "apps/models/specimen.h"
+#include "base/entry_path.h"
 #include "coupling/multiscale/cell_points.h"
 #include "dem/model/packing.h"
 #include "fem/points/registry.h"

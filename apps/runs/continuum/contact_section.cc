@@ -2,7 +2,7 @@
 
 namespace apps
 {
-      void ContactsSection::check(const base::EntryPath &root, const bool moves) const
+  void ContactsSection::check(const base::EntryPath &root, const bool moves) const
   {
     const base::EntryPath all = root.at("Contacts");
     if (!empty() && !moves)

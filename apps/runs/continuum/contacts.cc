@@ -1,13 +1,10 @@
 #include "apps/runs/continuum/contacts.h"
 
-#include "apps/runs/continuum/gauges.h"
 #include "apps/results/run_work.h"
+#include "apps/runs/continuum/gauges.h"
 #include "apps/text/name_list.h"
 
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 
 namespace apps
 {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "apps/runs/continuum/contact_section.h"
 #include "apps/figures/contact_figures.h"
+#include "apps/runs/continuum/contact_section.h"
 #include "coupling/contact/solid_contacts.h"
 #include "postprocess/files/series.h"
 

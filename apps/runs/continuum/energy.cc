@@ -1,7 +1,6 @@
 #include "apps/runs/continuum/energy.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace apps
 {

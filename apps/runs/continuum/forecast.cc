@@ -1,12 +1,12 @@
 #include "apps/runs/continuum/forecast.h"
 
+#include "apps/forecasts/duration.h"
+#include "apps/forecasts/run_forecast.h"
+#include "apps/process/mpi_session.h"
 #include "apps/runs/continuum/cells.h"
 #include "apps/runs/continuum/expected_duration.h"
 #include "apps/runs/continuum/run.h"
 #include "apps/runs/continuum/solid.h"
-#include "apps/forecasts/duration.h"
-#include "apps/forecasts/run_forecast.h"
-#include "apps/process/mpi_session.h"
 #include "apps/specimens/packing_extents.h"
 #include "fem/mesh/extent.h"
 

@@ -6,7 +6,7 @@ namespace apps
   {
   } // namespace
 
-    void LoadsSection::check(const base::EntryPath &root, const int dimension) const
+  void LoadsSection::check(const base::EntryPath &root, const int dimension) const
   {
     for (const auto &support : supports)
       if (support->is_box)

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "base/entry_path.h"
 #include "apps/text/place.h"
 #include "apps/text/vector_formula.h"
+#include "base/entry_path.h"
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
-#include <array>
 
 namespace apps
 {

@@ -39,7 +39,7 @@ namespace apps
     return symmetric;
   }
 
-    void MaterialOfGroup::become(const base::Stiffness &stiffness, const double found_density)
+  void MaterialOfGroup::become(const base::Stiffness &stiffness, const double found_density)
   {
     Block &block    = blocks.at(law->name());
     block.constants = block.constants->copy();
@@ -85,7 +85,7 @@ namespace apps
       }
   }
 
-    void MaterialsSection::check(const base::EntryPath &root, const bool large_displacement) const
+  void MaterialsSection::check(const base::EntryPath &root, const bool large_displacement) const
   {
     for (const auto &group : groups)
       {

@@ -29,7 +29,7 @@ namespace apps
     };
 
     std::string                  group;
-    Place                        place{"model"}; ///< for messages: where it was written
+    Place                        place{"model"};    ///< for messages: where it was written
     const fem::MaterialKind     *law     = nullptr; ///< the chosen one
     double                       density = 0;       ///< [kg/m^3], in explicit analyses
     std::map<std::string, Block> blocks;            ///< of every law, by its name

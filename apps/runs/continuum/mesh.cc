@@ -23,7 +23,7 @@ namespace apps
     unsigned int whole(const std::int64_t number) { return static_cast<unsigned int>(number); }
   } // namespace
 
-    fem::NamedBox BoxSection::box() const
+  fem::NamedBox BoxSection::box() const
   {
     fem::NamedBox made;
     made.name     = name;
@@ -35,7 +35,7 @@ namespace apps
     return made;
   }
 
-    fem::NamedBall BallSection::ball() const
+  fem::NamedBall BallSection::ball() const
   {
     fem::NamedBall made;
     made.name      = name;
@@ -48,7 +48,7 @@ namespace apps
     return made;
   }
 
-          void MeshSection::check(const base::EntryPath &root, const int dimension) const
+  void MeshSection::check(const base::EntryPath &root, const int dimension) const
   {
     const base::EntryPath s = root.at("Mesh");
     if (source == Source::file && !std::filesystem::is_regular_file(file))

@@ -6,11 +6,11 @@
 
 #include <mpi.h>
 
+#include <array>
+#include <cstdint>
 #include <list>
 #include <optional>
 #include <string>
-#include <array>
-#include <cstdint>
 
 namespace fem
 {

@@ -5,7 +5,6 @@
 #include "apps/text/nearest_name.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace apps
 {
@@ -19,7 +18,7 @@ namespace apps
     }
   } // namespace
 
-      void ControlSection::check(const base::EntryPath &root, const std::vector<std::string> &points) const
+  void ControlSection::check(const base::EntryPath &root, const std::vector<std::string> &points) const
   {
     const base::EntryPath s = root.at("Control");
     if (smallest() > first() || first() > largest() * (1 + 1e-12))
@@ -40,7 +39,7 @@ namespace apps
       s.refuse("Opening to", "is the same point as Opening from.");
   }
 
-            void ContinuumModel::check(const base::EntryPath &root) const
+  void ContinuumModel::check(const base::EntryPath &root) const
   {
     check_as_part(root);
     std::vector<std::string> points;

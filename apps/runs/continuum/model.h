@@ -1,11 +1,11 @@
 #pragma once
 
-#include "base/entry_path.h"
+#include "apps/figures/contact_figures.h"
 #include "apps/runs/continuum/contact_section.h"
 #include "apps/runs/continuum/loads.h"
 #include "apps/runs/continuum/materials.h"
 #include "apps/runs/continuum/mesh.h"
-#include "apps/figures/contact_figures.h"
+#include "base/entry_path.h"
 
 namespace apps
 {

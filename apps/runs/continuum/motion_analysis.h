@@ -1,9 +1,9 @@
 #pragma once
 
-#include "apps/runs/continuum/analysis.h"
-#include "apps/runs/continuum/motion.h"
 #include "apps/forecasts/duration.h"
 #include "apps/process/mpi_session.h"
+#include "apps/runs/continuum/analysis.h"
+#include "apps/runs/continuum/motion.h"
 #include "base/errors.h"
 
 #include <fmt/format.h>

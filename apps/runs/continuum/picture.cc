@@ -1,7 +1,7 @@
 #include "apps/runs/continuum/picture.h"
 
-#include "apps/runs/continuum/picture_facets.h"
 #include "apps/process/mpi_session.h"
+#include "apps/runs/continuum/picture_facets.h"
 #include "coupling/multiscale/cell_points.h"
 #include "postprocess/pictures/field_picture.h"
 #include "postprocess/pictures/picture_axes.h"

@@ -1,16 +1,16 @@
 #include "apps/runs/continuum/run.h"
 
-#include "apps/runs/continuum/picture.h"
-#include "apps/runs/continuum/snapshot.h"
-#include "apps/runs/continuum/solid.h"
-#include "apps/runs/continuum/stress_picture.h"
-#include "apps/runs/continuum/summary.h"
 #include "apps/figures/drawn_curve.h"
 #include "apps/process/mpi_session.h"
 #include "apps/process/progress.h"
 #include "apps/results/life_cycle.h"
 #include "apps/results/run_observer.h"
 #include "apps/results/warning.h"
+#include "apps/runs/continuum/picture.h"
+#include "apps/runs/continuum/snapshot.h"
+#include "apps/runs/continuum/solid.h"
+#include "apps/runs/continuum/stress_picture.h"
+#include "apps/runs/continuum/summary.h"
 #include "base/stopwatch.h"
 
 #include <fmt/format.h>

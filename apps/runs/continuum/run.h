@@ -1,19 +1,19 @@
 #pragma once
 
+#include "apps/results/run_request.h"
+#include "apps/results/run_result.h"
+#include "apps/results/run_work.h"
 #include "apps/runs/continuum/analysis.h"
 #include "apps/runs/continuum/softening_watch.h"
 #include "apps/runs/continuum/summary.h"
-#include "apps/results/run_result.h"
-#include "apps/results/run_work.h"
-#include "apps/results/run_request.h"
 #include "postprocess/vtk/pvd.h"
 
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
-#include <cstdint>
-#include <functional>
 
 namespace apps
 {

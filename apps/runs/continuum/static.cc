@@ -1,13 +1,12 @@
+#include "apps/process/progress.h"
 #include "apps/runs/continuum/analysis.h"
 #include "apps/runs/continuum/one_step.h"
 #include "apps/runs/continuum/solid.h"
-#include "apps/process/progress.h"
 #include "base/stopwatch.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace apps
 {

@@ -1,13 +1,12 @@
 #include "apps/runs/continuum/stress_picture.h"
 
-#include "apps/runs/continuum/picture_facets.h"
 #include "apps/process/mpi_session.h"
+#include "apps/runs/continuum/picture_facets.h"
 #include "postprocess/pictures/picture_axes.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 namespace apps

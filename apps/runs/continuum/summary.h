@@ -1,8 +1,8 @@
 #pragma once
 
-#include "apps/runs/continuum/gauge_column.h"
 #include "apps/figures/contact_figures.h"
 #include "apps/results/run_request.h"
+#include "apps/runs/continuum/gauge_column.h"
 #include "fem/output/solid_extremes.h"
 #include "postprocess/files/csv_table.h"
 

@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 namespace apps
 {
   std::string fault_of_side(const std::string &boundary, const Eigen::Vector3d &weight)

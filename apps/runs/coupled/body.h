@@ -1,15 +1,13 @@
 #pragma once
 
+#include "apps/results/run_state.h"
 #include "apps/runs/continuum/gauge_column.h"
 #include "apps/runs/coupled/model.h"
 #include "apps/runs/particles/body.h"
-#include "apps/results/run_state.h"
 #include "postprocess/files/series.h"
 
 #include <filesystem>
-#include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 

@@ -1,11 +1,8 @@
 #include "apps/runs/coupled/bond.h"
 
-
-#include <vector>
-
 namespace apps
 {
-    void BondSection::check(const base::EntryPath &coupling) const
+  void BondSection::check(const base::EntryPath &coupling) const
   {
     if (law == nullptr)
       return;

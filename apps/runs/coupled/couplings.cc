@@ -2,12 +2,11 @@
 
 #include "apps/text/name_list.h"
 
-#include <algorithm>
 #include <set>
 
 namespace apps
 {
-    std::vector<std::string> CouplingSection::boundaries() const { return names_in(boundary); }
+  std::vector<std::string> CouplingSection::boundaries() const { return names_in(boundary); }
 
   std::vector<std::size_t> CouplingSection::particles(const ParticleGroups &groups) const
   {
@@ -17,7 +16,7 @@ namespace apps
     return {members.begin(), members.end()};
   }
 
-    void CouplingsSection::check(const base::EntryPath &root, const GroupNames &groups, const bool alone) const
+  void CouplingsSection::check(const base::EntryPath &root, const GroupNames &groups, const bool alone) const
   {
     const base::EntryPath all = root.at("Couplings");
     if (couplings.empty() && alone)

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "base/entry_path.h"
+#include "apps/models/contact_law.h"
 #include "apps/runs/continuum/model.h"
 #include "apps/runs/coupled/bond.h"
 #include "apps/runs/particles/groups.h"
-#include "apps/models/contact_law.h"
+#include "base/entry_path.h"
 #include "coupling/surface/surface_coupling.h"
 
 #include <list>

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "apps/results/run_state.h"
 #include "apps/runs/continuum/contacts.h"
 #include "apps/runs/coupled/model.h"
-#include "apps/results/run_state.h"
 #include "coupling/concurrent/concurrent_motion.h"
 
 #include <string>

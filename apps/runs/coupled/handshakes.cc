@@ -11,7 +11,7 @@ namespace apps
   using coupling::VolumeMethod;
   using Eigen::Vector3d;
 
-            coupling::Overlap HandshakeSection::overlap() const
+  coupling::Overlap HandshakeSection::overlap() const
   {
     coupling::Overlap made;
     if (region == Region::elements && !from_elements)
@@ -51,7 +51,7 @@ namespace apps
     return made;
   }
 
-    void HandshakesSection::check(const base::EntryPath &root, const int dimension) const
+  void HandshakesSection::check(const base::EntryPath &root, const int dimension) const
   {
     for (const HandshakeSection &h : handshakes)
       {

@@ -7,7 +7,7 @@
 
 namespace apps
 {
-    namespace
+  namespace
   {
     void require(const base::EntryPath          &section,
                  const char                     *entry,

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "base/entry_path.h"
 #include "apps/runs/coupled/couplings.h"
+#include "base/entry_path.h"
 #include "dem/loading/curve_figures.h"
 #include "postprocess/files/csv_table.h"
 #include "postprocess/files/series.h"

@@ -1,7 +1,7 @@
 #include "apps/runs/coupled/model.h"
 
-#include "apps/runs/continuum/upright.h"
 #include "apps/figures/drawn_curve.h"
+#include "apps/runs/continuum/upright.h"
 #include "apps/text/nearest_name.h"
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 
 namespace apps
 {
-      void CoupledModel::check(const base::EntryPath &scene) const
+  void CoupledModel::check(const base::EntryPath &scene) const
   {
     const base::EntryPath solid = scene.at("Continuum"), body = scene.at("Particles");
     continuum.check_as_part(solid);

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "base/entry_path.h"
+#include "apps/figures/contact_figures.h"
 #include "apps/runs/coupled/couplings.h"
 #include "apps/runs/coupled/handshakes.h"
 #include "apps/runs/coupled/laboratory.h"
 #include "apps/runs/coupled/particle_medium.h"
 #include "apps/runs/particles/model.h"
-#include "apps/figures/contact_figures.h"
+#include "base/entry_path.h"
 
 #include <utility>
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "apps/runs/continuum/model.h"
-#include "apps/runs/coupled/handshakes.h"
 #include "apps/models/material.h"
 #include "apps/models/specimen.h"
+#include "apps/runs/continuum/model.h"
+#include "apps/runs/coupled/handshakes.h"
 #include "coupling/volume/particle_medium.h"
 #include "dem/model/packing.h"
 

@@ -1,10 +1,10 @@
 #include "apps/runs/coupled/report.h"
 
+#include "apps/figures/series_figures.h"
+#include "apps/models/tension_beyond_apex.h"
+#include "apps/process/progress.h"
 #include "apps/runs/continuum/gauge_column.h"
 #include "apps/runs/particles/break_results.h"
-#include "apps/figures/series_figures.h"
-#include "apps/process/progress.h"
-#include "apps/models/tension_beyond_apex.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

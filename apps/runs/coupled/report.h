@@ -1,13 +1,12 @@
 #pragma once
 
-#include "apps/results/run_request.h"
-#include "apps/runs/coupled/body.h"
 #include "apps/figures/lab_report.h"
 #include "apps/figures/motion_report.h"
+#include "apps/results/run_request.h"
+#include "apps/runs/coupled/body.h"
 
 #include <nlohmann/json.hpp>
 
-#include <filesystem>
 #include <string>
 #include <vector>
 

@@ -1,14 +1,14 @@
 #include "apps/runs/coupled/run.h"
 
-#include "apps/process/mpi_session.h"
-#include "apps/runs/coupled/report.h"
-#include "apps/runs/particles/break_results.h"
 #include "apps/figures/drawn_curve.h"
 #include "apps/forecasts/duration.h"
+#include "apps/process/mpi_session.h"
 #include "apps/process/progress.h"
 #include "apps/results/life_cycle.h"
 #include "apps/results/snapshots.h"
 #include "apps/results/warning.h"
+#include "apps/runs/coupled/report.h"
+#include "apps/runs/particles/break_results.h"
 #include "apps/specimens/left_out_of_balance.h"
 #include "apps/specimens/specimen_packing.h"
 #include "dem/observation/discrete_state.h"
@@ -165,7 +165,7 @@ namespace apps
                               wall_seconds,
                               left_out_of_balance(*model.particles.material.materials().bonds(model.particles.physics),
                                                   body->particles().specimen().particles().radius)};
-    return {found.summary(), found.text(), std::shared_ptr<const dem::Specimen>(body, &body->particles().specimen())};
+    return {found.summary(), found.text(), std::shared_ptr<const dem::ObservedSpecimen>(body, &body->particles().specimen())};
   }
 
   void CoupledRun::write_results(const std::filesystem::path &folder, const postprocess::CsvTable &series)

@@ -1,18 +1,18 @@
 #pragma once
 
-#include "apps/runs/coupled/body.h"
 #include "apps/figures/sampling.h"
+#include "apps/results/run_request.h"
 #include "apps/results/run_result.h"
 #include "apps/results/run_work.h"
-#include "apps/results/run_request.h"
+#include "apps/runs/coupled/body.h"
 #include "apps/specimens/material_counts.h"
 #include "apps/specimens/specimen_snapshots.h"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
-#include <cstdint>
 
 namespace apps
 {

@@ -11,14 +11,13 @@ namespace apps
 {
   std::string forecast(const HomogenisationModel &model)
   {
-    const std::vector<double> interaction = model.interactions(),
-                              shear       = model.shears();
-    const bool            made            = model.source == SpecimenSection::Source::generator;
-    const auto            count           = static_cast<double>(made ? model.seeds : 1);
-    const base::Stopwatch making;
-    const dem::Packing    first          = made ? model.made_packing(1) : postprocess::read_packing(model.file, model.length_unit);
-    const double          making_seconds = making.seconds();
-    double                solving = 0; // of all cases of the first packing, one solved for each interaction ratio
+    const std::vector<double> interaction = model.interactions(), shear = model.shears();
+    const bool                made  = model.source == SpecimenSection::Source::generator;
+    const auto                count = static_cast<double>(made ? model.seeds : 1);
+    const base::Stopwatch     making;
+    const dem::Packing first = made ? model.made_packing(1) : postprocess::read_packing(model.file, model.length_unit);
+    const double       making_seconds = making.seconds();
+    double             solving        = 0; // of all cases of the first packing, one solved for each interaction ratio
     for (const double ratio : interaction)
       {
         const base::Stopwatch watch;

@@ -3,7 +3,6 @@
 #include "apps/text/corner_list.h"
 #include "base/errors.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace apps
@@ -57,7 +56,7 @@ namespace apps
     return {corners_in_text(corners, dimension), dimension};
   }
 
-    void ClumpsSection::check(const base::EntryPath &root, const int dimension, GroupNames &names) const
+  void ClumpsSection::check(const base::EntryPath &root, const int dimension, GroupNames &names) const
   {
     const base::EntryPath all = root.at("Clumps");
     for (const ClumpSection &given : clumps)

@@ -2,7 +2,7 @@
 
 namespace apps
 {
-    void ForcesSection::check(const base::EntryPath &root, const int dimension, const GroupNames &names) const
+  void ForcesSection::check(const base::EntryPath &root, const int dimension, const GroupNames &names) const
   {
     const base::EntryPath all = root.at("Forces");
     for (const GroupForce &given : forces)

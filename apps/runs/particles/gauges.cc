@@ -10,7 +10,7 @@
 
 namespace apps
 {
-    void GaugeSection::check(const base::EntryPath         &section,
+  void GaugeSection::check(const base::EntryPath         &section,
                            const GroupNames              &names,
                            const PrescribedMotionSection &motion,
                            const WallsSection            &walls) const
@@ -55,7 +55,7 @@ namespace apps
       }
   }
 
-    namespace
+  namespace
   {
     /** The name of a gauge is that of a column. */
     void refuse_name(const base::EntryPath &gauge, const std::string &name)

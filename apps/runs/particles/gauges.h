@@ -1,14 +1,13 @@
 #pragma once
 
-#include "base/entry_path.h"
 #include "apps/runs/particles/motion.h"
 #include "apps/runs/particles/walls.h"
+#include "base/entry_path.h"
 #include "dem/specimen/observation.h"
 
 #include <array>
 #include <list>
 #include <string>
-#include <vector>
 
 namespace apps
 {

@@ -8,7 +8,7 @@
 
 namespace apps
 {
-    void GroupSection::check(const base::EntryPath &section, const int dimension) const
+  void GroupSection::check(const base::EntryPath &section, const int dimension) const
   {
     if (members == Members::region)
       region.check(section, dimension);
@@ -37,7 +37,7 @@ namespace apps
     return found;
   }
 
-    void GroupsSection::check(const base::EntryPath &root, const int dimension, GroupNames &names) const
+  void GroupsSection::check(const base::EntryPath &root, const int dimension, GroupNames &names) const
   {
     for (const GroupSection &group : groups)
       {

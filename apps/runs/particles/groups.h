@@ -1,8 +1,8 @@
 #pragma once
 
-#include "base/entry_path.h"
-#include "apps/runs/particles/group_names.h"
 #include "apps/models/region.h"
+#include "apps/runs/particles/group_names.h"
+#include "base/entry_path.h"
 #include "dem/model/packing.h"
 
 #include <list>

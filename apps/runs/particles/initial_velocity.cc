@@ -4,7 +4,7 @@
 
 namespace apps
 {
-    void
+  void
   InitialVelocitySection::check(const base::EntryPath &root, const dem::Physics &physics, const GroupNames &names) const
   {
     const base::EntryPath all = root.at("Initial velocity");

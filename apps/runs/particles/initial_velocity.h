@@ -1,7 +1,7 @@
 #pragma once
 
-#include "base/entry_path.h"
 #include "apps/runs/particles/motion.h"
+#include "base/entry_path.h"
 
 namespace apps
 {

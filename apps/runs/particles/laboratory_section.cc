@@ -4,7 +4,7 @@
 
 namespace apps
 {
-          void SpecimenTestSection::check(const base::EntryPath          &root,
+  void SpecimenTestSection::check(const base::EntryPath          &root,
                                   const SpecimenSection          &specimen,
                                   const dem::Physics             &physics,
                                   const std::vector<std::string> &other) const

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "apps/runs/particles/published_figures.h"
 #include "apps/models/contact_law.h"
-#include "base/entry_path.h"
 #include "apps/models/specimen.h"
+#include "apps/runs/particles/published_figures.h"
+#include "base/entry_path.h"
 #include "dem/genesis/vessel.h"
 #include "dem/laboratory/lab_test.h"
 #include "postprocess/files/series.h"

@@ -3,15 +3,13 @@
 #include "apps/figures/drawn_curve.h"
 #include "apps/figures/energy_terms.h"
 
-#include <algorithm>
-
 namespace apps
 {
   namespace
   {
   } // namespace
 
-        void ParticlesModel::check(const base::EntryPath &root) const
+  void ParticlesModel::check(const base::EntryPath &root) const
   {
     check_as_part(root);
     time.check_by_time(root);

@@ -1,6 +1,8 @@
 #pragma once
 
-#include "base/entry_path.h"
+#include "apps/models/gravity.h"
+#include "apps/models/output.h"
+#include "apps/models/time.h"
 #include "apps/runs/particles/clumps.h"
 #include "apps/runs/particles/forces.h"
 #include "apps/runs/particles/gauges.h"
@@ -8,9 +10,7 @@
 #include "apps/runs/particles/laboratory_section.h"
 #include "apps/runs/particles/more_particles.h"
 #include "apps/runs/particles/stops.h"
-#include "apps/models/gravity.h"
-#include "apps/models/output.h"
-#include "apps/models/time.h"
+#include "base/entry_path.h"
 #include "postprocess/files/series.h"
 
 #include <limits>

@@ -1,9 +1,9 @@
 #include "apps/runs/particles/more_particles.h"
 
-#include "apps/text/corner_list.h"
-#include "apps/text/nearest_name.h"
 #include "apps/specimens/packing_file.h"
 #include "apps/specimens/specimen_packing.h"
+#include "apps/text/corner_list.h"
+#include "apps/text/nearest_name.h"
 #include "dem/packing/overlaps.h"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 
 namespace apps
 {
-    void
+  void
   AddedParticles::check(const base::EntryPath &section, const int dimension, const MaterialSection &materials) const
   {
     if (source == Source::file && !std::filesystem::is_regular_file(file))
@@ -56,7 +56,7 @@ namespace apps
     return packing;
   }
 
-    void MoreParticlesSection::check(const base::EntryPath &root,
+  void MoreParticlesSection::check(const base::EntryPath &root,
                                    const int              dimension,
                                    const MaterialSection &materials,
                                    GroupNames            &names) const

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "base/entry_path.h"
-#include "apps/runs/particles/groups.h"
 #include "apps/models/material.h"
 #include "apps/models/specimen.h"
+#include "apps/runs/particles/groups.h"
+#include "base/entry_path.h"
 #include "base/length_unit.h"
 #include "dem/genesis/convex_body.h"
 

@@ -3,8 +3,6 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace apps
 {
   namespace
@@ -21,7 +19,7 @@ namespace apps
     }
   } // namespace
 
-    void MotionFormulas::check(const base::EntryPath &section, const dem::Physics &physics) const
+  void MotionFormulas::check(const base::EntryPath &section, const dem::Physics &physics) const
   {
     for (int c = 0; c < 6; ++c)
       if (component(c).given() && !exists(c, physics))
@@ -68,7 +66,7 @@ namespace apps
       }
   }
 
-    void PrescribedMotionSection::check(const base::EntryPath &root,
+  void PrescribedMotionSection::check(const base::EntryPath &root,
                                       const dem::Physics    &physics,
                                       const GroupNames      &names) const
   {

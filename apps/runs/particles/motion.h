@@ -1,8 +1,8 @@
 #pragma once
 
-#include "base/entry_path.h"
 #include "apps/runs/particles/groups.h"
 #include "apps/text/vector_formula.h"
+#include "base/entry_path.h"
 #include "dem/specimen/specimen.h"
 
 #include <array>

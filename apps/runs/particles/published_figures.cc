@@ -31,7 +31,7 @@ namespace apps
     }
   } // namespace
 
-    nlohmann::json PublishedFigures::json(const dem::TestFigures &found) const
+  nlohmann::json PublishedFigures::json(const dem::TestFigures &found) const
   {
     nlohmann::json all = nlohmann::json::object();
     if (strength > 0)

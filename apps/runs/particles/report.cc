@@ -1,11 +1,11 @@
 #include "apps/runs/particles/report.h"
 
-#include "apps/runs/particles/break_results.h"
-#include "apps/runs/particles/laboratory_report.h"
 #include "apps/figures/energy_terms.h"
 #include "apps/figures/series_figures.h"
-#include "apps/process/progress.h"
 #include "apps/models/tension_beyond_apex.h"
+#include "apps/process/progress.h"
+#include "apps/runs/particles/break_results.h"
+#include "apps/runs/particles/laboratory_report.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

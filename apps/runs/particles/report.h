@@ -1,13 +1,12 @@
 #pragma once
 
+#include "apps/figures/motion_report.h"
 #include "apps/results/run_request.h"
 #include "apps/runs/particles/body.h"
-#include "apps/figures/motion_report.h"
 #include "dem/laboratory/lab_test.h"
 
 #include <nlohmann/json_fwd.hpp>
 
-#include <filesystem>
 #include <string>
 
 namespace apps

@@ -1,13 +1,13 @@
 #include "apps/runs/particles/run.h"
 
-#include "apps/runs/particles/break_results.h"
-#include "apps/runs/particles/laboratory_report.h"
-#include "apps/runs/particles/report.h"
 #include "apps/figures/drawn_curve.h"
 #include "apps/forecasts/duration.h"
 #include "apps/process/progress.h"
 #include "apps/results/life_cycle.h"
 #include "apps/results/warning.h"
+#include "apps/runs/particles/break_results.h"
+#include "apps/runs/particles/laboratory_report.h"
+#include "apps/runs/particles/report.h"
 #include "apps/specimens/left_out_of_balance.h"
 #include "apps/specimens/specimen_packing.h"
 #include "dem/observation/discrete_state.h"
@@ -295,7 +295,7 @@ namespace apps
       wall_seconds,
       left_out_of_balance(*model.material.materials().bonds(model.physics), body->specimen().particles().radius),
       slow ? slow->test() : nullptr};
-    return {found.summary(), grown_text + found.text(), std::shared_ptr<const dem::Specimen>(body, &body->specimen())};
+    return {found.summary(), grown_text + found.text(), std::shared_ptr<const dem::ObservedSpecimen>(body, &body->specimen())};
   }
 
   void ParticlesRun::write_results(const std::filesystem::path &folder, const postprocess::CsvTable &series)
@@ -314,5 +314,8 @@ namespace apps
       write_curve(folder, series, model.curve_horizontal(), model.curve_vertical(), title);
   }
 
-  RunResult run(const ParticlesModel &model, const RunRequest &request) { return ParticlesRun(request, model).execute(); }
+  RunResult run(const ParticlesModel &model, const RunRequest &request)
+  {
+    return ParticlesRun(request, model).execute();
+  }
 } // namespace apps

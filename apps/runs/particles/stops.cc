@@ -7,7 +7,7 @@
 
 namespace apps
 {
-      void StopsSection::check(const base::EntryPath &root, const std::vector<std::string> &columns) const
+  void StopsSection::check(const base::EntryPath &root, const std::vector<std::string> &columns) const
   {
     for (const StopSection &stop : stops)
       if (std::find(columns.begin(), columns.end(), stop.column) == columns.end())

@@ -18,7 +18,7 @@ namespace apps
     const char *const motion_names[6] = {"Velocity x", "Velocity y", "Velocity z", "Spin x", "Spin y", "Spin z"};
   } // namespace
 
-                void WallSection::check(const base::EntryPath &section, const int dimension) const
+  void WallSection::check(const base::EntryPath &section, const int dimension) const
   {
     for (int d = 0; d < dimension && shape == Shape::box; ++d)
       if (!(lower[static_cast<std::size_t>(d)] < upper[static_cast<std::size_t>(d)]))
@@ -70,7 +70,7 @@ namespace apps
       }
   }
 
-    void WallsSection::check(const base::EntryPath &root, const int dimension) const
+  void WallsSection::check(const base::EntryPath &root, const int dimension) const
   {
     for (const WallSection &wall : walls)
       wall.check(root.at("Walls").at(wall.name), dimension);

@@ -1,16 +1,16 @@
 #pragma once
 
-#include "base/entry_path.h"
 #include "apps/models/contact_law.h"
 #include "apps/text/vector_formula.h"
+#include "base/entry_path.h"
 #include "dem/facets/surface.h"
 #include "dem/specimen/specimen.h"
 
+#include <array>
 #include <cstdint>
 #include <list>
 #include <string>
 #include <vector>
-#include <array>
 
 namespace apps
 {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "apps/runs/peridynamics/model.h"
 #include "apps/results/run_work.h"
+#include "apps/runs/peridynamics/model.h"
 
 #include <nlohmann/json_fwd.hpp>
 

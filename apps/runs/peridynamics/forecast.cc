@@ -1,8 +1,8 @@
 #include "apps/runs/peridynamics/forecast.h"
 
+#include "apps/forecasts/duration.h"
 #include "apps/runs/peridynamics/motion.h"
 #include "apps/runs/peridynamics/run.h"
-#include "apps/forecasts/duration.h"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace apps
 {
@@ -20,7 +19,7 @@ namespace apps
     }
   } // namespace
 
-    Eigen::Vector3d PeridynamicTraction::at(const pd::BoundaryPoint &point,
+  Eigen::Vector3d PeridynamicTraction::at(const pd::BoundaryPoint &point,
                                           const int                dimension,
                                           const double             when,
                                           const bool               quiet) const
@@ -38,7 +37,7 @@ namespace apps
     return quiet && !varies_in_time(*this) ? Eigen::Vector3d(when * p) : p;
   }
 
-      void PeridynamicLoadsSection::check(const base::EntryPath &root, const int dimension) const
+  void PeridynamicLoadsSection::check(const base::EntryPath &root, const int dimension) const
   {
     for (const PeridynamicTraction &t : tractions)
       {

@@ -2,8 +2,8 @@
 
 #include "apps/models/region.h"
 #include "apps/text/expression.h"
-#include "base/entry_path.h"
 #include "apps/text/vector_formula.h"
+#include "base/entry_path.h"
 #include "dem/peridynamics/loads.h"
 #include "dem/peridynamics/transfer.h"
 

@@ -23,14 +23,14 @@ namespace apps
     }
   } // namespace
 
-    void PeridynamicConstants::check(const base::EntryPath &section, const int dimension, const bool moves) const
+  void PeridynamicConstants::check(const base::EntryPath &section, const int dimension, const bool moves) const
   {
     check_breakage(section, critical_stretch, fracture_energy, dimension);
     if (moves && density == 0)
       section.refuse("Density", "must be > 0 where Analysis/Method is motion.");
   }
 
-      void PeridynamicMaterialsSection::check(const base::EntryPath &root, const pd::Space space, const bool moves) const
+  void PeridynamicMaterialsSection::check(const base::EntryPath &root, const pd::Space space, const bool moves) const
   {
     const int             dimension = pd::dimension_of(space);
     const base::EntryPath section   = root.at("Material");

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "base/entry_path.h"
 #include "apps/models/material_region.h"
+#include "base/entry_path.h"
 #include "dem/peridynamics/grid.h"
 #include "dem/peridynamics/mixture.h"
 

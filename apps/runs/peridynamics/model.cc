@@ -38,7 +38,7 @@ namespace apps
     return place;
   }
 
-          int PeridynamicsModel::dimension() const { return static_cast<int>(numbers_between_commas(size).size()); }
+  int PeridynamicsModel::dimension() const { return static_cast<int>(numbers_between_commas(size).size()); }
 
   pd::Space PeridynamicsModel::space() const
   {

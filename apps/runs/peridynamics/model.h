@@ -1,15 +1,14 @@
 #pragma once
 
-#include "base/entry_path.h"
+#include "apps/models/output.h"
 #include "apps/runs/peridynamics/loads.h"
 #include "apps/runs/peridynamics/materials.h"
-#include "apps/models/output.h"
+#include "base/entry_path.h"
 #include "dem/peridynamics/equilibrium.h"
 #include "dem/peridynamics/relaxation.h"
 
 #include <list>
 #include <string>
-#include <vector>
 
 namespace apps
 {

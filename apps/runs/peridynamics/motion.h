@@ -1,7 +1,7 @@
 #pragma once
 
-#include "apps/runs/peridynamics/analysis.h"
 #include "apps/figures/sampling.h"
+#include "apps/runs/peridynamics/analysis.h"
 #include "dem/peridynamics/motion.h"
 
 namespace apps

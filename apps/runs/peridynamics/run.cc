@@ -12,7 +12,6 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace apps
 {

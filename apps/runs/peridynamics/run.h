@@ -1,9 +1,9 @@
 #pragma once
 
+#include "apps/results/run_request.h"
+#include "apps/results/run_result.h"
 #include "apps/runs/peridynamics/analysis.h"
 #include "apps/runs/peridynamics/results.h"
-#include "apps/results/run_result.h"
-#include "apps/results/run_request.h"
 #include "postprocess/vtk/pvd.h"
 
 #include <filesystem>

@@ -1,9 +1,9 @@
 #include "apps/runs/quasi_static/forecast.h"
 
-#include "apps/runs/quasi_static/lab_test.h"
 #include "apps/forecasts/duration.h"
 #include "apps/forecasts/path_forecast.h"
 #include "apps/models/tension_beyond_apex.h"
+#include "apps/runs/quasi_static/lab_test.h"
 #include "apps/specimens/packing_extents.h"
 
 #include <fmt/format.h>
@@ -12,11 +12,11 @@ namespace apps
 {
   std::string forecast(const QuasiStaticModel &model)
   {
-    const base::Stopwatch   set_up;
-    const dem::Packing      packing        = model.packing();
-    const auto              loaded         = model.load(packing);
-    const double            set_up_seconds = set_up.seconds();
-    std::string             text;
+    const base::Stopwatch set_up;
+    const dem::Packing    packing        = model.packing();
+    const auto            loaded         = model.load(packing);
+    const double          set_up_seconds = set_up.seconds();
+    std::string           text;
     text += fmt::format("  particles    {}\n", loaded.network.particles());
     text += fmt::format("  links        {}\n", loaded.network.links.size());
     text += extent_lines(packing, loaded.network.dimension);

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "apps/runs/quasi_static/model.h"
 #include "apps/figures/lab_report.h"
 #include "apps/results/run_work.h"
 #include "apps/results/warning.h"
+#include "apps/runs/quasi_static/model.h"
 #include "apps/specimens/material_counts.h"
 #include "dem/observation/link_images.h"
 #include "postprocess/vtk/pvd.h"
@@ -64,7 +64,7 @@ namespace apps
     /** Then: leaves TEST_crack.png in a folder. */
     void write(const std::filesystem::path &folder) const { warn_of_missing("crack picture", draw_crack(folder)); }
     /** A network of links without inertia has none. */
-    std::shared_ptr<const dem::Specimen> specimen_at_end() const { return nullptr; }
+    std::shared_ptr<const dem::ObservedSpecimen> specimen_at_end() const { return nullptr; }
 
     std::string size() const; ///< "175 particles, 1203 links"
     double      done() const;

@@ -1,15 +1,13 @@
 #include "apps/runs/quasi_static/report.h"
 
 #include "apps/figures/summary_head.h"
-#include "apps/process/progress.h"
 #include "apps/models/tension_beyond_apex.h"
+#include "apps/process/progress.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <omp.h>
-
-#include <algorithm>
 
 namespace apps
 {

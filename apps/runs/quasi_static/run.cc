@@ -5,5 +5,8 @@
 
 namespace apps
 {
-  RunResult run(const QuasiStaticModel &model, const RunRequest &request) { return LabRun<QuasiStaticLabTest>(request, model).execute(); }
+  RunResult run(const QuasiStaticModel &model, const RunRequest &request)
+  {
+    return LabRun<QuasiStaticLabTest>(request, model).execute();
+  }
 } // namespace apps

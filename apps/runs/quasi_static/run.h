@@ -1,8 +1,8 @@
 #pragma once
 
-#include "apps/runs/quasi_static/model.h"
 #include "apps/results/run_request.h"
 #include "apps/results/run_result.h"
+#include "apps/runs/quasi_static/model.h"
 
 namespace apps
 {

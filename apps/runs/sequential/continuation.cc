@@ -1,9 +1,9 @@
 #include "apps/runs/sequential/continuation.h"
 
+#include "apps/process/mpi_session.h"
 #include "apps/runs/continuum/run.h"
 #include "apps/runs/continuum/snapshot.h"
 #include "apps/runs/continuum/solid.h"
-#include "apps/process/mpi_session.h"
 #include "coupling/sequential/transfer.h"
 #include "postprocess/files/errors.h"
 

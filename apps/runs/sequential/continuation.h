@@ -1,8 +1,8 @@
 #pragma once
 
-#include "apps/runs/continuum/model.h"
-#include "apps/results/run_result.h"
 #include "apps/results/run_request.h"
+#include "apps/results/run_result.h"
+#include "apps/runs/continuum/model.h"
 #include "coupling/sequential/particle_field.h"
 #include "coupling/sequential/transfer_report.h"
 

@@ -1,11 +1,11 @@
 #include "apps/runs/sequential/forecast.h"
 
+#include "apps/forecasts/duration.h"
 #include "apps/runs/continuum/expected_duration.h"
 #include "apps/runs/continuum/run.h"
-#include "apps/runs/sequential/law_identification.h"
 #include "apps/runs/sequential/groundwork.h"
+#include "apps/runs/sequential/law_identification.h"
 #include "apps/runs/sequential/particle_case.h"
-#include "apps/forecasts/duration.h"
 #include "apps/specimens/packing_extents.h"
 
 #include <fmt/format.h>

@@ -9,14 +9,15 @@ namespace apps
     SequentialGroundwork found;
     const SolidOutline   solid = outline_of(model.continuum); // before the packing, which may take long
     found.packing              = event_packing(model.particles);
-    const StudyUnits units     = check_study(model, base::EntryPath().at("Study"), solid, outlines_of(model, found.packing));
-    found.element_size         = solid.mean_element_size(model.continuum.solid.dimension);
-    found.elements             = solid.elements;
-    found.unknowns             = solid.unknowns;
-    found.horizontal_unit      = units.horizontal;
-    found.vertical_unit        = units.vertical;
+    const StudyUnits units =
+      check_study(model, base::EntryPath().at("Study"), solid, outlines_of(model, found.packing));
+    found.element_size    = solid.mean_element_size(model.continuum.solid.dimension);
+    found.elements        = solid.elements;
+    found.unknowns        = solid.unknowns;
+    found.horizontal_unit = units.horizontal;
+    found.vertical_unit   = units.vertical;
 
-    using Source = ParticleEventSection::Source;
+    using Source                           = ParticleEventSection::Source;
     const SequentialModel::Digests digests = model.digests ? model.digests() : SequentialModel::Digests();
     if (model.particles.source == Source::uniaxial)
       found.origin.test = model.particles.compresses() ? "compression" : "tension";

@@ -1,10 +1,10 @@
 #include "apps/runs/sequential/law_identification.h"
 
-#include "apps/runs/sequential/particles.h"
-#include "apps/runs/sequential/model.h"
 #include "apps/figures/link_failure.h"
 #include "apps/figures/summary_head.h"
 #include "apps/results/warning.h"
+#include "apps/runs/sequential/model.h"
+#include "apps/runs/sequential/particles.h"
 #include "coupling/sequential/damage_observation.h"
 #include "postprocess/files/atomic_file.h"
 #include "postprocess/files/summary.h"
@@ -91,7 +91,7 @@ namespace apps
     }
   } // namespace
 
-    bool IdentificationSection::compresses(const ParticleEventSection &particles) const
+  bool IdentificationSection::compresses(const ParticleEventSection &particles) const
   {
     return direction == Direction::own ? particles.compresses() : direction == Direction::compression;
   }

@@ -2,8 +2,6 @@
 
 #include "apps/runs/sequential/transfer_section.h"
 
-#include <fmt/format.h>
-
 #include <regex>
 
 namespace apps

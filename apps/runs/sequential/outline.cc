@@ -1,8 +1,8 @@
 #include "apps/runs/sequential/outline.h"
 
+#include "apps/process/mpi_session.h"
 #include "apps/runs/continuum/gauges.h"
 #include "apps/runs/continuum/run.h"
-#include "apps/process/mpi_session.h"
 #include "apps/text/nearest_name.h"
 #include "fem/mesh/extent.h"
 #include "postprocess/hdf5/discrete_state_hdf5.h"
@@ -124,7 +124,8 @@ namespace apps
     }
 
     /** Unit of a column of the continuation. */
-    std::string unit_of(const base::EntryPath &study, const char *entry, const std::string &name, const SolidOutline &solid)
+    std::string
+    unit_of(const base::EntryPath &study, const char *entry, const std::string &name, const SolidOutline &solid)
     {
       std::vector<std::string> names;
       for (const auto &column : solid.columns)
@@ -141,7 +142,8 @@ namespace apps
     }
 
     /** A displacement of a point over a length is a strain if it is that of the way from an end of the mesh to the point, or of all. */
-    void refuse_length(const SequentialModel &model, const base::EntryPath &study, const SolidOutline &solid, const int axis)
+    void
+    refuse_length(const SequentialModel &model, const base::EntryPath &study, const SolidOutline &solid, const int axis)
     {
       const double        tolerance = model.transfer.extents, length = model.study.length;
       std::vector<double> lengths = {solid.high[axis] - solid.low[axis]};
@@ -157,7 +159,8 @@ namespace apps
                                            lengths.front(), "xyz"[axis]));
     }
 
-    void refuse_area(const SequentialModel &model, const base::EntryPath &study, const SolidOutline &solid, const int axis)
+    void
+    refuse_area(const SequentialModel &model, const base::EntryPath &study, const SolidOutline &solid, const int axis)
     {
       if (!near(model.study.area, solid.section(axis), model.transfer.extents))
         study.refuse("Area",

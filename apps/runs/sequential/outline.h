@@ -1,7 +1,7 @@
 #pragma once
 
-#include "base/entry_path.h"
 #include "apps/runs/sequential/study.h"
+#include "base/entry_path.h"
 #include "dem/model/packing.h"
 #include "postprocess/files/series.h"
 

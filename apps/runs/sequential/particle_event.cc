@@ -1,7 +1,7 @@
 #include "apps/runs/sequential/particle_event.h"
 
-#include "apps/text/value_text.h"
 #include "apps/specimens/specimen_packing.h"
+#include "apps/text/value_text.h"
 
 #include <cmath>
 #include <limits>
@@ -38,7 +38,7 @@ namespace apps
     return p;
   }
 
-        void ParticleEventSection::check(const base::EntryPath &root) const
+  void ParticleEventSection::check(const base::EntryPath &root) const
   {
     const base::EntryPath s = root.at("Particles");
     if (source == Source::file)

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "base/entry_path.h"
 #include "apps/models/gravity.h"
 #include "apps/models/grips.h"
 #include "apps/models/material.h"
 #include "apps/models/specimen.h"
 #include "apps/models/time.h"
+#include "base/entry_path.h"
 #include "dem/loading/impact.h"
 #include "dem/loading/uniaxial.h"
 

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "apps/results/run_request.h"
-#include "apps/runs/sequential/particles.h"
-#include "apps/runs/sequential/groundwork.h"
-#include "apps/runs/sequential/study_folder.h"
 #include "apps/results/run_result.h"
+#include "apps/runs/sequential/groundwork.h"
+#include "apps/runs/sequential/particles.h"
+#include "apps/runs/sequential/study_folder.h"
 #include "postprocess/files/scratch_folder.h"
 
 #include <memory>

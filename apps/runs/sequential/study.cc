@@ -1,7 +1,7 @@
 #include "apps/runs/sequential/study.h"
 
-#include "apps/runs/continuum/summary.h"
 #include "apps/figures/summary_head.h"
+#include "apps/runs/continuum/summary.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "apps/runs/sequential/particle_case.h"
-#include "apps/runs/sequential/model.h"
 #include "apps/results/run_result.h"
+#include "apps/runs/sequential/model.h"
+#include "apps/runs/sequential/particle_case.h"
 
 #include <filesystem>
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "apps/results/result_folder.h"
-#include "apps/results/run_result.h"
 #include "apps/results/run_request.h"
+#include "apps/results/run_result.h"
 
 namespace apps
 {

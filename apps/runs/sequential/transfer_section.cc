@@ -22,7 +22,7 @@ namespace apps
     }
   } // namespace
 
-          void TransferSection::check(const base::EntryPath &root) const
+  void TransferSection::check(const base::EntryPath &root) const
   {
     const base::EntryPath l     = root.at("Transfer").at("Mapping law");
     const auto            names = law_names();

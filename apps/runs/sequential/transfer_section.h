@@ -4,9 +4,9 @@
 #include "coupling/sequential/particle_field.h"
 #include "coupling/sequential/transfer_report.h"
 
-#include <string>
 #include <array>
 #include <cstdint>
+#include <string>
 
 namespace apps
 {

@@ -1,11 +1,11 @@
 #include "apps/runs/structure/forecast.h"
 
-#include "apps/runs/structure/promotion.h"
-#include "apps/runs/structure/run.h"
 #include "apps/forecasts/duration.h"
 #include "apps/forecasts/path_forecast.h"
-#include "apps/process/mpi_session.h"
 #include "apps/models/tension_beyond_apex.h"
+#include "apps/process/mpi_session.h"
+#include "apps/runs/structure/promotion.h"
+#include "apps/runs/structure/run.h"
 #include "apps/specimens/packing_extents.h"
 
 #include <fmt/format.h>

@@ -4,7 +4,7 @@
 
 namespace apps
 {
-    void DisplacementGaugesSection::check(const base::EntryPath &root, const int dimension, const GroupNames &names) const
+  void DisplacementGaugesSection::check(const base::EntryPath &root, const int dimension, const GroupNames &names) const
   {
     for (const DisplacementGauge &gauge : gauges)
       {

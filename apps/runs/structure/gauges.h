@@ -1,7 +1,7 @@
 #pragma once
 
-#include "base/entry_path.h"
 #include "apps/runs/particles/groups.h"
+#include "base/entry_path.h"
 #include "postprocess/files/series.h"
 
 #include <Eigen/Core>

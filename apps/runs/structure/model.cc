@@ -3,11 +3,10 @@
 #include "apps/specimens/specimen_packing.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace apps
 {
-    void PathSection::check(const base::EntryPath &root) const
+  void PathSection::check(const base::EntryPath &root) const
   {
     if (step > end)
       root.at("Path").refuse("Step", "must not be above End.");
@@ -25,7 +24,7 @@ namespace apps
     return p;
   }
 
-      void StructureModel::check(const base::EntryPath &root) const
+  void StructureModel::check(const base::EntryPath &root) const
   {
     source.check(root, dimension);
     material.check(root, dimension);

@@ -1,21 +1,19 @@
 #pragma once
 
-#include "base/entry_path.h"
+#include "apps/models/material.h"
+#include "apps/models/region.h"
+#include "apps/models/specimen.h"
 #include "apps/runs/continuum/model.h"
 #include "apps/runs/coupled/handshakes.h"
 #include "apps/runs/coupled/particle_medium.h"
 #include "apps/runs/structure/gauges.h"
 #include "apps/runs/structure/supports.h"
-#include "apps/models/material.h"
-#include "apps/models/region.h"
-#include "apps/models/specimen.h"
+#include "base/entry_path.h"
 #include "dem/model/particles.h"
 #include "dem/statics/quasi_static_path.h"
 
 #include <list>
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace apps
 {

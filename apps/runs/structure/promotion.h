@@ -1,8 +1,8 @@
 #pragma once
 
+#include "apps/results/run_state.h"
 #include "apps/runs/coupled/element_region.h"
 #include "apps/runs/structure/structure.h"
-#include "apps/results/run_state.h"
 #include "dem/statics/damaging_links.h"
 
 #include <memory>

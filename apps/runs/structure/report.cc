@@ -1,12 +1,12 @@
 #include "apps/runs/structure/report.h"
 
-#include "apps/runs/structure/promotion_steps.h"
 #include "apps/figures/drawn_curve.h"
 #include "apps/figures/series_figures.h"
 #include "apps/figures/summary_head.h"
+#include "apps/models/tension_beyond_apex.h"
 #include "apps/process/progress.h"
 #include "apps/results/warning.h"
-#include "apps/models/tension_beyond_apex.h"
+#include "apps/runs/structure/promotion_steps.h"
 #include "dem/observation/crack.h"
 #include "postprocess/pictures/plot.h"
 

@@ -1,12 +1,11 @@
 #pragma once
 
-#include "apps/runs/structure/structure.h"
 #include "apps/results/run_request.h"
+#include "apps/runs/structure/structure.h"
 #include "postprocess/files/csv_table.h"
 
 #include <nlohmann/json_fwd.hpp>
 
-#include <filesystem>
 #include <string>
 
 namespace apps

@@ -1,12 +1,12 @@
 #include "apps/runs/structure/run.h"
 
-#include "apps/process/mpi_session.h"
-#include "apps/runs/structure/report.h"
 #include "apps/figures/drawn_curve.h"
+#include "apps/process/mpi_session.h"
 #include "apps/process/progress.h"
 #include "apps/results/life_cycle.h"
 #include "apps/results/snapshots.h"
 #include "apps/results/warning.h"
+#include "apps/runs/structure/report.h"
 #include "apps/specimens/specimen_packing.h"
 #include "apps/specimens/specimen_picture.h"
 #include "postprocess/pictures/specimen_picture.h"
@@ -16,7 +16,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace apps
 {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "apps/runs/structure/promotion.h"
-#include "apps/results/run_result.h"
 #include "apps/results/run_request.h"
+#include "apps/results/run_result.h"
+#include "apps/runs/structure/promotion.h"
 #include "postprocess/vtk/pvd.h"
 
 #include <filesystem>

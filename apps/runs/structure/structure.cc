@@ -1,7 +1,7 @@
 #include "apps/runs/structure/structure.h"
 
-#include "apps/runs/quasi_static/lab_test.h"
 #include "apps/figures/drawn_curve.h"
+#include "apps/runs/quasi_static/lab_test.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "apps/results/run_work.h"
 #include "apps/runs/coupled/particle_medium.h"
 #include "apps/runs/structure/solid.h"
-#include "apps/results/run_work.h"
 #include "apps/specimens/material_counts.h"
 #include "dem/observation/path_output.h"
 

@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <map>
 
 namespace apps
 {
-    void ParticleSupportsSection::check(const base::EntryPath &root, const int dimension, const GroupNames &names) const
+  void ParticleSupportsSection::check(const base::EntryPath &root, const int dimension, const GroupNames &names) const
   {
     const base::EntryPath all = root.at("Supports");
     for (const ParticleSupport &support : supports)

@@ -21,8 +21,8 @@ namespace apps
     const double          seconds = watch.seconds();
     double                sum     = 0;
     for (const double length : all)
-      sum +=
-        coupling::wave_cost(model.wave(model.chosen().front(), length)) / coupling::wave_cost(model.wave(model.chosen().front(), shortest));
+      sum += coupling::wave_cost(model.wave(model.chosen().front(), length)) /
+             coupling::wave_cost(model.wave(model.chosen().front(), shortest));
     return fmt::format("  packets      {}, of {} steps of {} particles at least\n", all.size() * model.chosen().size(),
                        answer.steps, answer.particles) +
            duration_line(seconds * sum * static_cast<double>(model.chosen().size()));

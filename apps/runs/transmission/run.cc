@@ -33,7 +33,8 @@ namespace apps
 
     return run.complete(std::move(json), [&](const std::filesystem::path &folder) {
       postprocess::write_text(folder / "reflection.csv", csv_of_waves(points));
-      warn_of_missing("reflection.png", postprocess::plot(folder / "reflection.png", wave_panels(points, model.common)));
+      warn_of_missing("reflection.png",
+                      postprocess::plot(folder / "reflection.png", wave_panels(points, model.common)));
     });
   }
 } // namespace apps

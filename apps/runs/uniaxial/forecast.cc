@@ -1,11 +1,11 @@
 #include "apps/runs/uniaxial/forecast.h"
 
-#include "apps/runs/uniaxial/lab_test.h"
 #include "apps/figures/link_failure.h"
 #include "apps/forecasts/duration.h"
 #include "apps/forecasts/run_forecast.h"
-#include "apps/process/progress.h"
 #include "apps/models/tension_beyond_apex.h"
+#include "apps/process/progress.h"
+#include "apps/runs/uniaxial/lab_test.h"
 #include "apps/specimens/material_counts.h"
 #include "apps/specimens/packing_extents.h"
 #include "apps/specimens/specimen_snapshots.h"
@@ -25,9 +25,8 @@ namespace apps
       const dem::UniaxialParameters test = asked.loading.parameters(load);
       if (!asked.physics.damage)
         return test.stop_strain;
-      return std::min(
-        test.stop_strain,
-        strain_of_failure(*asked.material.materials().bonds_in_space(asked.physics), packing, test));
+      return std::min(test.stop_strain,
+                      strain_of_failure(*asked.material.materials().bonds_in_space(asked.physics), packing, test));
     }
 
     /** Rows and snapshots of a test that goes to its stop strain. */

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "apps/figures/sampling.h"
+#include "apps/results/run_work.h"
 #include "apps/runs/uniaxial/model.h"
 #include "apps/runs/uniaxial/result.h"
 #include "apps/runs/uniaxial/sideways.h"
-#include "apps/figures/sampling.h"
-#include "apps/results/run_work.h"
 #include "apps/specimens/material_counts.h"
 #include "apps/specimens/specimen_snapshots.h"
 
@@ -55,7 +55,7 @@ namespace apps
     /** Then: leaves in a folder TEST_state.h5, from which `breccia transfer` can go on, and TEST_crack.png. */
     void write(const std::filesystem::path &folder) const;
     /** Of a complete test; it has none itself from then on. */
-    std::shared_ptr<const dem::Specimen> specimen_at_end();
+    std::shared_ptr<const dem::ObservedSpecimen> specimen_at_end();
 
     const dem::ObservedSpecimen &body() const { return specimen; }
     std::string                  size() const;    ///< "175 particles, 1203 links"

@@ -2,8 +2,8 @@
 
 #include "apps/figures/energy_terms.h"
 #include "apps/figures/summary_head.h"
-#include "apps/process/progress.h"
 #include "apps/models/tension_beyond_apex.h"
+#include "apps/process/progress.h"
 #include "apps/specimens/left_out_of_balance.h"
 
 #include <fmt/format.h>
@@ -75,8 +75,7 @@ namespace apps
 
   std::string UniaxialReport::not_in_balance() const
   {
-    return left_out_of_balance(*model.material.materials().bonds(model.physics),
-                               test.body().particles().radius);
+    return left_out_of_balance(*model.material.materials().bonds(model.physics), test.body().particles().radius);
   }
 
   std::string UniaxialReport::draw_curve(const std::filesystem::path &file) const

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "apps/runs/uniaxial/lab_test.h"
 #include "apps/results/run_request.h"
+#include "apps/runs/uniaxial/lab_test.h"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -5,5 +5,8 @@
 
 namespace apps
 {
-  RunResult run(const UniaxialModel &model, const RunRequest &request) { return LabRun<UniaxialLabTest>(request, model).execute(); }
+  RunResult run(const UniaxialModel &model, const RunRequest &request)
+  {
+    return LabRun<UniaxialLabTest>(request, model).execute();
+  }
 } // namespace apps

@@ -10,8 +10,8 @@ namespace apps
     contact.name = s.name();
     s.text("Bodies", contact.bodies, Need::optional)
       .means("Materials of the bodies, separated by commas; empty: all. A body is what hangs together in the mesh");
-    s.choice("Form", contact.law.form, {{"potential", BodyContactForm::potential}, {"penalty", BodyContactForm::penalty}},
-             Need::optional)
+    s.choice("Form", contact.law.form,
+             {{"potential", BodyContactForm::potential}, {"penalty", BodyContactForm::penalty}}, Need::optional)
       .means(
         "potential: the force is the slope of an energy of the overlap, and gives back what it took; penalty: it is "
         "in proportion to the volume of the overlap, which is cheaper and keeps energy to some per cent");

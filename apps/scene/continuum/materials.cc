@@ -5,8 +5,6 @@
 #include "apps/scene/continuum/cells.h"
 #include "apps/scene/section.h"
 
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 namespace apps
@@ -29,10 +27,13 @@ namespace apps
     }
   } // namespace
 
-  void declare(Section &section, MaterialOfGroup &material_of_group, const std::function<bool()> &is_explicit, const bool holds_particles)
+  void declare(Section                     &section,
+               MaterialOfGroup             &material_of_group,
+               const std::function<bool()> &is_explicit,
+               const bool                   holds_particles)
   {
     using Block = MaterialOfGroup::Block;
-    auto kinds = fem::material_kinds();
+    auto kinds  = fem::material_kinds();
     kinds.push_back(cells_kind());
     std::vector<std::string> names;
     for (const auto &kind : kinds)
@@ -40,7 +41,8 @@ namespace apps
     material_of_group.law = kinds.front().get();
     section
       .choice_of(
-        "Law", names, 0, [&material_of_group, kinds](const std::size_t i) { material_of_group.law = kinds.at(i).get(); }, Need::required)
+        "Law", names, 0,
+        [&material_of_group, kinds](const std::size_t i) { material_of_group.law = kinds.at(i).get(); }, Need::required)
       .means("Law of the group; the section of its name holds its constants");
     section.number("Density", material_of_group.density, "kg/m^3", Range::positive(), Need::required)
       .means("Mass per volume")
@@ -50,7 +52,8 @@ namespace apps
     for (const auto &kind : kinds)
       {
         Section &entries = section.section(kind->name(), kind->meaning());
-        entries.only_if([&material_of_group, kind] { return material_of_group.law == kind.get(); }, "Law = " + kind->name());
+        entries.only_if([&material_of_group, kind] { return material_of_group.law == kind.get(); },
+                        "Law = " + kind->name());
         Block &block    = material_of_group.blocks[kind->name()];
         block.constants = kind->constants();
         if (kind->takes_stiffness())
@@ -71,7 +74,8 @@ namespace apps
       }
   }
 
-  void declare(Section &root, MaterialsSection &materials, std::function<bool()> is_explicit, const bool holds_particles)
+  void
+  declare(Section &root, MaterialsSection &materials, std::function<bool()> is_explicit, const bool holds_particles)
   {
     Section &s = root.section("Materials", "One sub-section per named group of elements: its law");
     s.named_sections("GROUP", [&materials, is_explicit = std::move(is_explicit), holds_particles](Section &opened) {

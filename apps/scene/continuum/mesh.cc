@@ -1,15 +1,9 @@
 #include "apps/scene/continuum/mesh.h"
 
-#include "apps/scene/length_unit_entry.h"
 #include "apps/scene/entries/specimen.h"
+#include "apps/scene/length_unit_entry.h"
 #include "apps/scene/section.h"
 #include "base/errors.h"
-#include "fem/mesh/extent.h"
-#include "fem/mesh/gmsh.h"
-#include "fem/mesh/shapes.h"
-
-#include <filesystem>
-#include <fmt/format.h>
 
 namespace apps
 {
@@ -30,67 +24,71 @@ namespace apps
 
   namespace
   {
-  void declare_bodies(Section &mesh, MeshSection &model, const int &dimension)
-  {
-    using Source = MeshSection::Source;
-    const auto  bodies = [&model] { return model.source == Source::bodies; };
-    const char *when   = "Mesh/Source = bodies";
-    Section &some = mesh.section("Boxes", "One sub-section per box: bodies that share no node, even where they touch. "
-                                          "Boundaries are those of a box with the body's name before: NAME left, "
-                                          "NAME front, or NAME x min, NAME z max");
-    some.only_if(bodies, when);
-    some.named_sections("BODY",
-                        [&model, &dimension](Section &opened) { declare(opened, model.boxes.emplace_back(), dimension); });
-    Section &others = mesh.section("Balls", "One sub-section per ball; its boundary has its name");
-    others.only_if(bodies, when);
-    others.named_sections("BODY", [&model](Section &opened) { declare(opened, model.balls.emplace_back()); });
-  }
+    void declare_bodies(Section &mesh, MeshSection &model, const int &dimension)
+    {
+      using Source       = MeshSection::Source;
+      const auto  bodies = [&model] { return model.source == Source::bodies; };
+      const char *when   = "Mesh/Source = bodies";
+      Section    &some =
+        mesh.section("Boxes", "One sub-section per box: bodies that share no node, even where they touch. "
+                              "Boundaries are those of a box with the body's name before: NAME left, "
+                              "NAME front, or NAME x min, NAME z max");
+      some.only_if(bodies, when);
+      some.named_sections(
+        "BODY", [&model, &dimension](Section &opened) { declare(opened, model.boxes.emplace_back(), dimension); });
+      Section &others = mesh.section("Balls", "One sub-section per ball; its boundary has its name");
+      others.only_if(bodies, when);
+      others.named_sections("BODY", [&model](Section &opened) { declare(opened, model.balls.emplace_back()); });
+    }
 
-  void declare_beam(Section &mesh, MeshSection &model, const int &dimension)
-  {
-    using Source = MeshSection::Source;
-    Section &s = mesh.section("Notched beam", "Along x from the origin, notched from below at mid-span; boundaries "
-                                              "left, right, bottom, top, back, front, notch");
-    s.only_if([&model] { return model.source == Source::notched_beam; }, "Mesh/Source = notched beam");
-    const auto solid  = [&dimension] { return dimension == 3; };
-    const auto length = [&](const char *name, double &member, const char *meaning) -> Entry & {
-      return s.number(name, member, "m", Range::positive(), Need::required).means(meaning);
-    };
-    length("Length", model.beam.length, "Along x");
-    length("Height", model.beam.height, "Along y");
-    length("Width", model.beam.width, "Along z").only_if(solid, "Model/Dimension = 3");
-    length("Span", model.beam.span, "Between the supports, at whose places there are nodes");
-    length("Notch depth", model.beam.notch_depth, "From below");
-    length("Notch width", model.beam.notch_width, "There are nodes at both edges of its mouth");
-    length("Band", model.beam.band, "Width of the band of fine elements around the notch");
-    length("Fine size", model.beam.fine_size, "Largest edge of the elements in the band, and of all upwards");
-    length("Coarse size", model.beam.coarse_size, "Largest edge along x beside the band");
-    s.integer("Width divisions", model.beam_width_divisions, "", Range::between(1, 1e4), Need::optional)
-      .means("Elements across")
-      .only_if(solid, "Model/Dimension = 3");
-  }
+    void declare_beam(Section &mesh, MeshSection &model, const int &dimension)
+    {
+      using Source = MeshSection::Source;
+      Section &s   = mesh.section("Notched beam", "Along x from the origin, notched from below at mid-span; boundaries "
+                                                    "left, right, bottom, top, back, front, notch");
+      s.only_if([&model] { return model.source == Source::notched_beam; }, "Mesh/Source = notched beam");
+      const auto solid  = [&dimension] { return dimension == 3; };
+      const auto length = [&](const char *name, double &member, const char *meaning) -> Entry & {
+        return s.number(name, member, "m", Range::positive(), Need::required).means(meaning);
+      };
+      length("Length", model.beam.length, "Along x");
+      length("Height", model.beam.height, "Along y");
+      length("Width", model.beam.width, "Along z").only_if(solid, "Model/Dimension = 3");
+      length("Span", model.beam.span, "Between the supports, at whose places there are nodes");
+      length("Notch depth", model.beam.notch_depth, "From below");
+      length("Notch width", model.beam.notch_width, "There are nodes at both edges of its mouth");
+      length("Band", model.beam.band, "Width of the band of fine elements around the notch");
+      length("Fine size", model.beam.fine_size, "Largest edge of the elements in the band, and of all upwards");
+      length("Coarse size", model.beam.coarse_size, "Largest edge along x beside the band");
+      s.integer("Width divisions", model.beam_width_divisions, "", Range::between(1, 1e4), Need::optional)
+        .means("Elements across")
+        .only_if(solid, "Model/Dimension = 3");
+    }
 
-  void declare_plate(Section &mesh, MeshSection &model, const int &dimension)
-  {
-    using Source = MeshSection::Source;
-    Section &s = mesh.section("Plate with hole", "A quarter, around the origin; boundaries hole, left (x = 0), bottom "
-                                                 "(y = 0), right, top, back, front");
-    s.only_if([&model] { return model.source == Source::plate_with_hole; }, "Mesh/Source = plate with hole");
-    const auto solid = [&dimension] { return dimension == 3; };
-    s.number("Radius", model.plate.radius, "m", Range::positive(), Need::required).means("Of the hole");
-    s.number("Half width", model.plate.half_width, "m", Range::positive(), Need::required).means("Of the whole plate");
-    s.number("Half height", model.plate.half_height, "m", Range::positive(), Need::required).means("Of the whole plate");
-    s.number("Depth", model.plate.depth, "m", Range::positive(), Need::required)
-      .means("Along z")
-      .only_if(solid, "Model/Dimension = 3");
-    s.integer("Radial divisions", model.radial_divisions, "", Range::between(1, 1e4), Need::optional)
-      .means("Elements from the hole to the edge");
-    s.integer("Angular divisions", model.angular_divisions, "", Range::between(2, 1e4), Need::optional)
-      .means("Elements around the hole, an even number");
-    s.integer("Depth divisions", model.depth_divisions, "", Range::between(1, 1e4), Need::optional)
-      .means("Elements along z")
-      .only_if(solid, "Model/Dimension = 3");
-  }
+    void declare_plate(Section &mesh, MeshSection &model, const int &dimension)
+    {
+      using Source = MeshSection::Source;
+      Section &s =
+        mesh.section("Plate with hole", "A quarter, around the origin; boundaries hole, left (x = 0), bottom "
+                                        "(y = 0), right, top, back, front");
+      s.only_if([&model] { return model.source == Source::plate_with_hole; }, "Mesh/Source = plate with hole");
+      const auto solid = [&dimension] { return dimension == 3; };
+      s.number("Radius", model.plate.radius, "m", Range::positive(), Need::required).means("Of the hole");
+      s.number("Half width", model.plate.half_width, "m", Range::positive(), Need::required)
+        .means("Of the whole plate");
+      s.number("Half height", model.plate.half_height, "m", Range::positive(), Need::required)
+        .means("Of the whole plate");
+      s.number("Depth", model.plate.depth, "m", Range::positive(), Need::required)
+        .means("Along z")
+        .only_if(solid, "Model/Dimension = 3");
+      s.integer("Radial divisions", model.radial_divisions, "", Range::between(1, 1e4), Need::optional)
+        .means("Elements from the hole to the edge");
+      s.integer("Angular divisions", model.angular_divisions, "", Range::between(2, 1e4), Need::optional)
+        .means("Elements around the hole, an even number");
+      s.integer("Depth divisions", model.depth_divisions, "", Range::between(1, 1e4), Need::optional)
+        .means("Elements along z")
+        .only_if(solid, "Model/Dimension = 3");
+    }
   } // namespace
 
   void declare(Section &s, BoxSection &box, const int &dimension)
@@ -120,7 +118,7 @@ namespace apps
 
   void declare(Section &root, MeshSection &mesh, const int &dimension)
   {
-    using Source = MeshSection::Source;
+    using Source     = MeshSection::Source;
     const auto from  = [&mesh](const Source wanted) { return [&mesh, wanted] { return mesh.source == wanted; }; };
     const auto built = [&mesh] { return mesh.source != Source::file; };
     Section   &s     = root.section("Mesh", "The elements: where they come from");

@@ -1,28 +1,24 @@
 #include "apps/scene/continuum/model.h"
 
-#include "apps/runs/continuum/cells.h"
 #include "apps/runs/continuum/upright.h"
 #include "apps/scene/continuum/contact_section.h"
 #include "apps/scene/continuum/loads.h"
 #include "apps/scene/continuum/materials.h"
 #include "apps/scene/continuum/mesh.h"
 #include "apps/scene/entries/contact_figures.h"
-#include "apps/text/nearest_name.h"
 #include "apps/scene/entries/gravity.h"
 #include "apps/scene/section.h"
-
-#include <algorithm>
-#include <cmath>
 
 namespace apps
 {
   void declare(Section &root, SolidSection &solid)
   {
-    using Analysis = SolidSection::Analysis;
+    using Analysis   = SolidSection::Analysis;
     Section   &s     = root.section("Model", "What kind of solid is computed, and how");
     const auto plane = [&solid] { return solid.dimension == 2; };
     s.choice("Dimension", solid.dimension, {{"2", 2}, {"3", 3}}, Need::required).means("Of the model");
-    s.choice("Analysis", solid.analysis, {{"static", Analysis::statics}, {"explicit", Analysis::dynamics}}, Need::optional)
+    s.choice("Analysis", solid.analysis, {{"static", Analysis::statics}, {"explicit", Analysis::dynamics}},
+             Need::optional)
       .means("static: equilibrium step by step; explicit: motion by central differences");
     s.choice("Plane", solid.plane_stress, {{"strain", false}, {"stress", true}}, Need::optional)
       .means("Which state a plane model stands for")
@@ -42,8 +38,8 @@ namespace apps
 
   void declare(Section &root, ControlSection &control, std::function<bool()> is_static)
   {
-    using LinearSolver = ControlSection::LinearSolver;
-    using Follow = ControlSection::Follow;
+    using LinearSolver   = ControlSection::LinearSolver;
+    using Follow         = ControlSection::Follow;
     const auto  indirect = [&control] { return control.follow == Follow::indirect; };
     const char *when     = "Control/Follow = indirect";
     Section    &s        = root.section("Control", "How a static analysis goes on");
@@ -59,7 +55,8 @@ namespace apps
     s.number("First step", control.first_step, "s or m", Range::at_least(0), Need::optional)
       .means("0: all of End where the solid is linear and its loads and displacements grow in proportion to time (or "
              "steadily from what they are at its start), End / 20 elsewhere");
-    s.number("Largest step", control.largest_step, "s or m", Range::at_least(0), Need::optional).means("0: the first step");
+    s.number("Largest step", control.largest_step, "s or m", Range::at_least(0), Need::optional)
+      .means("0: the first step");
     s.number("Smallest step", control.smallest_step, "s or m", Range::at_least(0), Need::optional)
       .means("Where cutting ends; 0: 1e-6 of the first step");
     s.number("Growth", control.growth, "-", Range::at_least(1), Need::optional).means("Of the step after an easy one");
@@ -68,14 +65,17 @@ namespace apps
     s.integer("Steps at most", control.most_steps, "", Range::between(1, 1e9), Need::optional).means("Accepted ones");
     s.number("Stop fraction", control.stop_fraction, "-", Range::from_up_to(0, 1), Need::optional)
       .means("The analysis ends when the vertical column of the curve has fallen to this part of its peak; 0: never");
-    s.text("Opening from", control.opening_from, Need::required).means("Name in section Points").only_if(indirect, when);
+    s.text("Opening from", control.opening_from, Need::required)
+      .means("Name in section Points")
+      .only_if(indirect, when);
     s.text("Opening to", control.opening_to, Need::required).means("Name in section Points").only_if(indirect, when);
     s.vector("Direction", control.direction, "-", {}, Need::optional)
       .means("In which the opening is measured; 0, 0, 0: from the first point to the second")
       .only_if(indirect, when);
     s.number("Tolerance", control.tolerance, "-", Range::between(1e-14, 1e-2), Need::optional)
       .means("Unbalanced force over the largest of load, internal force and reaction");
-    s.integer("Iterations", control.iterations, "", Range::between(1, 1000), Need::optional).means("Of Newton, per step");
+    s.integer("Iterations", control.iterations, "", Range::between(1, 1000), Need::optional)
+      .means("Of Newton, per step");
     s.flag("Line search", control.line_search).means("Shorter Newton corrections where the full one makes it worse");
     s.flag("Relax", control.relax)
       .means("Where no equilibrium lies near, let the solid go like an overdamped body until it finds one; "
@@ -106,7 +106,8 @@ namespace apps
              "counts, "
              "and its stiffness for the time step: take a soft one");
     for (int i = 0; i < 3; ++i)
-      s.expression(std::string("Initial velocity ") + "xyz"[i], motion.initial_velocity[static_cast<std::size_t>(i)], "m/s")
+      s.expression(std::string("Initial velocity ") + "xyz"[i], motion.initial_velocity[static_cast<std::size_t>(i)],
+                   "m/s")
         .means("At the start; empty: at rest");
   }
 

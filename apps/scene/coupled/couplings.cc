@@ -3,12 +3,8 @@
 #include "apps/scene/continuum/model.h"
 #include "apps/scene/coupled/bond.h"
 #include "apps/scene/entries/contact_law.h"
-#include "apps/text/name_list.h"
 #include "apps/scene/particles/groups.h"
 #include "apps/scene/section.h"
-
-#include <algorithm>
-#include <set>
 
 namespace apps
 {
@@ -52,6 +48,7 @@ namespace apps
     root
       .section("Couplings", "One sub-section per surface of the solid that particles touch; its name is part of the "
                             "columns of series.csv")
-      .named_sections("COUPLING", [&couplings](Section &opened) { declare(opened, couplings.couplings.emplace_back()); });
+      .named_sections("COUPLING",
+                      [&couplings](Section &opened) { declare(opened, couplings.couplings.emplace_back()); });
   }
 } // namespace apps

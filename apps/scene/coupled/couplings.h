@@ -6,6 +6,6 @@ namespace apps
 {
   class Section;
 
-  void                     declare(Section &section, CouplingSection &coupling);
+  void declare(Section &section, CouplingSection &coupling);
   void declare(Section &root, CouplingsSection &couplings);
 } // namespace apps

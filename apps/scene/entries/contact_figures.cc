@@ -2,7 +2,6 @@
 
 #include "apps/scene/section.h"
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace apps

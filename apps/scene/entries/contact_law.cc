@@ -34,7 +34,9 @@ namespace apps
       names.push_back(kind->name());
     Entry &law = section.choice_of(
       "Law", names, 0,
-      [&contact_law, others](const std::size_t chosen) { contact_law.other = chosen == 0 ? nullptr : others.at(chosen - 1).get(); },
+      [&contact_law, others](const std::size_t chosen) {
+        contact_law.other = chosen == 0 ? nullptr : others.at(chosen - 1).get();
+      },
       Need::optional);
     law.means("Law of contacts with particles. Constants of linear contacts stand here, those of another law in the "
               "section of its name");
@@ -48,10 +50,13 @@ namespace apps
     section.number("Stiffness ratio", contact_law.linear.stiffness_ratio, "-", Range::positive(), Need::optional)
       .means("Normal over shear stiffness")
       .only_if(is_linear, linear_in_words);
-    section.number("Friction coefficient", contact_law.linear.friction_coefficient, "-", Range::at_least(0), Need::optional)
+    section
+      .number("Friction coefficient", contact_law.linear.friction_coefficient, "-", Range::at_least(0), Need::optional)
       .means("Shear force that sliding keeps over the normal one")
       .only_if(is_linear, linear_in_words);
-    section.number("Restitution", contact_law.linear.restitution, "-", Range{dem::smallest_restitution, 1.0, false}, Need::optional)
+    section
+      .number("Restitution", contact_law.linear.restitution, "-", Range{dem::smallest_restitution, 1.0, false},
+              Need::optional)
       .means(dem::restitution_meaning)
       .only_if(is_linear, linear_in_words);
     for (const auto &kind : others)

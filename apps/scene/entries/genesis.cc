@@ -2,15 +2,9 @@
 
 #include "apps/scene/number_list.h"
 #include "apps/scene/section.h"
-#include "apps/text/size_table.h"
-#include "apps/text/value_text.h"
 #include "base/errors.h"
 #include "dem/model/packing.h"
 
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
-#include <fmt/format.h>
 #include <limits>
 
 namespace apps
@@ -103,21 +97,26 @@ namespace apps
       .means("Bounds of the classes of diameters that are modelled, ascending, between commas [m]; the last is the "
              "largest of the grading")
       .only_if(there, "Specimen/Genesis/Aggregates/Content > 0");
-    section.integer("Fewest corners", aggregates.fewest_corners, "", Range::between(3, 20), Need::optional).means("Of a polygon");
-    section.integer("Most corners", aggregates.most_corners, "", Range::between(3, 20), Need::optional).means("Of a polygon");
-    section.number("Clearance", aggregates.clearance, "m", Range::at_least(0), Need::optional).means("Between two, at least");
+    section.integer("Fewest corners", aggregates.fewest_corners, "", Range::between(3, 20), Need::optional)
+      .means("Of a polygon");
+    section.integer("Most corners", aggregates.most_corners, "", Range::between(3, 20), Need::optional)
+      .means("Of a polygon");
+    section.number("Clearance", aggregates.clearance, "m", Range::at_least(0), Need::optional)
+      .means("Between two, at least");
     section.flag("Middle sizes", aggregates.middle_sizes)
       .means("All of a class have its middle diameter; off: diameters are evenly spread over it");
-    section.text("Mortar material", aggregates.mortar, Need::optional).means("Section in Materials, of particles between them");
-    section.text("Aggregate material", aggregates.aggregate, Need::optional).means("Section in Materials, of their pebbles");
+    section.text("Mortar material", aggregates.mortar, Need::optional)
+      .means("Section in Materials, of particles between them");
+    section.text("Aggregate material", aggregates.aggregate, Need::optional)
+      .means("Section in Materials, of their pebbles");
   }
 
   void declare(Section &specimen, GenesisSection &genesis, const int &, const std::function<bool()> &chosen)
   {
     genesis.growth.material.contact.friction_coefficient = 0.1;
-    Section &section                             = specimen.section(
-                                  "Genesis",
-                                  "Particles of given sizes, put into a vessel at half size and grown until they touch under a low stress");
+    Section &section                                     = specimen.section(
+                                          "Genesis",
+                                          "Particles of given sizes, put into a vessel at half size and grown until they touch under a low stress");
     section.only_if(chosen, "Specimen/Source = genesis");
     section
       .choice("Vessel", genesis.growth.vessel.shape,

@@ -6,11 +6,12 @@ namespace apps
 {
   void declare(Section &root, GravitySection &gravity, const char *const meaning)
   {
-    using Start = GravitySection::Start;
+    using Start      = GravitySection::Start;
     Section &section = root.section("Gravity", meaning);
     section.vector("Acceleration", gravity.acceleration, "m/s^2", Range(), Need::optional)
       .means("Of what falls; 0, 0, -9.81 on earth with z upwards");
-    section.choice("Initial equilibrium", gravity.start, {{"none", Start::none}, {"static", Start::statics}}, Need::optional)
+    section
+      .choice("Initial equilibrium", gravity.start, {{"none", Start::none}, {"static", Start::statics}}, Need::optional)
       .means("static: before the first step the particles move to where links and weight are in equilibrium, grips and "
              "supports held; none: the weight acts suddenly");
   }

@@ -1,13 +1,11 @@
 #include "apps/scene/entries/grips.h"
 
 #include "apps/scene/section.h"
-#include "apps/text/value_text.h"
-
-#include <fmt/format.h>
 
 namespace apps
 {
-  void declare(Section &loading, GripEntries &grip_entries, const std::function<bool()> &gripped, const std::string &words)
+  void
+  declare(Section &loading, GripEntries &grip_entries, const std::function<bool()> &gripped, const std::string &words)
   {
     const auto asked = [gripped](Entry &entry, const std::string &condition) {
       if (gripped)
@@ -33,7 +31,9 @@ namespace apps
                    "the grips); planes: strain is measured between two planes of your own, as by an extensometer, "
                    "while rates and the stop strain refer to the inner faces"),
           words);
-    const auto between = [&grip_entries, gripped] { return grip_entries.gauge == dem::Gauge::planes && (!gripped || gripped()); };
+    const auto between = [&grip_entries, gripped] {
+      return grip_entries.gauge == dem::Gauge::planes && (!gripped || gripped());
+    };
     loading.number("Gauge low plane", grip_entries.low_plane, "m", Range(), Need::required)
       .means("Place of the first plane along the axis")
       .only_if(between, "Gauge length = planes");

@@ -2,11 +2,8 @@
 
 #include "apps/scene/entries/material_region.h"
 #include "apps/scene/law_block.h"
-#include "apps/text/nearest_name.h"
 #include "apps/scene/section.h"
 
-#include <algorithm>
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 namespace apps
@@ -20,7 +17,8 @@ namespace apps
       names.push_back(kind->name());
     section
       .choice_of(
-        "Law", names, 0, [&link_law, &laws](const std::size_t chosen) { link_law.law = laws.at(chosen).get(); }, Need::required)
+        "Law", names, 0, [&link_law, &laws](const std::size_t chosen) { link_law.law = laws.at(chosen).get(); },
+        Need::required)
       .notes(link_law.given)
       .means("Law of the links; the section of its name holds its constants");
     std::vector<std::string> of_contacts = {"own"};
@@ -28,7 +26,9 @@ namespace apps
     section
       .choice_of(
         "Contacts", of_contacts, 0,
-        [&link_law, &laws](const std::size_t chosen) { link_law.contacts = chosen == 0 ? nullptr : laws.at(chosen - 1).get(); },
+        [&link_law, &laws](const std::size_t chosen) {
+          link_law.contacts = chosen == 0 ? nullptr : laws.at(chosen - 1).get();
+        },
         Need::optional)
       .means("Law of what is born where particles meet; own: as Law leaves a broken link. Its constants stand in the "
              "section of its name");
@@ -54,7 +54,9 @@ namespace apps
     section
       .choice_of(
         "Law", laws, 0,
-        [&material_interface](const std::size_t chosen) { material_interface.law = chosen == 0 ? nullptr : dem::link_laws().at(chosen - 1).get(); },
+        [&material_interface](const std::size_t chosen) {
+          material_interface.law = chosen == 0 ? nullptr : dem::link_laws().at(chosen - 1).get();
+        },
         Need::optional)
       .means("Law of its links, where it is not that of both materials");
     section.flag("Bonded", material_interface.bonded).means("The two are linked at the start; off: they only touch");
@@ -63,8 +65,8 @@ namespace apps
         Section &block = section.section(kind->name(), kind->meaning());
         block.only_if(
           [&material_interface, &materials, kind] {
-            return !materials.empty() &&
-                   (material_interface.law_among(materials) == kind.get() || materials.front().law.contacts == kind.get());
+            return !materials.empty() && (material_interface.law_among(materials) == kind.get() ||
+                                          materials.front().law.contacts == kind.get());
           },
           "its Law, or Contacts of the materials = " + kind->name());
         LawBlock entries(block);

@@ -6,10 +6,10 @@
 namespace apps
 {
   void declare(Section &section, MaterialRegion &material_region)
-    {
-      section.text("Material", material_region.material, Need::required).means("Name of a section in Materials");
-      declare(section, material_region.region);
-    }
+  {
+    section.text("Material", material_region.material, Need::required).means("Name of a section in Materials");
+    declare(section, material_region.region);
+  }
 
   void declare_regions(Section &root, std::list<MaterialRegion> &regions, const std::string &of)
   {

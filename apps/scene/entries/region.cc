@@ -6,12 +6,12 @@ namespace apps
 {
   void declare(Section &section, Region &region, const std::function<bool()> &asked, const std::string &words)
   {
-    using Shape = Region::Shape;
+    using Shape     = Region::Shape;
     const auto when = [&](Entry &entry, const std::function<bool()> &holds, const std::string &shapes) {
       entry.only_if([asked, holds] { return (!asked || asked()) && holds(); },
                     (words.empty() ? "" : words + " and ") + "Shape = " + shapes);
     };
-    const auto is       = [&region](const Shape wanted) { return [&region, wanted] { return region.shape == wanted; }; };
+    const auto is = [&region](const Shape wanted) { return [&region, wanted] { return region.shape == wanted; }; };
     const auto is_round = [&region] { return region.shape != Shape::box; };
 
     Entry &chosen =
@@ -28,13 +28,15 @@ namespace apps
     when(section.vector("Upper", region.upper, "m", Range(), Need::required)
            .means("Corner of the box with the largest coordinates"),
          is(Shape::box), "box");
-    when(section.vector("Centre", region.centre, "m", Range(), Need::required).means("Of the sphere"), is(Shape::sphere),
-         "sphere");
-    when(section.vector("From", region.from, "m", Range(), Need::required).means("Where the axis of the cylinder begins"),
-         is(Shape::cylinder), "cylinder");
+    when(section.vector("Centre", region.centre, "m", Range(), Need::required).means("Of the sphere"),
+         is(Shape::sphere), "sphere");
+    when(
+      section.vector("From", region.from, "m", Range(), Need::required).means("Where the axis of the cylinder begins"),
+      is(Shape::cylinder), "cylinder");
     when(section.vector("To", region.to, "m", Range(), Need::required).means("Where the axis of the cylinder ends"),
          is(Shape::cylinder), "cylinder");
-    when(section.number("Radius", region.radius, "m", Range::positive(), Need::required).means("Of the sphere or cylinder"),
+    when(section.number("Radius", region.radius, "m", Range::positive(), Need::required)
+           .means("Of the sphere or cylinder"),
          is_round, "sphere or cylinder");
   }
 } // namespace apps

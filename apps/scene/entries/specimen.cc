@@ -5,9 +5,6 @@
 #include "apps/scene/section.h"
 #include "dem/packing/box_cell.h"
 
-#include <filesystem>
-#include <fmt/format.h>
-
 namespace apps
 {
   namespace
@@ -58,12 +55,12 @@ namespace apps
 
   void declare(Section &root, SpecimenSection &specimen, const int &dimension, const SpecimenSection::Use &use)
   {
-    using Source = SpecimenSection::Source;
+    using Source      = SpecimenSection::Source;
     using LoosePieces = SpecimenSection::LoosePieces;
-    using Body = SpecimenSection::Body;
-    const auto boxed = [&specimen] { return specimen.source == Source::generator && specimen.body == Body::box; };
-    specimen.body             = use.box ? Body::box : Body::cell;
-    const auto read  = [&specimen] { return specimen.source == Source::file; };
+    using Body        = SpecimenSection::Body;
+    const auto boxed  = [&specimen] { return specimen.source == Source::generator && specimen.body == Body::box; };
+    specimen.body     = use.box ? Body::box : Body::cell;
+    const auto read   = [&specimen] { return specimen.source == Source::file; };
 
     Section &section = root.section("Specimen", "The particles: where they come from, and what is made of them");
     if (use.other_particles)
@@ -78,7 +75,8 @@ namespace apps
           "generator: compact a random packing, tile and crop it; file: read a packing; genesis: grow particles of "
           "given sizes into a vessel; none: there are only those of section More particles");
     else
-      section.choice("Source", specimen.source, {{"generator", Source::generator}, {"file", Source::file}}, Need::required)
+      section
+        .choice("Source", specimen.source, {{"generator", Source::generator}, {"file", Source::file}}, Need::required)
         .means("generator: compact a random packing, tile and crop it; file: read a packing");
     section.file("File", specimen.file)
       .means(

@@ -3,14 +3,13 @@
 #include "apps/scene/section.h"
 #include "base/errors.h"
 
-#include <fmt/format.h>
-
 namespace apps
 {
   void declare(Section &root, TimeSection &time)
   {
     Section &section = root.section("Time", "How the motion is integrated");
-    section.number("Step factor", time.step_factor, "-", {std::numeric_limits<double>::min(), 1.0, true}, Need::optional)
+    section
+      .number("Step factor", time.step_factor, "-", {std::numeric_limits<double>::min(), 1.0, true}, Need::optional)
       .means("Time step over the stable step (least bound over all particles); 0.8 leaves a margin for new contacts");
     section.number("Damping", time.damping, "-", Range::from_up_to(0, 1), Need::optional)
       .means("Local (Cundall) damping D of the particles; 0.3 calms stress waves within a few crossings");

@@ -1,7 +1,7 @@
 #include "apps/scene/homogenisation/model.h"
 
-#include "apps/scene/length_unit_entry.h"
 #include "apps/scene/entries/specimen.h"
+#include "apps/scene/length_unit_entry.h"
 #include "apps/scene/section.h"
 
 namespace apps
@@ -25,12 +25,14 @@ namespace apps
     s.integer("Seeds", model.seeds, "-", Range::between(1, 1000), Need::optional).means("Packings made, one per seed");
     s.number("Friction coefficient", model.friction, "-", Range::at_least(0), Need::optional)
       .means("During compaction; 1 leaves a packing fraction of 0.55, 0.1 of 0.61");
-    s.number("Normal modulus", model.normal_modulus, "Pa", Range::positive(), Need::required).means("E of the link material");
-    s.text("Interaction ratios", model.interaction_ratios, Need::required).means("Numbers from 1 to 10, separated by commas");
+    s.number("Normal modulus", model.normal_modulus, "Pa", Range::positive(), Need::required)
+      .means("E of the link material");
+    s.text("Interaction ratios", model.interaction_ratios, Need::required)
+      .means("Numbers from 1 to 10, separated by commas");
     s.text("Shear ratios", model.shear_ratios, Need::required)
       .means("G/E of the link material, numbers above 0, separated by commas");
     s.number("Thickness", model.thickness, "m", Range::at_least(0), Need::optional)
-      .means("0: spheres; above: the packing of the model.file is of discs this thick");
+      .means("0: spheres; above: the packing of the file is of discs this thick");
     s.number("Tolerance", model.tolerance, "-", Range::between(1e-13, 1e-2), Need::optional)
       .means("Unbalanced force over link forces");
   }

@@ -1,13 +1,8 @@
 #include "apps/scene/particles/clumps.h"
 
-#include "apps/text/corner_list.h"
 #include "apps/scene/number_list.h"
 #include "apps/scene/particles/groups.h"
 #include "apps/scene/section.h"
-#include "base/errors.h"
-
-#include <algorithm>
-#include <cmath>
 
 namespace apps
 {

@@ -1,7 +1,7 @@
 #include "apps/scene/particles/forces.h"
 
-#include "apps/scene/particles/groups.h"
 #include "apps/scene/entries/components.h"
+#include "apps/scene/particles/groups.h"
 #include "apps/scene/section.h"
 
 namespace apps

@@ -1,21 +1,16 @@
 #include "apps/scene/particles/gauges.h"
 
-#include "apps/text/nearest_name.h"
 #include "apps/scene/particles/motion.h"
 #include "apps/scene/particles/walls.h"
-#include "apps/text/same_name.h"
 #include "apps/scene/section.h"
-#include "dem/observation/group_motion.h"
 
-#include <algorithm>
 #include <cctype>
-#include <limits>
 
 namespace apps
 {
   void declare(Section &s, GaugeSection &gauge)
   {
-    using Quantity = GaugeSection::Quantity;
+    using Quantity  = GaugeSection::Quantity;
     using Component = GaugeSection::Component;
     s.choice("Quantity", gauge.quantity,
              {{"position", Quantity::position},
@@ -51,8 +46,9 @@ namespace apps
       .only_if([&gauge] { return gauge.of_wall(); }, "Quantity is of a wall");
     s.vector("Point", gauge.point, "m", Range(), Need::optional)
       .means("About which the moment is taken; it stays where it is. In two dimensions z is 0")
-      .only_if([&gauge] { return gauge.quantity == Quantity::reaction_torque || gauge.quantity == Quantity::wall_moment; },
-               "Quantity is reaction torque or wall moment");
+      .only_if(
+        [&gauge] { return gauge.quantity == Quantity::reaction_torque || gauge.quantity == Quantity::wall_moment; },
+        "Quantity is reaction torque or wall moment");
     s.text("Other group", gauge.other, Need::required)
       .means("To which the distance is measured")
       .only_if([&gauge] { return gauge.quantity == Quantity::distance; }, "Quantity = distance");

@@ -1,12 +1,7 @@
 #include "apps/scene/particles/groups.h"
 
-#include "apps/runs/particles/particle_numbers.h"
 #include "apps/scene/entries/region.h"
 #include "apps/scene/section.h"
-
-#include <algorithm>
-#include <filesystem>
-#include <numeric>
 
 namespace apps
 {
@@ -14,8 +9,8 @@ namespace apps
   {
     using Members = GroupSection::Members;
     const auto by = [&group](const Members wanted) { return [&group, wanted] { return group.members == wanted; }; };
-    s.choice("Members", group.members, {{"region", Members::region}, {"layer", Members::layer}, {"file", Members::file}},
-             Need::optional)
+    s.choice("Members", group.members,
+             {{"region", Members::region}, {"layer", Members::layer}, {"file", Members::file}}, Need::optional)
       .means("region: particles whose centre lies in it; layer: those near the outermost centre along an axis; file: "
              "those whose numbers it lists");
     declare(s, group.region, by(Members::region), "Members = region");

@@ -3,8 +3,6 @@
 #include "apps/scene/particles/motion.h"
 #include "apps/scene/section.h"
 
-#include <map>
-
 namespace apps
 {
   void declare(Section &root, InitialVelocitySection &initial_velocity)
@@ -17,8 +15,9 @@ namespace apps
       .named_sections("GROUP", [&initial_velocity](Section &opened) {
         MotionFormulas &added = initial_velocity.velocities.emplace_back();
         added.group           = opened.name();
-        declare(opened, added, "At the start, by the place of each particle; empty: none, and of a rigid body's "
-                              "particles whatever the other components make of it");
+        declare(opened, added,
+                "At the start, by the place of each particle; empty: none, and of a rigid body's "
+                "particles whatever the other components make of it");
       });
   }
 } // namespace apps

@@ -1,26 +1,22 @@
 #include "apps/scene/particles/model.h"
 
-#include "apps/figures/drawn_curve.h"
-#include "apps/figures/energy_terms.h"
 #include "apps/scene/entries/gravity.h"
+#include "apps/scene/entries/material.h"
 #include "apps/scene/entries/output.h"
+#include "apps/scene/entries/physics.h"
+#include "apps/scene/entries/specimen.h"
 #include "apps/scene/entries/time.h"
 #include "apps/scene/particles/clumps.h"
 #include "apps/scene/particles/forces.h"
 #include "apps/scene/particles/gauges.h"
+#include "apps/scene/particles/groups.h"
 #include "apps/scene/particles/initial_velocity.h"
 #include "apps/scene/particles/laboratory_section.h"
 #include "apps/scene/particles/more_particles.h"
-#include "apps/scene/particles/stops.h"
-#include "apps/scene/entries/physics.h"
-#include "apps/scene/entries/specimen.h"
-#include "apps/scene/entries/material.h"
-#include "apps/scene/particles/groups.h"
 #include "apps/scene/particles/motion.h"
+#include "apps/scene/particles/stops.h"
 #include "apps/scene/particles/walls.h"
 #include "apps/scene/section.h"
-
-#include <algorithm>
 
 namespace apps
 {

@@ -1,30 +1,22 @@
 #include "apps/scene/particles/more_particles.h"
 
-#include "apps/text/corner_list.h"
 #include "apps/scene/entries/material.h"
 #include "apps/scene/entries/specimen.h"
 #include "apps/scene/length_unit_entry.h"
-#include "apps/text/nearest_name.h"
 #include "apps/scene/number_list.h"
 #include "apps/scene/particles/groups.h"
 #include "apps/scene/section.h"
-#include "apps/specimens/packing_file.h"
-#include "apps/specimens/specimen_packing.h"
-#include "dem/packing/overlaps.h"
-
-#include <algorithm>
-#include <filesystem>
-#include <fmt/format.h>
-#include <numeric>
 
 namespace apps
 {
   void declare(Section &s, AddedParticles &added_particles)
   {
-    using Source = AddedParticles::Source;
-    const auto is = [&added_particles](const Source wanted) { return [&added_particles, wanted] { return added_particles.source == wanted; }; };
-    s.choice("Source", added_particles.source, {{"sphere", Source::sphere}, {"file", Source::file}, {"body", Source::body}},
-             Need::optional)
+    using Source  = AddedParticles::Source;
+    const auto is = [&added_particles](const Source wanted) {
+      return [&added_particles, wanted] { return added_particles.source == wanted; };
+    };
+    s.choice("Source", added_particles.source,
+             {{"sphere", Source::sphere}, {"file", Source::file}, {"body", Source::body}}, Need::optional)
       .means("sphere: one, in two dimensions a disc; file: all of another packing; body: a rigid convex polyhedron, in "
              "two dimensions a polygon, filled with pebbles");
     s.file("File", added_particles.file).means("Packing, as Specimen/File").only_if(is(Source::file), "Source = file");
@@ -39,7 +31,8 @@ namespace apps
       .means("Of the body [m], coordinates between commas, corners between semicolons; those of a polygon in their "
              "order. Its mass, centre and inertia are those of the shape, whatever its pebbles")
       .only_if(is(Source::body), "Source = body");
-    s.choice("Filling", added_particles.filling, {{"close", dem::Filling::close}, {"cubic", dem::Filling::cubic}}, Need::optional)
+    s.choice("Filling", added_particles.filling, {{"close", dem::Filling::close}, {"cubic", dem::Filling::cubic}},
+             Need::optional)
       .means("How touching pebbles lie in the body. close: as densely as can be; cubic: in a grid along the axes")
       .only_if(is(Source::body), "Source = body");
     s.flag("Bonded", added_particles.bonded)

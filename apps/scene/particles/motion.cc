@@ -1,19 +1,16 @@
 #include "apps/scene/particles/motion.h"
 
-#include "apps/scene/particles/groups.h"
 #include "apps/scene/entries/components.h"
+#include "apps/scene/particles/groups.h"
 #include "apps/scene/section.h"
-
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <fmt/format.h>
 
 namespace apps
 {
   void declare(Section &section, MotionFormulas &motion_formulas, const std::string &when)
   {
     declare_components(section, "Velocity", motion_formulas.velocity, "m/s", when);
-    declare_components(section, "Spin", motion_formulas.spin, "rad/s", when + ". Of each particle about its own centre");
+    declare_components(section, "Spin", motion_formulas.spin, "rad/s",
+                       when + ". Of each particle about its own centre");
   }
 
   void declare(Section &section, PrescribedFormulas &prescribed)

@@ -1,11 +1,6 @@
 #include "apps/scene/particles/published_figures.h"
 
-#include "apps/figures/summary_head.h"
 #include "apps/scene/section.h"
-
-#include <algorithm>
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 namespace apps
 {
@@ -20,6 +15,7 @@ namespace apps
     one("Published strength", published_figures.strength, "Pa",
         "That others found in this test: told beside the strength found, and drawn into stress_strain.png; 0: none");
     one("Published modulus", published_figures.modulus, "Pa", "Young's modulus likewise; 0: none");
-    one("Published Poisson ratio", published_figures.poisson, "-", "Likewise, beside the secant one by gauges; 0: none");
+    one("Published Poisson ratio", published_figures.poisson, "-",
+        "Likewise, beside the secant one by gauges; 0: none");
   }
 } // namespace apps

@@ -1,10 +1,6 @@
 #include "apps/scene/particles/stops.h"
 
-#include "apps/forecasts/run_forecast.h"
-#include "apps/text/nearest_name.h"
 #include "apps/scene/section.h"
-
-#include <algorithm>
 
 namespace apps
 {

@@ -1,127 +1,126 @@
 #include "apps/scene/particles/walls.h"
 
-#include "apps/runs/particles/wall_files.h"
-#include "apps/scene/entries/contact_law.h"
-#include "apps/text/same_name.h"
 #include "apps/scene/entries/components.h"
+#include "apps/scene/entries/contact_law.h"
 #include "apps/scene/section.h"
 #include "dem/facets/shapes.h"
-
-#include <algorithm>
-#include <filesystem>
-#include <fmt/format.h>
 
 namespace apps
 {
   namespace
   {
-  void declare_shape(Section &s, WallSection &wall)
-  {
-    using Shape = WallSection::Shape;
-    s.choice("Shape", wall.shape,
-             {{"plane", Shape::plane},
-              {"plate", Shape::plate},
-              {"box", Shape::box},
-              {"cylinder", Shape::cylinder},
-              {"file", Shape::file}},
-             Need::optional)
-      .means(
-        "plane: unbounded, particles on the side of its normal; plate: a parallelogram; box: along the axes; "
-        "cylinder: the mantle of one; file: triangles. In two dimensions a line, a segment, a rectangle, a circle. "
-        "All but a plane push from both sides");
-  }
+    void declare_shape(Section &s, WallSection &wall)
+    {
+      using Shape = WallSection::Shape;
+      s.choice("Shape", wall.shape,
+               {{"plane", Shape::plane},
+                {"plate", Shape::plate},
+                {"box", Shape::box},
+                {"cylinder", Shape::cylinder},
+                {"file", Shape::file}},
+               Need::optional)
+        .means(
+          "plane: unbounded, particles on the side of its normal; plate: a parallelogram; box: along the axes; "
+          "cylinder: the mantle of one; file: triangles. In two dimensions a line, a segment, a rectangle, a circle. "
+          "All but a plane push from both sides");
+    }
 
-  void declare_plane_and_plate(Section &s, WallSection &wall)
-  {
-    using Shape = WallSection::Shape;
-    const auto plane = [&wall] { return wall.shape == Shape::plane; };
-    const auto plate = [&wall] { return wall.shape == Shape::plate; };
-    s.vector("Point", wall.point, "m", Range(), Need::optional).means("On the plane").only_if(plane, "Shape = plane");
-    s.vector("Normal", wall.normal, "-", Range(), Need::optional)
-      .means("Of the plane, to where the particles are; of any length")
-      .only_if(plane, "Shape = plane");
-    s.vector("Corner", wall.corner, "m", Range(), Need::required).means("Of the plate").only_if(plate, "Shape = plate");
-    s.vector("First edge", wall.first_edge, "m", Range(), Need::required)
-      .means("Of the plate, from its corner; in two dimensions the segment")
-      .only_if(plate, "Shape = plate");
-    s.vector("Second edge", wall.second_edge, "m", Range(), Need::optional)
-      .means("Of the plate, from its corner; not in two dimensions")
-      .only_if(plate, "Shape = plate");
-  }
+    void declare_plane_and_plate(Section &s, WallSection &wall)
+    {
+      using Shape      = WallSection::Shape;
+      const auto plane = [&wall] { return wall.shape == Shape::plane; };
+      const auto plate = [&wall] { return wall.shape == Shape::plate; };
+      s.vector("Point", wall.point, "m", Range(), Need::optional).means("On the plane").only_if(plane, "Shape = plane");
+      s.vector("Normal", wall.normal, "-", Range(), Need::optional)
+        .means("Of the plane, to where the particles are; of any length")
+        .only_if(plane, "Shape = plane");
+      s.vector("Corner", wall.corner, "m", Range(), Need::required)
+        .means("Of the plate")
+        .only_if(plate, "Shape = plate");
+      s.vector("First edge", wall.first_edge, "m", Range(), Need::required)
+        .means("Of the plate, from its corner; in two dimensions the segment")
+        .only_if(plate, "Shape = plate");
+      s.vector("Second edge", wall.second_edge, "m", Range(), Need::optional)
+        .means("Of the plate, from its corner; not in two dimensions")
+        .only_if(plate, "Shape = plate");
+    }
 
-  void declare_box(Section &s, WallSection &wall)
-  {
-    using Shape = WallSection::Shape;
-    const auto chosen = [&wall] { return wall.shape == Shape::box; };
-    s.vector("Lower", wall.lower, "m", Range(), Need::required)
-      .means("Corner of the box with the least coordinates")
-      .only_if(chosen, "Shape = box");
-    s.vector("Upper", wall.upper, "m", Range(), Need::required)
-      .means("Corner of the box with the largest coordinates")
-      .only_if(chosen, "Shape = box");
-    s.choices("Open sides", wall.open, {{"-x", 0}, {"+x", 1}, {"-y", 2}, {"+y", 3}, {"-z", 4}, {"+z", 5}}, Need::optional)
-      .means("That the box does not have")
-      .only_if(chosen, "Shape = box");
-  }
+    void declare_box(Section &s, WallSection &wall)
+    {
+      using Shape       = WallSection::Shape;
+      const auto chosen = [&wall] { return wall.shape == Shape::box; };
+      s.vector("Lower", wall.lower, "m", Range(), Need::required)
+        .means("Corner of the box with the least coordinates")
+        .only_if(chosen, "Shape = box");
+      s.vector("Upper", wall.upper, "m", Range(), Need::required)
+        .means("Corner of the box with the largest coordinates")
+        .only_if(chosen, "Shape = box");
+      s.choices("Open sides", wall.open, {{"-x", 0}, {"+x", 1}, {"-y", 2}, {"+y", 3}, {"-z", 4}, {"+z", 5}},
+                Need::optional)
+        .means("That the box does not have")
+        .only_if(chosen, "Shape = box");
+    }
 
-  void declare_cylinder(Section &s, WallSection &wall)
-  {
-    using Shape = WallSection::Shape;
-    const auto chosen = [&wall] { return wall.shape == Shape::cylinder; };
-    s.vector("From", wall.from, "m", Range(), Need::required)
-      .means("Where the axis of the cylinder begins; in two dimensions the centre of the circle")
-      .only_if(chosen, "Shape = cylinder");
-    s.vector("To", wall.to, "m", Range(), Need::optional)
-      .means("Where the axis of the cylinder ends; not in two dimensions")
-      .only_if(chosen, "Shape = cylinder");
-    s.number("Radius", wall.radius, "m", Range::positive(), Need::required)
-      .means("Of the cylinder")
-      .only_if(chosen, "Shape = cylinder");
-    s.integer("Sides", wall.around, "", Range::between(3, 100000), Need::optional)
-      .means("Plane sides that stand for its mantle; their edges lie on it")
-      .only_if(chosen, "Shape = cylinder");
-    s.flag("Ends", wall.ends).means("The cylinder is closed by discs at both ends").only_if(chosen, "Shape = cylinder");
-  }
+    void declare_cylinder(Section &s, WallSection &wall)
+    {
+      using Shape       = WallSection::Shape;
+      const auto chosen = [&wall] { return wall.shape == Shape::cylinder; };
+      s.vector("From", wall.from, "m", Range(), Need::required)
+        .means("Where the axis of the cylinder begins; in two dimensions the centre of the circle")
+        .only_if(chosen, "Shape = cylinder");
+      s.vector("To", wall.to, "m", Range(), Need::optional)
+        .means("Where the axis of the cylinder ends; not in two dimensions")
+        .only_if(chosen, "Shape = cylinder");
+      s.number("Radius", wall.radius, "m", Range::positive(), Need::required)
+        .means("Of the cylinder")
+        .only_if(chosen, "Shape = cylinder");
+      s.integer("Sides", wall.around, "", Range::between(3, 100000), Need::optional)
+        .means("Plane sides that stand for its mantle; their edges lie on it")
+        .only_if(chosen, "Shape = cylinder");
+      s.flag("Ends", wall.ends)
+        .means("The cylinder is closed by discs at both ends")
+        .only_if(chosen, "Shape = cylinder");
+    }
 
-  void declare_file(Section &s, WallSection &wall)
-  {
-    using Shape = WallSection::Shape;
-    const auto chosen = [&wall] { return wall.shape == Shape::file; };
-    s.file("File", wall.file)
-      .means("STL (text or binary), or Gmsh (.msh, text): its triangles and quadrilaterals; from the scene's folder")
-      .only_if(chosen, "Shape = file");
-    s.number("Scale", wall.scale, "-", Range::positive(), Need::optional)
-      .means("By which lengths of the file are multiplied to be metres")
-      .only_if(chosen, "Shape = file");
-  }
+    void declare_file(Section &s, WallSection &wall)
+    {
+      using Shape       = WallSection::Shape;
+      const auto chosen = [&wall] { return wall.shape == Shape::file; };
+      s.file("File", wall.file)
+        .means("STL (text or binary), or Gmsh (.msh, text): its triangles and quadrilaterals; from the scene's folder")
+        .only_if(chosen, "Shape = file");
+      s.number("Scale", wall.scale, "-", Range::positive(), Need::optional)
+        .means("By which lengths of the file are multiplied to be metres")
+        .only_if(chosen, "Shape = file");
+    }
 
-  void declare_control(Section &s, WallSection &wall)
-  {
-    using Control = WallSection::Control;
-    s.choice("Control", wall.control, {{"motion", Control::motion}, {"force", Control::force}}, Need::optional)
-      .means("motion: it rests, or moves as said; force: it moves along a direction until it presses with a force");
-    const auto moved = [&wall] { return wall.control == Control::motion; };
-    const auto held  = [&wall] { return wall.control == Control::force; };
-    declare_components(s, "Velocity", wall.velocity, "m/s", "By time t; empty: none");
-    declare_components(s, "Spin", wall.spin, "rad/s", "By time t, about Centre; empty: none");
-    for (const char *entry : {"Velocity x", "Velocity y", "Velocity z", "Spin x", "Spin y", "Spin z"})
-      s.find_entry(entry)->only_if(moved, "Control = motion");
-    s.vector("Centre", wall.centre, "m", Range(), Need::optional)
-      .means("That it spins about; moves with it")
-      .only_if(moved, "Control = motion");
-    s.vector("Direction", wall.direction, "-", Range(), Need::required)
-      .means("Along which it presses and moves; of any length")
-      .only_if(held, "Control = force");
-    s.expression("Force", wall.force, "N")
-      .means("On the particles along the direction, by time t")
-      .only_if(held, "Control = force");
-    s.number("Largest speed", wall.largest_speed, "m/s", Range::positive(), Need::required)
-      .means("Of the wall, also on its way to the particles")
-      .only_if(held, "Control = force");
-    s.number("Gain", wall.gain, "-", {std::numeric_limits<double>::min(), 1.0, false}, Need::optional)
-      .means("Part of what the force lacks that a step makes good")
-      .only_if(held, "Control = force");
-  }
+    void declare_control(Section &s, WallSection &wall)
+    {
+      using Control = WallSection::Control;
+      s.choice("Control", wall.control, {{"motion", Control::motion}, {"force", Control::force}}, Need::optional)
+        .means("motion: it rests, or moves as said; force: it moves along a direction until it presses with a force");
+      const auto moved = [&wall] { return wall.control == Control::motion; };
+      const auto held  = [&wall] { return wall.control == Control::force; };
+      declare_components(s, "Velocity", wall.velocity, "m/s", "By time t; empty: none");
+      declare_components(s, "Spin", wall.spin, "rad/s", "By time t, about Centre; empty: none");
+      for (const char *entry : {"Velocity x", "Velocity y", "Velocity z", "Spin x", "Spin y", "Spin z"})
+        s.find_entry(entry)->only_if(moved, "Control = motion");
+      s.vector("Centre", wall.centre, "m", Range(), Need::optional)
+        .means("That it spins about; moves with it")
+        .only_if(moved, "Control = motion");
+      s.vector("Direction", wall.direction, "-", Range(), Need::required)
+        .means("Along which it presses and moves; of any length")
+        .only_if(held, "Control = force");
+      s.expression("Force", wall.force, "N")
+        .means("On the particles along the direction, by time t")
+        .only_if(held, "Control = force");
+      s.number("Largest speed", wall.largest_speed, "m/s", Range::positive(), Need::required)
+        .means("Of the wall, also on its way to the particles")
+        .only_if(held, "Control = force");
+      s.number("Gain", wall.gain, "-", {std::numeric_limits<double>::min(), 1.0, false}, Need::optional)
+        .means("Part of what the force lacks that a step makes good")
+        .only_if(held, "Control = force");
+    }
   } // namespace
 
   void declare(Section &s, WallSection &wall)

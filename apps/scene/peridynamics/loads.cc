@@ -1,16 +1,11 @@
 #include "apps/scene/peridynamics/loads.h"
 
 #include "apps/scene/entries/components.h"
-#include "apps/scene/entries/region.h"
 #include "apps/scene/entries/material_region.h"
 #include "apps/scene/entries/output.h"
-#include "apps/scene/number_list.h"
+#include "apps/scene/entries/region.h"
 #include "apps/scene/section.h"
 #include "base/errors.h"
-
-#include <algorithm>
-#include <cmath>
-#include <fmt/format.h>
 
 namespace apps
 {
@@ -47,7 +42,7 @@ namespace apps
       "positive, and "
       "of a rod along x. Where the body is brought to rest t is the load factor, and formulas without t grow with it");
     formulas.store = [&peridynamic_traction, name = section.path_of("Value")](const std::string &text,
-                                                             const Place       &from) -> std::string {
+                                                                              const Place       &from) -> std::string {
       peridynamic_traction.value.clear();
       peridynamic_traction.written = text;
       if (text.empty())
@@ -63,15 +58,16 @@ namespace apps
         }
       return "";
     };
-    section.expression("Pressure", peridynamic_traction.pressure, "Pa").means("Against the outward normal; empty: none");
+    section.expression("Pressure", peridynamic_traction.pressure, "Pa")
+      .means("Against the outward normal; empty: none");
     section
-      .choice("Weight", peridynamic_traction.weight, {{"paper", pd::TractionWeight::paper}, {"consistent", pd::TractionWeight::consistent}},
-              Need::optional)
+      .choice("Weight", peridynamic_traction.weight,
+              {{"paper", pd::TractionWeight::paper}, {"consistent", pd::TractionWeight::consistent}}, Need::optional)
       .means("How the traction is shared out within the horizon: as published, or as the bonds that the boundary cuts "
              "off would have it");
     section
-      .choice("Form", peridynamic_traction.form, {{"transfer", pd::TractionForm::transfer}, {"layer", pd::TractionForm::layer}},
-              Need::optional)
+      .choice("Form", peridynamic_traction.form,
+              {{"transfer", pd::TractionForm::transfer}, {"layer", pd::TractionForm::layer}}, Need::optional)
       .means("transfer: an integral over the boundary; layer: a body force in the outermost nodes, for comparison");
   }
 
@@ -79,7 +75,9 @@ namespace apps
   {
     section.text("Boundary", peridynamic_support.boundary, Need::optional)
       .means("left, right, bottom, top, back, front: the outermost layer of nodes; empty: the nodes of a region");
-    declare(section, peridynamic_support.region, [&peridynamic_support] { return peridynamic_support.boundary.empty(); }, "Boundary is empty");
+    declare(
+      section, peridynamic_support.region, [&peridynamic_support] { return peridynamic_support.boundary.empty(); },
+      "Boundary is empty");
     declare_components(section, "", peridynamic_support.displacement, "m",
                        "Prescribed; empty: free. Where the body is brought to rest t is the load factor, and formulas "
                        "without t grow with it");

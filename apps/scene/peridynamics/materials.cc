@@ -1,17 +1,10 @@
 #include "apps/scene/peridynamics/materials.h"
 
 #include "apps/scene/entries/components.h"
-#include "apps/scene/entries/region.h"
 #include "apps/scene/entries/material_region.h"
 #include "apps/scene/entries/output.h"
-#include "apps/scene/number_list.h"
+#include "apps/scene/entries/region.h"
 #include "apps/scene/section.h"
-#include "apps/text/nearest_name.h"
-#include "base/errors.h"
-
-#include <algorithm>
-#include <cmath>
-#include <fmt/format.h>
 
 namespace apps
 {
@@ -19,32 +12,37 @@ namespace apps
 
   void declare(Section &section, PeridynamicConstants &peridynamic_constants)
   {
-    section.number("Young modulus", peridynamic_constants.young_modulus, "Pa", Range::positive(), Need::required).means("Of the continuum");
-    section.number("Density", peridynamic_constants.density, "kg/m^3", Range::at_least(0), Need::optional).means("Needed by motion");
+    section.number("Young modulus", peridynamic_constants.young_modulus, "Pa", Range::positive(), Need::required)
+      .means("Of the continuum");
+    section.number("Density", peridynamic_constants.density, "kg/m^3", Range::at_least(0), Need::optional)
+      .means("Needed by motion");
     section.number("Critical stretch", peridynamic_constants.critical_stretch, "-", Range::at_least(0), Need::optional)
       .means("At which a bond breaks for ever; 0: from the fracture energy, or never");
-    section.number("Fracture energy", peridynamic_constants.fracture_energy, "J/m^2", Range::at_least(0), Need::optional)
+    section
+      .number("Fracture energy", peridynamic_constants.fracture_energy, "J/m^2", Range::at_least(0), Need::optional)
       .means("Of a crack, in place of the critical stretch; 0: none");
   }
 
   void declare(Section &section, PeridynamicInterface &peridynamic_interface)
   {
     section.text("Material", peridynamic_interface.one, Need::required).means("Name of a section in Materials");
-    section.text("Other material", peridynamic_interface.other, Need::required).means("Likewise; of bonds between its own nodes the same");
+    section.text("Other material", peridynamic_interface.other, Need::required)
+      .means("Likewise; of bonds between its own nodes the same");
     section.flag("Bonded", peridynamic_interface.bonded).means("Off: bonds between the two are broken from the start");
     section.number("Young modulus", peridynamic_interface.young_modulus, "Pa", Range::at_least(0), Need::optional)
       .means("Of bonds between the two; 0: the harmonic mean of theirs, as of two halves in series");
     section.number("Critical stretch", peridynamic_interface.critical_stretch, "-", Range::at_least(0), Need::optional)
       .means("At which they break; 0: from the fracture energy, or when the first half reaches that of its material");
-    section.number("Fracture energy", peridynamic_interface.fracture_energy, "J/m^2", Range::at_least(0), Need::optional)
+    section
+      .number("Fracture energy", peridynamic_interface.fracture_energy, "J/m^2", Range::at_least(0), Need::optional)
       .means("Of a crack along the interface, in place of the critical stretch; 0: none");
   }
 
   void declare(Section &root, PeridynamicMaterialsSection &peridynamic_materials)
   {
     Section &s = root.section("Material", "Of the bonds");
-    s.choice("Model", peridynamic_materials.bonds, {{"prototype", pd::BondModel::prototype}, {"general", pd::BondModel::general}},
-             Need::optional)
+    s.choice("Model", peridynamic_materials.bonds,
+             {{"prototype", pd::BondModel::prototype}, {"general", pd::BondModel::general}}, Need::optional)
       .means("The force of a bond grows with its stretch, or with its elongation");
     s.choice("Calibration", peridynamic_materials.calibration,
              {{"none", pd::Calibration::none}, {"axis", pd::Calibration::axis}, {"bulk", pd::Calibration::bulk}},
@@ -54,11 +52,14 @@ namespace apps
     s.number("Poisson ratio", peridynamic_materials.poisson_ratio, "-", Range::between(0, 0.5), Need::optional)
       .means("Bonds have 1/3 in plane stress and 1/4 in plane strain and in space, and no other; 0: not asked for");
     declare(s, peridynamic_materials.only);
-    s.find_entry("Young modulus")->only_if([&peridynamic_materials] { return peridynamic_materials.named.empty(); }, "there is no section Materials");
+    s.find_entry("Young modulus")
+      ->only_if([&peridynamic_materials] { return peridynamic_materials.named.empty(); },
+                "there is no section Materials");
 
     Section &several = root.section("Materials", "One sub-section per material, of those that Regions name; elsewhere "
                                                  "the body is of the first");
-    several.only_if([&peridynamic_materials] { return !peridynamic_materials.named.empty(); }, "there are several materials");
+    several.only_if([&peridynamic_materials] { return !peridynamic_materials.named.empty(); },
+                    "there are several materials");
     several.named_sections("MATERIAL", [&peridynamic_materials](Section &opened) {
       PeridynamicConstants &added = peridynamic_materials.named.emplace_back();
       added.name                  = opened.name();
@@ -67,7 +68,8 @@ namespace apps
 
     Section &between = root.section("Interfaces", "One sub-section per pair of materials whose bonds have constants of "
                                                   "their own");
-    between.only_if([&peridynamic_materials] { return !peridynamic_materials.interfaces.empty(); }, "there are several materials");
+    between.only_if([&peridynamic_materials] { return !peridynamic_materials.interfaces.empty(); },
+                    "there are several materials");
     between.named_sections("INTERFACE", [&peridynamic_materials](Section &opened) {
       PeridynamicInterface &added = peridynamic_materials.interfaces.emplace_back();
       added.name                  = opened.name();

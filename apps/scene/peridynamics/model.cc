@@ -1,19 +1,13 @@
 #include "apps/scene/peridynamics/model.h"
 
-#include "apps/scene/peridynamics/loads.h"
-#include "apps/scene/peridynamics/materials.h"
 #include "apps/scene/entries/components.h"
-#include "apps/scene/entries/region.h"
 #include "apps/scene/entries/material_region.h"
 #include "apps/scene/entries/output.h"
+#include "apps/scene/entries/region.h"
 #include "apps/scene/number_list.h"
+#include "apps/scene/peridynamics/loads.h"
+#include "apps/scene/peridynamics/materials.h"
 #include "apps/scene/section.h"
-#include "apps/text/value_text.h"
-#include "base/errors.h"
-
-#include <algorithm>
-#include <cmath>
-#include <fmt/format.h>
 
 namespace apps
 {
@@ -21,83 +15,84 @@ namespace apps
 
   namespace
   {
-  void declare_body(Section &root, PeridynamicsModel &model)
-  {
-    Section &body = root.section("Body", "A rod, plate or block, centred at the origin");
-    declare_list(body, "Size", model.size, "m", Need::required)
-      .means("Lengths along x, y and z between commas: one of a rod, two of a plate, three of a block");
-    body.number("Thickness", model.thickness, "m", Range::at_least(0), Need::optional)
-      .means("Of a plate; of a rod its width and height; 0: the spacing of nodes");
-    body
-      .choice("Plane", model.plane, {{"stress", pd::Space::plane_stress}, {"strain", pd::Space::plane_strain}},
-              Need::optional)
-      .means("Of a plate: free to change its thickness, or not");
-    Section &grid = root.section("Grid", "Nodes");
-    grid.number("Spacing", model.spacing, "m", Range::positive(), Need::required)
-      .means("Between nodes; divides every length of the body");
-    grid
-      .choice("Layout", model.layout,
-              {{"cell-centred", pd::Layout::cell_centred}, {"boundary nodes", pd::Layout::boundary_nodes}},
-              Need::optional)
-      .means("Nodes in the middle of cells, or on the boundary too with a half of a cell there");
-    Section &reach = root.section("Horizon", "How far bonds reach");
-    reach.number("Ratio", model.horizon.ratio, "-", Range::between(1, 100), Need::optional)
-      .means("Of the horizon to the spacing");
-    reach
-      .choice("Volumes", model.horizon.volumes, {{"full", pd::Volumes::full}, {"partial", pd::Volumes::partial}},
-              Need::optional)
-      .means("Of nodes at the edge of the horizon: counted whole, or in part");
-    reach.flag("Surface correction", model.horizon.surface_correction)
-      .means("Bonds of nodes whose family the surface cuts are made stiffer by the volume that it lacks");
-  }
+    void declare_body(Section &root, PeridynamicsModel &model)
+    {
+      Section &body = root.section("Body", "A rod, plate or block, centred at the origin");
+      declare_list(body, "Size", model.size, "m", Need::required)
+        .means("Lengths along x, y and z between commas: one of a rod, two of a plate, three of a block");
+      body.number("Thickness", model.thickness, "m", Range::at_least(0), Need::optional)
+        .means("Of a plate; of a rod its width and height; 0: the spacing of nodes");
+      body
+        .choice("Plane", model.plane, {{"stress", pd::Space::plane_stress}, {"strain", pd::Space::plane_strain}},
+                Need::optional)
+        .means("Of a plate: free to change its thickness, or not");
+      Section &grid = root.section("Grid", "Nodes");
+      grid.number("Spacing", model.spacing, "m", Range::positive(), Need::required)
+        .means("Between nodes; divides every length of the body");
+      grid
+        .choice("Layout", model.layout,
+                {{"cell-centred", pd::Layout::cell_centred}, {"boundary nodes", pd::Layout::boundary_nodes}},
+                Need::optional)
+        .means("Nodes in the middle of cells, or on the boundary too with a half of a cell there");
+      Section &reach = root.section("Horizon", "How far bonds reach");
+      reach.number("Ratio", model.horizon.ratio, "-", Range::between(1, 100), Need::optional)
+        .means("Of the horizon to the spacing");
+      reach
+        .choice("Volumes", model.horizon.volumes, {{"full", pd::Volumes::full}, {"partial", pd::Volumes::partial}},
+                Need::optional)
+        .means("Of nodes at the edge of the horizon: counted whole, or in part");
+      reach.flag("Surface correction", model.horizon.surface_correction)
+        .means("Bonds of nodes whose family the surface cuts are made stiffer by the volume that it lacks");
+    }
 
-  void declare_defects(Section &root, PeridynamicsModel &model)
-  {
-    root.section("Holes", "One sub-section per round hole").named_sections("HOLE", [&model](Section &opened) {
-      PeridynamicHole &added = model.holes.emplace_back();
-      added.name             = opened.name();
-      declare_list(opened, "Centre", added.centre.text, "m", Need::required)
-        .means("Of the circle; in space of the cylinder along z");
-      opened.number("Radius", added.radius, "m", Range::positive(), Need::required).means("Of the hole");
-    });
-    root.section("Cracks", "One sub-section per crack: bonds that cross it are broken from the start")
-      .named_sections("CRACK", [&model](Section &opened) {
-        PeridynamicCrack &added = model.cracks.emplace_back();
-        added.name              = opened.name();
-        declare_list(opened, "From", added.from.text, "m", Need::required)
-          .means("One end of the segment; in space a corner of a parallelogram");
-        declare_list(opened, "To", added.to.text, "m", Need::required).means("The other end; in space of one edge");
-        declare_list(opened, "Depth", added.depth.text, "m", Need::optional)
-          .means("In space: the other edge, as a vector");
+    void declare_defects(Section &root, PeridynamicsModel &model)
+    {
+      root.section("Holes", "One sub-section per round hole").named_sections("HOLE", [&model](Section &opened) {
+        PeridynamicHole &added = model.holes.emplace_back();
+        added.name             = opened.name();
+        declare_list(opened, "Centre", added.centre.text, "m", Need::required)
+          .means("Of the circle; in space of the cylinder along z");
+        opened.number("Radius", added.radius, "m", Range::positive(), Need::required).means("Of the hole");
       });
-    root.section("No-fail zones", "One sub-section per region whose nodes have bonds that never break")
-      .named_sections("ZONE", [&model](Section &opened) {
-        NoFailZone &added = model.safe.emplace_back();
-        added.name        = opened.name();
-        declare(opened, added.region);
-      });
-  }
+      root.section("Cracks", "One sub-section per crack: bonds that cross it are broken from the start")
+        .named_sections("CRACK", [&model](Section &opened) {
+          PeridynamicCrack &added = model.cracks.emplace_back();
+          added.name              = opened.name();
+          declare_list(opened, "From", added.from.text, "m", Need::required)
+            .means("One end of the segment; in space a corner of a parallelogram");
+          declare_list(opened, "To", added.to.text, "m", Need::required).means("The other end; in space of one edge");
+          declare_list(opened, "Depth", added.depth.text, "m", Need::optional)
+            .means("In space: the other edge, as a vector");
+        });
+      root.section("No-fail zones", "One sub-section per region whose nodes have bonds that never break")
+        .named_sections("ZONE", [&model](Section &opened) {
+          NoFailZone &added = model.safe.emplace_back();
+          added.name        = opened.name();
+          declare(opened, added.region);
+        });
+    }
   } // namespace
 
   void declare(Section &root, PeridynamicAnalysisSection &peridynamic_analysis)
   {
-    using Method = PeridynamicAnalysisSection::Method;
+    using Method   = PeridynamicAnalysisSection::Method;
     using Breakage = PeridynamicAnalysisSection::Breakage;
-    Section &s = root.section("Analysis", "How the body is brought to rest, or moves");
+    Section &s     = root.section("Analysis", "How the body is brought to rest, or moves");
     s.choice("Method", peridynamic_analysis.method,
              {{"relaxation", Method::relaxation}, {"static", Method::statics}, {"motion", Method::motion}},
              Need::optional)
       .means(
         "static: equilibria by sparse factors; relaxation: by adaptive dynamic relaxation; motion: explicit, in time");
-    s.choice("Kinematics", peridynamic_analysis.kinematics, {{"linear", pd::Kinematics::linear}, {"nonlinear", pd::Kinematics::nonlinear}},
-             Need::optional)
+    s.choice("Kinematics", peridynamic_analysis.kinematics,
+             {{"linear", pd::Kinematics::linear}, {"nonlinear", pd::Kinematics::nonlinear}}, Need::optional)
       .means("nonlinear: stretch and direction of the deformed bonds, and tractions that turn with the body's nodes");
-    s.choice("Solver", peridynamic_analysis.solver, {{"direct", pd::Solver::direct}, {"iterative", pd::Solver::iterative}}, Need::optional)
+    s.choice("Solver", peridynamic_analysis.solver,
+             {{"direct", pd::Solver::direct}, {"iterative", pd::Solver::iterative}}, Need::optional)
       .means("Of static: a sparse Cholesky factor, or conjugate gradients alone, which need less memory");
     s.integer("Load increments", peridynamic_analysis.increments, "", Range::between(1, 1e6), Need::optional)
       .means("Steps in which the load factor grows to 1 where bonds may break");
-    s.choice("Breakage", peridynamic_analysis.breakage, {{"between equilibria", Breakage::between}, {"every step", Breakage::steps}},
-             Need::optional)
+    s.choice("Breakage", peridynamic_analysis.breakage,
+             {{"between equilibria", Breakage::between}, {"every step", Breakage::steps}}, Need::optional)
       .means(
         "When bonds break that are stretched to their limit: at rest, or in every step of the relaxation as published");
     s.number("Break from", peridynamic_analysis.at_once, "-", Range::between(0, 1), Need::optional)

@@ -1,31 +1,16 @@
 #include "apps/scene/sequential/law_identification.h"
 
-#include "apps/runs/sequential/particles.h"
-#include "apps/runs/sequential/model.h"
-#include "apps/figures/link_failure.h"
-#include "apps/figures/summary_head.h"
-#include "apps/results/warning.h"
 #include "apps/scene/section.h"
 #include "apps/scene/sequential/particle_event.h"
 #include "apps/scene/sequential/transfer_section.h"
-#include "coupling/sequential/damage_observation.h"
-#include "postprocess/files/atomic_file.h"
-#include "postprocess/files/summary.h"
-#include "postprocess/pictures/plot.h"
-
-#include <algorithm>
-#include <cmath>
-#include <fmt/format.h>
-#include <fstream>
-#include <nlohmann/json.hpp>
 
 namespace apps
 {
   void declare(Section &transfer, IdentificationSection &identification, const TransferSection &law)
   {
     using Direction = IdentificationSection::Direction;
-    Section &s = transfer.section("Identification",
-                                  "Test from which the mapping law is found; grips, axis and rate: Particles/Uniaxial");
+    Section &s      = transfer.section("Identification",
+                                       "Test from which the mapping law is found; grips, axis and rate: Particles/Uniaxial");
     s.only_if([&law] { return law.identifies(); }, "Transfer/Mapping law/Law = identify");
     s.choice("Direction", identification.direction,
              {{"own", Direction::own}, {"tension", Direction::tension}, {"compression", Direction::compression}},

@@ -3,73 +3,74 @@
 #include "apps/scene/entries/gravity.h"
 #include "apps/scene/entries/grips.h"
 #include "apps/scene/entries/material.h"
+#include "apps/scene/entries/physics.h"
 #include "apps/scene/entries/specimen.h"
 #include "apps/scene/entries/time.h"
 #include "apps/scene/number_list.h"
-#include "apps/scene/entries/physics.h"
 #include "apps/scene/section.h"
-#include "apps/text/value_text.h"
-#include "apps/specimens/specimen_packing.h"
-
-#include <cmath>
-#include <limits>
 
 namespace apps
 {
   namespace
   {
-  void declare_uniaxial(Section &particles, ParticleEventSection &particle_event)
-  {
-    using Source = ParticleEventSection::Source;
-    const auto strained = [&particle_event] { return particle_event.source == Source::uniaxial; };
-    Section   &u        = particles.section("Uniaxial", "Between two gripped layers");
-    u.only_if([&particle_event, strained] { return strained() || (particle_event.strained_too && particle_event.strained_too()); },
-              "Particles/Source = uniaxial, or Transfer/Mapping law/Law = identify");
-    u.choice("Axis", particle_event.axis, {{"x", 0}, {"y", 1}, {"z", 2}}, Need::optional).means("Direction of loading");
-    u.number("Strain rate", particle_event.strain_rate, "1/s", Range::positive(), Need::required)
-      .means("Magnitude, on the way forward");
-    u.number("Back rate", particle_event.back_rate, "1/s", Range::at_least(0), Need::optional).means("On the way back; 0: half of it");
-    declare(u, particle_event.grips);
-    u.flag("Grip lateral motion blocked", particle_event.lateral_blocked).means("Grips hold their particles sideways too");
-    u.flag("Grip rotation blocked", particle_event.spin_blocked).means("Grips keep their particles from spinning");
-    declare_list(u, "Instants", particle_event.instants, "-", Need::required)
-      .means(
-        "Strains at which the state is handed over, separated by commas, all of one sign; \"a > b\": strained to a and "
-        "then led back to b")
-      .only_if(strained, "Particles/Source = uniaxial");
-    u.number("End strain", particle_event.end_strain, "-", Range(), Need::optional)
-      .means("To which an all-particle run goes on, to compare with; 0: none")
-      .only_if(strained, "Particles/Source = uniaxial");
-  }
+    void declare_uniaxial(Section &particles, ParticleEventSection &particle_event)
+    {
+      using Source        = ParticleEventSection::Source;
+      const auto strained = [&particle_event] { return particle_event.source == Source::uniaxial; };
+      Section   &u        = particles.section("Uniaxial", "Between two gripped layers");
+      u.only_if([&particle_event,
+                 strained] { return strained() || (particle_event.strained_too && particle_event.strained_too()); },
+                "Particles/Source = uniaxial, or Transfer/Mapping law/Law = identify");
+      u.choice("Axis", particle_event.axis, {{"x", 0}, {"y", 1}, {"z", 2}}, Need::optional)
+        .means("Direction of loading");
+      u.number("Strain rate", particle_event.strain_rate, "1/s", Range::positive(), Need::required)
+        .means("Magnitude, on the way forward");
+      u.number("Back rate", particle_event.back_rate, "1/s", Range::at_least(0), Need::optional)
+        .means("On the way back; 0: half of it");
+      declare(u, particle_event.grips);
+      u.flag("Grip lateral motion blocked", particle_event.lateral_blocked)
+        .means("Grips hold their particles sideways too");
+      u.flag("Grip rotation blocked", particle_event.spin_blocked).means("Grips keep their particles from spinning");
+      declare_list(u, "Instants", particle_event.instants, "-", Need::required)
+        .means("Strains at which the state is handed over, separated by commas, all of one sign; \"a > b\": strained "
+               "to a and "
+               "then led back to b")
+        .only_if(strained, "Particles/Source = uniaxial");
+      u.number("End strain", particle_event.end_strain, "-", Range(), Need::optional)
+        .means("To which an all-particle run goes on, to compare with; 0: none")
+        .only_if(strained, "Particles/Source = uniaxial");
+    }
 
-  void declare_impact(Section &particles, ParticleEventSection &particle_event)
-  {
-    using Source = ParticleEventSection::Source;
-    Section &i = particles.section(
-      "Impact", "A beam along x on two supports, hit at mid-span from above by a sphere of its own (first) material");
-    i.only_if([&particle_event] { return particle_event.source == Source::impact; }, "Particles/Source = impact");
-    i.number("Span", particle_event.impact.span, "m", Range::positive(), Need::required).means("Distance of the supports");
-    i.number("Support width", particle_event.impact.support_width, "m", Range::positive(), Need::required)
-      .means("Bottom particles within half of it of a support cannot move up or down");
-    i.number("Striker radius", particle_event.impact.striker_radius, "m", Range::positive(), Need::required).means("Of the sphere");
-    declare_list(i, "Striker velocities", particle_event.velocities, "m/s", Need::required)
-      .means("One run each, numbers above 0 [m/s], separated by commas");
-    i.number("Rest damping", particle_event.impact.rest_damping, "-", Range::between(1e-3, 0.99), Need::optional)
-      .means("Local damping once the striker has left");
-    i.number("Rest ratio", particle_event.impact.rest_ratio, "-", Range::between(1e-12, 1), Need::optional)
-      .means("At rest when the kinetic energy is below this part of the striker's");
-    i.number("Longest time", particle_event.impact.longest, "s", Range::positive(), Need::required)
-      .means("After which the run ends in any case");
-  }
+    void declare_impact(Section &particles, ParticleEventSection &particle_event)
+    {
+      using Source = ParticleEventSection::Source;
+      Section &i   = particles.section(
+          "Impact", "A beam along x on two supports, hit at mid-span from above by a sphere of its own (first) material");
+      i.only_if([&particle_event] { return particle_event.source == Source::impact; }, "Particles/Source = impact");
+      i.number("Span", particle_event.impact.span, "m", Range::positive(), Need::required)
+        .means("Distance of the supports");
+      i.number("Support width", particle_event.impact.support_width, "m", Range::positive(), Need::required)
+        .means("Bottom particles within half of it of a support cannot move up or down");
+      i.number("Striker radius", particle_event.impact.striker_radius, "m", Range::positive(), Need::required)
+        .means("Of the sphere");
+      declare_list(i, "Striker velocities", particle_event.velocities, "m/s", Need::required)
+        .means("One run each, numbers above 0 [m/s], separated by commas");
+      i.number("Rest damping", particle_event.impact.rest_damping, "-", Range::between(1e-3, 0.99), Need::optional)
+        .means("Local damping once the striker has left");
+      i.number("Rest ratio", particle_event.impact.rest_ratio, "-", Range::between(1e-12, 1), Need::optional)
+        .means("At rest when the kinetic energy is below this part of the striker's");
+      i.number("Longest time", particle_event.impact.longest, "s", Range::positive(), Need::required)
+        .means("After which the run ends in any case");
+    }
   } // namespace
 
   void declare(Section &root, ParticleEventSection &particle_event)
   {
-    using Source = ParticleEventSection::Source;
+    using Source        = ParticleEventSection::Source;
     const auto computed = [&particle_event] { return particle_event.source != Source::file; };
     Section   &s = root.section("Particles", "The event that is simulated with particles, and when it is handed over");
-    s.choice("Source", particle_event.source, {{"file", Source::file}, {"uniaxial", Source::uniaxial}, {"impact", Source::impact}},
-             Need::required)
+    s.choice("Source", particle_event.source,
+             {{"file", Source::file}, {"uniaxial", Source::uniaxial}, {"impact", Source::impact}}, Need::required)
       .means("file: discrete states saved before; uniaxial: a specimen between grips; impact: a beam hit by a sphere");
     s.text("Files", particle_event.files, Need::required)
       .means("Saved discrete states (HDF5), separated by commas")
@@ -83,8 +84,9 @@ namespace apps
     for (const char *name : {"Specimen", "Physics", "Time", "Gravity"})
       s.find_section(name)->only_if(computed, "Particles/Source is not file");
     s.find_section("Material")
-      ->only_if([&particle_event] { return particle_event.source != Source::file && particle_event.material.named.empty(); },
-                "Particles/Source is not file, and there is no section Particles/Materials");
+      ->only_if(
+        [&particle_event] { return particle_event.source != Source::file && particle_event.material.named.empty(); },
+        "Particles/Source is not file, and there is no section Particles/Materials");
 
     declare_uniaxial(s, particle_event);
     declare_impact(s, particle_event);

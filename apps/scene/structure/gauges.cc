@@ -1,6 +1,5 @@
 #include "apps/scene/structure/gauges.h"
 
-#include "apps/runs/continuum/gauge_column.h"
 #include "apps/scene/particles/groups.h"
 #include "apps/scene/section.h"
 

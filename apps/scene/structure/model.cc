@@ -3,38 +3,34 @@
 #include "apps/scene/continuum/model.h"
 #include "apps/scene/coupled/handshakes.h"
 #include "apps/scene/entries/material.h"
+#include "apps/scene/entries/physics.h"
 #include "apps/scene/entries/region.h"
 #include "apps/scene/entries/specimen.h"
-#include "apps/scene/entries/physics.h"
 #include "apps/scene/particles/groups.h"
 #include "apps/scene/section.h"
 #include "apps/scene/structure/gauges.h"
 #include "apps/scene/structure/supports.h"
-#include "apps/specimens/specimen_packing.h"
-
-#include <algorithm>
-#include <limits>
 
 namespace apps
 {
   namespace
   {
-  void declare_output(Section &root, StructureModel &model)
-  {
-    Section &output = root.section("Output", "How often results are written");
-    output.integer("Points per snapshot", model.snapshot_interval, "", Range::between(0, 1e6), Need::optional)
-      .means("Points of the path from one set of ParaView files to the next; 0: none at all")
-      .housekeeping();
-    output.number("Checkpoint interval", model.checkpoint_interval, "s", Range::positive(), Need::optional)
-      .means("Longest wall-clock time between checkpoints; from one minute on they are made wherever saving is cheap")
-      .housekeeping();
-    output.text("Curve horizontal", model.horizontal, Need::optional)
-      .means("Column of series.csv for curve.png; empty: the first gauge, or the load factor")
-      .housekeeping();
-    output.text("Curve vertical", model.vertical, Need::optional)
-      .means("Column of series.csv for curve.png; empty: the first reaction, or the force of the load factor")
-      .housekeeping();
-  }
+    void declare_output(Section &root, StructureModel &model)
+    {
+      Section &output = root.section("Output", "How often results are written");
+      output.integer("Points per snapshot", model.snapshot_interval, "", Range::between(0, 1e6), Need::optional)
+        .means("Points of the path from one set of ParaView files to the next; 0: none at all")
+        .housekeeping();
+      output.number("Checkpoint interval", model.checkpoint_interval, "s", Range::positive(), Need::optional)
+        .means("Longest wall-clock time between checkpoints; from one minute on they are made wherever saving is cheap")
+        .housekeeping();
+      output.text("Curve horizontal", model.horizontal, Need::optional)
+        .means("Column of series.csv for curve.png; empty: the first gauge, or the load factor")
+        .housekeeping();
+      output.text("Curve vertical", model.vertical, Need::optional)
+        .means("Column of series.csv for curve.png; empty: the first reaction, or the force of the load factor")
+        .housekeeping();
+    }
   } // namespace
 
   void declare(Section &root, PathSection &path)

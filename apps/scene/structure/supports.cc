@@ -1,12 +1,8 @@
 #include "apps/scene/structure/supports.h"
 
-#include "apps/scene/particles/groups.h"
 #include "apps/scene/entries/components.h"
+#include "apps/scene/particles/groups.h"
 #include "apps/scene/section.h"
-
-#include <cmath>
-#include <fmt/format.h>
-#include <map>
 
 namespace apps
 {

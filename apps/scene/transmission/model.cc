@@ -8,8 +8,7 @@ namespace apps
 {
   void declare(Section &root, TransmissionModel &model)
   {
-    Section &s =
-      root.section("Waves", "Packets of waves that run through particles and on into a continuum");
+    Section &s = root.section("Waves", "Packets of waves that run through particles and on into a continuum");
     s.choice("Medium", model.common.medium.lattice,
              {{"chain", coupling::WaveMedium::Lattice::chain},
               {"strip", coupling::WaveMedium::Lattice::strip},
@@ -20,12 +19,14 @@ namespace apps
              "packets of any "
              "direction, or spheres without order in a bar");
     s.number("Spacing", model.common.medium.spacing, "m", Range::positive(), Need::optional).means("Of neighbours");
-    s.number("Normal modulus", model.common.medium.modulus, "Pa", Range::positive(), Need::required).means("Of the links");
+    s.number("Normal modulus", model.common.medium.modulus, "Pa", Range::positive(), Need::required)
+      .means("Of the links");
     s.number("Density", model.common.medium.density, "kg/m^3", Range::positive(), Need::required)
       .means("Of the medium, voids included; the continuum has the same");
     s.integer("Rows", model.common.medium.rows, "-", Range::between(2, 1000), Need::optional)
       .means("Of a strip, from one line of symmetry to the other")
-      .only_if([&model] { return model.common.medium.lattice == coupling::WaveMedium::Lattice::strip; }, "Medium = strip");
+      .only_if([&model] { return model.common.medium.lattice == coupling::WaveMedium::Lattice::strip; },
+               "Medium = strip");
     const auto of_bar = [&model] { return model.common.medium.lattice == coupling::WaveMedium::Lattice::bar; };
     s.integer("Width", model.common.medium.width, "-", Range::between(1, 64), Need::optional)
       .means("Of a bar, in elements")
@@ -41,7 +42,8 @@ namespace apps
     s.flag("Shear", model.common.shear).means("Waves of shear, not of compression; in a strip");
     declare_list(s, "Wavelengths", model.wavelengths, "m", Need::required)
       .means("[m], four spacings at least, separated by commas");
-    s.text("Methods", model.methods, Need::optional).means("Of the coupling, separated by commas: " + wave_method_names());
+    s.text("Methods", model.methods, Need::optional)
+      .means("Of the coupling, separated by commas: " + wave_method_names());
     s.integer("Element size", model.common.element, "-", Range::between(1, 64), Need::optional)
       .means("Of the continuum, over the spacing");
     s.integer("Overlap", model.common.overlap, "-", Range::between(1, 64), Need::optional)
@@ -63,6 +65,7 @@ namespace apps
         "Longest time that absorbers damp at once, times their largest eigenvalue; less is nearer to the exponential");
     s.number("Angle", model.degrees, "-", Range::between(0, 60), Need::optional)
       .means("Of the packets' way with the normal of the overlap, in degrees")
-      .only_if([&model] { return model.common.medium.lattice == coupling::WaveMedium::Lattice::plane; }, "Medium = plane");
+      .only_if([&model] { return model.common.medium.lattice == coupling::WaveMedium::Lattice::plane; },
+               "Medium = plane");
   }
 } // namespace apps

@@ -1,6 +1,6 @@
 // Runs a scene in this process and reads a figure of its result, without a file of results.
-#include <apps/scene/read_scene.h>
 #include <apps/results/run_result.h>
+#include <apps/scene/kinds/read_scene.h>
 #include <base/errors.h>
 
 #include <cstdio>

@@ -1,39 +1,39 @@
-#include "apps/scene/kinds.h"
+#include "apps/scene/kinds/kinds.h"
 
 #include "apps/runs/cell/forecast.h"
 #include "apps/runs/cell/run.h"
-#include "apps/scene/cell/model.h"
 #include "apps/runs/continuum/forecast.h"
 #include "apps/runs/continuum/run.h"
-#include "apps/scene/continuum/model.h"
 #include "apps/runs/coupled/forecast.h"
 #include "apps/runs/coupled/run.h"
-#include "apps/scene/coupled/model.h"
 #include "apps/runs/homogenisation/forecast.h"
 #include "apps/runs/homogenisation/run.h"
-#include "apps/scene/homogenisation/model.h"
 #include "apps/runs/particles/forecast.h"
 #include "apps/runs/particles/run.h"
-#include "apps/scene/particles/model.h"
 #include "apps/runs/peridynamics/forecast.h"
 #include "apps/runs/peridynamics/run.h"
-#include "apps/scene/peridynamics/model.h"
 #include "apps/runs/quasi_static/forecast.h"
 #include "apps/runs/quasi_static/run.h"
-#include "apps/scene/quasi_static/model.h"
 #include "apps/runs/sequential/forecast.h"
 #include "apps/runs/sequential/run.h"
-#include "apps/scene/sequential/model.h"
 #include "apps/runs/structure/forecast.h"
 #include "apps/runs/structure/run.h"
-#include "apps/scene/structure/model.h"
 #include "apps/runs/transmission/forecast.h"
 #include "apps/runs/transmission/run.h"
-#include "apps/scene/transmission/model.h"
 #include "apps/runs/uniaxial/forecast.h"
 #include "apps/runs/uniaxial/run.h"
-#include "apps/scene/uniaxial/model.h"
+#include "apps/scene/cell/model.h"
+#include "apps/scene/continuum/model.h"
+#include "apps/scene/coupled/model.h"
+#include "apps/scene/homogenisation/model.h"
+#include "apps/scene/particles/model.h"
+#include "apps/scene/peridynamics/model.h"
+#include "apps/scene/quasi_static/model.h"
 #include "apps/scene/scene_of.h"
+#include "apps/scene/sequential/model.h"
+#include "apps/scene/structure/model.h"
+#include "apps/scene/transmission/model.h"
+#include "apps/scene/uniaxial/model.h"
 #include "apps/text/same_name.h"
 
 #include <stdexcept>
@@ -56,7 +56,8 @@ namespace apps
          make_scene<PeridynamicsModel>},
         {"quasi_static", "a bonded-particle specimen or periodic cell pulled and crushed without inertia",
          make_scene<QuasiStaticModel>},
-        {"sequential", "an event by particles, handed over to a continuum that carries on", make_scene<SequentialModel>},
+        {"sequential", "an event by particles, handed over to a continuum that carries on",
+         make_scene<SequentialModel>},
         {"structure", "particles, and a solid around them, led along their equilibria without inertia",
          make_scene<StructureModel>},
         {"transmission", "packets of waves that run through particles and on into a continuum",

@@ -1,0 +1,19 @@
+// The library `runs` alone: a model that a program fills is checked and run where no reader of scenes is linked.
+#include "apps/runs/particles/run.h"
+#include "tests/library/ball_in_code.h"
+
+#include <catch2/catch.hpp>
+
+TEST_CASE("model is checked and run by the library that knows no text of scenes", "[runs]")
+{
+  const apps::ParticlesModel model = library_tests::ball_in_code();
+  REQUIRE_NOTHROW(model.check({}));
+  const apps::RunResult result = run(model, apps::RunRequest());
+
+  // Thrown at 1 m/s onto a floor 0.1 mm below, without weight: down at that speed, and up at the restitution of the glass.
+  const std::vector<double> &time = result.series.column("time"), &height = result.series.column("height");
+  REQUIRE(time.size() == 51);
+  CHECK(height[2] == Approx(library_tests::start - time[2]).epsilon(1e-9));
+  const double rebound = (height[50] - height[40]) / (time[50] - time[40]);
+  CHECK(rebound == Approx(library_tests::glass().restitution).epsilon(0.005));
+}
