@@ -149,7 +149,7 @@ namespace apps
     warn_of_missing("crack picture", draw_crack(folder));
   }
 
-  std::shared_ptr<const dem::Specimen> UniaxialLabTest::specimen_at_end()
+  std::shared_ptr<const dem::ObservedSpecimen> UniaxialLabTest::specimen_at_end()
   {
     return std::make_shared<const dem::Specimen>(std::move(specimen));
   }
