@@ -100,7 +100,7 @@ namespace dem
     bool viscous() const; ///< the law of some surface is
     /** @throws base::InputError for a particle behind a surface or in it by more than half its radius */
     void check_start(const Particles &particles);
-    /** What of particles reaches through a surface is cut off: they touch it without force. @throws base::InputError */
+    /** Cuts off what reaches through a surface: particles touch it without force (doc/theory/laboratory.md, 1). @throws base::InputError */
     void cut_off_at(std::size_t surface, const Particles &particles, const ParticleShape &shape);
     bool touching() const { return !contacts.empty() || holding(); }
     /** Call use(surface, particle, force, moment) for all that acts on particles now, in order. */

@@ -56,7 +56,7 @@ namespace dem
   };
 
   /**
-   * Linear parallel bond: a cemented disc (strip, in the plane) in parallel with a linear contact. It resists opening, shear, bending
+   * Linear parallel bond (doc/theory/parallel-bond.md): a cemented disc (strip, in the plane) beside a linear contact. It resists opening, shear, bending
    * and twist elastically, and breaks at once when the stress at its rim reaches the tensile or the shear strength; then the linear
    * contact alone remains in its place until the particles part.
    *

@@ -11,7 +11,7 @@ namespace dem
    *
    *   Pi = 1/2 x^T S x + p x^T b + 1/2 c p^2
    *
-   * which is the energy stored less what dead loads p (w^T x + p w_0) have done.
+   * which is the energy stored less what dead loads p (w^T x + p w_0) have done (doc/theory/static-handshake.md, 1).
    */
   struct ElasticBody
   {

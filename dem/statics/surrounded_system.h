@@ -11,7 +11,7 @@ namespace dem
 {
   /**
    * What a body and ties make of the linear system of a network's links. Motions that others lead are left out where that is possible;
-   * otherwise multipliers of the ties are unknowns as well. Without body and ties it is the system of the links.
+   * otherwise multipliers of the ties are unknowns as well (doc/theory/static-handshake.md, 2). Without body and ties it is the system of the links.
    */
   class SurroundedSystem
   {

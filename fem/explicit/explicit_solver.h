@@ -67,7 +67,7 @@ namespace fem
   };
 
   /**
-   * Motion of a solid by central differences with a lumped mass.
+   * Motion of a solid by central differences with a lumped mass (doc/theory/explicit-solver.md, 1).
    *
    * Mass lumped by scaling the diagonal of the consistent one (Hinton, Rock and Zienkiewicz 1976): positive for all elements.
    * Critical step 2 / omega with the largest eigenvalue of any element, which bounds that of the mesh (Irons and Treharne 1971). With large

@@ -121,6 +121,7 @@ TEST_CASE("force between spheres of two sizes and materials is that of Hertz", "
     }
 }
 
+// doc/theory/hertz-mindlin.md, (4).
 TEST_CASE("elastic impact of two spheres and of a sphere on a face lasts and presses as Hertz has it", "[dem][hertz]")
 {
   const auto closed = [](const Impact &found, const double m, const double R, const double speed) {

@@ -18,7 +18,7 @@ namespace fem
     // Beyond it nothing is left of a point but rounding, and a solver that may go there takes an absurd equilibrium for one.
     constexpr double largest_strain = 10;
 
-    /// Ductility of softening x_s from the ratio of negative to total plastic volume, and its slope.
+    /// Ductility of softening x_s from the ratio R_s of negative to total plastic volume, and its slope; doc/theory/damage-plastic-concrete.md, 3.
     std::pair<double, double> softening_ductility(const double a_s, const double ratio)
     {
       if (ratio < 1)
