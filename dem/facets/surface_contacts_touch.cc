@@ -176,7 +176,7 @@ namespace dem
 
     /**
      * Which side of the surface a centre is on. Within a body, what counts is the nearest point alone, at a negative distance and with
-     * the direction that it had outside; false where the centre has gone through facets that let nobody through.
+     * the direction that it had outside; false where the centre has gone through facets that let nothing pass.
      *
      * @param was_within after the step before @param points within reach, of all facets
      */

@@ -63,8 +63,8 @@ namespace dem
     const Eigen::SparseMatrix<double> &rows() const { return conditions; }
 
     /**
-     * All motions (rows) by those that lead (columns; numbered as all are, led ones have none), where each condition has a motion that no other
-     * knows, as slaves have: then these can be left out of a system altogether. Without columns otherwise.
+     * All motions (rows) by the independent ones (columns; numbered as all are, dependent ones have none), where each condition has a motion of its
+     * own, as those of constrained particles have: then these can be left out of a system altogether. Without columns otherwise.
      */
     const Eigen::SparseMatrix<double> &by_leaders() const { return leaders; }
 

@@ -116,8 +116,8 @@ namespace fem
     double force_for_velocity(dealii::types::global_dof_index dof, double length) const;
 
     /**
-     * In the next step a locally owned displacement grows by this much [m], and not by what its velocity at the step's end says: somebody
-     * else has moved it on in shorter steps. Nothing comes of it where it is prescribed.
+     * In the next step a locally owned displacement grows by this much [m], and not by its velocity at the step's end: a coupling
+     * has moved it in shorter steps. Ignored where it is prescribed.
      */
     void carry(dealii::types::global_dof_index dof, double by);
 

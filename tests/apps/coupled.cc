@@ -98,7 +98,7 @@ end
   }
 } // namespace
 
-TEST_CASE("A ball and a free block keep momentum, angular momentum and energy, and the account tells it",
+TEST_CASE("A ball and a free block keep momentum, angular momentum and energy, and the account shows it",
           "[apps][coupled]")
 {
   const ScratchFolder folder;
@@ -338,7 +338,7 @@ TEST_CASE("A coupled run is the same to the last bit with any number of threads"
     }
 }
 
-TEST_CASE("A coupled run tells which side is sub-cycled, and what that takes of the energy", "[apps][coupled]")
+TEST_CASE("A coupled run reports which side is sub-cycled, and the energy that this costs", "[apps][coupled]")
 {
   const ScratchFolder folder;
   folder.file("x.prm", collision);
@@ -411,7 +411,7 @@ TEST_CASE("What cannot be coupled is refused by name", "[apps][coupled]")
   refused({}, "Couplings: there is none");
 }
 
-TEST_CASE("A coupling that makes more energy than it may stops the run and says which", "[apps][coupled]")
+TEST_CASE("A coupling that adds more energy than is allowed stops the run and is named", "[apps][coupled]")
 {
   const ScratchFolder folder;
   folder.file("x.prm", collision);
@@ -469,7 +469,7 @@ TEST_CASE("Energy that contacts really lose in dents is in the account of the co
   CHECK(found_in({"Couplings/block/Spreading=automatic"}).lacks < 1e-4);
 }
 
-TEST_CASE("Glue that breaks while it is pressed leaves energy that nobody put in, and the run stops", "[apps][coupled]")
+TEST_CASE("Glue that breaks while it is pressed leaves spurious energy, and the run stops", "[apps][coupled]")
 {
   const ScratchFolder folder;
   std::string         scene = replaced(collision, "0.062, 0.1205", "0.062, 0.12");
@@ -492,7 +492,7 @@ TEST_CASE("Glue that breaks while it is pressed leaves energy that nobody put in
   CHECK(outcome_of(folder, "run", "x.prm", holds).status == 0);
 }
 
-TEST_CASE("Sub-cycling is forecast, held to what it may lose, and said", "[apps][coupled]")
+TEST_CASE("Sub-cycling is forecast, held to the energy that it may lose, and reported", "[apps][coupled]")
 {
   const ScratchFolder folder;
   folder.file("x.prm", collision);
@@ -523,7 +523,7 @@ TEST_CASE("Sub-cycling is forecast, held to what it may lose, and said", "[apps]
   CHECK(results_of(folder, "x.prm").summary["warnings"].dump().find("lost") == std::string::npos);
 }
 
-TEST_CASE("A ball that was thrown past everything is said, and one that has hit is not", "[apps][coupled]")
+TEST_CASE("A ball that was thrown past everything is reported, and one that has hit is not", "[apps][coupled]")
 {
   const ScratchFolder folder;
   const std::string   stray =
@@ -543,7 +543,7 @@ TEST_CASE("A ball that was thrown past everything is said, and one that has hit 
     }
 }
 
-TEST_CASE("An interface that nobody ever touches is said", "[apps][coupled]")
+TEST_CASE("An interface that is never touched is reported", "[apps][coupled]")
 {
   const ScratchFolder folder;
   folder.file("x.prm", collision);

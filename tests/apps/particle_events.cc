@@ -56,7 +56,7 @@ namespace
   const std::string a(16, 'a'), b(16, 'b'), c(16, 'c');
 } // namespace
 
-TEST_CASE("Instants are strains, or strains and what is led back to", "[apps][transfer]")
+TEST_CASE("Instants are strains, or strains and those unloaded to", "[apps][transfer]")
 {
   const auto asked = uniaxial("-1e-3, -2e-3 > -1.5e-3").instants_asked();
   REQUIRE(asked.size() == 2);

@@ -61,7 +61,7 @@ namespace
   }
 } // namespace
 
-TEST_CASE("A crushed specimen is handed over, carried on, and told in table, picture and ParaView files",
+TEST_CASE("A crushed specimen is handed over, carried on, and reported in table, figure and ParaView files",
           "[apps][slow]")
 {
   const ScratchFolder folder;
@@ -445,7 +445,7 @@ TEST_CASE("A transfer past its limits is refused", "[apps][slow][S14]")
   CHECK(std::filesystem::exists(folder / "results/summary.json"));
 }
 
-TEST_CASE("bench sequential tells error and cost of every kernel and mesh", "[apps][slow]")
+TEST_CASE("bench sequential reports error and cost of every kernel and mesh", "[apps][slow]")
 {
   const ScratchFolder folder;
   Arguments           arguments = small({"bench", "sequential", scene, "--quick", "-o", "bench"}, "-1e-3, -2.2e-3");

@@ -197,7 +197,7 @@ TEST_CASE("flat joint of one slit element, partly closed, pushes off its middle 
   CHECK(-joint.answer.moment.z() == Approx(-1.16775).epsilon(1e-9));
 }
 
-TEST_CASE("flat joints are bonded, gapped and slit by fractions that hang on the pair alone", "[dem][laws]")
+TEST_CASE("flat joints are bonded, gapped and slit by fractions that depend on the pair alone", "[dem][laws]")
 {
   auto p                = mortar();
   p.gapped_fraction     = 0.2;

@@ -141,7 +141,7 @@ TEST_CASE("elastic impact of two spheres and of a sphere on a face lasts and pre
     }
 }
 
-TEST_CASE("restitution is what was asked for, at any speed, of spheres and of a face", "[dem][hertz]")
+TEST_CASE("restitution is the prescribed one, at any speed, of spheres and of a face", "[dem][hertz]")
 {
   for (const double e : {0.9, 0.5, 0.2})
     for (const double speed : {0.05, 2.0})

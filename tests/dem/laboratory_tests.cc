@@ -255,7 +255,7 @@ TEST_CASE("what is cut off at platens touches without force until they move", "[
   CHECK_THROWS_WITH(run.body.surfaces().cut_off(0), Catch::Contains("before the first step"));
 }
 
-TEST_CASE("platens stand where they are told, and what reaches through is cut off whatever its depth",
+TEST_CASE("platens stand where they are placed, and particles that reach through are cut off whatever the depth",
           "[dem][laboratory]")
 {
   dem::LabParameters asked  = between_platens(0.02);
@@ -299,8 +299,7 @@ TEST_CASE("a specimen that still grows wider is not at rest, whatever its forces
   CHECK(run.test.notes().empty());
 }
 
-TEST_CASE("stress is that of the section that is told, and a disk's that of its diameter across the load",
-          "[dem][laboratory]")
+TEST_CASE("stress is that of the given section, and a disk's that of its diameter across the load", "[dem][laboratory]")
 {
   dem::LabParameters asked = between_platens(0.02);
   asked.section            = 0.03;

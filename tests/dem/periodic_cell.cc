@@ -340,7 +340,7 @@ TEST_CASE("a cell goes on from a saved state to the same bits, with any number o
   REQUIRE(resumed == whole);
 }
 
-TEST_CASE("what a periodic specimen cannot do is said", "[dem][periodic]")
+TEST_CASE("what a periodic specimen cannot do is refused by name", "[dem][periodic]")
 {
   dem::Packing free = eight_spheres();
   free.periodic_cell.reset();

@@ -238,7 +238,7 @@ TEST_CASE("quasi-static path: a chain with a weak link snaps back along the clos
     }
 }
 
-TEST_CASE("relaxation of links: a chain led past its snap-back falls to the closed form's other branch",
+TEST_CASE("relaxation of links: a chain driven past its snap-back falls to the closed form's other branch",
           "[dem][statics]")
 {
   const auto         law = concrete(3);
@@ -348,7 +348,7 @@ TEST_CASE("statics: a cantilever ladder of bonded spheres deflects by its closed
     }
 }
 
-TEST_CASE("quasi-static path: work is stored or dissipated, and the peak does not hang on the steps",
+TEST_CASE("quasi-static path: work is stored or dissipated, and the peak does not depend on the steps",
           "[dem][statics][slow]")
 {
   const auto law = concrete();
@@ -481,7 +481,7 @@ TEST_CASE("quasi-static cell: dynamic strengths fall towards the static one as t
   CHECK(slowest == Approx(still).epsilon(0.01)); // finite against small strain: parts in 1e-4; the rate: what is left
 }
 
-TEST_CASE("a path of particles that are all led is that of their links", "[dem][statics]")
+TEST_CASE("a path of particles that are all driven is that of their links", "[dem][statics]")
 {
   // Two spheres, each in a grip: no motion is left to solve for.
   const dem::CpmParameters law = concrete();

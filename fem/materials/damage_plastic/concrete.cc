@@ -13,7 +13,7 @@ namespace fem
     using RowVoigt = Eigen::Matrix<double, 1, 6>;
 
     constexpr double nearly_damaged = 1 - 1e-6; // stands for full damage in an initial state
-    constexpr int    finest         = 64;       // times the number of parts asked for
+    constexpr int    finest         = 64;       // times the requested number of parts
     constexpr double flat           = 1e-6;     // extent over size of an element across its plane
     // Beyond it nothing is left of a point but rounding, and a solver that may go there takes an absurd equilibrium for one.
     constexpr double largest_strain = 10;
