@@ -118,7 +118,7 @@ namespace apps
           const auto *system = dynamic_cast<const std::system_error *>(&error);
           if (system && system->code() == std::errc::broken_pipe) // the reader, head for example, has enough
             return exit_failure;
-          return complain(fmt::format("unexpected error, a mistake in the program: {}", error.what()), exit_failure);
+          return complain(fmt::format("internal error: {}", error.what()), exit_failure);
         }
     }
   } // namespace

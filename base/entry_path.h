@@ -41,7 +41,7 @@ namespace base
   };
 
   /**
-   * Where a part of a model stands in the whole, for messages: the sections around it. Models are checked with it, whoever has filled
+   * Where a part of a model stands in the whole, for messages: the sections around it. Models are checked with it, whatever has filled
    * them; the reader of a text adds the place in its file.
    */
   class EntryPath

@@ -6,7 +6,7 @@
 
 namespace apps
 {
-  /** What `breccia bench confined` is asked. */
+  /** Options of `breccia bench confined`. */
   struct ConfinedBench
   {
     std::string              scene;

@@ -4,7 +4,7 @@
 
 namespace apps
 {
-  /** What `breccia bench conservation` is asked. */
+  /** Options of `breccia bench conservation`. */
   struct ConservationBench
   {
     std::filesystem::path folder;
@@ -13,9 +13,9 @@ namespace apps
 
   /**
    * What every way of coupling keeps of every motion (doc/theory/conservation.md): momentum and angular momentum of both sides together, energy that
-   * no account tells of with its order in the step, what the coupling itself loses, and what a window costs over the first of its kind.
+   * no account contains with its order in the step, what the coupling itself loses, and what a window costs over the first of its kind.
    *
-   * Written after every case to conservation.csv and conservation.md; no picture.
+   * Written after every case to conservation.csv and conservation.md; no figure.
    *
    * @return exit status. @throws postprocess::OutputError
    */

@@ -108,7 +108,7 @@ namespace apps
 
     struct Energies
     {
-      double there = 0, made = 0, missing = 0; ///< in motion and stored; by the coupling; that no account tells of [J]
+      double there = 0, made = 0, missing = 0; ///< in motion and stored; by the coupling; in no account [J]
     };
 
     template <int dim>
@@ -134,7 +134,7 @@ namespace apps
       const double       step    = part * sides.both->next_window(1).window;
       const auto         windows = static_cast<std::int64_t>(std::ceil(time / step));
       ConservationAnswer found;
-      sides.both->advance(step); // slaves take their velocities from the solid in the first step
+      sides.both->advance(step); // constrained particles take their velocities from the solid in the first step
       const Momenta  start = momenta_of(sides);
       const Energies first = energies_of(sides);
       double         there = first.there;

@@ -35,7 +35,7 @@ namespace apps
   struct ConservationAnswer
   {
     double momentum = 0, turning = 0; ///< linear and angular [-]
-    double energy = 0;                ///< that no account tells of [-]
+    double energy = 0;                ///< in no account [-]
     double lost   = 0;                ///< by the coupling, as its account says, in the end [-]
     double cost   = 0;                ///< processor time of a window [s]
   };

@@ -125,7 +125,7 @@ namespace apps
         for (const bool ours : {true, false})
           {
             if (r.operation == "product" || r.operation == "solver iteration")
-              continue; // in the table; the picture stays readable
+              continue; // in the table; the figure stays readable
             auto &s = series_of(rates, r.operation + (ours ? "" : ", plain"));
             s.x.push_back(static_cast<double>(r.unknowns));
             s.y.push_back(r.per_second(ours ? r.ours : r.plain));

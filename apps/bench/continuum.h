@@ -4,7 +4,7 @@
 
 namespace apps
 {
-  /** What `breccia bench continuum` is asked. */
+  /** Options of `breccia bench continuum`. */
   struct ContinuumBench
   {
     std::filesystem::path folder;

@@ -5,7 +5,7 @@
 
 namespace apps
 {
-  /** What `breccia bench homogenise` is asked. */
+  /** Options of `breccia bench homogenise`. */
   struct HomogeniseBench
   {
     std::filesystem::path folder;

@@ -7,7 +7,7 @@
 namespace apps
 {
   /**
-   * What a bench asks of balls of finite elements that meet: their elements, with a contact that grows stiffer by the fourth power of their number
+   * Options of a bench of colliding balls of finite elements: their elements, with a contact that grows stiffer by the fourth power of their number
    * (doc/tutorials/colliding_balls.md), and for one of these meshes the step and the stiffness alone. @pre explicit, with balls and one contact
    */
   std::vector<SceneVariant> impacts_of_bodies(const ContinuumModel &model, bool quick);

@@ -29,7 +29,7 @@ namespace apps
     /** Largest step of strain along equilibria: a fiftieth of that at the peak of the published mortars. */
     constexpr double static_strain_step = 1e-5;
 
-    /** The same bonds between ends led as by smooth platens. */
+    /** The same bonds between ends driven as by smooth platens. */
     dem::LoadedNetwork between_smooth_ends(const ParticlesModel &model, const dem::Packing &packing)
     {
       dem::NetworkParameters links;

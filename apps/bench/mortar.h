@@ -6,7 +6,7 @@
 
 namespace apps
 {
-  /** What `breccia bench mortar` is asked. */
+  /** Options of `breccia bench mortar`. */
   struct MortarBench
   {
     std::string              scene;
@@ -21,7 +21,7 @@ namespace apps
 
   /**
    * A bonded specimen that grows in its vessel and is crushed by platens: strength and modulus over the scale of its particles, the speed of
-   * the platens, damping and the elements of a joint, beside the cost, and the modulus, if asked for also the strength, without inertia. The scene is of kind particles, with
+   * the platens, damping and the elements of a joint, beside the cost, and the modulus, on request also the strength, without inertia. The scene is of kind particles, with
    * Specimen/Source = genesis, flat joints and a uniaxial compression in section Laboratory.
    *
    * Written after every case to mortar.csv and mortar.md, at the end to mortar.png.

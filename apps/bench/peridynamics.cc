@@ -160,7 +160,7 @@ namespace apps
     const std::string further = (bench.quick ? std::string() : table_of_relaxations()) + table_of_rates(bench.quick);
     fmt::print("{}", further);
     results.write(csv, md + further);
-    points.insert(points.begin(), points.front()); // costs are told in that of the first
+    points.insert(points.begin(), points.front()); // costs are relative to that of the first
     return results.finish({error_over_cost("Peridynamic plate: largest error of tension and shear",
                                            "Bonds over those of the first", points)});
   }

@@ -4,7 +4,7 @@
 
 namespace apps
 {
-  /** What `breccia bench peridynamics` is asked. */
+  /** Options of `breccia bench peridynamics`. */
   struct PeridynamicsBench
   {
     std::filesystem::path folder;

@@ -6,7 +6,7 @@
 
 namespace apps
 {
-  /** What `breccia bench quasi-static` is asked. */
+  /** Options of `breccia bench quasi-static`. */
   struct QuasiStaticBench
   {
     std::string              scene;     ///< of kind uniaxial: material, particles, grips, damping

@@ -17,7 +17,7 @@ namespace apps
 
     /** @throws postprocess::OutputError. */
     void write(const std::string &csv, const std::string &table) const;
-    /** Draws the picture; a warning where that cannot be. */
+    /** Draws the figure; a warning where that is not possible. */
     void draw(const std::vector<postprocess::PlotPanel> &panels) const;
     /** The same, and says where everything is. @return exit status */
     int finish(const std::vector<postprocess::PlotPanel> &panels) const;

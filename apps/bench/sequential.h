@@ -6,7 +6,7 @@
 
 namespace apps
 {
-  /** What `breccia bench sequential` is asked. */
+  /** Options of `breccia bench sequential`. */
   struct SequentialBench
   {
     std::string              scene; ///< of kind sequential, particles strained between grips, continuum a box

@@ -6,7 +6,7 @@
 
 namespace apps
 {
-  /** What `breccia bench structure` is asked. */
+  /** Options of `breccia bench structure`. */
   struct StructureBench
   {
     std::string whole = "apps/scenes/bending_of_particles.prm",

@@ -6,7 +6,7 @@
 
 namespace apps
 {
-  /** What `breccia bench surface` is asked. */
+  /** Options of `breccia bench surface`. */
   struct SurfaceBench
   {
     std::vector<std::string> scenes;

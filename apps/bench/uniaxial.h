@@ -6,7 +6,7 @@
 
 namespace apps
 {
-  /** What `breccia bench uniaxial` is asked. */
+  /** Options of `breccia bench uniaxial`. */
   struct UniaxialBench
   {
     std::string              scene;

@@ -35,7 +35,7 @@ namespace apps
     double all_steps = 0, all_seconds = 0;
   };
 
-  /** Error over cost of all cases, as table and picture. */
+  /** Error over cost of all cases, as table and figure. */
   class UniaxialTable
   {
   public:

@@ -6,7 +6,7 @@
 
 namespace apps
 {
-  /** What `breccia bench volume` is asked. */
+  /** Options of `breccia bench volume`. */
   struct VolumeBench
   {
     std::string              scene;

@@ -7,7 +7,7 @@
 
 namespace apps
 {
-  /** What the command line asks for; @return exit status. */
+  /** The chosen command; @return exit status. */
   using Action = std::function<int()>;
 
   /**

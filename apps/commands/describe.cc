@@ -232,7 +232,7 @@ namespace apps
                                                 ". " + nearest));
     }
 
-    /** Sections and entries of all kinds, or of the one asked for. */
+    /** Sections and entries of all kinds, or of the requested one. */
     int describe(const DescribeOptions &options)
     {
       std::vector<CheckedScene> scenes;

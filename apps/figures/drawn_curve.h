@@ -30,7 +30,7 @@ namespace apps
                    bool                         from_rest = false);
 
   /**
-   * The column that an entry of section Output asks for.
+   * The column that an entry of section Output names.
    * @param otherwise where the entry is empty. @throws base::InputError where there is no such column
    */
   std::string chosen_column(const std::vector<std::string> &columns,

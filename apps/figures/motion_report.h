@@ -13,7 +13,7 @@
 
 namespace apps
 {
-  /** What a complete motion tells, whatever moved: of the particles alone, or with a solid. */
+  /** The report of a complete motion, of particles alone or with a solid. */
   struct MotionReport
   {
     const RunRequest            &request;

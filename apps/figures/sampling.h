@@ -11,7 +11,7 @@ namespace apps
   class Sampling
   {
   public:
-    /** @param rounding relative, of times to which the motion is led exactly; 0: it goes on until they are reached or passed */
+    /** @param rounding relative, of times that the motion reaches exactly; 0: it goes on until they are reached or passed */
     Sampling(double end_time, const OutputSection &output, double rounding = 0);
 
     double next_time() const; ///< of the next sample [s]
@@ -33,7 +33,7 @@ namespace apps
   };
 
   /**
-   * The same of a motion whose end nobody knows beforehand: its shortest duration has as many rows as are asked for, and whenever it has
+   * The same of a motion whose end is not known beforehand: its shortest duration has the requested number of rows, and whenever it has
    * lasted twice as long rows lie twice as far apart. So half as many or more show its later half, however long it lasts.
    */
   class OpenEndedSampling

@@ -8,7 +8,7 @@
 
 namespace apps
 {
-  /** What every summary begins with: the scene, what was asked, and by which version of the program it was answered. */
+  /** The beginning of every summary: the scene, the request, and the version of the program that answered it. */
   nlohmann::json summary_head(const RunRequest &request, const std::string &kind);
 
   /** A figure of a summary. @param unit "" as "-" */

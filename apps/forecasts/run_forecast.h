@@ -39,7 +39,7 @@ namespace apps
   /**
    * The line of a duration that a stop condition may cut short.
    * @param whole    without one [s]
-   * @param earliest from when on one is asked for [s]; 0: at any time; `whole`: there is none
+   * @param earliest from when on one is requested [s]; 0: at any time; `whole`: there is none
    */
   inline std::string stoppable_duration_line(const double whole, const double earliest)
   {

@@ -8,7 +8,7 @@ namespace apps
   /**
    * From here on the first SIGINT or SIGTERM raises the flag below, and a second one ends the program at once.
    *
-   * Whoever works long asks for the flag often, saves what is worth saving and leaves. Work that cannot ask (a
+   * Long work polls the flag often, saves its state and returns. Work that cannot poll (a
    * factorisation, a large file) is left within four seconds all the same: a thread of its own then says the last words and
    * ends the program with exit_interrupted. Files that appear complete or not at all make that safe. A second call does
    * nothing.

@@ -89,7 +89,7 @@ namespace apps
     char       **given   = words;
     if (session())
       return;
-    // Where nobody has launched us, Open MPI looks for an ssh by which it could launch others, and gives up without one.
+    // Without a launcher, Open MPI looks for an ssh by which it could launch others, and gives up without one.
     if (launched_ranks() == 1)
       ::setenv("OMPI_MCA_plm", "isolated", 0);
     const FolderForMpi folder;

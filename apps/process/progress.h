@@ -20,7 +20,7 @@ namespace apps
     enum class Shown
     {
       everywhere,
-      in_logs ///< not on a terminal: work whose parts tell more, or that prints
+      in_logs ///< not on a terminal: work whose parts report more, or that prints
     };
 
     /** @param title what is being done, e.g. "tension". @param log_interval from line to line, if not on a terminal. */
@@ -65,7 +65,7 @@ namespace apps
     Clock::time_point start, last_shown, last_reported; ///< reported may be shown later
   };
 
-  /** As long as this object lives, work that is begun in its thread says nothing: a run that nobody watches. */
+  /** As long as this object lives, work that is begun in its thread prints nothing: a run without a terminal. */
   class SilentWork
   {
   public:

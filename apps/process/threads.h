@@ -10,7 +10,7 @@ namespace apps
    * do, at least one: with threads on a busy one, all would wait for it in every step.
    *
    * Several threads shall sleep soon while they wait for each other. Those of libgomp spin for milliseconds by default: alone on
-   * the machine that gains nothing measurable, beside another busy process it makes a run many times slower. Libgomp asks the
+   * the machine that gains nothing measurable, beside another busy process it makes a run many times slower. Libgomp queries the
    * environment when it is loaded, before main: so the program sets it and starts itself anew, once, unless the user (or the
    * launcher) has said how to wait. Call it before anything else is done.
    */

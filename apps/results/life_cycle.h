@@ -37,8 +37,8 @@ namespace apps
   };
 
   /**
-   * One run of any kind of scene: it begins or resumes, goes on state by state with checkpoints and interrupts, tells its observers, and
-   * ends with its result; where files are asked for, with complete ones in place (run_files.h). Under MPI every rank calls it.
+   * One run of any kind of scene: it begins or resumes, goes on state by state with checkpoints and interrupts, notifies its observers, and
+   * ends with its result; where files are requested, with complete ones in place (run_files.h). Under MPI every rank calls it.
    */
   class LifeCycle
   {

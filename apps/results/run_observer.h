@@ -23,7 +23,7 @@ namespace apps
   };
 
   /**
-   * Is told of a run as it goes: a terminal, a study, a program that draws. Calls come in this order, from the thread that runs, on every
+   * Follows a run: a terminal, a study, a program that draws. Calls come in this order, from the thread that runs, on every
    * rank. What an observer throws ends the run.
    */
   class RunObserver

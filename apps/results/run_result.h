@@ -44,7 +44,7 @@ namespace apps
     postprocess::CsvTable series;  ///< every row, also those from before a resumption
     nlohmann::json        summary; ///< what summary.json holds; numbers that are not finite stand as such
     std::string           words;   ///< the same for a terminal, lines
-    std::filesystem::path folder;  ///< of its files; "": none were asked for
+    std::filesystem::path folder;  ///< of its files; "": none were requested
 
     std::shared_ptr<const dem::ObservedSpecimen>
       specimen; ///< the particles at the end, of the last test; nullptr: there are none

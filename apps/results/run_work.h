@@ -32,7 +32,7 @@ namespace apps
     std::vector<std::string> last;
   };
 
-  /** What a complete run tells: for programs, and for a terminal. */
+  /** The findings of a complete run: for programs, and for a terminal. */
   struct RunFindings
   {
     nlohmann::json summary;
@@ -45,8 +45,8 @@ namespace apps
   /**
    * What a run computes, as its life-cycle sees it (life_cycle.h): each kind of scene has one.
    *
-   * Order: prepare(), or reopen() in its place; keep_files() where files are asked for; begin(), or visit_state() in its place; then
-   * advance() until finished(), with visit_state() in between for checkpoints; then findings() and, where files are asked for,
+   * Order: prepare(), or reopen() in its place; keep_files() where files are requested; begin(), or visit_state() in its place; then
+   * advance() until finished(), with visit_state() in between for checkpoints; then findings() and, where files are requested,
    * write_results(). On several ranks each calls everything.
    */
   class RunWork
@@ -91,7 +91,7 @@ namespace apps
     /** The run is complete: what it found. @param series all rows, on the first rank @param wall_seconds that it took */
     virtual RunFindings findings(const postprocess::CsvTable &series, double wall_seconds) = 0;
 
-    /** After it: pictures, states and tables of the end into the folder. The summary is written by the life-cycle. */
+    /** After it: figures, states and tables of the end into the folder. The summary is written by the life-cycle. */
     virtual void write_results(const std::filesystem::path &folder, const postprocess::CsvTable &series) = 0;
   };
 

@@ -20,7 +20,7 @@ namespace apps
     RunResult interrupted_result();
 
     /**
-     * All is done: scene.prm, summary.json and what else is written to the folder, where files are asked for.
+     * All is done: scene.prm, summary.json and what else is written to the folder, where files are requested.
      * @param write the rest to this folder
      */
     RunResult complete(nlohmann::json summary, const std::function<void(const std::filesystem::path &)> &write);

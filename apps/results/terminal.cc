@@ -12,7 +12,7 @@ namespace apps
 {
   namespace
   {
-    /** Of the process, which has only one run that a terminal is told of. */
+    /** Of the process, which shows one run only on its terminal. */
     void set_words_of_first_rank(const std::string &words) { set_last_words(is_first_rank() ? words : ""); }
   } // namespace
 

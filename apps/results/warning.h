@@ -4,6 +4,6 @@
 
 namespace apps
 {
-  /** A picture that could not be drawn costs the user a line, not the run. @param problem "" if there was none */
+  /** A figure that could not be drawn costs the user a line, not the run. @param problem "" if there was none */
   void warn_of_missing(const std::string &what, const std::string &problem);
 } // namespace apps

@@ -14,7 +14,7 @@ namespace apps
     , particles(names.size(), 0)
     , links(names.size() * (names.size() + 1) / 2, 0)
   {
-    if (names.size() < 2) // then nobody is numbered
+    if (names.size() < 2) // then there are no numbers
       {
         names.clear();
         return;

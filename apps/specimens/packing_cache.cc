@@ -88,7 +88,7 @@ namespace apps
             file.shape("figures") != postprocess::hdf5::Shape{4} || !file.shape("steps").empty())
           return std::nullopt;
         dem::CompactionResult result = result_in(file, parameters);
-        fs::last_write_time(path, fs::file_time_type::clock::now(), ignored); // asked for today
+        fs::last_write_time(path, fs::file_time_type::clock::now(), ignored); // used today
         return result;
       }
     catch (const base::InputError &) // damaged

@@ -13,7 +13,7 @@ namespace apps
    * Generated packings, kept from run to run: a file each, named after all that determines the packing.
    *
    * What is damaged, of another version or of other parameters is as if it were not there. Writing is atomic and gives way
-   * silently: a full disk or a folder that may not be written costs time, no result. The packings that have not been asked for
+   * silently: a full disk or a folder that may not be written costs time, no result. The packings that have not been used
    * longest go when together they become too large.
    */
   class PackingCache

@@ -11,7 +11,7 @@ namespace apps
 {
   dem::Packing packing_in_file(const std::string &file, const std::optional<base::LengthUnit> &unit)
   {
-    constexpr double largest = 0.1; // [m], without a word on the unit
+    constexpr double largest = 0.1; // [m], where no unit is given
     dem::Packing     packing = postprocess::read_packing(file, unit);
     const double     radius  = *std::max_element(packing.radius.begin(), packing.radius.end());
     if (radius > largest && !unit && !postprocess::says_length_unit(file))

@@ -9,7 +9,7 @@
 namespace apps
 {
   /**
-   * postprocess::read_packing() for a scene: particles that are as large as millimetres read as metres are asked about, unless the file
+   * postprocess::read_packing() for a scene: particles that look like millimetres read as metres are questioned, unless the file
    * or the scene says the unit.
    *
    * @throws base::InputError

@@ -13,7 +13,7 @@
 namespace apps
 {
   /**
-   * The particles that a scene asks for: generated or read, repeated and cropped to its box, each with its material where there
+   * The particles of a scene: generated or read, repeated and cropped to its box, each with its material where there
    * are several. Long generation shows progress; what the user should know about the packing goes to the standard error.
    *
    * @throws base::InputError; dem::CompactionCancelled when interrupted, dem::CompactionFailed.
@@ -22,7 +22,7 @@ namespace apps
 
   /**
    * The same without its material, which is still as the file has it.
-   * @param cell receives the periodic packing of which they are a part, where there is one; nullptr: nobody asks
+   * @param cell receives the periodic packing of which they are a part, where there is one; nullptr: not needed
    */
   dem::Packing
   specimen_particles(const SpecimenSection &specimen, int dimension, std::optional<dem::Packing> *cell = nullptr);

@@ -16,7 +16,7 @@ namespace apps
     bool walls = false, breaks = false;
   };
 
-  /** Snapshots of a specimen for ParaView: NAME_particles.pvd, NAME_links.pvd and, where they are asked for, NAME_walls.pvd and NAME_breaks.pvd with their files. None until they are opened. */
+  /** Snapshots of a specimen for ParaView: NAME_particles.pvd, NAME_links.pvd and, where they are requested, NAME_walls.pvd and NAME_breaks.pvd with their files. None until they are opened. */
   class SpecimenSnapshots
   {
   public:

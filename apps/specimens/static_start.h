@@ -10,10 +10,10 @@
 
 namespace apps
 {
-  /** What a static start found; nothing where none was asked for. */
+  /** What a static start found; nothing where none was requested. */
   using StaticStart = std::optional<dem::InitialEquilibrium>;
 
-  /** Bring a specimen that is held as the scene says to its initial equilibrium, if one is asked for. @throws base::InputError */
+  /** Bring a specimen that is held as the scene says to its initial equilibrium, if one is requested. @throws base::InputError */
   StaticStart start_statically(dem::Specimen &specimen, const GravitySection &gravity);
 
   /** One line. */

@@ -141,7 +141,7 @@ namespace coupling
   {
     double sum = 0;
     if (!handshakes
-           .empty()) // slaves that move nodes on within a window leave the solid with energy that no force has brought
+           .empty()) // constrained particles that move nodes within a window leave the solid with energy that no force has brought
       {
         const fem::ExplicitEnergy &e = motion.energy();
         sum                          = e.kinetic + e.internal + e.damped - e.external - e.start;
@@ -191,7 +191,7 @@ namespace coupling
         if (taken > 0)
           look();
         if (taken > 0 && (specimen.longest_step() < steps.window || solid_step() < step))
-          steps.solid = taken; // what has come into contact asks for shorter steps
+          steps.solid = taken; // a new contact needs shorter steps
         else
           {
             const double kick = kick_of(step, last_solid_step);

@@ -28,7 +28,7 @@ namespace coupling
   {
   public:
     /**
-     * All but the materials must outlive it. @param lead what the particles' next step asks for from outside: motion, walls, forces;
+     * All but the materials must outlive it. @param lead sets external actions of the particles' next step: motion, walls, forces;
      * called before each @param rigid materials of bodies that do not deform @throws as RigidBodies
      */
     ConcurrentMotion(dem::Specimen                  &specimen,

@@ -17,7 +17,7 @@ namespace coupling
     void set_part(double part) { allowed = part; }
 
     /**
-     * Longest window now [s], not below the shorter step. @param shorter step [s] @param known p, where forces and masses tell it: what was
+     * Longest window now [s], not below the shorter step. @param shorter step [s] @param known p, where it follows from forces and masses: what was
      * measured counts where it is more [W/s]
      */
     double longest_window(double shorter, double known = 0) const;

@@ -16,7 +16,7 @@ namespace coupling
   };
 
   /**
-   * The parts of a solid that do not hang together are its bodies. Their elements that have a node on the surface are divided into
+   * The disconnected parts of a solid are its bodies. Their elements that have a node on the surface are divided into
    * simplices: blocks about their centre and those of their faces, simplices only where all nodes of a face inside the body lie on its
    * surface. The places added so have a depth of their own: a wedge at an edge resists as well as a face.
    *

@@ -19,7 +19,7 @@ namespace coupling
   {
   public:
     /**
-     * Before the first step. @param materials of the bodies; each part that hangs together is one. Both others must outlive it.
+     * Before the first step. @param materials of the bodies; each connected part is one. Both others must outlive it.
      * @throws base::InputError for a material that is not there, or that shares nodes with another
      */
     RigidBodies(const fem::Solid<dim>          &solid,

@@ -7,7 +7,7 @@
 
 namespace coupling
 {
-  /** What hangs together in a solid by nodes that its elements share. */
+  /** The parts of a solid that are connected by nodes that elements share. */
   struct SolidPart
   {
     std::vector<std::size_t>             carriers; ///< its nodes, ascending

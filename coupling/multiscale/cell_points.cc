@@ -317,7 +317,7 @@ namespace coupling
     base::Stiffness tangent = point.of_law.tangent;
     if (!point.has_tangent)
       {
-        // In motion nobody asks for tangents. One is worth its price where the work of second order is negative.
+        // In motion no tangent is needed. One is worth its cost where the work of second order is negative.
         const base::Voigt change = point.law_strain - point.record.strain;
         if (!(change.dot(point.of_law.stress - point.stress) < 0))
           return std::nullopt;

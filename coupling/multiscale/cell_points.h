@@ -123,7 +123,7 @@ namespace coupling
       base::Voigt      strain = base::Voigt::Zero(), law_strain = base::Voigt::Zero();
       fem::PointAnswer answer, of_law; ///< as the solid wants it, and for the strain that the law sees
       std::string      failure;
-      fem::Dissipation lost; ///< from the committed state to it, once it was asked for
+      fem::Dissipation lost; ///< from the committed state to it, once it was requested
     };
 
     /** What becomes of a promoted point when its trial is committed. */
@@ -137,7 +137,7 @@ namespace coupling
     };
 
     bool is_mine(const std::size_t number) const { return dealt.has(sites[number].number); }
-    /** Notes what a point is asked. @return whether the answer is still to be found */
+    /** Notes a request to a point. @return whether the answer is still to be found */
     bool        ask(Point &point, const base::Voigt &strain, bool with_tangent);
     void        answer_to(const std::vector<std::size_t> &asked);
     void        share_answers(const std::vector<std::size_t> &asked);
@@ -164,7 +164,7 @@ namespace coupling
     CellPointsParameters       parameters;
     base::Stiffness            stiffest;
     DealtPoints                dealt;
-    mutable std::vector<Point> points; ///< `lost` is found when it is asked for
+    mutable std::vector<Point> points; ///< `lost` is found on request
     mutable bool               losses_known = false;
     std::vector<Site>          sites;
     Localisations              localised;

@@ -1,4 +1,4 @@
-// What cells remember, and what is told of them.
+// State of cells, and the columns reported of them.
 #include "base/errors.h"
 #include "coupling/multiscale/cell_points.h"
 #include "coupling/multiscale/stretch.h"

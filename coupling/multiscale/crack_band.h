@@ -23,7 +23,7 @@ namespace coupling
       base::Voigt     stress;
       base::Stiffness tangent;
     };
-    /** What is asked of the cell. */
+    /** Functions of the cell that the band calls. */
     struct Cell
     {
       std::function<base::Voigt(const base::Voigt &strain)> stress;
@@ -44,7 +44,7 @@ namespace coupling
               double                 stored);
 
     /**
-     * Answer of the whole. The last strain that the cell is asked for is that of the band. Its iterations begin where the last answer since
+     * Answer of the whole. The last strain requested of the cell is that of the band. Its iterations begin where the last answer since
      * begin_step() says that the jump is; the tangent may be that of the last iteration but one, where the last has moved little.
      * @throws fem::MaterialFailure where the layers find no common traction: the element is too wide, and snaps back
      */

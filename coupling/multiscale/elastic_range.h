@@ -40,7 +40,7 @@ namespace coupling
     Nearest nearest(const base::Voigt &strain) const;
 
     /**
-     * Whether no link can have come to the threshold, told without looking at any: a bound by the energy of the strain. It holds for laws
+     * Whether no link can have come to the threshold, without visiting any: a bound by the energy of the strain. It holds for laws
      * whose links are elastic in a convex set of slips; never true of links with moments.
      */
     bool surely_below(const base::Voigt &strain) const { return strain.dot(stiffness * strain) < safe_energy; }

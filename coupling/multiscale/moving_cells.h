@@ -21,7 +21,7 @@ namespace coupling
                             packings; ///< at least one, periodic; points take them in turn, by their number in the mesh
     dem::LinkMaterials      materials;
     dem::SpecimenParameters specimen; ///< density, damping, interaction ratio; rotations, dimension, thickness
-    std::int64_t    steps = 0; ///< of the particles in one of the solid; 0: as many as their stable step asks for
+    std::int64_t    steps = 0; ///< of the particles in one of the solid; 0: as many as their stable step requires
     base::Stiffness stiffness =
       base::Stiffness::Zero();                ///< of the cells before anything has happened, for the solid's step [Pa]
     bool     stops_localised = true;          ///< the run ends where a cell localises
@@ -30,9 +30,9 @@ namespace coupling
 
   /**
    * Integration points whose cells move with the solid, step by step (doc/theory/multiscale.md, 6): each is a specimen of particles in a
-   * periodic cell, which is led from deformation to deformation evenly while the solid makes a step. Explicit motion only: a cell cannot be
-   * asked twice. The stress is that of the link forces; what the motion of the particles about the cell's would add is told apart.
-   * One that localises is told by where its links lose their strength: there is no tangent to ask.
+   * periodic cell, which is driven evenly from deformation to deformation while the solid makes a step. Explicit motion only: a cell cannot be
+   * evaluated twice. The stress is that of the link forces; the contribution of the particles' motion about the cell's is reported apart.
+   * Localisation is detected by where its links lose their strength: there is no tangent.
    * Cells are spread over threads and ranks as those of CellPoints.
    */
   class MovingCells : public fem::GatheredPoints
@@ -78,7 +78,7 @@ namespace coupling
     struct Point
     {
       std::unique_ptr<dem::Specimen> specimen; ///< of a point of this rank
-      base::Voigt                    strain = base::Voigt::Zero(), stress = base::Voigt::Zero(); ///< last led to
+      base::Voigt                    strain = base::Voigt::Zero(), stress = base::Voigt::Zero(); ///< last driven to
       base::Voigt                    inertia = base::Voigt::Zero();
       double                         stored  = 0; ///< elastic and kinetic energy of the particles [J/m^3]
       double                         volume  = 0; ///< at the start [m^3]
@@ -103,7 +103,7 @@ namespace coupling
     bool                  large_strains = false;
     double                length        = 0; ///< of the step under way [s]; 0: none
     Localisations         localised;
-    std::int64_t          states = 0; ///< that the cells were led to
+    std::int64_t          states = 0; ///< that the cells were driven to
     std::vector<Point>    points;
   };
 } // namespace coupling

@@ -12,7 +12,7 @@ namespace coupling
   struct Reaction
   {
     Eigen::Vector3d force  = Eigen::Vector3d::Zero(); ///< [N]
-    Eigen::Vector3d moment = Eigen::Vector3d::Zero(); ///< about the point asked for [N m]
+    Eigen::Vector3d moment = Eigen::Vector3d::Zero(); ///< about the given point [N m]
   };
 
   /** The energy account of a participant, in the terms that both sides have [J]. */
@@ -54,7 +54,7 @@ namespace coupling
     virtual ParticipantEnergy energy() const                      = 0;
 
     /**
-     * Move on by a window of time in equal steps of the participant's own, more of them where the state asks for shorter ones on the
+     * Move on by a window of time in equal steps of the participant's own, more of them where the state needs shorter ones on the
      * way. @param window [s], > 0 @param steps at least this many, > 0
      * @throws what the side throws when its state is no longer a number
      */
@@ -69,7 +69,7 @@ namespace coupling
     /** Change a carrier's velocity at once, where it is not prescribed [m/s]. */
     virtual void apply_impulse(std::size_t carrier, const Eigen::Vector3d &change) = 0;
 
-    /** From now on these carriers move as they are told along these axes, at first not at all. @return the group's number */
+    /** From now on these carriers move as prescribed along these axes, at first not at all. @return the group's number */
     virtual std::size_t prescribe(const std::vector<std::size_t> &carriers, const std::array<bool, 3> &along) = 0;
 
     /** Velocities of a group's carriers, in its order, until the next call [m/s]; what is not prescribed is not looked at. */

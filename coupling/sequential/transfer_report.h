@@ -13,13 +13,13 @@ namespace coupling
   {
     // Shares of the points that have a history.
     double empty         = 0;   ///< points without any particle
-    double sparse        = 0.2; ///< averages of fewer particles than asked for
+    double sparse        = 0.2; ///< averages of fewer particles than required
     double fully_damaged = 0.5; ///< omega at or past 1
     double outside = 0.2; ///< points whose stress lies so far outside the yield surface that a tenth of it is lost
 
     // Differences of points and particles, over the larger of the stress there is and the tensile strength.
     double mean_stress = 0.25; ///< of the mean stress
-    double cut_force   = 0.5;  ///< of the force over any cut; moments are told only
+    double cut_force   = 0.5;  ///< of the force over any cut; moments are only reported
 
     double imbalance = 2.0; ///< unbalanced force over the forces at hand, before the equilibrium iteration
   };
@@ -53,7 +53,7 @@ namespace coupling
     std::size_t points        = 0; ///< that have a history to set
     std::size_t elastic       = 0; ///< that have none: nothing is given to them
     std::size_t empty         = 0; ///< no particle within reach: left virgin and free of stress
-    std::size_t sparse        = 0; ///< fewer particles than asked for
+    std::size_t sparse        = 0; ///< fewer particles than required
     std::size_t boundary      = 0; ///< the average is one-sided, see Average::offset
     std::size_t averaged      = 0; ///< moving least squares that fell back to the average
     std::size_t damaged       = 0; ///< omega > 0

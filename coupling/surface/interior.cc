@@ -6,7 +6,7 @@ namespace coupling
 
   namespace
   {
-    /** No edge of a mesh that somebody draws runs along it. */
+    /** No edge of a regular mesh runs along it. */
     const Vector3d ray_in_space = Vector3d(0.5417, 0.3391, 0.7691), ray_in_the_plane = Vector3d(0.8467, 0.5321, 0);
 
     /** Whether the ray from x meets the triangle; T. Moller, B. Trumbore, J. Graphics Tools 2 (1997) 21-28. */

@@ -12,7 +12,7 @@ namespace coupling
 
   namespace
   {
-    /** Particles first, then points; what of these is damped goes to nobody. */
+    /** Particles first, then points; the damped momentum of these is not passed on. */
     dem::FineScaleFilter filter_of(const AbsorberParameters &parameters, const AbsorberCarriers &all)
     {
       if (!(parameters.spacing > 0))

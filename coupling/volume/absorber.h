@@ -10,7 +10,7 @@
 
 namespace coupling
 {
-  /** How the absorber tells what a mesh can carry from what it cannot, and how it goes on in time. */
+  /** How the absorber separates motion that a mesh can carry from motion that it cannot, and how it is integrated in time. */
   struct AbsorberParameters
   {
     double spacing   = 0;   ///< H of the grid of averages [m], > 0
@@ -18,13 +18,13 @@ namespace coupling
     double phase     = 1.9; ///< longest time damped at once, times the largest rate: > 0, below 2
   };
 
-  /** Who takes part in an average: particles, and points of the solid where there are no particles any more. */
+  /** Members of an average: particles, and points of the solid where there are no particles any more. */
   struct AbsorberCarriers
   {
     int                          dimension = 3;
     dem::SplineGrid::Components  components;        ///< of velocities that can be other than zero
     std::vector<Eigen::Vector3d> places;            ///< of the particles [m]
-    Eigen::VectorXd              whole_mass;        ///< of the particles, as if they shared with nobody [kg]
+    Eigen::VectorXd              whole_mass;        ///< of the particles, as if they did not share [kg]
     Eigen::VectorXd              damping;           ///< of the particles: rate times mass [kg/s]
     CarrierRows                  inverse_mass;      ///< of the particles, zero where motion is prescribed [1/kg]
     std::vector<Eigen::Vector3d> points;            ///< of the solid [m]
@@ -69,9 +69,9 @@ namespace coupling
     AbsorberCarriers         carriers;
     WeightRows               points_of_nodes; ///< transpose of the weights
     dem::FineScaleFilter     filter;
-    std::vector<std::size_t> row_of;       ///< of each carrier in the filter's order
-    base::Column             inverse_mass; ///< of the carriers in that order; of points none, whose nodes move
-    double                   fastest = 0; ///< not below the largest eigenvalue of the damping [1/s]
+    std::vector<std::size_t> row_of;              ///< of each carrier in the filter's order
+    base::Column             inverse_mass;        ///< of the carriers in that order; of points none, whose nodes move
+    double                   fastest = 0;         ///< not below the largest eigenvalue of the damping [1/s]
     mutable base::Column     velocity, force;     ///< of all carriers, during a call
     mutable CarrierRows      at_points, on_nodes; ///< likewise
   };

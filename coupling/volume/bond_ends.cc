@@ -40,14 +40,14 @@ namespace coupling
           continue;
         const auto [free, slave] =
           led[link.first] ? std::pair{link.second, link.first} : std::pair{link.first, link.second};
-        // A search takes what is outside by rounding for inside, distances do not; but not each of these regions ends with elements.
+        // A search counts as inside what is outside by rounding, distances do not; but not each of these regions ends with elements.
         const Vector3d &outside = network.centre[free], &inside = network.centre[slave];
         Vector3d        from =
           first_place(outside, inside, [&](const Vector3d &place) { return overlap.distance(place) >= 0; });
         if (!in_elements(from))
           from = first_place(from, inside, in_elements);
         const double part = (inside - from).norm() / (inside - outside).norm();
-        if (part > rounding) // a slave on the face of an element has none
+        if (part > rounding) // none of one on the face of an element
           ends.push_back({from, inside, static_cast<std::size_t>(slave), part,
                           slave == link.first ? link.arm_first : link.arm_second, link.stiffness / part,
                           link.turning / part});
@@ -57,7 +57,7 @@ namespace coupling
 
   EndPulls pulls_of(const BondEnd &end, const EndNow &now)
   {
-    // Slip and relative rotation are those of stiffness_of(), of ends that have turned; stiffness turns with the slave.
+    // Slip and relative rotation are those of stiffness_of(), of ends that have turned; stiffness turns with the constrained particle.
     const Vector3d whole = end.to - end.from, arm = end.arm * whole.normalized(), of_slave = now.turn_to * arm,
                    of_entry = now.turn_from * (whole - arm), slip = now.to - now.from - of_slave - of_entry;
     // Twice the vector part of the quaternion, whose rate by a spin w is s w + w x q for the scalar part s.

@@ -14,22 +14,22 @@
 namespace coupling
 {
   /**
-   * That part of a bond between a free particle and a slaved one which lies in elements. These are as stiff there as if no bond were, so that it
-   * counts twice and has to be taken off (doc/theory/volume-coupling.md, 5).
+   * That part of a bond between a free and a constrained particle which lies in elements. These have their whole stiffness there, so that it
+   * is double-counted and has to be subtracted (doc/theory/volume-coupling.md, 5).
    */
   struct BondEnd
   {
-    Eigen::Vector3d from, to;  ///< where the bond enters the elements, where the slave is [m]
-    std::size_t     slave = 0; ///< by packing number
+    Eigen::Vector3d from, to;  ///< where the bond enters the elements, where the constrained particle is [m]
+    std::size_t     slave = 0; ///< the constrained particle, by packing number
     double          part  = 0; ///< of the bond's length [-]
-    double          arm   = 0; ///< from the slave to the point where the bond acts, as the bond has it [m]
+    double          arm   = 0; ///< from the constrained particle to the point where the bond acts, as the bond has it [m]
     Eigen::Matrix3d stiffness; ///< of that part: force over slip, as ElasticLink has it [N/m]
     Eigen::Matrix3d turning;   ///< moment over relative rotation, likewise [N m]
   };
 
   /**
-   * Of all bonds between slaves and others.
-   * @param slaves by packing number, all of them in elements and in the overlap @param in_elements whether a place is
+   * Of all bonds between constrained particles and others.
+   * @param slaves the constrained particles, by packing number, all of them in elements and in the overlap @param in_elements whether a place is
    */
   std::vector<BondEnd> bond_ends(const dem::ElasticNetwork                          &network,
                                  const std::vector<std::size_t>                     &slaves,
@@ -45,7 +45,7 @@ namespace coupling
   Eigen::SparseMatrix<double>
   stiffness_of(const std::vector<BondEnd> &ends, const Entries &entries, const std::size_t nodes, const NodeOf &node)
   {
-    // Slip and relative rotation of each end, by displacements: under even strain force and couple of the bond on its slave then vanish.
+    // Slip and relative rotation of each end, by displacements: under even strain force and couple of the bond on its constrained particle then vanish.
     std::vector<Eigen::Triplet<double>> by_nodes, of_ends;
     const auto add = [](auto &triplets, const std::size_t row, const std::size_t column, const Eigen::Matrix3d &block) {
       for (int r = 0; r < 3; ++r)
@@ -80,7 +80,7 @@ namespace coupling
     return Eigen::SparseMatrix<double>(slip.transpose() * own * slip);
   }
 
-  /** The ends of a bond's part: where it enters the elements, and the slave, as they are now. */
+  /** The ends of a bond's part: where it enters the elements, and the constrained particle, as they are now. */
   struct EndNow
   {
     Eigen::Vector3d from, to; ///< places [m]
@@ -90,7 +90,7 @@ namespace coupling
   /** Slopes of the energy of a part with the places and the turns of its ends. */
   struct EndPulls
   {
-    Eigen::Vector3d force; ///< with the place of the slave; with the other end's it is the opposite [N]
+    Eigen::Vector3d force; ///< with the place of the constrained particle; with the other end's it is the opposite [N]
     Eigen::Vector3d couple_from, couple_to; ///< [N m]
     double          energy = 0;             ///< [J]
   };

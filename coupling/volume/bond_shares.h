@@ -16,7 +16,7 @@ namespace coupling
     double          length;  ///< from centre to centre, to the nearest image [m]
   };
 
-  /** Particles and what bonds them, as far as shares are asked for. */
+  /** Particles and what bonds them, as far as shares need them. */
   struct BondedParticles
   {
     std::vector<Eigen::Vector3d> centre; ///< [m]
@@ -26,7 +26,7 @@ namespace coupling
   BondedParticles bonded_particles(const dem::ObservedSpecimen &specimen);
   BondedParticles bonded_particles(const dem::ElasticNetwork &network);
 
-  /** Share of bonds in a place; particles of another body may be beyond the overlap, and share with nobody. */
+  /** Share of bonds in a place; particles of another body may be beyond the overlap, and do not share. */
   double share_of_bonds(const Overlap &overlap, const Eigen::Vector3d &place);
 
   /** The cohesive bonds of one particle. */

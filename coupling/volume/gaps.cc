@@ -79,7 +79,7 @@ namespace coupling
       }
 
       const Vector3d &centre(const std::size_t i) const { return particles.centre[i]; }
-      /** Which chain of bonds a particle hangs on: the number of one of its particles. */
+      /** The chain of bonds that a particle belongs to: the number of one of its particles. */
       std::size_t piece_of(const std::size_t i) const { return piece[i]; }
 
       /** To the nearest centre, as reach is measured [m]. */
@@ -224,7 +224,7 @@ namespace coupling
           "do, or leave these elements out of the mesh.");
     }
 
-    /** Of each particle: whether it is of the body, in its region or overlap, and hangs on a piece that is large enough to be a side of that. */
+    /** Of each particle: whether it is of the body, in its region or overlap, and belongs to a piece large enough to be a side of that. */
     std::vector<char>
     on_a_side(const BondedParticles &particles, const Filling &filling, const VolumeCouplingParameters &coupling)
     {
@@ -321,7 +321,7 @@ namespace coupling
     if (filling.empty())
       throw base::InputError(name +
                              "no bond joins particles of the overlap to any of the region: is there a packing in it?");
-    // Slaves beyond the reach of bonds only ride along.
+    // Constrained particles beyond the reach of bonds only ride along.
     const double width = coupling.overlap.width, mean = filling.mean_bond(),
                  last = coupling.method == VolumeMethod::multipliers ? width : std::min(width, mean),
                  from = coupling.method == VolumeMethod::multipliers ? -std::numeric_limits<double>::infinity() : 0.0;

@@ -41,7 +41,7 @@ namespace coupling
                                                           dem::closest_on_triangle(facet.corner, place))
                                           .place;
           const double distance = from.norm(), off = facet.normal.dot(from);
-          // At an edge that facets share, the one that is seen most squarely tells the side.
+          // At an edge that facets share, the one that is seen most squarely decides the side.
           constexpr double rounding = 1e-9;
           const bool       nearer   = distance < (1 - rounding) * nearest;
           if (nearer || (distance <= (1 + rounding) * nearest && std::fabs(off) > squarely))

@@ -12,9 +12,9 @@ namespace coupling
    */
   struct Overlap
   {
-    std::function<double(const Eigen::Vector3d &)> distance;  ///< from the particles' own region, negative in it [m]
-    double                                         width = 0; ///< of the layer [m]; 0: a surface, for slaved particles
-    double                                         least = 1e-3; ///< share that either side keeps in the layer [-]
+    std::function<double(const Eigen::Vector3d &)> distance; ///< from the particles' own region, negative in it [m]
+    double width = 0;    ///< of the layer [m]; 0: a surface, for constrained particles
+    double least = 1e-3; ///< share that either side keeps in the layer [-]
 
     bool   contains(const Eigen::Vector3d &place) const; ///< whether both are there
     double of_solid(const Eigen::Vector3d &place) const;

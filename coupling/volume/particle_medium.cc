@@ -12,7 +12,7 @@ namespace coupling
 {
   namespace
   {
-    /** An element of the plane asks for nothing out of it, and a matrix must be positive. */
+    /** An element of the plane needs no entry out of it, but a matrix must be positive. */
     void fill_out_of_plane(base::Stiffness &stiffness)
     {
       const double largest = stiffness.maxCoeff();

@@ -22,15 +22,15 @@ namespace coupling
   public:
     /**
      * @param particles their free network, with what holds or leads particles beside the solid; links share, or go, in the overlaps
-     * @param solid made with Overlap::of_solid() as its share, unless particles are slaved; must outlive this
-     * @throws base::InputError where there are no particles in an overlap, where one of them is not in the solid or led, and as
+     * @param solid made with Overlap::of_solid() as its share, unless particles are constrained; must outlive this
+     * @throws base::InputError where there are no particles in an overlap, where one of them is not in the solid or driven, and as
      * fem::CondensedSolid does
      */
     StaticHandshake(dem::LoadedNetwork                           particles,
                     fem::Solid<dim>                             &solid,
                     const std::vector<VolumeCouplingParameters> &handshakes);
 
-    /** Particles and joints; the led parameter is the load factor of the solid. */
+    /** Particles and joints; the driven parameter is the load factor of the solid. */
     dem::LoadedNetwork       &network() { return loaded; }
     const dem::LoadedNetwork &network() const { return loaded; }
 
@@ -59,7 +59,7 @@ namespace coupling
     bool               lies_in_solid(const Eigen::Vector3d &place) const;
     void               share(const VolumeCouplingParameters &handshake, const std::vector<std::size_t> &particles);
     void               find_shared_links();
-    /** What bonds to slaves bear in elements, whose nodes are joints then. */
+    /** Forces of bonds to constrained particles in elements, whose nodes become joints. */
     void enter_bond_ends(const VolumeCouplingParameters &handshake, const std::vector<std::size_t> &particles);
     void add_body();
     /** Particles move and turn as the solid does where they are. */

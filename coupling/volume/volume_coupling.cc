@@ -175,7 +175,7 @@ namespace coupling
     if (!turns)
       of_bond_ends = stiffness_of(ends, at_ends, node_map.nodes().size(), [](const Entry &e) { return e.node; });
 
-    // Mass goes with the bonds, half of each to its slave: beyond what lies in elements, which have it already.
+    // Mass goes with the bonds, half of each to its constrained particle: beyond what lies in elements, which have it already.
     const std::vector<BondShare> made = bond_shares(bonded_particles(specimen), own.overlap);
     std::vector<double>          halves(network.particles(), 0);
     std::vector<bool>            led(network.particles(), false);
@@ -281,7 +281,7 @@ namespace coupling
   VolumeCoupling<dim>::push_nodes(const dem::StepCorrection &correction, const std::size_t first, const double kick)
   {
     CarrierRows impulse = CarrierRows::Zero(velocity.rows(), 3);
-    // Most slaves lie deeper in the elements than bonds to free particles reach, and nothing pulls at them.
+    // Most constrained particles lie deeper in the elements than bonds to free particles reach, and carry no load.
     std::vector<const double *> pulls(overlapping, nullptr);
     for (std::size_t k = 0; k < overlapping; ++k)
       if (const double *pull = correction.force(first + k);
@@ -374,7 +374,7 @@ namespace coupling
   void VolumeCoupling<dim>::finish()
   {
     const auto &nodes = node_map.nodes();
-    // Slaves have moved nodes on as they went; multipliers have spread their impulses over the window.
+    // Constrained particles have moved nodes within the window; multipliers have spread their impulses over it.
     const bool apart = own.method != VolumeMethod::multipliers && !path.isApprox(window * velocity);
     if (own.method == VolumeMethod::multipliers && far)
       keep_turning();

@@ -23,14 +23,14 @@ namespace coupling
     Eigen::Vector3d turn_to_particles = Eigen::Vector3d::Zero(), turn_to_solid = Eigen::Vector3d::Zero();
     double          work_on_particles = 0, work_on_solid = 0; ///< of what keeps them together [J]
     double          absorbed = 0;                             ///< by the absorber, from both [J]
-    double twice = 0; ///< stored in bonds of slaves and in elements as well, where both are: it is there once [J]
+    double          twice = 0; ///< double-counted: stored in bonds of constrained particles and in elements as well [J]
 
     /** Made by the transfer itself, zero but for rounding (lumped and sub-cycled: lost) [J]. */
     double made() const { return work_on_particles + work_on_solid - twice; }
   };
 
   /**
-   * Particles inside a solid: a handshake. The solid has to be made with Overlap::of_solid() as its share, unless particles are slaved.
+   * Particles inside a solid: a handshake. The solid has to be made with Overlap::of_solid() as its share, unless particles are constrained.
    *
    * In each window of time: begin(), then in each step of the particles corrected_in() and correct(), and finish() before the solid takes
    * its own step.
@@ -74,7 +74,7 @@ namespace coupling
     /** In every step, whatever its length: lumped ties. */
     bool               loses_by_itself() const { return own.lumped; }
     const std::string &name() const { return own.name; }
-    /** Bound of what slaved particles add to the squares of the solid's frequencies [1/s^2]. */
+    /** Bound of what constrained particles add to the squares of the solid's frequencies [1/s^2]. */
     double added_eigenvalue() const { return added; }
 
     void visit_state(base::StateVisitor &visitor);
@@ -93,7 +93,7 @@ namespace coupling
     void find_particles();
     void share();
     void leave();
-    /** What bonds to slaves bear in elements, as long as they have these bonds. @return mass that slaves have beside elements, over their whole one */
+    /** Forces of bonds to constrained particles in elements, while the bonds exist. @return mass of the constrained beside elements, over their whole one */
     std::vector<double> find_bond_ends();
     void                weigh_nodes();
     void                place_nodes(); ///< undeformed
@@ -113,7 +113,7 @@ namespace coupling
     /** Where nodes are in the window now [m]. */
     CarrierRows nodes_now() const { return undeformed + displaced + path; }
     void        lead(dem::StepCorrection &correction, std::size_t first);
-    /** Its parts: what slaves and the ends of their bonds give to nodes, and how slaves move with these. @return forces on slaves, nullptr: none */
+    /** Its parts: forces of constrained particles and of bond ends on nodes, and motion of the former. @return forces on them, nullptr: none */
     std::vector<const double *> push_nodes(const dem::StepCorrection &correction, std::size_t first, double kick);
     void                        move_slaves(dem::StepCorrection &correction, std::size_t first);
     void                        keep_account_of_slaves(const dem::StepCorrection         &correction,
@@ -137,15 +137,15 @@ namespace coupling
     NodeMap<dim>              node_map;
     std::vector<Entry>        at_particles; ///< weights at the particles of the overlap
     Eigen::SparseMatrix<double>
-      of_bond_ends; ///< stiffness that bonds of slaves have in elements, three motions of each node [N/m]
+      of_bond_ends; ///< stiffness of bonds of constrained particles in elements, three motions of each node [N/m]
     std::vector<BondEnd>         ends;          ///< where they turn, in place of that
     std::vector<Entry>           at_ends;       ///< likewise: weights of nodes at the ends, two of each
-    bool                         turns = false; ///< slaves, as far as the solid does
+    bool                         turns = false; ///< constrained particles, as far as the solid does
     bool                         far = false; ///< displacements are large: moments are those of where everything is now
     std::vector<std::size_t>     watched;
     std::vector<Eigen::Vector3d> places; ///< of the watched, undeformed [m]
     std::size_t                  overlapping = 0;
-    Eigen::VectorXd              whole_mass; ///< of the watched, as if they shared with nobody [kg]
+    Eigen::VectorXd              whole_mass; ///< of the watched, as if they did not share [kg]
     Eigen::VectorXd
                  parts; ///< of the particles of the overlap that lie between its sides, where multipliers ask for them
     CarrierRows  mass, inverse_mass, node_mass, inverse_node_mass; ///< as they count; zero inverse: prescribed
@@ -173,7 +173,7 @@ namespace coupling
     VolumeBalance   exchanged;
     std::size_t     shared_bonds = 0;
 
-    // Looking at all bonds costs as much as many steps: once per step of the particles that asks.
+    // Looking at all bonds costs as much as many steps: once per particle step that requests it.
     mutable std::int64_t counted_at = -1;
     mutable std::size_t  damaged    = 0;
   };

@@ -51,7 +51,7 @@ namespace dem
     /**
      * Derivative of the stress by the strain with all particles in equilibrium, consistent with the links' update [Pa]; where
      * the step was taken in parts, with the last of them; at the committed strain itself that of links which go on as in the step
-     * before. Zero unless it was asked for.
+     * before. Zero unless it was requested.
      */
     base::Matrix6 tangent          = base::Matrix6::Zero();
     int           iterations       = 0; ///< linear solutions
@@ -66,7 +66,7 @@ namespace dem
    *
    * respond() starts from the committed state as often as wanted (but see CellResponseParameters::keeps_its_way), commit() makes the last
    * answer the state. Until then its iterations begin where the last answer with a tangent says that the particles are: an
-   * answer is the same whatever was asked before to the tolerance, not to the bit, unless begin_step() comes between.
+   * answer is the same whatever was evaluated before to the tolerance, not to the bit, unless begin_step() comes between.
    * A copy is whole and knows nothing of the other. Same calls, same bits, for any number of threads; copies may be used by several threads at once.
    */
   class RespondingCell
@@ -126,7 +126,7 @@ namespace dem
       std::int64_t  is_elastic = 1; ///< all answers so far were those of the undamaged cell
     };
 
-    /** Where the last part of an answer in this step began, and what it led to. */
+    /** Where the last part of an answer in this step began, and where it ended. */
     struct Way
     {
       State         begin;

@@ -8,7 +8,7 @@ namespace dem
 {
   namespace
   {
-    /** Of a level that the kernel knows [bytes]; 0: of none. The C library would tell the sum over all that a processor's package has. */
+    /** Of a level that the kernel knows [bytes]; 0: of none. The C library would report the sum over all caches of a processor's package. */
     std::size_t cache_size(const int index)
     {
       std::ifstream file("/sys/devices/system/cpu/cpu0/cache/index" + std::to_string(index) + "/size");

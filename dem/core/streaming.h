@@ -10,7 +10,7 @@
  */
 namespace dem
 {
-  /** Bytes of the largest cache that the first processor reaches; 32 MiB where the system does not tell. */
+  /** Bytes of the largest cache that the first processor reaches; 32 MiB where the system does not report it. */
   std::size_t last_level_cache();
 
   /** Store a whole line past the caches. Other threads see it after finish_streaming(). */

@@ -1,10 +1,13 @@
 #include "dem/facets/crossing.h"
 
+#include "base/errors.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <sstream>
 
 namespace dem
 {
@@ -94,5 +97,14 @@ namespace dem
           outward += surface.mesh.outward[facet] * angle_at(surface, point) * surface.bounds(facet).normal;
         }
     return outward.dot(centre - nearest.point.place) < 0;
+  }
+
+  void refuse_sunk(const Particles &p, const std::int32_t i, const Surface &surface)
+  {
+    std::ostringstream message;
+    message << "particle " << p.number[static_cast<std::size_t>(i)] + 1 << " has sunk into wall " << surface.name
+            << (surface.holds_from_within() ? " by twice its radius" : " by its radius")
+            << ". Raise the wall's Effective modulus, or lower the load or Time/Step factor.";
+    throw base::NumericalError(message.str());
   }
 } // namespace dem

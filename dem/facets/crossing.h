@@ -2,6 +2,7 @@
 
 #include "dem/facets/contact_zones.h"
 #include "dem/facets/surface.h"
+#include "dem/model/particles.h"
 
 #include <vector>
 
@@ -28,4 +29,7 @@ namespace dem
                    const std::vector<NearPoint> &near,
                    const NearPoint              &nearest,
                    const Eigen::Vector3d        &centre);
+
+  /** A particle whose centre has gone so deep that its contact is lost. @throws base::NumericalError always, naming both */
+  [[noreturn]] void refuse_sunk(const Particles &particles, std::int32_t particle, const Surface &surface);
 } // namespace dem

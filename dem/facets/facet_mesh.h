@@ -14,7 +14,7 @@ namespace dem
    * on the far side of its normal as well.
    *
    * Triangles and segments have no thickness and push from both sides, and no centre of a particle goes through them; unless they
-   * bound a body: then they push out of it, from within as well. Nothing is asked of how they hang together: two facets may share
+   * bound a body: then they push out of it, from within as well. Their connectivity is free: two facets may share
    * corners by number, by place, or not at all.
    */
   struct FacetMesh

@@ -9,7 +9,7 @@
 namespace dem
 {
   /**
-   * How the corners of a facet turn together, and forces on them that turn it.
+   * How the corners of a facet turn together, and forces on them that turn it (doc/theory/surface-coupling.md, 5).
    *
    * The spin is that of the rigid body that fits the corners' motion best, w = J^-1 sum y_i x v_i with y_i from their mean and
    * J = sum |y_i|^2 1 - y_i y_i^T. A couple c becomes the smallest forces that are one, sum g_i = 0 and sum x_i x g_i = c:

@@ -73,7 +73,7 @@ namespace dem
   {
     if (led != Led::by_vertex)
       return turn;
-    // Of a triangle (or segment) led by its corners: how its plane has tilted, and its mean twist about the normal.
+    // Of a triangle (or segment) driven by its corners: how its plane has tilted, and its mean twist about the normal.
     const auto                     n = static_cast<std::size_t>(mesh.corners);
     std::array<Eigen::Vector3d, 3> now, moved_by;
     Eigen::Vector3d                mean = Eigen::Vector3d::Zero(), mean_motion = Eigen::Vector3d::Zero();

@@ -63,12 +63,12 @@ namespace dem
   /** A surface in motion, and what particles have done to it. */
   struct Surface
   {
-    /** Who moves it. */
+    /** What moves it. */
     enum class Led
     {
       rigidly,  ///< velocity and spin
       by_force, ///< a servo
-      by_vertex ///< somebody else, each vertex on its own
+      by_vertex ///< a coupling, each vertex on its own
     };
 
     std::string         name;
@@ -87,7 +87,7 @@ namespace dem
     ForceServo          servo;
 
     std::vector<Eigen::Vector3d> place, motion; ///< of vertices: now [m], displacement of the last step [m]
-    std::vector<Eigen::Vector3d> rate;          ///< velocities given to the vertices, if they are led one by one [m/s]
+    std::vector<Eigen::Vector3d> rate;          ///< velocities given to the vertices, if they are driven one by one [m/s]
     std::vector<Eigen::Vector3d> force;         ///< of particles on vertices at t_n [N]
     std::vector<Eigen::Vector3d> impulse;       ///< of that since it was last cleared [N s]
     std::vector<Eigen::Vector3d> turn_impulse;  ///< its moment about the origin, where vertices were each time [N m s]

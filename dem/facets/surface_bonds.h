@@ -33,7 +33,7 @@ namespace dem
     /**
      * Glue whatever is near enough of those that the surface meets.
      * @param number of the surface among all @param rotations whether particles turn
-     * @throws base::InputError where nobody is near, or someone lies in the surface
+     * @throws base::InputError where no particle is near, or one lies in the surface
      */
     SurfaceBonds(std::int32_t                   number,
                  const std::vector<Surface>    &surfaces,

@@ -77,7 +77,7 @@ namespace dem
     std::size_t add(const SurfaceParameters &parameters, const Physics &physics, std::vector<bool> meets = {});
     /**
      * Glue particles that it meets to a surface, to which they have no other contact until they are torn off.
-     * @return which @throws base::InputError where nobody is near, someone lies in it, or it is an unbounded plane
+     * @return which @throws base::InputError where no particle is near, one lies in it, or it is an unbounded plane
      */
     std::vector<std::int32_t>   glue(std::size_t                    surface,
                                      double                         within,
@@ -86,7 +86,7 @@ namespace dem
                                      const ParticleShape           &shape,
                                      bool                           rotations);
     const std::vector<Surface> &surfaces() const { return all; }
-    /** To lead it: from the next step on. */
+    /** To drive it: from the next step on. */
     Surface &surface(const std::size_t number) { return all.at(number); }
 
     /**
@@ -100,7 +100,7 @@ namespace dem
     bool viscous() const; ///< the law of some surface is
     /** @throws base::InputError for a particle behind a surface or in it by more than half its radius */
     void check_start(const Particles &particles);
-    /** What of particles reaches through a surface is cut off: they touch it without force. @throws base::InputError */
+    /** Cuts off what reaches through a surface: particles touch it without force (doc/theory/laboratory.md, 1). @throws base::InputError */
     void cut_off_at(std::size_t surface, const Particles &particles, const ParticleShape &shape);
     bool touching() const { return !contacts.empty() || holding(); }
     /** Call use(surface, particle, force, moment) for all that acts on particles now, in order. */
@@ -137,7 +137,7 @@ namespace dem
     /** Enter the work of surfaces on particles over the half step that led here in their accounts. @return its sum [J] */
     double add_work_of_last_motion();
     /**
-     * Vertices of a surface are elsewhere at the end of the step that led here than they went in it: that was a part of their motion, and
+     * Vertices of a surface are elsewhere at the end of the last step than they went in it: that was a part of their motion, and
      * works as such. @return the work of that half of it over which the forces that are known pushed [J]
      */
     double          put_on(std::size_t number, const std::vector<Eigen::Vector3d> &by);
@@ -207,7 +207,7 @@ namespace dem
      * are not the slope of what they store [J]: nothing is pushed, stored or taken twice, but in dents weights change, and caps part.
      */
     double made_by_last(std::size_t count, const Particles &particles, const Block &block) const;
-    /** Who stands on a surface beside the particle at which a thread looks. */
+    /** Particles that stand on a surface beside the one that a thread works on. */
     void   gather_beside(const Particles &particles, std::size_t listed, const Surface &surface, Block &block) const;
     void   add_zones(const Surface         &surface,
                      const ParticleShape   &shape,

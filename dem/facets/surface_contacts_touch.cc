@@ -1,6 +1,5 @@
 // Where particles touch surfaces, how hard, and with what history.
 
-#include "base/errors.h"
 #include "dem/facets/crossing.h"
 #include "dem/facets/surface_contacts.h"
 #include "dem/kernels/kinematics.h"
@@ -8,7 +7,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <sstream>
 
 namespace dem
 {
@@ -39,15 +37,6 @@ namespace dem
           sum += part.weight * surface.motion[static_cast<std::size_t>(part.vertex)];
         }
       return sum;
-    }
-
-    [[noreturn]] void refuse_sunk(const Particles &p, const std::int32_t i, const Surface &surface)
-    {
-      std::ostringstream message;
-      message << "particle " << p.number[static_cast<std::size_t>(i)] + 1 << " has sunk into wall " << surface.name
-              << (surface.holds_from_within() ? " by twice its radius" : " by its radius")
-              << ". Raise the wall's Effective modulus, or lower the load or Time/Step factor.";
-      throw base::NumericalError(message.str());
     }
   } // namespace
 
@@ -176,7 +165,7 @@ namespace dem
 
     /**
      * Which side of the surface a centre is on. Within a body, what counts is the nearest point alone, at a negative distance and with
-     * the direction that it had outside; false where the centre has gone through facets that let nobody through.
+     * the direction that it had outside; false where the centre has gone through facets that let nothing pass.
      *
      * @param was_within after the step before @param points within reach, of all facets
      */

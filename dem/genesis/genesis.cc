@@ -21,7 +21,7 @@ namespace dem
     constexpr double loose_overlap         = 0.01;
     constexpr double longest_stress_change = 0.01; ///< of radii in one round
     constexpr double relief                = 0.25; ///< of the stress that a round from far above leaves
-    constexpr double far_above             = 10;   ///< the stress that is asked for: rounds need not end at rest
+    constexpr double far_above             = 10;   ///< the target stress: rounds need not end at rest
     constexpr double enlargement           = 1.3;  ///< of floaters in one round
 
     void require(const bool fulfilled, const char *what, const double value, const char *rule)
@@ -169,7 +169,7 @@ namespace dem
   }
 
   /**
-   * Whether the stress of this round can be told: nearly at rest where it is far above or too low, where rest would only show more of it;
+   * Whether the stress of this round is determined: nearly at rest where it is far above or too low, where rest would only show more of it;
    * more at rest the nearer it is. Particles that are not jammed fly about and come to no such ratio: of these it is enough to know that
    * they do not push.
    */

@@ -59,8 +59,8 @@ namespace dem
     double       floaters        = 0;                 ///< part of all particles [-]
     double       contact_number  = 0; ///< contacts that push, two ends each, over the particles; with walls
     double       largest_overlap = 0; ///< over the smaller radius
-    double       diameter_change = 0; ///< of the mean diameter, against what was asked for at the same scale of all
-    double       scale           = 1; ///< radii over those asked for, where they are alike for all
+    double       diameter_change = 0; ///< of the mean diameter, against the target at the same scale of all
+    double       scale           = 1; ///< radii over the requested ones, where the ratio is the same for all
   };
 
   /**
@@ -87,7 +87,7 @@ namespace dem
     const std::vector<GenesisStageReport> &reports() const { return finished_stages; } ///< of the stages so far
     std::size_t                            inserted_with_overlap() const { return overlapping; }
     GrowthEnergies                         energies() { return assembly->energies(); }
-    Packing packing() const { return assembly->packing(); } ///< particles as they are now, largest first as asked for
+    Packing packing() const { return assembly->packing(); } ///< particles as they are now, largest first as requested
 
     void visit_state(base::StateVisitor &visitor);
 

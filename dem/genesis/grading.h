@@ -8,7 +8,7 @@ namespace dem
   /**
    * Grading of aggregates in a plane section through concrete whose aggregates follow Fuller's curve: part of the section that
    * aggregates smaller than a size take. Walraven and Reinhardt (1981), HERON 26, 1A:
-   * P_c = P_k (1.065 x^1/2 - 0.053 x^4 - 0.012 x^6 - 0.0045 x^8 + 0.0025 x^10), x = size/largest.
+   * doc/theory/genesis.md, 6: P_c = P_k (1.065 x^1/2 - 0.053 x^4 - 0.012 x^6 - 0.0045 x^8 + 0.0025 x^10), x = size/largest.
    *
    * @param content P_k, part of the volume that is aggregate @param size [m] @param largest [m]
    */

@@ -63,7 +63,7 @@ namespace dem
    * Particles that grow in a vessel with frictionless walls, pushing at each other by linear contacts with friction, advanced by the two
    * passes that a Specimen is advanced by, with local damping (doc/theory/genesis.md, 2).
    *
-   * Their masses are not those of the material: what comes of it is at rest, and depends on none. All particles have the mass for which
+   * Their masses are not those of the material: the result is at rest, and does not depend on them. All particles have the mass for which
    * the stable step is 1, in the plane the same for all; a time is a number of steps. Results are the same to the last bit for
    * any number of threads.
    */

@@ -1,4 +1,4 @@
-// What is asked of a growing assembly, and its energy account.
+// Measures of a growing assembly, and its energy account.
 
 #include "dem/genesis/block_sums.h"
 #include "dem/genesis/growing_assembly.h"

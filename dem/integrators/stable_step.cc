@@ -87,7 +87,7 @@ namespace dem
       }
     double smallest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < particles.count; ++i)
-      if (sum[i] > 0 && particles.mass[i] > 0) // without mass: somebody else moves it
+      if (sum[i] > 0 && particles.mass[i] > 0) // without mass: a partner moves it
         smallest = std::min(smallest, 2.0 * particles.mass[i] / sum[i]);
     return std::sqrt(smallest);
   }

@@ -5,7 +5,7 @@
 #include "dem/kernels/particle_pass.h"
 
 /**
- * The leap-frog step of one particle by the force that acts on it, whoever has summed that up (doc/theory/integration.md, 1 and 2).
+ * The leap-frog step of one particle by the force that acts on it, however that was summed up (doc/theory/integration.md, 1 and 2).
  */
 namespace dem::leap_frog
 {

@@ -26,7 +26,7 @@ namespace dem::link_update
         rows = links.history.data() + first + State::columns;
     }
 
-    base::Column        *rows = nullptr; ///< that the constants ask for, behind the columns
+    base::Column        *rows = nullptr; ///< that the constants need, behind the columns
     static constexpr int shear_column(const int i) { return State::numbers + P::across * i; }
     static constexpr int bending_column(const int i) { return shear_column(State::shears) + P::across * i; }
     static constexpr int axis_column(const int i) { return bending_column(State::bendings) + P::across * i; }

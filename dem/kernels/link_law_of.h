@@ -97,7 +97,7 @@ namespace dem
   /**
    * Makes of a law, as it is written in its own file, the LinkLaw that everybody else works with.
    *
-   * `Law` is a type without data. doc/theory/link-laws.md tells what it declares:
+   * `Law` is a type without data. doc/theory/link-laws.md says what it declares:
    *
    *   name, bonds, moment, breaks_in_place, records                 constants
    *   waits, viscous, stiffens                                      constants, where they hold (LinkLaw)
@@ -109,7 +109,7 @@ namespace dem
    *                                                                 for laws that remember further numbers, as many as the
    *                                                                 constants say: quantities, their number, and those of a new
    *                                                                 link; the State has them as ElementRows<T> rows
-   *   tells_elements, broken_elements(constants, geometry, state)   for laws that tell how a bond, or which of its elements, broke:
+   *   tells_elements, broken_elements(constants, geometry, state)   for laws that report how a bond, or which of its elements, broke:
    *                                                                 offsets along axis 1 and axis 2 = n x axis 1 of the link
    *   history()                                                     quantities of numbers (those in space, of which links in the
    *                                                                 plane may have only the first), shears, bendings, axes
@@ -118,7 +118,7 @@ namespace dem
    *   update(constants, motion, state, work)                        one step, for double and for Pack
    *   changes_numbers(before, state)                                which numbers of the state must be stored, a bit for each
    *   stiffness, damaged_stiffness, phase, stored, damage_dissipation, damage, exertion(constants, geometry, state, ...),
-   *   damaging_strain(constants, state)                             what is asked of single links
+   *   damaging_strain(constants, state)                             queries of single links
    *   tangent(constants, step, before, state, kind)                 linearisation of the update
    */
   template <typename Law>

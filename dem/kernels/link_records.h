@@ -27,7 +27,7 @@ namespace dem::link_update
 
   /**
    * Force on the first end, half branch x force, eccentricity, and in the plane the moment at the contact point: what a particle needs
-   * of its link, as records.
+   * of its link, as records (doc/theory/links.md, 2).
    * @param streams see put()
    * @return the force, z only in space
    */

@@ -56,7 +56,7 @@ namespace dem::link_update
       return advance_shear<P::rotations>(pair_motion<P>(ends, eccentric), inverse_reference, state.shear);
   }
 
-  /** Lengths and directions of a frame, as the law takes them. @param per_second one over the length of the step [1/s] */
+  /** Lengths and directions of a frame, as the law takes them (doc/theory/links.md, 2). @param per_second one over the length of the step [1/s] */
   template <typename P, typename Frame>
   BRECCIA_KERNEL LinkMotion<Pack, P::across> stretch_of(
     const Frame &frame, const Pack &reference, const Pack &inverse_reference, const Pack &area, const double per_second)

@@ -62,7 +62,7 @@ namespace dem
   struct LinkWork
   {
     T friction{0.0}; ///< dissipated by sliding
-    T damage{0.0};   ///< dissipated by damage, where no closed form of the state tells it
+    T damage{0.0};   ///< dissipated by damage, where the state has no closed form for it
     T released{0.0}; ///< stored in bonds at the moment they broke
     T viscous{0.0};  ///< dissipated by dashpots
   };

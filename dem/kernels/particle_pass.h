@@ -12,7 +12,7 @@ namespace dem
   /** Particles that one thread moves in a row; the unit of deterministic sums. */
   constexpr std::size_t particles_per_block = 256;
 
-  /** What a block of particles tells besides its motion. Padded to a cache line: one writer each. */
+  /** What a block of particles reports besides its motion. Padded to a cache line: one writer each. */
   struct alignas(64) ParticleBlockAccount
   {
     double damping_before = 0; ///< work of damping forces of this step over the half step before t_n, < 0 [J]

@@ -9,7 +9,7 @@
 namespace dem
 {
   /**
-   * Outermost particles of a body and how they hang together: the facets between the centres of those that a ball touches at once which
+   * Outermost particles of a body and their connectivity: the facets between the centres of those that a ball touches at once which
    * rolls all around the body. In the plane a chain of segments, in space triangles.
    */
   struct Hull

@@ -16,7 +16,7 @@ namespace dem
 
     /** Steps between two looks at whether a specimen rests: each costs about as much as a step. */
     constexpr std::int64_t look_every = 50;
-    /** By which part a pressure may miss what was asked for when a test begins. */
+    /** Relative deviation from the prescribed pressure that is allowed when a test begins. */
     constexpr double near_enough = 0.01;
     /** How many times a dip of the stress may last that a wave takes through the specimen: as long as its slowest swings. */
     constexpr double dips = 10;

@@ -57,7 +57,7 @@ namespace dem
   };
 
   /**
-   * Leads a specimen through a test and reads it off: forces of every step, the rest every so many. Around each step lead() comes before
+   * Takes a specimen through a test and records it: forces of every step, the rest every so many. Around each step lead() comes before
    * and observe() after it. The specimen must outlive the test.
    */
   class LabTest
@@ -75,7 +75,7 @@ namespace dem
     /** Before the first step: adds platens, walls or glue. @throws base::InputError naming the entry of section Laboratory */
     LabTest(Specimen &specimen, const LabParameters &parameters);
 
-    /** Load at another speed from now on, a part of that asked for. No part of the state. */
+    /** Load at another speed from now on, a part of the prescribed one. No part of the state. */
     void change_speed(const double part) { what.speed *= part; }
 
     /** What the next step does. Calling it again changes nothing. */
@@ -106,10 +106,10 @@ namespace dem
   private:
     bool is(const LabParameters::Test test) const { return what.test == test; }
     void choose_measures(const ParticleOutput &particles, const BodyExtent &body);
-    /** Speed of the step to come: that asked for, growing from zero [m/s]. */
+    /** Speed of the step to come: the prescribed one, growing from zero [m/s]. */
     double       ramped(double speed) const;
     double       strain_now() const;      ///< by the platens, where they are now [-]
-    double       pressure_now() const;    ///< that is asked for [Pa]
+    double       pressure_now() const;    ///< that is prescribed [Pa]
     double       confinement_now() const; ///< as it is measured, mean of all sides [Pa]
     bool         sides_near_pressure() const;
     std::int64_t breaks() const { return static_cast<std::int64_t>(specimen->logged_breaks()); } ///< so far
@@ -120,9 +120,9 @@ namespace dem
     void read_rest();
     void follow_load();
     void next_stage();
-    /** Whether everything is at rest, and under the pressure asked for; looked at every now and then. */
+    /** Whether everything is at rest, and under the prescribed pressure; checked every now and then. */
     bool rests();
-    /** Whether the gauges have hardly moved for as long as the specimen's slowest swing takes: forces do not tell of a steady drift. */
+    /** Whether the gauges have hardly moved for as long as the specimen's slowest swing takes: forces do not show a steady drift. */
     bool      stands_still();
     bool      waited_enough() const { return stage_steps > what.ramp_steps + what.rest_steps; }
     void      enter(Stage stage);

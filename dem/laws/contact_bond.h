@@ -192,7 +192,7 @@ namespace dem
     template <typename S>
     static double damaging_strain(const Constants &, const S &)
     {
-      return std::numeric_limits<double>::infinity(); // it breaks at once, which opening control cannot lead it through
+      return std::numeric_limits<double>::infinity(); // it breaks at once, which opening control cannot follow
     }
     template <typename S>
     static LinkExertion

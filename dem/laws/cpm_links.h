@@ -277,7 +277,7 @@ namespace dem
     }
   };
 
-  /** Fresh contacts of the cohesive particle model: no cohesion, no tension, gone as soon as they open. */
+  /** Fresh contacts of the cohesive particle model: no cohesion, no tension, gone as soon as they open; doc/theory/contacts.md, 1. */
   template <bool sliding>
   struct CpmContact : CpmLinks
   {

@@ -5,7 +5,7 @@
 namespace dem
 {
   /**
-   * How the flat surface of a joint is cut into elements; lengths over its radius R, areas over its section A.
+   * How the flat surface of a joint is cut into elements; lengths over its radius R, areas over its section A; doc/theory/flat-joint.md, 2.
    *
    * Its axes lie across the link: axis 1, and axis 2 = n x axis 1. A segment of the plane lies along axis 1.
    */

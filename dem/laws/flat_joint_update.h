@@ -53,7 +53,7 @@ namespace dem
       return dot(a, b);
   }
 
-  /** Sums over the elements: forces over modulus or stress, moments over R, and what the specimen asks for. */
+  /** Sums over the elements: forces over modulus or stress, moments over R, and what the specimen needs. */
   template <typename T>
   struct JointSums
   {

@@ -56,7 +56,7 @@ namespace dem
   };
 
   /**
-   * Linear parallel bond: a cemented disc (strip, in the plane) in parallel with a linear contact. It resists opening, shear, bending
+   * Linear parallel bond (doc/theory/parallel-bond.md): a cemented disc (strip, in the plane) beside a linear contact. It resists opening, shear, bending
    * and twist elastically, and breaks at once when the stress at its rim reaches the tensile or the shear strength; then the linear
    * contact alone remains in its place until the particles part.
    *
@@ -207,7 +207,7 @@ namespace dem
         return LinkPhase::whole;
       return link.strain > 0 ? LinkPhase::gone : LinkPhase::broken;
     }
-    /** What it had been led to when it broke tells in which way it did; tension comes first. */
+    /** The state in which it broke shows the mode of breaking; tension comes first. */
     template <typename S>
     static std::vector<BrokenElement> broken_elements(const Constants &k, const LinkGeometry &link, const S &state)
     {
@@ -249,7 +249,7 @@ namespace dem
     template <typename S>
     static double damaging_strain(const Constants &, const S &)
     {
-      return std::numeric_limits<double>::infinity(); // it breaks at once, which opening control cannot lead it through
+      return std::numeric_limits<double>::infinity(); // it breaks at once, which opening control cannot follow
     }
     template <typename S>
     static LinkExertion

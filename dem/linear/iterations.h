@@ -43,7 +43,7 @@ namespace dem
 
   /**
    * The same for a preconditioner as good as exact (a factor): x += M^-1 (b - K x) until converged. Unlike conjugate gradients
-   * it cannot be led astray by rounding in motions that K does not see and M^-1 enlarges.
+   * it is not disturbed by rounding in motions that K does not see and M^-1 enlarges.
    */
   IterationReport refine(const StiffnessOperator              &stiffness,
                          const Preconditioner                 &factor,

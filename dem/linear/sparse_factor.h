@@ -19,7 +19,7 @@ namespace dem
    * three iterations.
    *
    * Ordering is done on the graph of particles and then spread over their motions. To the diagonal a tiny part of itself is
-   * added (1e-10, more if rounding asks for it), so that mechanisms and rigid motion do not stop the factorisation; the
+   * added (1e-10, more if rounding requires it), so that mechanisms and rigid motion do not stop the factorisation; the
    * iteration takes that part out again and leaves mechanisms at rest.
    */
   class SparseFactor : public Preconditioner

@@ -33,7 +33,7 @@ namespace dem
   bool is_past_peak(const UniaxialFigures &figures, double strain, double stress, double stop_fraction);
 
   /**
-   * Takes every point of a curve and keeps what its figures need. The modulus wants a third of a peak that nobody knows yet: sums are
+   * Takes every point of a curve and keeps what its figures need. The modulus needs a third of a peak that is not known yet: sums are
    * noted whenever the stress has grown by a hundredth, so that its last point may lie that much beyond the third.
    */
   class CurveFigures

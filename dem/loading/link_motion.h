@@ -50,7 +50,7 @@ namespace dem
    * displacement finds a force of the other sign. A link that is gone is followed by the contact that the law leaves, should the
    * particles touch again.
    *
-   * The path is followed as far as some motion holds the forces asked for; LinkHistory::broke_off names the row where none does.
+   * The path is followed as far as some motion holds the prescribed forces; LinkHistory::broke_off names the row where none does.
    * @throws base::InputError for a component that the law does not know
    */
   LinkHistory

@@ -75,7 +75,7 @@ namespace dem
         };
         for (std::size_t c = 0; c < columns.size(); ++c)
           if (!ends_with(columns[c].name, "_0") &&
-              columns[c].name != "broken") // no part along the link; told for every law
+              columns[c].name != "broken") // no part along the link; reported for every law
             {
               row(columns[c].name, columns[c].unit, history[c]);
               if (columns[c].name == "elastic_shear_1" || columns[c].name == "elastic_shear_2")

@@ -12,7 +12,7 @@
 namespace dem
 {
   /**
-   * Watches a periodic cell that is led from sample to sample: whether its stress begins to fall while links damage (the onset), and
+   * Watches a periodic cell that is driven from sample to sample: whether its stress begins to fall while links damage (the onset), and
    * whether what is lost from then on is gathered in a band (doc/theory/periodic-cell.md, 4).
    */
   class LocalisationWatch

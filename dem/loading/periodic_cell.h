@@ -11,7 +11,7 @@
 namespace dem
 {
   /**
-   * One leg of the path that a periodic cell is led along. Each component moves linearly in time from where it is to its target.
+   * One leg of the path that a periodic cell is driven along. Each component moves linearly in time from where it is to its target.
    * Order 11 22 33 23 31 12, engineering shears; in the plane only 11 22 12 count.
    */
   struct CellLeg

@@ -9,7 +9,7 @@ namespace dem
 {
   namespace
   {
-    constexpr double diameters = 2.5; ///< radius of the ball that tells the depth; holds about 70 spheres, 22 discs
+    constexpr double diameters = 2.5; ///< radius of the ball that gives the depth; holds about 70 spheres, 22 discs
     constexpr double deep = 0.06; ///< its content's centre off its own, in radii: 0.03 by chance, 0.375 for half a ball
     constexpr double width = 0.75; ///< of the Gaussian, in diameters: 6 exp(-2 pi^2 width^2) = 9e-5 off for a lattice
     constexpr double cut   = 4.5;  ///< of the Gaussian, in widths: 2e-4 lies beyond

@@ -6,7 +6,7 @@
 
 namespace dem
 {
-  /** Mean products of link directions (fabric tensors of the first kind; Kanatani, 1984, Int. J. Eng. Sci. 22, 149). */
+  /** Mean products of link directions (fabric of the first kind; Kanatani, 1984, Int. J. Eng. Sci. 22, 149; doc/theory/stress-and-fabric.md, 4). */
   struct Fabric
   {
     Eigen::Matrix3d second = Eigen::Matrix3d::Zero(); ///< <n (x) n>, trace 1

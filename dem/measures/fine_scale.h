@@ -17,7 +17,7 @@ namespace dem
   class FineScaleFilter
   {
   public:
-    /** Who takes part in averages. */
+    /** Members of the averages. */
     struct Carriers
     {
       std::vector<Eigen::Vector3d> places; ///< [m]

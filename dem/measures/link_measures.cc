@@ -52,7 +52,7 @@ namespace dem
 
   namespace
   {
-    /** Work of a link's force and moment on what its ends are told to move by, turned round: what they do on the link. */
+    /** Work of a link's force and moment on the prescribed motion of its ends, with the sign of the work on the link. */
     double work_on(const Particles       &particles,
                    const LinkSet         &links,
                    const LinkView        &link,

@@ -5,7 +5,7 @@
 namespace dem
 {
   /**
-   * A link as the bearer of a force: what stress measures need of it, whoever computed it (dynamics, static solver, a test).
+   * A link as the bearer of a force: the input of stress measures, from dynamics, the static solver or a test.
    *
    * Force and couple are those that act on the first end; the second end feels their opposites. A tensile force points along the
    * branch.

@@ -16,7 +16,7 @@ namespace dem
    *
    * Values of places are records of three numbers and a free one, in the order of the grid: places of one cell of the grid follow each other,
    * so that what they share is read and written once. Fields on the knots are columns, one after the other, of those numbers alone that the
-   * grid is asked for; the others are left as they are.
+   * grid is requested; the others are left as they are.
    *
    * Same input, same bits, for any number of threads.
    */

@@ -7,7 +7,7 @@
 namespace dem
 {
   /**
-   * Volume times mean stress of an assembly from its links, V sigma = sum l (x) f [N m] (Love-Weber; Stransky, 2018, (4.38), (4.56)).
+   * Volume times mean stress of an assembly from its links, V sigma = sum l (x) f [N m] (doc/theory/stress-and-fabric.md, 1; Love, Weber).
    *
    * First index: normal of the plane, second: direction of the force; tension positive. Holds in periodic cells with branches
    * taken to the image. In equilibrium under forces on particles it equals the external form. Unsymmetric only with net couples.

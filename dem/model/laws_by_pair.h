@@ -11,7 +11,7 @@ namespace dem
   /**
    * Links of which each pair of materials obeys a law of its own kind: a bond law in mortar, another one at its interfaces. To everybody else
    * it is one law, whose history holds the columns of all of them, one law after the other; a link uses its own law's, the others stay
-   * zero. What is asked of a link its own law answers. In the link pass each law goes through its own blocks (LinkSet::first_block).
+   * zero. Queries of a link are answered by its own law. In the link pass each law goes through its own blocks (LinkSet::first_block).
    */
   class LawsByPair final : public LinkLaw
   {

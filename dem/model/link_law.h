@@ -82,7 +82,7 @@ namespace dem
   {
     tension,
     shear,
-    gradual ///< damaged until nothing was left, by a law that does not tell the two apart
+    gradual ///< damaged until nothing was left, by a law that does not distinguish the two
   };
 
   /** An element of a link that is broken; a bond without elements is one itself. */
@@ -142,7 +142,7 @@ namespace dem
 
   /**
    * The law of all links of one kind (bonds, or contacts) in one specimen: its constants for every pair of materials, the pass that
-   * updates the links, and all that is asked of single ones. Chosen once per scene; the pass knows it at compile time.
+   * updates the links, and answers all queries of single ones. Chosen once per scene; the pass knows it at compile time.
    *
    * A link's history is a row of numbers, in the order of columns(); `pair` is the number of the pair of materials that it joins.
    */
@@ -200,7 +200,7 @@ namespace dem
     }
     virtual LinkPhase phase(std::size_t pair, const LinkGeometry &link, const double *history) const = 0;
     /**
-     * Elements that are broken, asked in the step in which one of them broke; those that never held are not among them.
+     * Elements that are broken, queried in the step in which one of them broke; those that never held are not among them.
      * @param direction n, from the first end to the second
      */
     virtual std::vector<BrokenElement> broken_elements(std::size_t            pair,
@@ -209,7 +209,7 @@ namespace dem
                                                        const double          *history) const = 0;
     /** Energy stored [J]. */
     virtual double stored(std::size_t pair, const LinkGeometry &link, const double *history) const = 0;
-    /** Energy dissipated by damage since the start, where a closed form of the history tells it; otherwise the pass sums it up [J]. */
+    /** Energy dissipated by damage since the start, where the history has a closed form for it; otherwise the pass sums it up [J]. */
     virtual double   damage_dissipation(std::size_t, const LinkGeometry &, const double *) const { return 0.0; }
     virtual LinkLoss damage(std::size_t pair, const LinkGeometry &link, const double *history) const = 0;
     /** Normal strain past which the link damages further; infinite for a law that opening does not damage. */

@@ -18,11 +18,11 @@ namespace dem
   /** Numbers of a block's stress moment: nine, filled up to two cache lines. */
   constexpr std::size_t stress_record = 16;
 
-  /** What a block of links tells besides forces. Padded to a cache line: one writer each. */
+  /** What a block of links reports besides forces. Padded to a cache line: one writer each. */
   struct alignas(64) LinkBlockAccount
   {
     double friction = 0;     ///< dissipated by sliding since the start [J]
-    double damage   = 0;     ///< dissipated by damage since the start [J], where no closed form tells it
+    double damage   = 0;     ///< dissipated by damage since the start [J], where there is no closed form
     double released = 0;     ///< set free since the start by bonds that broke in their place [J]
     double viscous  = 0;     ///< dissipated by dashpots since the start [J]
     bool   event    = false; ///< in this step some link broke or is gone
@@ -45,7 +45,7 @@ namespace dem
     bool moments_apart =
       false; ///< in records of their own; in the plane a moment is one number, and has room beside the force
     bool streams     = false; ///< too many for the caches: force records are written past them
-    bool logs_breaks = false; ///< broken ones may stay: `noted` tells which the crack log has
+    bool logs_breaks = false; ///< broken ones may stay: `noted` marks those in the crack log
 
     std::vector<LinkQuantity> quantities;      ///< what the columns of the history are, as the law declares them
     std::vector<std::int32_t> kinds;           ///< of each pair of materials the number of its law; empty: there is one

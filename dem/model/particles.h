@@ -42,7 +42,7 @@ namespace dem
       body; ///< what each particle moves with: a rigid clump's number, alone or left; empty: all alone
 
     static constexpr std::int32_t alone = -1;
-    static constexpr std::int32_t left  = -2; ///< to somebody else, whose body its bonds and contacts are part of
+    static constexpr std::int32_t left  = -2; ///< to a partner, whose body its bonds and contacts are part of
 
     /** Number of the rigid clump that a particle is a pebble of, from 0; below 0: of none. */
     std::int32_t clump_of(const std::size_t i) const { return body.empty() ? alone : body[i]; }

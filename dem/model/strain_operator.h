@@ -6,7 +6,7 @@ namespace dem
 {
   /**
    * H of a link: H E is the displacement of its second end relative to the first under the strain E, engineering shears, order
-   * 11 22 33 23 31 12 (doc/theory/homogenisation.md, 2).
+   * 11 22 33 23 31 12 (doc/theory/statics.md, 1).
    * @param branch from the first end to the second [m]
    */
   inline Eigen::Matrix<double, 3, 6> strain_operator(const Eigen::Vector3d &branch)

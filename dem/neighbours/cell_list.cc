@@ -28,7 +28,7 @@ namespace dem
       return a >= 0 ? a / b : -((-a + b - 1) / b);
     }
 
-    /** What is asked for; pair reach = sum of the two particles' own reaches. */
+    /** The request; pair reach = sum of the two particles' own reaches. */
     struct Query
     {
       const std::vector<Eigen::Vector3d> &centre;

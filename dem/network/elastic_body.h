@@ -7,11 +7,11 @@ namespace dem
 {
   /**
    * An elastic body that a network is joined to, seen from the places where it is: what remains of a solid when all its other motions are
-   * in equilibrium. Displacements x of its joints and the led load parameter p cost
+   * in equilibrium. Displacements x of its joints and the driven load parameter p cost
    *
    *   Pi = 1/2 x^T S x + p x^T b + 1/2 c p^2
    *
-   * which is the energy stored less what dead loads p (w^T x + p w_0) have done.
+   * which is the energy stored less what dead loads p (w^T x + p w_0) have done (doc/theory/static-handshake.md, 1).
    */
   struct ElasticBody
   {

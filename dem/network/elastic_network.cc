@@ -146,7 +146,7 @@ namespace dem
       };
     }
 
-    /** Gives links the stiffness of their law, and tells bonds from contacts that wait. */
+    /** Gives links the stiffness of their law, and distinguishes bonds from contacts that wait. */
     class LinkFinisher
     {
     public:

@@ -44,7 +44,7 @@ namespace dem
   /** Force and moment on the first end per slip and relative rotation, as the link was made. */
   base::Matrix6 undamaged_stiffness(const ElasticLink &link);
 
-  /** Particles joined by linear links, in the configuration whose small motions are asked for. */
+  /** Particles joined by linear links, in the configuration from which small motions are computed. */
   struct ElasticNetwork
   {
     int                          dimension = 3;    ///< 3, or 2: only x, y and the rotation about z move

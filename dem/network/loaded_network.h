@@ -19,7 +19,7 @@ namespace dem
   /**
    * A network with all that moves it from outside: up to six load parameters, each of which moves the ends of links against each
    * other in proportion. In a periodic cell they are the macroscopic strains; of a gripped specimen the first is the strain between
-   * the grips. One of them is led; of the others some are free (their force vanishes), the rest stay zero.
+   * the grips. One of them is driven; of the others some are free (their force vanishes), the rest stay zero.
    *
    * It may be joined to an elastic body: the carriers of motions are the particles and then the body's joints, which only translate.
    */
@@ -37,10 +37,10 @@ namespace dem
     std::shared_ptr<const Ties>              ties; ///< between carriers; none: nothing is tied
   };
 
-  /** A free network that nothing moves yet; its stress is the force of the led parameter. @throws base::InputError for a periodic one */
+  /** A free network that nothing moves yet; its stress is the force of the driven parameter. @throws base::InputError for a periodic one */
   LoadedNetwork unloaded(ElasticNetwork network);
 
-  /** Particles that are led along one of their motions: so much per unit of the led parameter; nothing: they are held. */
+  /** Particles that are driven along one of their motions: so much per unit of the driven parameter; nothing: they are held. */
   void lead(LoadedNetwork &loaded, const std::vector<std::size_t> &particles, int motion, double per_unit);
 
   /**
@@ -51,10 +51,10 @@ namespace dem
    */
   LoadedNetwork load_cell(ElasticNetwork network, int axis, bool lateral_free);
 
-  /** A periodic cell whose strains are all given: none free, the first led. @throws base::InputError if the network is not periodic */
+  /** A periodic cell whose strains are all given: none free, the first driven. @throws base::InputError if the network is not periodic */
   LoadedNetwork strained_cell(ElasticNetwork network);
 
-  /** Two layers of particles that are led apart (or together) along an axis, half of the way each. */
+  /** Two layers of particles that are driven apart (or together) along an axis, half of the way each. */
   struct GripPair
   {
     int        axis = 2;

@@ -20,7 +20,7 @@ namespace dem
     return m;
   }
 
-  /** Of the first and of the second end. @param scale that makes lengths of rotations [m] */
+  /** Of the first and of the second end (doc/theory/statics.md, 1). @param scale that makes lengths of rotations [m] */
   inline std::pair<SlipOf, SlipOf> slip_matrices(const ElasticLink &l, const double scale)
   {
     const Eigen::Matrix3d turn = cross_product_matrix(l.direction) / scale;

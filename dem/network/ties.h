@@ -26,9 +26,9 @@ namespace dem
   using Tie = std::vector<TieTerm>;
 
   /**
-   * Solves (T W T^T) x = b for the rows T of conditions and weights W of motions. Where each condition has a motion of its own, T = [D C]
-   * with a diagonal D, and by the formula of Woodbury (1950) only W^-1 + C^T (D W D)^-1 C is factored, which is as large as there are
-   * others: the few joints that many slaves follow.
+   * Solves (T W T^T) x = b for the rows T of conditions and weights W of motions (doc/theory/static-handshake.md, 2). Where each condition
+   * has a motion of its own, T = [D C] with a diagonal D, and by the formula of Woodbury (1950) only W^-1 + C^T (D W D)^-1 C is factored:
+   * its size is the number of the other motions, those of the few joints that many constrained particles follow.
    */
   class TieFactor
   {
@@ -63,8 +63,8 @@ namespace dem
     const Eigen::SparseMatrix<double> &rows() const { return conditions; }
 
     /**
-     * All motions (rows) by those that lead (columns; numbered as all are, led ones have none), where each condition has a motion that no other
-     * knows, as slaves have: then these can be left out of a system altogether. Without columns otherwise.
+     * All motions (rows) by the independent ones (columns; numbered as all are, dependent ones have none), where each condition has a motion of its
+     * own, as those of constrained particles have: then these can be left out of a system altogether. Without columns otherwise.
      */
     const Eigen::SparseMatrix<double> &by_leaders() const { return leaders; }
 

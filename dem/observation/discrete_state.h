@@ -10,7 +10,7 @@ namespace dem
 
   /**
    * What a continuum needs to know of a specimen to carry on from it: places, shares of volume and stress of the particles, and the
-   * damage of all cohesive links that they were made with. Whoever made it, this program or another.
+   * damage of all cohesive links that they were made with. Made by this program or another.
    */
   struct DiscreteState
   {

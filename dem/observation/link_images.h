@@ -8,7 +8,7 @@ namespace dem
 {
   class ObservedSpecimen;
 
-  /** Where a link of a periodic cell leads to: what to add to the place of its second particle. Zero within the cell. */
+  /** The image that a link of a periodic cell reaches: what to add to the place of its second particle. Zero within the cell. */
   struct LinkImage
   {
     Eigen::Vector3d now = {0, 0, 0}, at_start = {0, 0, 0}; ///< H k: with the cell as it is, and as it was made [m]
@@ -17,7 +17,7 @@ namespace dem
   };
 
   /**
-   * The images that links lead to. A cohesive link, broken or not, is known by the places at which its particles were bonded, however
+   * The images that links reach. A cohesive link, broken or not, is known by the places at which its particles were bonded, however
    * far they have moved since; a contact by their present places.
    * @param base H of the cell now, columns are the base vectors  @param base_at_start the same when the specimen was made [m]
    */

@@ -4,7 +4,7 @@
 
 namespace dem
 {
-  /** Spheres that are compacted in one cell where nobody says how many: some ten seconds on one core. */
+  /** Spheres that are compacted in one cell where no number is given: some ten seconds on one core. */
   constexpr std::size_t most_in_one_cell = 20000;
 
   /**

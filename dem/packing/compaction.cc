@@ -91,7 +91,7 @@ namespace dem
                                   p.seed);
       }
 
-      /** Away from the plates by a radius, in a cell whose shrinking leaves plates of the proportions that are asked for. */
+      /** Away from the plates by a radius, in a cell whose shrinking leaves plates of the requested proportions. */
       static Packing in_loose_mould(const CompactionParameters &p)
       {
         const double          count = static_cast<double>(p.count), loose = std::pow(p.initial_spacing, 3) * count;

@@ -80,7 +80,7 @@ namespace dem
     std::int64_t    steps;
   };
 
-  /** compact() was told to stop. */
+  /** compact() was stopped. */
   class CompactionCancelled : public std::runtime_error
   {
   public:

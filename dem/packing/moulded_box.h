@@ -11,7 +11,7 @@ namespace dem
    * each face, where a box cut out of a cell has ragged and sparse ones.
    *
    * So many spheres are compacted between plates that these stand at the box's edges, within some thousandths; then centres are
-   * spaced to where they stand exactly. Radii are those that are asked for.
+   * spaced to where they stand exactly. Radii are the requested ones.
    *
    * @param usual what else there is to say of the packing; its count and proportions are replaced
    * @param box edges [m]

@@ -15,7 +15,7 @@ namespace dem
     constexpr double touching   = 2;
     constexpr double near_reach = touching + 0.15;
     constexpr double wide_reach = touching + 1.0;
-    /// Lists are made when a tenth of the margin is left, so that where spheres are is not asked for in every step.
+    /// Lists are made when a tenth of the margin is left, so that places of spheres are not needed in every step.
     constexpr double spare = 0.1 * (near_reach - touching);
 
     Eigen::Vector3d place(const base::Column &places, const std::size_t sphere)

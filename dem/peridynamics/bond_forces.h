@@ -15,7 +15,7 @@ namespace dem::peridynamics
   };
 
   /**
-   * Forces of all bonds on their nodes, each bond once.
+   * Forces of all bonds on their nodes, each bond once (doc/theory/peridynamics.md, 1).
    *
    * Layers of the grid (rows of a plate, planes of a block) are handed to threads in groups of a size that depends on the grid alone; what a
    * group gives to the nodes beyond it is added afterwards. So no thread writes where another does, and sums have one order: the same

@@ -108,7 +108,7 @@ namespace dem
         right += weight * value * row;
       }
 
-      /** Of what nothing asks for there is none. */
+      /** None of a component that is not prescribed. */
       Vector solution() const
       {
         constexpr double                            nothing = 1e-10; // of the largest

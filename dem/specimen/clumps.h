@@ -35,7 +35,7 @@ namespace dem
 
     /**
      * Velocities of a clump before the first step: the rigid motion nearest to its pebbles', by their masses (doc/theory/clumps.md, 1).
-     * @param given which components of each particle are asked for; empty: all
+     * @param given which components of each particle are prescribed; empty: all
      */
     void
     take_velocities(const Particles &particles, std::size_t clump, const std::vector<std::array<bool, 6>> &given = {});

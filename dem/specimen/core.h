@@ -27,7 +27,7 @@ namespace dem
 {
   struct StepCorrection;
 
-  /** Who corrects a step, and of which particles. */
+  /** The partner that corrects a step, and the particles that it corrects. */
   struct StepPartner
   {
     const std::vector<std::size_t>              *particles = nullptr; ///< by packing number; nullptr: there is none
@@ -70,13 +70,13 @@ namespace dem
 
     std::int64_t    step_count = 0;
     double          time = 0, time_step = 0;
-    double          last_step    = 0; ///< the one that led here [s]
+    double          last_step    = 0; ///< the last one [s]
     double          longest_step = 0; ///< that the present stiffness allows, with the factor [s]
     Gliding         gliding;
     base::Column    unseen;       ///< after a glide: motion of particles since surfaces last looked; otherwise empty
     SurfaceEnergies before_glide; ///< at t_n, where surfaces have looked since
     VelocityKicks   kicks;
-    base::Column    before_step, corrected; ///< velocities of those whom a partner may correct, during a step
+    base::Column    before_step, corrected; ///< velocities of particles that a partner may correct, during a step
     EnergyBook      book;
     double          largest_turn  = 0; ///< of a particle in one of the steps that were looked at [rad]
     Eigen::Matrix3d stress_moment = Eigen::Matrix3d::Zero(); ///< sum l (x) f at t_n [N m]; only if periodic
@@ -145,7 +145,7 @@ namespace dem
     /** Move particles (by packing number) as a step would: the links follow with the next forces. */
     void displace(const ParticleMotions &motion);
     void start_from_equilibrium(InitialEquilibrium &found);
-    /** One leap-frog step: links, contacts, break tests, particles, accounts, new contacts. @param partner who corrects it; by default nobody */
+    /** One leap-frog step: links, contacts, break tests, particles, accounts, new contacts. @param partner that corrects it; by default none */
     void step(const StepPartner &partner = {});
     /** Its parts: forces of links; motion by them and by forces of surfaces; what follows once all has moved. */
     void       find_link_forces();
@@ -156,7 +156,7 @@ namespace dem
                               const StepPartner  &partner = {});
     /** Enter velocities of the particles that the partner may correct, six of each. */
     void enter_velocities(const StepPartner &partner, base::Column &rates) const;
-    /** Let the partner correct what the particles have just done. @return work of his at t_n's half step, and at the half after [J] */
+    /** Let the partner correct what the particles have just done. @return its work at t_n's half step, and at the half after [J] */
     std::array<double, 2> let_correct(const StepHalves &halves, const StepPartner &partner);
     /** Of one particle: six velocities before t_n and corrected. @param work is added to */
     void take_corrected(std::size_t            particle,
@@ -198,7 +198,7 @@ namespace dem
     void find_forces_of_surfaces();
     /** Enter in the log what of glue broke when these were found. */
     void log_torn_glue();
-    /** Glue particles to a surface. @throws base::InputError where nobody is near, or the law has no bonds */
+    /** Glue particles to a surface. @throws base::InputError where no particle is near, or the law has no bonds */
     void glue(std::size_t surface, const SurfaceGlue &glue);
     /** Look where particles are before the first step. @return energy of surfaces that the account starts from [J] @throws base::InputError */
     double begin_surfaces();

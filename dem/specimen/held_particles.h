@@ -19,7 +19,7 @@ namespace dem
 {
   /**
    * The particles of a specimen whose motion is prescribed: by grips, each with a rate for all of its members or one for each of them; and
-   * those left to a partner, who corrects their motion in every step. Forces and moments are those of the last force evaluation.
+   * those left to a partner, which corrects their motion in every step. Forces and moments are those of the last force evaluation.
    */
   class HeldParticles
   {

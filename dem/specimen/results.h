@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-/** What a specimen tells of itself: for those who read results, and need not know how they came about. */
+/** Results of a specimen, for code that only reads them. */
 namespace dem
 {
   /** One particle as it is now. */
@@ -92,7 +92,7 @@ namespace dem
   struct Counts
   {
     std::size_t  particles = 0, links = 0 /* cohesive, alive */, contacts = 0, broken = 0;
-    std::int64_t neighbour_searches = 0; ///< since the start: how often motion could have made a contact nobody watched
+    std::int64_t neighbour_searches = 0; ///< since the start: searches for contacts that motion could have made
     std::size_t  wall_contacts      = 0; ///< of particles with surfaces, at t_n
     double       deepest_overlap =
       0;                     ///< that there has been of unbonded particles, over the smaller radius: see DeepestOverlap

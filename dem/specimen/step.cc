@@ -88,6 +88,7 @@ namespace dem
     watch_turns();
   }
 
+  /** doc/theory/periodic-cell.md, 2. */
   void SpecimenCore::sum_stress()
   {
     stress_moment.setZero();

@@ -12,7 +12,7 @@ namespace dem
   /** Force (or moment) of links and weight on a particle at t_n, without the push from outside [N, N m]. @param component of six */
   double force_without_push(const Particles &particles, std::int32_t particle, int component);
 
-  /** Changes of velocity that particles were given since the last step, until its account is struck. */
+  /** Changes of velocity that particles were given since the last step, until its account is struck (doc/theory/integration.md, 4). */
   class VelocityKicks
   {
   public:

@@ -34,7 +34,7 @@ namespace dem
           keeper.emplace(*loaded.ties, mass.particles.cwiseInverse());
       }
 
-      /** One step of all motions but the led parameter. @return energy that damping takes [J] */
+      /** One step of all motions but the driven parameter. @return energy that damping takes [J] */
       double advance(const Unbalanced &unbalanced, LoadedMotion &motion)
       {
         for (Eigen::Index i = 0; i < motion.particles.cols(); ++i)

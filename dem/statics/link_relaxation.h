@@ -12,7 +12,7 @@ namespace dem
     double       damping     = 0.7;    ///< local (Cundall) damping D, in (0, 1)
     double       tolerance   = 1e-7;   ///< see Unbalanced::residual
     double       least_borne = 0;      ///< see unbalanced_of() [N]
-    std::int64_t ramp_steps  = 200;    ///< over which the led parameters move
+    std::int64_t ramp_steps  = 200;    ///< over which the driven parameters move
     std::int64_t most_steps  = 200000; ///< with the ramp
   };
 
@@ -21,7 +21,7 @@ namespace dem
     std::int64_t steps         = 0;
     bool         converged     = false;
     double       residual      = 0;
-    double       external_work = 0; ///< by the parameters that are led [J]
+    double       external_work = 0; ///< by the parameters that are driven [J]
     double       damped        = 0; ///< taken out by damping, and what was still in motion at the end [J]
   };
 

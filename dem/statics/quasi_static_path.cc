@@ -201,7 +201,7 @@ namespace dem
   QuasiStaticPath::Target QuasiStaticPath::choose(const TangentSystem::Answer &answer, const double of_step) const
   {
     const double growth = of_step * parameters.growth_step, longest = of_step * parameters.strain_step;
-    double       onward = 0; // growth of the links that grew last, per step of the led strain
+    double       onward = 0; // growth of the links that grew last, per step of the driven strain
     for (std::size_t i = 0; i < bonds.size(); ++i)
       if (bonds.grew(i))
         onward += loaded->network.links[i].direction.dot(slip_of(*loaded, i, answer.per_step)) /
@@ -223,7 +223,7 @@ namespace dem
     if (target.control == StepControl::strain)
       return target.strain - led();
     const auto [below, above] = steps_to(target.growth, answer);
-    if (below > above) // nowhere as small as asked: where it is smallest
+    if (below > above) // nowhere as small as required: where it is smallest
       return 0.5 * (below + above);
     return std::fabs(below) < std::fabs(above) ? below : above;
   }
@@ -259,7 +259,7 @@ namespace dem
     return false;
   }
 
-  /** @param onward step of the led strain, over the largest one */
+  /** @param onward step of the driven strain, over the largest one */
   void QuasiStaticPath::relax(const double onward)
   {
     LinkRelaxationParameters p = parameters.relaxation;

@@ -11,14 +11,14 @@
 
 namespace dem
 {
-  /** How a loaded network is led along its equilibrium path, without any inertia. */
+  /** How a loaded network is driven along its equilibrium path, without any inertia. */
   struct QuasiStaticParameters
   {
     double sign = 1; ///< +1: tension, -1: compression
 
-    double strain_step = 0;   ///< largest of the led strain [-], > 0
+    double strain_step = 0;   ///< largest of the driven strain [-], > 0
     double growth_step = 0.2; ///< largest growth of any link's damaging strain in a step, over itself, in (0, 1]
-    double end_strain  = 0;   ///< magnitude of the led strain at which to stop [-], >= strain_step
+    double end_strain  = 0;   ///< magnitude of the driven strain at which to stop [-], >= strain_step
     double end_stress  = 0.5; ///< stop when the stress has fallen to this part of its peak, in [0, 1)
 
     double tolerance      = 1e-7;        ///< see Unbalanced::residual, in (0, 1e-2]
@@ -29,10 +29,10 @@ namespace dem
   /** What kept a step on the path. */
   enum class StepControl
   {
-    strain,  ///< the led strain was prescribed
+    strain,  ///< the driven strain was prescribed
     opening, ///< the largest growth of a crack opening was: it cannot but grow, though stress and strain may fall
-    relaxed, ///< no equilibrium near by was found; the led strain was held and dynamics found the next one (a cascade)
-    changed  ///< the led strain was held while another network took the place of the one before
+    relaxed, ///< no equilibrium near by was found; the driven strain was held and dynamics found the next one (a cascade)
+    changed  ///< the driven strain was held while another network took the place of the one before
   };
 
   std::string name_of(StepControl control);
@@ -62,7 +62,7 @@ namespace dem
   };
 
   /**
-   * Equilibrium path of a network of links of any law under a growing led strain, past the peak (doc/theory/quasi-static-path.md).
+   * Equilibrium path of a network of links of any law under a growing driven strain, past the peak (doc/theory/quasi-static-path.md).
    *
    * Newton's method with the consistent tangent, the secant where it fails. Steps are controlled by the strain as long as damage
    * grows slowly, and otherwise indirectly (de Borst, 1987, Comput. Struct. 25, 211) by the largest growth of a crack opening in the
@@ -86,7 +86,7 @@ namespace dem
 
     /**
      * Goes on from where the path of another network has come to: its points, the history of the links that both have, and then one point
-     * more, the equilibrium of this network under the same led strain.
+     * more, the equilibrium of this network under the same driven strain.
      * @param start motion to find it from, which obeys this network's ties
      * @param before the number there of each link of this network; none: it is new, and undamaged
      * @throws base::NumericalError as advance()
@@ -106,13 +106,13 @@ namespace dem
     struct Target
     {
       StepControl control;
-      double      strain = 0; ///< led, to be reached
+      double      strain = 0; ///< driven, to be reached
       double      growth = 0; ///< largest of a link, to be reached
     };
 
-    /** A step of the led parameter with the sign that goes on along the path. */
+    /** A step of the driven parameter with the sign that goes on along the path. */
     Target choose(const TangentSystem::Answer &answer, double part) const;
-    /** Steps of the led parameter at which the largest growth is as given: below, above. */
+    /** Steps of the driven parameter at which the largest growth is as given: below, above. */
     std::pair<double, double> steps_to(double growth, const TangentSystem::Answer &answer) const;
     bool                      attempt(LinkStiffness stiffness, double part);
     bool                      iterate(LinkStiffness stiffness, const Target &target);

@@ -10,8 +10,8 @@
 namespace dem
 {
   /**
-   * What a body and ties make of the linear system of a network's links. Motions that others lead are left out where that is possible;
-   * otherwise multipliers of the ties are unknowns as well. Without body and ties it is the system of the links.
+   * What a body and ties make of the linear system of a network's links. Motions that depend on others are left out where that is possible;
+   * otherwise multipliers of the ties are unknowns as well (doc/theory/static-handshake.md, 2). Without body and ties it is the system of the links.
    */
   class SurroundedSystem
   {
@@ -41,6 +41,6 @@ namespace dem
 
     int    count, borne = 0; ///< unknowns of the links' system, multipliers
     bool   surrounded;
-    Sparse around, leaders, sum; ///< body and ties; motions by those that lead; with the links
+    Sparse around, leaders, sum; ///< body and ties; motions by the independent ones; with the links
   };
 } // namespace dem

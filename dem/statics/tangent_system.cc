@@ -45,7 +45,7 @@ namespace dem
       for (int p = 0; p < 6; ++p)
         if (loaded.network.dimension == 3 || p < 2 || p == 5)
           all.push_back(p);
-      if (count == 0) // all particles are led: nothing is left to solve for
+      if (count == 0) // all particles are driven: nothing is left to solve for
         return;
       weak_diagonal = undamaged_diagonal();
       around        = std::make_unique<SurroundedSystem>(loaded, unknown, count, weak_diagonal.mean());
@@ -243,7 +243,7 @@ namespace dem
                  const std::vector<base::Matrix6> &stiffness,
                  const base::Vector6              &left) const
     {
-      // A row per parameter: its force vanishes; of the led one and of those that stay zero, the step itself is given.
+      // A row per parameter: its force vanishes; of the driven one and of those that stay zero, the step itself is given.
       base::Matrix6               D = base::Matrix6::Identity();
       Eigen::Matrix<double, 6, 2> h = Eigen::Matrix<double, 6, 2>::Zero();
       const base::Vector6         f = left + load_forces(stiffness, answers[0]);
@@ -279,7 +279,7 @@ namespace dem
     double               scale;
     int                  count = 0;
     std::vector<int>     unknown, first; ///< of each motion, -1 where held; of each particle, and the end
-    std::vector<int>     moving;         ///< load parameters that are free or led
+    std::vector<int>     moving;         ///< load parameters that are free or driven
     std::vector<int>     all;            ///< load parameters that there are, in the plane or in space
     Sparse               matrix;         ///< of the links
 

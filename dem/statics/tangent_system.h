@@ -26,11 +26,11 @@ namespace dem
     /** Length that turns rotations into displacements and moments into forces [m]. */
     double length_scale() const;
 
-    /** How the network answers to first order; every particle motion is affine in the step of the led parameter. */
+    /** How the network answers to first order; every particle motion is affine in the step of the driven parameter. */
     struct Answer
     {
-      LoadedMotion constant; ///< balances what is unbalanced, the led parameter staying where it is
-      LoadedMotion per_step; ///< change per unit of the led parameter; its own entry is 1
+      LoadedMotion constant; ///< balances what is unbalanced, the driven parameter staying where it is
+      LoadedMotion per_step; ///< change per unit of the driven parameter; its own entry is 1
     };
 
     /**

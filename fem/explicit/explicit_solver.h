@@ -67,7 +67,7 @@ namespace fem
   };
 
   /**
-   * Motion of a solid by central differences with a lumped mass.
+   * Motion of a solid by central differences with a lumped mass (doc/theory/explicit-solver.md, 1).
    *
    * Mass lumped by scaling the diagonal of the consistent one (Hinton, Rock and Zienkiewicz 1976): positive for all elements.
    * Critical step 2 / omega with the largest eigenvalue of any element, which bounds that of the mesh (Irons and Treharne 1971). With large
@@ -116,8 +116,8 @@ namespace fem
     double force_for_velocity(dealii::types::global_dof_index dof, double length) const;
 
     /**
-     * In the next step a locally owned displacement grows by this much [m], and not by what its velocity at the step's end says: somebody
-     * else has moved it on in shorter steps. Nothing comes of it where it is prescribed.
+     * In the next step a locally owned displacement grows by this much [m], and not by its velocity at the step's end: a coupling
+     * has moved it in shorter steps. Ignored where it is prescribed.
      */
     void carry(dealii::types::global_dof_index dof, double by);
 

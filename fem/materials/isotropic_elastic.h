@@ -14,7 +14,7 @@ namespace fem
     double poisson_ratio = required; ///< nu [-], in (-1, 0.5)
   };
 
-  /// Hooke's law, sigma = K tr(eps) 1 + 2 G dev(eps).
+  /// Hooke's law, sigma = K tr(eps) 1 + 2 G dev(eps); doc/theory/elastic-materials.md, 1.
   class IsotropicElastic
   {
   public:

@@ -194,7 +194,7 @@ namespace fem
   /**
    * Derivative of the stresses with the strains of the components that are given in strain; zero elsewhere [Pa].
    *
-   * Of a step solved at once the consistent tangent, condensed. Of a walk, whose parts hang together through the history,
+   * Of a step solved at once the consistent tangent, condensed. Of a walk, whose parts depend on each other through the history,
    * differences of the same walk: one more for each strain, ahead in its own direction.
    */
   template <typename Law>

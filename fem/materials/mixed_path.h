@@ -61,7 +61,7 @@ namespace fem
     /**
      * Follow the path in equal steps, each from the state of the one before, as long as they find an answer.
      * @param reach ends the walk before a step of a longer strain increment [-]: it would be a leap to another answer
-     * @param passed (history before, history after) is told each step
+     * @param passed (history before, history after) is called for each step
      */
     template <typename Passed>
     Walk walk(const int steps, const double reach, const Passed &passed) const

@@ -6,7 +6,7 @@
 
 namespace fem
 {
-  /// A column of a material's history: what files and observers call it, and what it is to those who know no material by name.
+  /// A column of a material's history: its name in files and to observers, and its role for code that knows no material by name.
   struct PointQuantity
   {
     enum class Kind

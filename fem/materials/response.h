@@ -12,7 +12,7 @@ namespace fem
   struct Response
   {
     base::Voigt     stress;
-    base::Stiffness tangent; ///< consistent with the algorithm; valid only if it was asked for
+    base::Stiffness tangent; ///< consistent with the algorithm; valid only if it was requested
     State           trial;
     int             substeps = 1; ///< parts into which the law divided the strain increment
   };

@@ -21,7 +21,7 @@ namespace fem
    * What a point dissipates in one step between two histories, along a path of its own [J/m^3].
    *
    * Law::dissipation(from, to) is of second order in the length of a piece. The path is walked again in more and more pieces until the
-   * sum settles, whatever the solver's step was: the difference from the work that the solver counts tells whether its steps are short
+   * sum settles, whatever the solver's step was: the difference from the work that the solver counts shows whether its steps are short
    * enough.
    * @param walk (pieces) -> the sum over so many equal pieces; nothing where the law has no answer to one of them
    */

@@ -180,7 +180,7 @@ namespace fem
         return text.empty() ? "" : " The named groups are of other dimensions: " + text + ".";
       }
 
-      /// Rounding by whoever made the mesh is no step out of the plane.
+      /// Rounding by the mesh generator is no step out of the plane.
       void refuse_out_of_plane() const
       {
         const double       noise = 1e-9 * largest_extent(2);

@@ -16,7 +16,7 @@ namespace fem
     notch   ///< both faces of a notch without width
   };
 
-  /// A body that hangs together: what a mesh is made of, and the names of parts of its surface.
+  /// A connected body: what a mesh is made of, and the names of parts of its surface.
   struct GmshBody
   {
     std::vector<std::array<double, 3>> points; ///< [m], each a node of some cell

@@ -9,7 +9,7 @@ namespace fem
   /**
    * A Gmsh file line by line and word by word.
    *
-   * Every word is asked for by its meaning; what is missing or wrong ends with base::InputError that says file, line, what
+   * Every word is read by its meaning; what is missing or wrong ends with base::InputError that says file, line, what
    * was expected and what was found.
    */
   class GmshText

@@ -11,7 +11,7 @@
 
 namespace fem
 {
-  /// What a mesh is made of: one body that hangs together, or several that need not.
+  /// What a mesh is made of: one connected body, or several.
   enum class Bodies
   {
     one,
@@ -27,7 +27,7 @@ namespace fem
     std::map<std::string, dealii::types::boundary_id>         boundaries;
     std::map<std::string, dealii::types::material_id>         materials;
 
-    /// @throws base::InputError naming the boundary asked for and those that exist.
+    /// @throws base::InputError naming the requested boundary and those that exist.
     dealii::types::boundary_id boundary(const std::string &name) const;
   };
 

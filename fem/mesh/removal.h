@@ -9,7 +9,7 @@
 namespace fem
 {
   /**
-   * The mesh without the elements all of whose corners are taken by somebody else, and without the nodes that belonged to these alone. Names
+   * The mesh without the elements all of whose corners are taken, and without the nodes that belonged to these alone. Names
    * stay; what becomes boundary is named "handshake". The rest may fall into several bodies.
    * @throws base::InputError where no element would be left, or none goes
    */

@@ -5,7 +5,7 @@
 
 namespace fem
 {
-  /// What every built-in shape is asked besides its measures.
+  /// Options of every built-in shape besides its measures.
   struct ShapeOptions
   {
     ElementFamily family       = ElementFamily::hypercube;

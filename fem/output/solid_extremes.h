@@ -22,7 +22,7 @@ namespace fem
     /**
      * By how much the stress of the element of the largest equivalent stress leaves the mean of the elements of its material that meet at
      * its corners, at the worst of them, as equivalent stress over the largest one. A smooth stress on a fine mesh has little of it
-     * (Zienkiewicz and Zhu, 1987: the averaged stress is the better one, and the difference an estimate of the error).
+     * (doc/theory/solid.md, 4; Zienkiewicz and Zhu, 1987: the averaged stress is the better one, and the difference an estimate of the error).
      * Of linear solids only: what softens has jumps of its own.
      */
     double disagreement = 0;

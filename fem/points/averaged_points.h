@@ -14,7 +14,7 @@ namespace fem
   class AveragedPoints : public MaterialPoints
   {
   public:
-    /// Who averages over whom; after allocate(). @param places [m] @param volumes [m^3]
+    /// Sets the neighbours of each average; after allocate(). @param places [m] @param volumes [m^3]
     virtual void place(const std::vector<Eigen::Vector3d> &places, const std::vector<double> &volumes) = 0;
 
     /// First pass. @throws MaterialFailure

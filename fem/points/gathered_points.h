@@ -9,9 +9,9 @@
 namespace fem
 {
   /**
-   * Points whose answers are dear: they are found together before a sweep asks for each, so that they can be spread over threads.
+   * Points whose answers are expensive: they are found together before a sweep requests each, so that they can be spread over threads.
    *
-   * An answer that was found in vain is told by evaluate(), which throws it. evaluate() of a strain that was not gathered finds it then.
+   * A failure to find an answer is reported by evaluate(), which throws it. evaluate() of a strain that was not gathered finds it then.
    */
   class GatheredPoints : public MaterialPoints
   {

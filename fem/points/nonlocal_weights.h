@@ -8,8 +8,8 @@
 namespace fem
 {
   /**
-   * Weights that average over the points within a radius R: w_ij = V_j (1 - r^2/R^2)^2 / (the same summed over all j), with the
-   * bell-shaped weight of nonlocal damage (Bazant and Jirasek, 2002). A point at a surface averages over what is there.
+   * Weights that average over the points within a radius R: w_ij = V_j (1 - r^2/R^2)^2 / (the same summed over all j), the bell-shaped
+   * weight of nonlocal damage (Bazant and Jirasek, 2002; doc/theory/late-transfers.md, 4), normalised over the points that exist.
    */
   class NonlocalWeights
   {

@@ -20,7 +20,7 @@ namespace fem
   }
 
   /**
-   * Strain-displacement matrices of one element, and what follows from them.
+   * Strain-displacement matrices of one element, and what follows from them (doc/theory/solid.md, 1).
    *
    * Small strain: eps = B u. Total Lagrangian: E = (F^T F - 1)/2, with B = dE/du and the initial-stress stiffness
    * (Belytschko, Liu and Moran 2000, chapter 4.9). Mean dilatation: the volumetric part of B is its average over

@@ -8,8 +8,8 @@
 namespace fem
 {
   /**
-   * What ties the elements of a solid together beside their nodes, where the damage of points is averaged over a length: the pass
-   * before a sweep, and the part of the consistent tangent that reaches over elements (Jirasek and Patzak, 2002). One rank only.
+   * Couples elements beyond their common nodes where the damage of points is averaged over a length: the pass before a sweep, and the part
+   * of the consistent tangent that reaches over elements (Jirasek and Patzak, 2002; doc/theory/late-transfers.md, 4). One rank only.
    */
   template <int dim>
   class NonlocalCoupling

@@ -6,7 +6,7 @@
 
 namespace fem
 {
-  /// Collects prescribed displacements, and tells whether they hold a solid against all rigid motions.
+  /// Collects prescribed displacements, and decides whether they hold a solid against all rigid motions.
   template <int dim>
   class RigidMotion
   {

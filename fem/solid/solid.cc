@@ -176,7 +176,7 @@ namespace fem
       nonlocal->flow(displacement, stiffness);
     gather(displacement, stiffness);
 
-    // A failure is told once all ranks know of it: the others wait for this one in what follows.
+    // A failure is reported once all ranks know of it: the others wait for this one in what follows.
     ElementSweep<dim> at_hand(*this);
     std::string       failure;
     std::size_t       next = 0;

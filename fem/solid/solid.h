@@ -30,8 +30,8 @@ namespace fem
     bool         large_displacement = false; ///< total Lagrangian: the material sees Green strain and 2nd Piola stress
     bool         mean_dilatation    = false; ///< volume change averaged over the element: no locking near nu = 0.5
 
-    /// What part of the solid counts at an undeformed place [m], in (0, 1]: of mass, stiffness and weight; the rest is somebody else's
-    /// who fills the same space. Empty: all, everywhere.
+    /// What part of the solid counts at an undeformed place [m], in (0, 1]: of mass, stiffness and weight; the rest belongs to
+    /// another model in the same space. Empty: all, everywhere.
     std::function<double(const std::array<double, 3> &)> share = {};
   };
 
@@ -109,7 +109,7 @@ namespace fem
     /// Whether the elements of this solid fit the fast kernel: linear elastic, small strain, no mean dilatation.
     bool has_blocks() const;
 
-    /// The locally owned elements for the fast kernel, with positions in a make_vector(); made when first asked for.
+    /// The locally owned elements for the fast kernel, with positions in a make_vector(); made on first request.
     const std::vector<ElementBlocks> &blocks() const;
 
     /// A solver looks for another step from the committed histories: nothing of an attempt before shall matter.
@@ -173,7 +173,7 @@ namespace fem
     /// Points of the locally owned elements, in the order of iteration over them.
     const std::vector<ElementPoints> &element_points() const { return elements; }
 
-    /// The search for elements around points; made when first asked for.
+    /// The search for elements around points; made on first request.
     const PointSearch<dim> &point_search() const;
 
     /// Weights of the displacements of the element around a point: value = sum weight u[dof], for one component.

@@ -112,7 +112,7 @@ namespace fem
     settings.smoother_sweeps       = 2;
     settings.aggregation_threshold = 0.02;
     typename Smoother::AdditionalData steps;
-    steps.degree              = numbers::invalid_unsigned_int; // as many as smoothing_range asks for
+    steps.degree              = numbers::invalid_unsigned_int; // as many as smoothing_range requires
     steps.smoothing_range     = 0.1;
     steps.eig_cg_n_iterations = 30;
     steps.preconditioner      = std::make_shared<TrilinosWrappers::PreconditionAMG>();

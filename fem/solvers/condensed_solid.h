@@ -11,8 +11,8 @@
 namespace fem
 {
   /**
-   * A linear solid seen from some of its displacements, those kept; all others are in equilibrium (Guyan 1965; exact in statics). Its
-   * loads and prescribed displacements grow with a factor p: those at time p.
+   * A linear solid condensed to some of its displacements, those kept; all others are in equilibrium (Guyan 1965; exact in statics;
+   * doc/theory/static-handshake.md, 1). Its loads and prescribed displacements grow with a factor p: those at time p.
    */
   template <int dim>
   class CondensedSolid

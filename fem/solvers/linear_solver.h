@@ -51,7 +51,7 @@ namespace fem
 
   /// Call it after the loads of the solid are set.
   /// @param symmetric whether the tangent always is (elastic materials).
-  /// @throws base::InputError if the method asked for does not fit the solid, with the reason.
+  /// @throws base::InputError if the requested method does not fit the solid, with the reason.
   template <int dim>
   std::unique_ptr<LinearSolver>
   make_linear_solver(const Solid<dim> &solid, const LinearSolverOptions &options, bool symmetric);

@@ -1,4 +1,4 @@
-// Static steps where no equilibrium lies near: dampers give way until there is one.
+// Static steps where no equilibrium lies near: dampers give way until there is one (doc/theory/static-solver.md, 4).
 #include "base/number_text.h"
 #include "fem/mesh/extent.h"
 #include "fem/solvers/static_solver.h"

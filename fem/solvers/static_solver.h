@@ -14,7 +14,7 @@ namespace fem
     unsigned int iterations  = 25;
     bool         line_search = true;
 
-    /// Hears of every state that an iteration looks at: its number, and the unbalanced force over what is tolerated. Empty: nobody does.
+    /// Called for every state of the iteration: its number, and the unbalanced force over the tolerance. Empty: not called.
     std::function<void(unsigned int iteration, double over_tolerance)> told = {};
   };
 

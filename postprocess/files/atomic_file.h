@@ -8,7 +8,7 @@ namespace postprocess
   /**
    * A file that appears complete or not at all: written beside its destination, then renamed over it.
    *
-   * Whoever is killed, or meets a full disk, half-way leaves the earlier file as it was. A symbolic link is followed.
+   * A program killed half-way, or a full disk, leaves the earlier file as it was. A symbolic link is followed.
    */
   class AtomicFile
   {

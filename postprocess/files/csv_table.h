@@ -24,7 +24,7 @@ namespace postprocess
 
   /**
    * Read a table: the first line names the columns (`name` or `name [unit]`), commas, blanks or tabs separate, lines
-   * starting with `#` are comments. The values nan and inf are accepted only when asked for. Columns of words are those
+   * starting with `#` are comments. The values nan and inf are accepted only on request. Columns of words are those
    * that the caller names.
    *
    * @throws base::InputError naming file and line: missing file, no header, a name twice, wrong number of values, not a

@@ -72,7 +72,7 @@ namespace postprocess
       }
     catch (const OutputError &)
       {
-        // Nobody can be told any more: a caller who must know calls flush().
+        // Too late to report a failure: callers that need to know call flush().
       }
   }
 

@@ -12,7 +12,7 @@ namespace postprocess
   /**
    * What the comments of a text file say of the unit of its lengths: "lengths in mm", "unit: mm", "all in millimetres".
    *
-   * A unit behind a number, as in "spheres of 4 mm", is a size and says nothing. One that stands elsewhere without a word of lengths
+   * A unit behind a number, as in "spheres of 4 mm", is a size and no statement. One that stands elsewhere without a mention of lengths
    * is a doubt, which only a clear statement takes away.
    */
   class StatedUnit

@@ -146,7 +146,7 @@ namespace postprocess
         refuse("was made by another scene: " + first_difference(stored, scene) + ".");
     }
 
-    /** Before anything is used: numbers that nobody wrote could send the program anywhere. */
+    /** Before anything is used: damaged numbers could send the program anywhere. */
     void check_content() const
     {
       if (!file.has("fingerprint"))

@@ -67,7 +67,7 @@ namespace postprocess
 
     std::string text(const std::string &name) const;
 
-    /** Call it last. @throws base::InputError if the file holds an item that nobody read. */
+    /** Call it last. @throws base::InputError if the file holds an item that was not read. */
     void finish() const;
 
   private:

@@ -11,7 +11,7 @@ namespace postprocess
     constexpr const char  *state_format  = "breccia discrete state";
     constexpr int          voigt[6][2]   = {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
 
-    /** Rows of an array with as many columns as asked for. */
+    /** Rows of an array with the given number of columns. */
     std::size_t
     rows_of(const hdf5::InputFile &file, const std::string &name, const std::size_t columns, const std::string &origin)
     {

@@ -14,7 +14,7 @@ namespace postprocess
   using Metadata = std::map<std::string, std::string>;
 
   /**
-   * Read a packing, HDF5 or text (told apart by content), and check it: see dem::check_packing().
+   * Read a packing, HDF5 or text (distinguished by content), and check it: see dem::check_packing().
    *
    * Text: one particle a line, `x y z radius` [m], separated by blanks, tabs or commas. Lines that start with `#` are
    * comments; `# periodic_cell LX LY LZ` gives the edges of a periodic cell. A line of column names (as such or as a

@@ -226,7 +226,7 @@ namespace postprocess
         return value;
       }
 
-      /** The one that the file states, or else the one that the reader asks for. Both are the same, or one is wrong. */
+      /** The one that the file states, or else the one that the reader expects. Both are the same, or one is wrong. */
       std::optional<base::LengthUnit> unit_of_file() const
       {
         StatedUnit stated(origin);

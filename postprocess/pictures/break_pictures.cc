@@ -22,7 +22,7 @@ namespace postprocess
       dem::BreakMode mode;
       const char    *data, *name, *colour;
     };
-    // Blue and vermilion can be told apart by colour-blind readers (Okabe and Ito, 2008).
+    // Blue and vermilion can be distinguished by colour-blind readers (Okabe and Ito, 2008).
     constexpr std::array<Mode, 3> modes = {{{dem::BreakMode::tension, "tension", "tension", "#d55e00"},
                                             {dem::BreakMode::shear, "shear", "shear", "#0072b2"},
                                             {dem::BreakMode::gradual, "gradual", "damaged until broken", "#d55e00"}}};

@@ -42,7 +42,7 @@ namespace postprocess
   /**
    * Draw panels, up to three in a row, into a PNG file, by gnuplot.
    *
-   * Colours can be told apart by colour-blind readers (Okabe and Ito, 2008). Panels without a single point are left
+   * Colours can be distinguished by colour-blind readers (Okabe and Ito, 2008). Panels without a single point are left
    * out. A picture must not cost a finished run: nothing is thrown, and the run goes on.
    *
    * @return empty when drawn, otherwise why not, for a warning: gnuplot missing, nothing to draw, unwritable file, ...

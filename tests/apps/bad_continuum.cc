@@ -75,7 +75,7 @@ TEST_CASE("Names that the mesh does not have are refused with the nearest one", 
           "", "Materials: the group \"mortar\" of the mesh has no law. Add subsection Materials/mortar.");
 }
 
-TEST_CASE("A boundary or material that names a physical group of another dimension is told so", "[apps][S14]")
+TEST_CASE("A boundary or material that names a physical group of another dimension is refused as such", "[apps][S14]")
 {
   refused(
     "subsection right\n", "subsection stone\n",

@@ -40,7 +40,8 @@ TEST_CASE("An unknown section is refused with file, line and the nearest name", 
           "x.prm:28: section \"Outptu\" is not known. Did you mean \"Output\"?");
 }
 
-TEST_CASE("A section of another kind of scene, and a constant that links do not have, are told as that", "[apps][S14]")
+TEST_CASE("A section of another kind of scene, and a constant that links do not have, are refused as such",
+          "[apps][S14]")
 {
   refused("subsection Output", "subsection Groups\nend\nsubsection Output",
           "x.prm:28: section \"Groups\" is not in scenes of kind uniaxial, only in those of kind ");
@@ -72,7 +73,7 @@ TEST_CASE("A value that is no number, or outside its range, is refused with plac
           "subsection Loading\n  set Tests =", "Loading/Tests = (nothing): expected at least one of");
 }
 
-TEST_CASE("A material constant that nobody sets is refused by name, with its unit and meaning", "[apps][S14]")
+TEST_CASE("A material constant that is not set is refused by name, with its unit and meaning", "[apps][S14]")
 {
   refused("    set Cohesion             = 3e6\n", "",
           "x.prm: \"Material/CPM/Cohesion\" [Pa] is not set and has no default. Meaning: c_0");
@@ -100,7 +101,7 @@ TEST_CASE("All entries that are missing are named at once", "[apps]")
     }
 }
 
-TEST_CASE("A modulus that no solid has is asked for once more, and taken when its unit is named", "[apps]")
+TEST_CASE("A modulus that no solid has is questioned, and taken when its unit is named", "[apps]")
 {
   for (const char *value : {"25", "25000"})
     refused("Normal modulus       = 25e9", std::string("Normal modulus = ") + value,
@@ -110,8 +111,8 @@ TEST_CASE("A modulus that no solid has is asked for once more, and taken when it
   const ScratchFolder folder;
   folder.file("packing.txt", stack_packing());
   folder.file("x.prm", replaced(scene_with_file(), "Normal modulus       = 25e9", "Normal modulus = 25000 Pa"));
-  const Outcome meant = run(folder.path(), {"check", "x.prm", "-s", "Loading/Tests=tension", "-s",
-                                            "Loading/Tension/Strain rate=1e-4"});
+  const Outcome meant =
+    run(folder.path(), {"check", "x.prm", "-s", "Loading/Tests=tension", "-s", "Loading/Tension/Strain rate=1e-4"});
   INFO(meant.err);
   CHECK(meant.status == 0);
 }

@@ -352,7 +352,7 @@ TEST_CASE("bench surface refuses a scene without known answers", "[apps][S14]")
 }
 
 TEST_CASE(
-  "bench multiscale: cells where needed are cheaper than everywhere, in motion as accurate as they are led slowly",
+  "bench multiscale: cells where needed are cheaper than everywhere, in motion as accurate as they are driven slowly",
   "[apps][cells][slow]")
 {
   const ScratchFolder folder;

@@ -138,7 +138,7 @@ TEST_CASE(
   CHECK(stress / (upper - lower) == Approx(mean_of_static_moduli(8, 4e6)).epsilon(0.02));
 }
 
-TEST_CASE("Three cubes pushed by a third share the way as cells led alone say, at every stage", "[apps][cells][slow]")
+TEST_CASE("Three cubes pushed by a third share the way as cells driven alone do, at every stage", "[apps][cells][slow]")
 {
   // Far beyond small strains: the links of cells that are shortened turn away from the push, and the elastic cube stays linear.
   const ScratchFolder folder;

@@ -76,7 +76,7 @@ TEST_CASE("Cells that damage give a structure the same bits on any number of ran
   same_on_ranks(folder, plate("0.2"));
 }
 
-TEST_CASE("More ranks than cells give the same bits, and are told what one is", "[apps][mpi][cells][slow]")
+TEST_CASE("More ranks than cells give the same bits and print what one does", "[apps][mpi][cells][slow]")
 {
   if (places::skipped_without_mpirun())
     return;

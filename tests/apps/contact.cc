@@ -154,7 +154,7 @@ end
   }
 } // namespace
 
-TEST_CASE("A brick that lands on a base tells forces, energies and momentum of the contact", "[apps][contact]")
+TEST_CASE("A brick that lands on a base reports forces, energies and momentum of the contact", "[apps][contact]")
 {
   const ScratchFolder folder;
   folder.file("x.prm", bodies);
@@ -238,7 +238,7 @@ TEST_CASE("An interrupted or killed run with contact goes on to the same bits", 
     {SIGINT, SIGKILL});
 }
 
-TEST_CASE("A patch of contact smaller than the faces of elements is said, with both areas", "[apps][contact]")
+TEST_CASE("A patch of contact smaller than the faces of elements is reported, with both areas", "[apps][contact]")
 {
   const ScratchFolder folder;
   const std::string   balls = "Mesh/Balls/";
@@ -272,7 +272,7 @@ TEST_CASE("Contacts that cannot be are refused by name", "[apps][contact]")
   refused({}, "Contacts/joint/Stiffness");
 }
 
-TEST_CASE("A contact that makes more energy than it may stops the run and says where", "[apps][contact]")
+TEST_CASE("A contact that adds more energy than is allowed stops the run, with its place", "[apps][contact]")
 {
   const ScratchFolder folder;
   folder.file("x.prm", bodies);

@@ -212,7 +212,7 @@ TEST_CASE("Point forces stretch as the traction that they replace", "[apps]")
   CHECK(figure(summary_in(folder / "results"), "final_displacement_end_x") == Approx(1.5e-4).epsilon(1e-9));
 }
 
-TEST_CASE("The linear solver is as asked, said, and gives the same displacement", "[apps]")
+TEST_CASE("The linear solver is the requested one, is reported, and gives the same displacement", "[apps]")
 {
   const ScratchFolder folder;
   folder.file("two.msh", two_squares_mesh());
@@ -250,7 +250,7 @@ TEST_CASE("A square turned by a right angle in large displacements holds no ener
   CHECK(std::fabs(summary["energy"]["internal"].get<double>()) < 1e-5 * 300);
 }
 
-TEST_CASE("Arc length: steps of the length asked for, loads in proportion while elastic", "[apps]")
+TEST_CASE("Arc length: steps of the prescribed length, loads in proportion while elastic", "[apps]")
 {
   const ScratchFolder folder;
   folder.file("two.msh", two_squares_mesh());

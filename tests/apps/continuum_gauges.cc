@@ -80,7 +80,7 @@ namespace
   };
 } // namespace
 
-TEST_CASE("Gauges of a solid read loads, reactions, displacements and energies as closed forms say", "[apps]")
+TEST_CASE("Probes of a solid read loads, reactions, displacements and energies as closed forms say", "[apps]")
 {
   Gauged     bar_gauges(bar());
   const auto read = bar_gauges.read(0.5, 7.0);
@@ -136,7 +136,7 @@ TEST_CASE("Gauges count as dissipated what materials say, or else what a solid t
   CHECK(gauged.energy.balance_error() == Approx(1.75 / 2).epsilon(1e-9));
 }
 
-TEST_CASE("A point of the gauges outside the solid is refused at its place", "[apps]")
+TEST_CASE("A point of the probes outside the solid is refused at its place", "[apps]")
 {
   std::string text = bar();
   text.replace(text.find("1.5, 0.5"), 8, "2.5, 0.5");

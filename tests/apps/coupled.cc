@@ -1,4 +1,5 @@
 // Scenes of kind "coupled", through the program: one account of both sides, weight, resuming, refusals.
+#include "tests/apps/coupled_scenes.h"
 #include "tests/apps/interrupted_runs.h"
 #include "tests/apps/scene_runs.h"
 #include "tests/apps/scenes.h"
@@ -14,91 +15,7 @@
 using namespace apps_tests;
 using Catch::Contains;
 
-namespace
-{
-  /** A spinning ball that meets an edge of a free block. */
-  const std::string collision = R"(set Kind = coupled
-subsection Continuum
-  subsection Model
-    set Dimension          = 3
-    set Large displacement = true
-  end
-  subsection Mesh
-    set Source = box
-    subsection Box
-      set Size        = 0.1, 0.1, 0.1
-      set Divisions x = 3
-      set Divisions y = 3
-      set Divisions z = 3
-    end
-  end
-  subsection Materials
-    subsection solid
-      set Law     = isotropic elastic
-      set Density = 2400
-      subsection isotropic elastic
-        set Young modulus = 10e9
-        set Poisson ratio = 0.2
-      end
-    end
-  end
-end
-subsection Particles
-  subsection Specimen
-    set Source  = none
-    set Density = 7800
-  end
-  subsection More particles
-    subsection ball
-      set Centre = 0.03, 0.062, 0.1205
-      set Radius = 0.02
-    end
-  end
-  subsection Material
-    set Law = linear
-    subsection linear
-      set Effective modulus = 1e8
-    end
-  end
-  subsection Initial velocity
-    subsection ball
-      set Velocity x = 2
-      set Velocity y = -1
-      set Velocity z = -5
-      set Spin y     = 100
-    end
-  end
-end
-subsection Couplings
-  subsection block
-    set Effective modulus    = 1e8
-    set Stiffness ratio      = 2.5
-    set Friction coefficient = 0.4
-  end
-end
-subsection Time
-  set End time    = 4e-3
-  set Damping     = 0
-  set Step factor = 0.05
-end
-subsection Output
-  set Samples   = 40
-  set Snapshots = 4
-end
-)";
-
-  /** Where the ball's step is three times that of the block. */
-  const std::vector<std::string> solid_sub_cycled = {"Time/Largest ratio=10", "Time/Step factor=0.4",
-                                                     "Couplings/block/Energy limit=1"};
-
-  std::string reproducible_part(const std::filesystem::path &results)
-  {
-    return listing_of(results / "solid") + listing_of(results / "particles_particles") +
-           content_of(results / "series.csv") + content_of(results / "coupled.pvd");
-  }
-} // namespace
-
-TEST_CASE("A ball and a free block keep momentum, angular momentum and energy, and the account tells it",
+TEST_CASE("A ball and a free block keep momentum, angular momentum and energy, and the account shows it",
           "[apps][coupled]")
 {
   const ScratchFolder folder;
@@ -127,34 +44,6 @@ TEST_CASE("A ball and a free block keep momentum, angular momentum and energy, a
                          Contains("particles_particles/particles_particles_000004.vtp") &&
                          Contains("particles_walls/particles_walls_000004.vtp"));
 }
-
-namespace
-{
-  /** Instead of the collision: two balls at rest at this height [m], and the block, damped [1/s] and held at its back. */
-  std::string two_balls_on_a_held_block(const std::string &height, const int damping)
-  {
-    std::string scene = replaced(collision, "    set Large displacement = true\n", "");
-    scene             = replaced(
-                  scene,
-                  "  subsection Initial velocity\n    subsection ball\n      set Velocity x = 2\n      set Velocity y = -1\n"
-                              "      set Velocity z = -5\n      set Spin y     = 100\n    end\n  end\n",
-                  "");
-    scene = replaced(scene, "set Centre = 0.03, 0.062, 0.1205", "set Centre = 0.03, 0.062, " + height);
-    scene = replaced(scene, "    subsection ball\n",
-                     "    subsection other\n      set Centre = 0.07, 0.02, " + height +
-                       "\n      set Radius = 0.02\n    end\n    subsection ball\n");
-    return replaced(scene, "  subsection Materials\n",
-                    "  subsection Boundary conditions\n    subsection back\n      set Displacement x = 0\n"
-                    "      set Displacement y = 0\n      set Displacement z = 0\n    end\n  end\n  subsection Motion\n"
-                    "    set Damping = " +
-                      std::to_string(damping) + "\n  end\n  subsection Materials\n");
-  }
-
-  std::string gravity(const std::string &upwards)
-  {
-    return "subsection Gravity\n  set Acceleration = 0, 0, " + upwards + "\nend\n";
-  }
-} // namespace
 
 TEST_CASE("Balls at rest weigh on a slab what they weigh, and the slab's supports carry both", "[apps][coupled]")
 {
@@ -250,19 +139,6 @@ TEST_CASE("Couplings act between named boundaries and named groups, each with it
         0);
 }
 
-namespace
-{
-  /** Two balls that hang, glued, from the front face of a held block: weight pulls away from it. */
-  std::string hanging()
-  {
-    return replaced(two_balls_on_a_held_block("0.12", 2000), "    set Friction coefficient = 0.4\n",
-                    "    set Friction coefficient = 0.4\n    subsection Bond\n      set Within = 1e-6\n      set Law = "
-                    "parallel-bond\n      subsection parallel-bond\n        set Effective modulus = 1e7\n        set "
-                    "Tensile strength = 1e6\n        set Cohesion = 1e6\n      end\n    end\n") +
-           gravity("9.81");
-  }
-} // namespace
-
 TEST_CASE("What is glued to a face hangs from it until the strength of the glue, and both sides account for it",
           "[apps][coupled]")
 {
@@ -338,23 +214,6 @@ TEST_CASE("A coupled run is the same to the last bit with any number of threads"
     }
 }
 
-TEST_CASE("A coupled run tells which side is sub-cycled, and what that takes of the energy", "[apps][coupled]")
-{
-  const ScratchFolder folder;
-  folder.file("x.prm", collision);
-  const Outcome told = outcome_of(folder, "check", "x.prm", solid_sub_cycled);
-  CHECK_THAT(told.out, Contains("3 steps of the solid, 1 of the particles"));
-  const Results found  = results_of(folder, "x.prm", solid_sub_cycled);
-  const auto   &series = found.series;
-  const double  energy = series.column("energy_particles_initial").back(), made = series.column("block_made").back();
-  CHECK(made < 0);
-  CHECK(made > -0.12 * energy);
-  CHECK(std::fabs(series.column("energy_residual").back() + made) < 1e-3 * energy); // nothing else is missing
-  for (const char *axis : {"momentum_x", "momentum_y", "momentum_z"})
-    CHECK(std::fabs(series.column(axis).back() - series.column(axis).front()) <
-          1e-12 * std::fabs(series.column("momentum_z").front()));
-}
-
 TEST_CASE("An interrupted or killed coupled run goes on to the same bits, in flight and in contact",
           "[apps][coupled][slow][S13]")
 {
@@ -411,119 +270,7 @@ TEST_CASE("What cannot be coupled is refused by name", "[apps][coupled]")
   refused({}, "Couplings: there is none");
 }
 
-TEST_CASE("A coupling that makes more energy than it may stops the run and says which", "[apps][coupled]")
-{
-  const ScratchFolder folder;
-  folder.file("x.prm", collision);
-  const Outcome outcome = outcome_of(
-    folder, "run", "x.prm", {"Time/Largest ratio=20", "Time/Step factor=0.01", "Couplings/block/Energy limit=1e-6"});
-  CHECK(outcome.status != 0);
-  CHECK_THAT(outcome.err,
-             Contains("Couplings/block") && Contains("Energy limit") && Contains("Set Time/Largest ratio = "));
-}
-
-TEST_CASE("Energy that contacts really lose in dents is in the account of the coupling, which stops the run",
-          "[apps][coupled][slow]")
-{
-  const ScratchFolder folder;
-  folder.file("x.prm", collision);
-  const std::vector<std::string> in_dents = {"Continuum/Materials/solid/isotropic elastic/Young modulus=1e9",
-                                             "Continuum/Mesh/Box/Divisions x=8",
-                                             "Continuum/Mesh/Box/Divisions y=8",
-                                             "Continuum/Mesh/Box/Divisions z=8",
-                                             "Continuum/Motion/Safety=0.3",
-                                             "Output/Samples=200",
-                                             "Output/Snapshots=0"};
-  const auto                     with     = [&in_dents](const std::vector<std::string> &more) {
-    std::vector<std::string> all = in_dents;
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
-  };
-  struct Found
-  {
-    double lacks    = 0,
-           not_made = 0; ///< over the energy at the start: most that is not there, and of that what no contact made
-  };
-  const auto found_in = [&](const std::vector<std::string> &more) {
-    const Results found    = results_of(folder, "x.prm", with(more));
-    const auto   &residual = found.series.column("energy_residual"),
-               &made       = found.series.column("block_made_by_contacts");
-    const double start     = found.series.column("energy_particles_initial").front();
-    Found        most;
-    for (std::size_t i = 0; i < residual.size(); ++i)
-      {
-        most.lacks    = std::max(most.lacks, std::fabs(residual[i]) / start);
-        most.not_made = std::max(most.not_made, std::fabs(residual[i] + made[i]) / start);
-      }
-    std::filesystem::remove_all(folder / "results");
-    return most;
-  };
-  const Found points = found_in({"Couplings/block/Spreading=none", "Couplings/block/Energy limit=1"});
-  CHECK(points.lacks > 0.02);
-  CHECK(points.not_made < 5e-4);
-  const Outcome stopped = outcome_of(folder, "run", "x.prm", with({"Couplings/block/Spreading=none"}));
-  CHECK(stopped.status == 1);
-  CHECK_THAT(stopped.err, Contains("Couplings/block") && Contains("more than Energy limit = 0.01") &&
-                            Contains("set its Spreading = automatic"));
-  std::filesystem::remove_all(folder / "results");
-  CHECK(found_in({"Couplings/block/Spreading=automatic"}).lacks < 1e-4);
-}
-
-TEST_CASE("Glue that breaks while it is pressed leaves energy that nobody put in, and the run stops", "[apps][coupled]")
-{
-  const ScratchFolder folder;
-  std::string         scene = replaced(collision, "0.062, 0.1205", "0.062, 0.12");
-  scene                     = replaced(scene, "    set Friction coefficient = 0.4\n",
-                                       "    set Friction coefficient = 0.4\n    subsection Bond\n      set Within = 1e-6\n      set Law = "
-                                                           "parallel-bond\n      subsection parallel-bond\n        set Effective modulus = 1e7\n        set "
-                                                           "Tensile strength = 1e9\n        set Cohesion = 1e5\n      end\n    end\n");
-  folder.file("x.prm", scene);
-  const std::vector<std::string> pressed = {"Particles/Initial velocity/ball/Velocity x=3",
-                                            "Particles/Initial velocity/ball/Velocity z=-1",
-                                            "Particles/Initial velocity/ball/Spin y=0", "Time/Step factor=0.02"};
-  const Outcome                  stopped = outcome_of(folder, "run", "x.prm", pressed);
-  CHECK(stopped.status != 0);
-  CHECK_THAT(stopped.err, Contains("Couplings/block: at ") && Contains("J more than has been put in") &&
-                            Contains("Energy limit = 0.01") && Contains("bonds that break while they are pressed"));
-  // Glue that holds makes nothing.
-  std::filesystem::remove_all(folder / "results");
-  std::vector<std::string> holds = pressed;
-  holds.insert(holds.end(), {"Couplings/block/Bond/parallel-bond/Cohesion=1e12"});
-  CHECK(outcome_of(folder, "run", "x.prm", holds).status == 0);
-}
-
-TEST_CASE("Sub-cycling is forecast, held to what it may lose, and said", "[apps][coupled]")
-{
-  const ScratchFolder folder;
-  folder.file("x.prm", collision);
-  // The ball approaches by 5 m/s, 0.26 kg.
-  const double approach = 0.5 * 7800 * 4.0 / 3 * M_PI * 8e-6 * 25;
-  for (const std::vector<std::string> &steps :
-       {std::vector<std::string>{"Time/Largest ratio=16", "Time/Step factor=0.01"}, solid_sub_cycled})
-    {
-      std::vector<std::string> freely = steps;
-      freely.insert(freely.end(), {"Time/Sub-cycling loss=1", "Couplings/block/Energy limit=1"});
-      const Outcome told = outcome_of(folder, "check", "x.prm", freely);
-      const auto    at   = told.out.find("would lose about ");
-      INFO(told.out);
-      REQUIRE(at != std::string::npos);
-      const double forecast = std::stod(told.out.substr(at + std::string("would lose about ").size())),
-                   lost     = -results_of(folder, "x.prm", freely).series.column("block_made").back() / approach;
-      CHECK(forecast == Approx(lost).epsilon(0.7)); // part of the ball's way is along the face
-      std::vector<std::string> held = steps;
-      held.emplace_back("Time/Sub-cycling loss=0.004");
-      const Results found  = results_of(folder, "x.prm", held);
-      const double  energy = found.series.column("energy_particles_initial").back();
-      CHECK(-found.series.column("block_made").back() < 0.004 * energy);
-      const std::string warnings = found.summary["warnings"].dump();
-      CHECK_THAT(warnings, Contains("Couplings/block has lost 0.00") && Contains("sub-cycling has lost 0.00") &&
-                             Contains("Time/Sub-cycling loss = 0.004"));
-    }
-  // Where both take the same steps nothing is.
-  CHECK(results_of(folder, "x.prm").summary["warnings"].dump().find("lost") == std::string::npos);
-}
-
-TEST_CASE("A ball that was thrown past everything is said, and one that has hit is not", "[apps][coupled]")
+TEST_CASE("A ball that was thrown past everything is reported, and one that has hit is not", "[apps][coupled]")
 {
   const ScratchFolder folder;
   const std::string   stray =
@@ -543,7 +290,7 @@ TEST_CASE("A ball that was thrown past everything is said, and one that has hit 
     }
 }
 
-TEST_CASE("An interface that nobody ever touches is said", "[apps][coupled]")
+TEST_CASE("An interface that is never touched is reported", "[apps][coupled]")
 {
   const ScratchFolder folder;
   folder.file("x.prm", collision);

@@ -89,7 +89,7 @@ TEST_CASE("doc/parameters.md is what describe says", "[apps]")
   CHECK(same);
 }
 
-TEST_CASE("describe stops without a word when its reader has read enough", "[apps]")
+TEST_CASE("describe stops silently when its reader has read enough", "[apps]")
 {
   const ScratchFolder folder;
   const std::string   command = "trap '' PIPE; " + places::program() + " describe 2> said | head -n 1 > first";

@@ -40,7 +40,7 @@ TEST_CASE("A linear solid under loads that grow with time takes one step, others
   CHECK_THAT(run(folder.path(), {"check", folder.file("bar.prm", bar("2e5*t"))}).out, Contains("steps        1,"));
 }
 
-TEST_CASE("An elastic solid tells its largest stresses and displacement, where they are, and draws them", "[apps]")
+TEST_CASE("An elastic solid reports its largest stresses and displacement, where they are, and draws them", "[apps]")
 {
   const ScratchFolder folder;
   const Results       found   = results_of(folder, folder.file("bar.prm", bar("2e5*t")));
@@ -55,7 +55,7 @@ TEST_CASE("An elastic solid tells its largest stresses and displacement, where t
   CHECK(std::filesystem::exists(folder / "results/stress.png"));
 }
 
-TEST_CASE("A mesh that is coarse at the largest stress is said, a fine one is not", "[apps]")
+TEST_CASE("A mesh that is coarse at the largest stress is reported, a fine one is not", "[apps]")
 {
   const ScratchFolder folder;
   const std::string   plate    = places::sources() + "/apps/scenes/plate_with_hole.prm";

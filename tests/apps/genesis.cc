@@ -133,7 +133,7 @@ TEST_CASE("Platens stand where the vessel's walls stood, without a force", "[app
   is_refused(folder, "mortar.prm", again, "has a vessel");
 }
 
-TEST_CASE("What is published of a test is told beside what it finds, which does not depend on it", "[apps][genesis]")
+TEST_CASE("Published values of a test are reported beside its own, which do not depend on them", "[apps][genesis]")
 {
   const ScratchFolder            folder;
   const std::vector<std::string> press = {"Specimen/Genesis/Stress=0", "Laboratory/Test=uniaxial compression",

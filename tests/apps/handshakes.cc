@@ -71,7 +71,7 @@ TEST_CASE("A beam with a core of particles takes a blow as one all of particles 
   CHECK(core.column("impactor_velocity").back() == Approx(all.column("impactor_velocity").back()).epsilon(0.02));
 }
 
-TEST_CASE("bench volume goes on with the notched beam where it is asked to", "[apps][volume]")
+TEST_CASE("bench volume goes on with the notched beam on request", "[apps][volume]")
 {
   const ScratchFolder folder; // where there are none
   const Outcome done = run(folder.path(), {"bench", "volume", shipped("wave_transmission.prm"), "--quick", "--beam",
@@ -212,7 +212,7 @@ namespace
   }
 } // namespace
 
-TEST_CASE("A handshake that makes or loses more energy than it may stops the run, and says how not to",
+TEST_CASE("A handshake that gains or loses more energy than is allowed stops the run, with advice",
           "[apps][coupled][volume]")
 {
   const ScratchFolder folder;
@@ -304,8 +304,9 @@ TEST_CASE("bench volume has every method, at each wavelength, with what a step c
   CHECK(std::filesystem::file_size(folder / "bench/volume.png") > 0);
 }
 
-TEST_CASE("What a mismatch of media reflects is said where other materials are named beside that of the packing too",
-          "[apps][coupled][volume]")
+TEST_CASE(
+  "The reflection of a mismatch of media is reported where other materials are named beside that of the packing too",
+  "[apps][coupled][volume]")
 {
   const ScratchFolder folder;
   const Outcome       large =

@@ -113,7 +113,7 @@ TEST_CASE("homogenise takes any law of links, one or several: a crystal of discs
     }
 }
 
-TEST_CASE("homogenise is told once what the links obey", "[apps]")
+TEST_CASE("homogenise takes the law of the links once", "[apps]")
 {
   const ScratchFolder folder;
   folder.file("eight.txt", eight_spheres);
@@ -166,7 +166,7 @@ TEST_CASE("a homogenisation scene sweeps over both ratios", "[apps]")
   CHECK(std::filesystem::exists(folder / "out/homogenised.csv"));
 }
 
-TEST_CASE("a cell without stiffness is said to have none, by every solver", "[apps]")
+TEST_CASE("a cell without stiffness is reported to have none, by every solver", "[apps]")
 {
   const ScratchFolder folder;
   // A dimer alone in its cell; and a string of spheres, each touching its own image, that resists nothing but being stretched.

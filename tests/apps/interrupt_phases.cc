@@ -87,7 +87,7 @@ namespace
   }
 } // namespace
 
-TEST_CASE("Work that never asks whether to stop is left within five seconds, with the last words", "[apps][slow]")
+TEST_CASE("Work that never checks whether to stop is left within five seconds, with a last message", "[apps][slow]")
 {
   const Interrupted outcome = interrupted_work([] { wait_seconds(60); });
   CHECK(outcome.status == apps::exit_interrupted);

@@ -55,7 +55,8 @@ TEST_CASE("Strength, modulus and dissipation are those of every step, whatever t
   CHECK(few["tests"][0]["steps"] == many["tests"][0]["steps"]);
 }
 
-TEST_CASE("What a test does not determine is null in the summary, with the reason, and said on the terminal", "[apps]")
+TEST_CASE("A figure that a test does not determine is null in the summary, with the reason, and so on the terminal",
+          "[apps]")
 {
   ScratchFolder folder;
   with_stack(folder);
@@ -179,7 +180,8 @@ TEST_CASE("A specimen in several pieces, or with strays, is refused with numbers
   CHECK_THAT(kept.out, Contains("particles    176"));
 }
 
-TEST_CASE("Cracked links and the crack's area are told beside deleted ones; a crack at a grip is a warning", "[apps]")
+TEST_CASE("Cracked links and the crack's area are reported beside deleted ones; a crack at a grip is a warning",
+          "[apps]")
 {
   ScratchFolder folder;
   folder.file("packing.txt", pair_packing());

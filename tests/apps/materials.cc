@@ -115,7 +115,7 @@ TEST_CASE("Regions and a column of the packing say the same of a specimen's mate
   CHECK_THAT(listing_of(folder / "column/tension_links"), Contains("Name=\"material_pair\""));
 }
 
-TEST_CASE("One material told as a list of two equal ones gives the figures of one, and no more files", "[apps][slow]")
+TEST_CASE("One material given as a list of two equal ones gives the figures of one, and no more files", "[apps][slow]")
 {
   const ScratchFolder folder;
   folder.file("packing.txt", stack_packing());

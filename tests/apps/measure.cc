@@ -9,7 +9,7 @@
 using namespace apps_tests;
 using Catch::Contains;
 
-TEST_CASE("breccia measure tells stress, fabric, coordination and damage of the state that a test left", "[apps]")
+TEST_CASE("breccia measure prints stress, fabric, coordination and damage of the state that a test left", "[apps]")
 {
   const ScratchFolder folder;
   folder.file("packing.txt", stack_packing());

@@ -74,7 +74,7 @@ end
   };
 } // namespace
 
-TEST_CASE("A motion that is pushed and led goes on from its state to the same bits, its energy account too",
+TEST_CASE("A motion that is pushed and driven goes on from its state to the same bits, its energy account too",
           "[apps][S13]")
 {
   PushedSquare whole, resumed;

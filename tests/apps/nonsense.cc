@@ -115,7 +115,7 @@ TEST_CASE("A formula that assigns, or has several values, is refused", "[apps][S
   CHECK(compared.status == 0);
 }
 
-TEST_CASE("Packings that cannot be made or told apart are refused", "[apps][S14]")
+TEST_CASE("Packings that cannot be made or distinguished are refused", "[apps][S14]")
 {
   const ScratchFolder folder;
   refused(folder, {"pack", "--radius", "1e308 m", "--count", "20", "-o", "out"},

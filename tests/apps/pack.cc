@@ -66,7 +66,7 @@ TEST_CASE("pack fills a box with whole spheres, of a new or of an existing packi
     }
 }
 
-TEST_CASE("pack leaves a packing under the pressure that is asked for, as a scene does", "[apps]")
+TEST_CASE("pack leaves a packing under the prescribed pressure, as a scene does", "[apps]")
 {
   const ScratchFolder folder;
   const auto          overlap = [&](const std::vector<std::string> &more) {

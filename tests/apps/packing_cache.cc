@@ -76,7 +76,7 @@ TEST_CASE("a packing comes out of the cache to the last bit, with all that is kn
   CHECK(files_below(folder.path()).size() == 1); // nothing half-written beside it
 }
 
-TEST_CASE("every parameter of a packing tells it from others in the cache", "[apps][packing_cache]")
+TEST_CASE("every parameter of a packing distinguishes it from others in the cache", "[apps][packing_cache]")
 {
   using P = dem::CompactionParameters;
   const apps::PackingCache cache("/nowhere");
@@ -124,7 +124,7 @@ TEST_CASE("a damaged, cut or foreign file in the cache is as if it were not ther
   CHECK(cache.find(spheres(1))->packing.centre == made.packing.centre);
 }
 
-TEST_CASE("a cache that grows too large drops what has not been asked for longest", "[apps][packing_cache]")
+TEST_CASE("a cache that grows too large drops the least recently used packings", "[apps][packing_cache]")
 {
   const ScratchFolder         folder;
   const dem::CompactionResult made = dem::compact(spheres(1));

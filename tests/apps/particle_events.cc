@@ -6,9 +6,13 @@
 #include "apps/scene/reader.h"
 #include "apps/scene/section.h"
 #include "apps/scene/sequential/particle_event.h"
+#include "tests/apps/program.h"
+#include "tests/apps/scratch_folder.h"
+#include "tests/places.h"
 
 #include <catch2/catch.hpp>
 
+using namespace apps_tests;
 using Catch::Contains;
 
 namespace
@@ -58,7 +62,7 @@ namespace
   const std::string a(16, 'a'), b(16, 'b'), c(16, 'c');
 } // namespace
 
-TEST_CASE("Instants are strains, or strains and what is led back to", "[apps][transfer]")
+TEST_CASE("Instants are strains, or strains and those unloaded to", "[apps][transfer]")
 {
   const auto asked = uniaxial("-1e-3, -2e-3 > -1.5e-3").instants_asked();
   REQUIRE(asked.size() == 2);
@@ -151,4 +155,25 @@ TEST_CASE("A mapping law is doubted where particles, continuum or test are not t
   apps::LawOrigin from_files = here;
   from_files.particles       = "";
   CHECK_THAT(doubt_about_law(own_law(here.text()), from_files), Contains("the particles come from files"));
+}
+
+TEST_CASE("check of an impact counts the striker, and every link of the beam", "[apps][slow]")
+{
+  const ScratchFolder folder;
+  std::string         packing = "x y z radius\n"; // simple cubic, 2.02 mm apart: 20 x 4 x 4
+  for (int i = 0; i < 20; ++i)
+    for (int j = 0; j < 4; ++j)
+      for (int k = 0; k < 4; ++k)
+        packing += std::to_string(0.001 + 0.00202 * i) + " " + std::to_string(0.001 + 0.00202 * j) + " " +
+                   std::to_string(0.001 + 0.00202 * k) + " 0.001\n";
+  folder.file("packing.txt", packing);
+  const Outcome outcome = run(
+    folder.path(),
+    {"check", places::sources() + "/apps/scenes/impact_beam.prm", "-s", "Particles/Specimen/Source=file", "-s",
+     "Particles/Specimen/File=" + (folder / "packing.txt").string(), "-s", "Particles/Impact/Span=0.03", "-s",
+     "Particles/Impact/Support width=0.004", "-s", "Transfer/Limits/Extents=10"}); // the mesh is that of a longer beam
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  // Within 1.5 diameters lie the neighbours along the edges (784 pairs) and across the faces (1272) of the lattice's cubes.
+  CHECK_THAT(outcome.out, Contains("particles    321\n") && Contains("links        2056\n"));
 }

@@ -52,7 +52,7 @@ namespace
   };
 } // namespace
 
-TEST_CASE("A gauge of a group reads its centre of mass; distance is from there to the other's", "[apps][particles]")
+TEST_CASE("A probe of a group reads its centre of mass; distance is from there to the other's", "[apps][particles]")
 {
   const TwoBalls balls({"Gauges/both/Quantity=position", "Gauges/both/Component=x", "Gauges/speed/Quantity=velocity",
                         "Gauges/speed/Component=size", "Gauges/gap/Quantity=distance", "Gauges/gap/Group=large",

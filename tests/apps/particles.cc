@@ -154,7 +154,7 @@ TEST_CASE("A run whose balls turn far in a step says so", "[apps][particles]")
   CHECK_THAT(fast.summary["warnings"][0].get<std::string>(), Contains("rad in a step"));
 }
 
-TEST_CASE("Two balls that meet exchange momentum as their masses ask, and lose no energy", "[apps][particles]")
+TEST_CASE("Two balls that meet exchange momentum by their masses, and lose no energy", "[apps][particles]")
 {
   const ScratchFolder folder;
   for (const double radius : {0.01, 0.005})

@@ -59,7 +59,7 @@ namespace
   }
 } // namespace
 
-TEST_CASE("Particles led by the field of a turn stay on their circles", "[apps][particles]")
+TEST_CASE("Particles driven by the field of a turn stay on their circles", "[apps][particles]")
 {
   LedBalls     balls({"Motion/all/Velocity x=-100*y", "Motion/all/Velocity y=100*x", "Motion/all/Velocity z=0"});
   const double radii[2] = {0.05, std::hypot(0.02, 0.03)};
@@ -73,7 +73,7 @@ TEST_CASE("Particles led by the field of a turn stay on their circles", "[apps][
   CHECK(exact - angle == Approx(late).epsilon(0.01).margin(1e-9));
 }
 
-TEST_CASE("A field that particles are led by is that of the place where they are in the middle of a step",
+TEST_CASE("A field that drives particles is that of the place where they are in the middle of a step",
           "[apps][particles]")
 {
   // dx/dt = 50 x: the implicit midpoint rule grows by (1 + h)/(1 - h) a step, h = 50 dt/2.
@@ -248,7 +248,7 @@ end
   CHECK(found.series.column("own").back() == Approx(torque / 5).epsilon(1e-5));
 }
 
-TEST_CASE("The torque of a held group is that of its weights about the point that is asked", "[apps][particles]")
+TEST_CASE("The torque of a held group is that of its weights about the given point", "[apps][particles]")
 {
   LedBalls     balls({"Motion/all/Velocity x=0", "Motion/all/Velocity y=0", "Motion/all/Velocity z=0",
                       "Gravity/Acceleration=0, 0, -9.81", "Gravity/Initial equilibrium=none",

@@ -37,7 +37,7 @@ namespace
   };
 } // namespace
 
-TEST_CASE("Work that says nothing is spoken for in a log, the innermost part of it", "[apps]")
+TEST_CASE("Silent work is reported in a log by its innermost part", "[apps]")
 {
   using std::chrono::milliseconds;
   const ScratchFolder folder;
@@ -60,7 +60,7 @@ TEST_CASE("Work that says nothing is spoken for in a log, the innermost part of 
   CHECK(log.find("run: ") > log.rfind("factorisation: "));
 }
 
-TEST_CASE("A log tells how far work is now, and no estimate that has grown old", "[apps]")
+TEST_CASE("A log reports the present progress of work, and no outdated estimate", "[apps]")
 {
   using std::chrono::milliseconds;
   const ScratchFolder folder;

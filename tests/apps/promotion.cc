@@ -128,7 +128,7 @@ TEST_CASE("Promotion that cannot be is refused by name", "[apps][structure][prom
   is_refused(folder, beam, with(packing, "Handshakes/core/Promote at=0.5"), "Promotion reach");
 }
 
-TEST_CASE("Sets of elements are told by their places, and one whose corners all belong to a set is part of it",
+TEST_CASE("Sets of elements are found by their places, and one whose corners all belong to a set is part of it",
           "[apps][structure][promotion][volume]")
 {
   apps::start_mpi();

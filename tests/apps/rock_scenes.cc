@@ -275,7 +275,7 @@ TEST_CASE("rows of a test and its snapshots show all of it, wherever its largest
   CHECK(series[0] == series[1]);
 }
 
-TEST_CASE("a summary warns of a loading that was not static, and says what is the deviator", "[apps][laboratory][slow]")
+TEST_CASE("a summary warns of a loading that was not static, and reports the deviator", "[apps][laboratory][slow]")
 {
   const ScratchFolder folder;
   const Results       found = results_of(folder, rock("biaxial"),

@@ -76,7 +76,7 @@ TEST_CASE("Energies have the same names, order and number as columns, as values 
   CHECK(row.back() == 1);
 }
 
-TEST_CASE("Several materials are counted with their pairs; of one there is nothing to tell", "[apps]")
+TEST_CASE("Several materials are counted with their pairs; one is not", "[apps]")
 {
   const apps::MaterialCounts counts({"mortar", "stone"}, {0, 0, 1}, {0, 1, 1, 2, 1});
   CHECK_THAT(counts.text(),
@@ -94,7 +94,7 @@ TEST_CASE("Several materials are counted with their pairs; of one there is nothi
   CHECK(untouched.is_null());
 }
 
-TEST_CASE("A strength is told once its peak is passed, a ratio of strengths once both are", "[apps]")
+TEST_CASE("A strength is reported once its peak is passed, a ratio of strengths once both are", "[apps]")
 {
   const auto both = apps::figures_of({notes("tension", 3e6, true), notes("compression", 30e6, true)});
   CHECK(both["strength_ratio"]["value"] == 10.0);

@@ -67,7 +67,7 @@ TEST_CASE("a step longer than the interval of samples takes all that it passed a
   CHECK(sampling.snapshot_due());
 }
 
-TEST_CASE("a time to which a motion is led is reached in spite of rounding, and not otherwise", "[apps]")
+TEST_CASE("a prescribed end time is reached in spite of rounding, and not otherwise", "[apps]")
 {
   const double just_before = 0.1 * (1 - 1e-14);
   CHECK(Sampling(1.0, output(10, 0), 1e-12).take(just_before));
@@ -92,7 +92,7 @@ TEST_CASE("a stop ends sampling with a snapshot, also after it was resumed", "[a
   CHECK(resumed.next_time() == sampling.next_time());
 }
 
-TEST_CASE("a test counted in steps has as many snapshots as were asked for, even over its samples", "[apps]")
+TEST_CASE("a test counted in steps has as many snapshots as were requested, even over its samples", "[apps]")
 {
   const StepSampling sampling(1000, output(10, 4));
   CHECK(sampling.steps() == 100);

@@ -41,7 +41,7 @@ namespace
   }
 } // namespace
 
-TEST_CASE("The column that is asked for is drawn, else the program's choice; a wrong one is refused", "[apps]")
+TEST_CASE("The requested column is drawn, else the program's choice; a wrong one is refused", "[apps]")
 {
   CHECK(apps::chosen_column(names, "Curve vertical", "", "time") == "time");
   CHECK(apps::chosen_column(names, "Curve vertical", "largest_damage", "time") == "largest_damage");
@@ -82,7 +82,7 @@ TEST_CASE("A condition of Stop ends a run beyond its value, and not before its t
                     Contains("Stop/a/Column = tiem: series.csv has no such column. Did you mean \"time\"?"));
 }
 
-TEST_CASE("The summary of a solid tells of its gauges what they say it should", "[apps]")
+TEST_CASE("The summary of a solid holds its probes as they are declared", "[apps]")
 {
   using apps::GaugeColumn;
   using Told = GaugeColumn::Told;

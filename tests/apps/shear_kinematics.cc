@@ -49,7 +49,7 @@ namespace
 } // namespace
 
 TEST_CASE(
-  "The entry Shear kinematics decides how a scene's links are sheared, and what the energy balance leaves out is told",
+  "The entry Shear kinematics decides how a scene's links are sheared, and the error of the energy balance is reported",
   "[apps]")
 {
   const ScratchFolder folder;
@@ -68,8 +68,7 @@ TEST_CASE(
   CHECK(ran(folder, "first-order").notes());
 }
 
-TEST_CASE("What first-order shear of unequal radii leaves out of the balance is told by a scene of particles too",
-          "[apps]")
+TEST_CASE("The balance error of first-order shear of unequal radii is reported by a scene of particles too", "[apps]")
 {
   const ScratchFolder folder;
   std::string         scene = replaced(scene_with_file(), "Kind = uniaxial", "Kind = particles");

@@ -50,7 +50,7 @@ namespace
   }
 } // namespace
 
-TEST_CASE("A small box cut out of a cell is told of before the run, a moulded one is dense to its faces", "[apps]")
+TEST_CASE("A small box cut out of a cell is warned of before the run, a moulded one is dense to its faces", "[apps]")
 {
   const ScratchFolder folder;
   const Outcome       cut = outcome_of(folder, "check", scene, with(cube, cut_out));
@@ -67,7 +67,7 @@ TEST_CASE("A small box cut out of a cell is told of before the run, a moulded on
                      outcome_of(folder, "check", places::sources() + "/apps/scenes/periodic_cell.prm", {}).out) > 0.5);
 }
 
-TEST_CASE("Sparse faces are told of where bonds hold the grains together, and not where they are loose", "[apps]")
+TEST_CASE("Sparse faces are warned of where bonds hold the grains together, and not where they are loose", "[apps]")
 {
   const ScratchFolder folder;
   const std::string   grains = R"(set Kind = particles

@@ -73,7 +73,7 @@ TEST_CASE("A beam with a core of particles bears what one all of particles bears
   CHECK(peak_load(core) == Approx(peak_load(all)).epsilon(0.02));
 }
 
-TEST_CASE("A structure that cannot be led is refused by name", "[apps][structure][volume][slow]")
+TEST_CASE("A structure that cannot be driven is refused by name", "[apps][structure][volume][slow]")
 {
   // Particles and stiffness of a run that went well, so that they are not made anew for every mistake.
   const ScratchFolder made, folder;

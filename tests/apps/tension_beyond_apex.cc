@@ -13,7 +13,7 @@ namespace
   std::string shipped(const std::string &scene) { return places::sources() + "/apps/scenes/" + scene; }
 } // namespace
 
-TEST_CASE("A tensile strength beyond c / tan phi is said", "[apps]")
+TEST_CASE("A tensile strength beyond c / tan phi is reported", "[apps]")
 {
   const ScratchFolder folder;
   const std::string   law   = "Material/flat-joint/";

@@ -61,7 +61,7 @@ namespace
   }
 } // namespace
 
-TEST_CASE("A crushed specimen is handed over, carried on, and told in table, picture and ParaView files",
+TEST_CASE("A crushed specimen is handed over, carried on, and reported in table, figure and ParaView files",
           "[apps][slow]")
 {
   const ScratchFolder folder;
@@ -445,7 +445,7 @@ TEST_CASE("A transfer past its limits is refused", "[apps][slow][S14]")
   CHECK(std::filesystem::exists(folder / "results/summary.json"));
 }
 
-TEST_CASE("bench sequential tells error and cost of every kernel and mesh", "[apps][slow]")
+TEST_CASE("bench sequential reports error and cost of every kernel and mesh", "[apps][slow]")
 {
   const ScratchFolder folder;
   Arguments           arguments = small({"bench", "sequential", scene, "--quick", "-o", "bench"}, "-1e-3, -2.2e-3");
@@ -479,25 +479,4 @@ TEST_CASE("bench sequential tells error and cost of every kernel and mesh", "[ap
   CHECK(rows == 14); // five kernels and two meshes, two instants each
   CHECK(std::filesystem::file_size(folder / "bench/sequential.png") > 0);
   CHECK_THAT(content_of(folder / "bench/sequential.md"), Contains("| kernel | moving least squares 3 r |"));
-}
-
-TEST_CASE("check of an impact counts the striker, and every link of the beam", "[apps][slow]")
-{
-  const ScratchFolder folder;
-  std::string         packing = "x y z radius\n"; // simple cubic, 2.02 mm apart: 20 x 4 x 4
-  for (int i = 0; i < 20; ++i)
-    for (int j = 0; j < 4; ++j)
-      for (int k = 0; k < 4; ++k)
-        packing += std::to_string(0.001 + 0.00202 * i) + " " + std::to_string(0.001 + 0.00202 * j) + " " +
-                   std::to_string(0.001 + 0.00202 * k) + " 0.001\n";
-  folder.file("packing.txt", packing);
-  const Outcome outcome = run(
-    folder.path(),
-    {"check", places::sources() + "/apps/scenes/impact_beam.prm", "-s", "Particles/Specimen/Source=file", "-s",
-     "Particles/Specimen/File=" + (folder / "packing.txt").string(), "-s", "Particles/Impact/Span=0.03", "-s",
-     "Particles/Impact/Support width=0.004", "-s", "Transfer/Limits/Extents=10"}); // the mesh is that of a longer beam
-  INFO(outcome.err);
-  REQUIRE(outcome.status == 0);
-  // Within 1.5 diameters lie the neighbours along the edges (784 pairs) and across the faces (1272) of the lattice's cubes.
-  CHECK_THAT(outcome.out, Contains("particles    321\n") && Contains("links        2056\n"));
 }

@@ -23,7 +23,7 @@ namespace
   std::string shipped(const std::string &scene) { return places::sources() + "/apps/scenes/" + scene; }
 } // namespace
 
-TEST_CASE("A number of another unit is asked about in every dimension, and taken with its unit named", "[apps]")
+TEST_CASE("A number of another unit is questioned in every dimension, and taken with its unit named", "[apps]")
 {
   const auto odd = GENERATE(
     OddNumber{"quick_uniaxial.prm", "Material/CPM/Cohesion", "3", "Pa", "no solid is so weak. In MPa?"},
@@ -54,7 +54,7 @@ TEST_CASE("A number of another unit is asked about in every dimension, and taken
   CHECK_THAT(check(odd.value + " " + odd.unit).err, Contains("Output/Samples = none: expected a whole number"));
 }
 
-TEST_CASE("Numbers in lists are asked about, and taken where each names its unit", "[apps]")
+TEST_CASE("Numbers in lists are questioned, and taken where each names its unit", "[apps]")
 {
   const auto odd =
     GENERATE(OddNumber{"mortar_window.prm", "Specimen/Genesis/Classes", "1: 0.4, 2-3: 0.6", "m", "In mm?"},
@@ -90,7 +90,7 @@ TEST_CASE("Numbers in lists are asked about, and taken where each names its unit
              !Contains(odd.question) && Contains(" = none: expected"));
 }
 
-TEST_CASE("Numbers of the command line are asked about as those of scenes", "[apps]")
+TEST_CASE("Numbers of the command line are questioned as those of scenes", "[apps]")
 {
   const ScratchFolder folder;
   const auto          refused = [&](const std::vector<std::string> &words, const std::string &question) {
@@ -126,7 +126,7 @@ TEST_CASE("A soft concrete is taken as its own hint says", "[apps]")
   CHECK(meant.status == 0);
 }
 
-TEST_CASE("A packing in millimetres is asked about where nothing says its unit, and read with it", "[apps]")
+TEST_CASE("A packing in millimetres is questioned where no unit is given, and read with it", "[apps]")
 {
   const ScratchFolder folder;
   folder.file("x.prm", scene_with_file());
@@ -173,7 +173,7 @@ TEST_CASE("A commented header of diameters gives the stiffness of the cell that 
              Contains("furlong: expected one of m, cm, mm, um"));
 }
 
-TEST_CASE("check tells the extents of the particles, whatever the kind of scene", "[apps][slow]")
+TEST_CASE("check reports the extents of the particles, whatever the kind of scene", "[apps][slow]")
 {
   const ScratchFolder folder;
   for (const char *scene :
@@ -187,7 +187,7 @@ TEST_CASE("check tells the extents of the particles, whatever the kind of scene"
     }
 }
 
-TEST_CASE("A mesh in millimetres is asked about, and read with its unit", "[apps]")
+TEST_CASE("A mesh in millimetres is questioned, and read with its unit", "[apps]")
 {
   const ScratchFolder folder;
   std::string         large = two_squares_mesh();

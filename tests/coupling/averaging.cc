@@ -86,7 +86,7 @@ TEST_CASE("a smooth field is averaged with second order in the width", "[couplin
   CHECK(one_sided < 1.2);
 }
 
-TEST_CASE("the offset tells a boundary from the inside", "[coupling]")
+TEST_CASE("the offset distinguishes a boundary from the inside", "[coupling]")
 {
   const ParticleField field =
     fields::box({0.1, 0.1, 0.1}, {30, 30, 30}, 0, fields::constant(uniform), fields::constant(uniform));
@@ -119,7 +119,7 @@ TEST_CASE("rotating the particles and the point rotates the tensors", "[coupling
       }
 }
 
-TEST_CASE("a point out of reach knows nothing, and says so", "[coupling]")
+TEST_CASE("a point out of reach is undetermined, and marked so", "[coupling]")
 {
   const ParticleField     field = fields::box({0.1, 0.1, 0.1}, {9, 9, 9}, 0, linear, linear);
   const coupling::Average far   = Averaging(field, by(Kernel::gaussian)).at({1, 1, 1}, 0.01);

@@ -26,9 +26,9 @@ namespace
   }
 } // namespace
 
-TEST_CASE("the damage that a specimen's strength hangs on is the mean where points take the mean, else that of the "
-          "weakest slab",
-          "[coupling]")
+TEST_CASE(
+  "the damage that decides a specimen's strength is the mean where points take the mean, else that of the weakest slab",
+  "[coupling]")
 {
   CHECK(observed(Kernel::specimen, 0.01) == Approx(0.9 / 20).epsilon(1e-12));
   // Slabs hold whole layers: the cracked one alone, or with one or two others.

@@ -233,7 +233,7 @@ TEST_CASE("cells: the plane in which ellipticity is lost is found", "[coupling][
       }
 }
 
-TEST_CASE("cells: the plane of a localised cell does not hang on how far past the loss the state is",
+TEST_CASE("cells: the plane of a localised cell does not depend on how far past the loss the state is",
           "[coupling][multiscale]")
 {
   const base::Stiffness D = prepared()->stiffness();

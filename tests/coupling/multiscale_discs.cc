@@ -118,7 +118,7 @@ TEST_CASE("cells of discs: they are refused in space, as spheres are in plane st
 }
 
 TEST_CASE(
-  "cells of discs in motion: led slowly they come to the stress of the static solution, in strain and in stress",
+  "cells of discs in motion: driven slowly they come to the stress of the static solution, in strain and in stress",
   "[coupling][multiscale]")
 {
   const base::Voigt strain = in_plane(1e-6, -4e-7, 7e-7), exact = discs()->stiffness() * strain;

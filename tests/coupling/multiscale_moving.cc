@@ -66,7 +66,7 @@ namespace
   }
 } // namespace
 
-TEST_CASE("moving cells: led slowly they come to the stress of the static solution, and their own motion dies out",
+TEST_CASE("moving cells: driven slowly they come to the stress of the static solution, and their own motion dies out",
           "[coupling][multiscale]")
 {
   auto              of     = moving(1);
@@ -80,7 +80,7 @@ TEST_CASE("moving cells: led slowly they come to the stress of the static soluti
   CHECK(stored == Approx(0.5 * strain.dot(expected)).epsilon(2e-3));
 }
 
-TEST_CASE("moving cells: the stress is that of the strain that they are led to, not of the one before",
+TEST_CASE("moving cells: the stress is that of the strain that they are driven to, not of the one before",
           "[coupling][multiscale]")
 {
   auto of = moving(1);

@@ -249,8 +249,9 @@ TEST_CASE("multiscale: goes on from a saved state to the same bits, with any num
   CHECK(through.solver->energy().dissipated.damage > 0);
 }
 
-TEST_CASE("multiscale: with a crack band what a localised cell dissipates does not hang on the width of its element",
-          "[coupling][multiscale][slow]")
+TEST_CASE(
+  "multiscale: with a crack band the dissipation of a localised cell does not depend on the width of its element",
+  "[coupling][multiscale][slow]")
 {
   std::vector<double> dissipated;
   constexpr double    widest = 1.5e-3; // opening of the band [m]: its cell is 8 m long

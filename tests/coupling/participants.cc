@@ -257,8 +257,7 @@ TEST_CASE("participants go back to a saved state, and on from it to the same bit
     }
 }
 
-TEST_CASE("prescribed carriers go where they are told, and reactions of a body at rest balance its forces",
-          "[coupling]")
+TEST_CASE("prescribed carriers move as prescribed, and reactions of a body at rest balance its forces", "[coupling]")
 {
   for (const NamedBody &body : bodies)
     {

@@ -78,7 +78,7 @@ TEST_CASE("points at the switch of hardening are counted", "[coupling]")
     }
 }
 
-TEST_CASE("stress outside the yield surface is returned to it, and the amount told", "[coupling]")
+TEST_CASE("stress outside the yield surface is returned to it, and the amount reported", "[coupling]")
 {
   Cube       cube;
   const auto inside = transfer(field(-5e6, 0.1), {}, cube.solid);

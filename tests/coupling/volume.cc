@@ -115,8 +115,9 @@ TEST_CASE("volume coupling: a body that moves as a whole passes the overlap unse
   check_motion_as_a_whole<3>();
 }
 
-TEST_CASE("volume coupling: momentum, angular momentum and power are equal on both sides, energy is kept or told",
-          "[coupling][volume]")
+TEST_CASE(
+  "volume coupling: momentum, angular momentum and power are equal on both sides, energy is kept or its error reported",
+  "[coupling][volume]")
 {
   check_what_is_kept<2>();
   check_what_is_kept<3>();

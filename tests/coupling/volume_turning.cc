@@ -42,7 +42,7 @@ namespace
     options.velocity    = what.velocity;
     options.spin        = what.spin;
     Bar<dim> bar(method, options);
-    bar.advance(1); // slaves start at rest, and take their velocities from the solid
+    bar.advance(1); // constrained particles start at rest, and take their velocities from the solid
     double size = 0, turn = 0;
     for (std::size_t i = 0; i < bar.particles.counts().particles; ++i)
       {
@@ -236,7 +236,7 @@ TEST_CASE("volume coupling: an overlap that particles do not fill is refused, an
       CHECK_THROWS_WITH(made(side - 0.025, side + 0.035), gap); // beside the region
       CHECK_THROWS_WITH(made(side - 0.055, side - 0.005), gap); // what is in the overlap is not bonded to the region
       CHECK_THROWS_WITH(made(-1, side - 0.001), Catch::Contains("no bond joins"));
-      if (method.method == VolumeMethod::multipliers) // slaves that deep only ride along
+      if (method.method == VolumeMethod::multipliers) // constrained particles that deep only ride along
         CHECK_THROWS_WITH(made(side + 0.02, 1), gap);
       CHECK_NOTHROW(made(1, 2));
     }

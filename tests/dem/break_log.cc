@@ -67,7 +67,7 @@ TEST_CASE("bonds are logged once with the mode in which they broke, where they l
         }
 }
 
-TEST_CASE("links of a law that does not tell how they break are logged as damaged until broken", "[dem]")
+TEST_CASE("links of a law that does not report how they break are logged as damaged until broken", "[dem]")
 {
   const auto found = logged(3, cluster::concrete(), true);
   for (const dem::Break &b : found)

@@ -122,7 +122,7 @@ TEST_CASE("a stress that the cell cannot carry ends the path and is named", "[de
   CHECK(specimen.steps() == steps); // it is over
 }
 
-TEST_CASE("a leg of seven steps is told to its end", "[dem][periodic]")
+TEST_CASE("a leg of seven steps is recorded to its end", "[dem][periodic]")
 {
   dem::Specimen           specimen(lattice({{0, 0, 0}}, 2.0), elastic(1.1), unit_links(0.2));
   dem::CellTestParameters p;
@@ -160,7 +160,7 @@ namespace
   }
 } // namespace
 
-TEST_CASE("a cell whose particles do not touch is closed until they bear what is asked", "[dem][periodic]")
+TEST_CASE("a cell whose particles do not touch is closed until they bear the prescribed stress", "[dem][periodic]")
 {
   const double            E = 25e9, pressure = 1e6, gap_y = 2e-6, gap_z = 5e-6;
   dem::SpecimenParameters how = concrete_specimen();
@@ -232,7 +232,7 @@ TEST_CASE("a cell that is closed goes on from a saved state to the same bits", "
   CHECK(resumed == whole);
 }
 
-TEST_CASE("grains that touch nobody have no damage, and no error of their energies", "[dem][periodic]")
+TEST_CASE("grains without contacts have no damage, and no error of their energies", "[dem][periodic]")
 {
   dem::LinearContactParameters law;
   law.effective_modulus         = 1e9;

@@ -83,7 +83,7 @@ TEST_CASE("changed network: a damaged path that goes on in the same network goes
   CHECK(after.points().back().balance_error() < 1e-3);
 }
 
-TEST_CASE("changed network: what new bonds bring in is told, and old ones keep their damage",
+TEST_CASE("changed network: the energy of new bonds is reported, and old ones keep their damage",
           "[dem][statics][quasi_static]")
 {
   // Three particles between grips; the change adds a fourth one between the last and its grip, so that the row is half as stiff again less.

@@ -103,7 +103,7 @@ TEST_CASE("a clump that nothing acts on keeps its angular momentum and its shape
     }
 }
 
-TEST_CASE("a clump takes the momentum that is asked of its pebbles, and their angular momentum as far as a body can",
+TEST_CASE("a clump takes the momentum prescribed to its pebbles, and their angular momentum as far as a body can",
           "[dem][clumps]")
 {
   for (const int dimension : {2, 3})
@@ -152,7 +152,7 @@ TEST_CASE("a clump takes the momentum that is asked of its pebbles, and their an
     }
 }
 
-TEST_CASE("a clump of which one component of a turn is asked turns as a whole, and so it does by its spin",
+TEST_CASE("a clump of which one component of a turn is prescribed turns as a whole, and so it does by its spin",
           "[dem][clumps]")
 {
   const Vector3d spin(0, 0, 80);

@@ -119,6 +119,27 @@ TEST_CASE("CPM with linear softening reaches zero stress at the softening strain
   CHECK(state.damage == 1);
 }
 
+TEST_CASE("CPM link is deleted in tension where its residual strength has fallen to the limit", "[dem][laws]")
+{
+  for (CpmParameters p : {tabulated(), tabulated_linear()})
+    for (const double limit : {1e-4, 0.2})
+      {
+        p.residual_strength_limit = limit;
+        const CpmConstants k(p);
+        CHECK(1 - k.strength_damage(k.kappa_broken, k.damage_at(k.kappa_broken)) == Approx(limit).epsilon(1e-9));
+
+        const auto              law = dem::CpmLaw::bonds({p}, {}, 3);
+        const dem::LinkGeometry in_tension{0.5 * k.onset, 1, 1, 0}, in_compression{-0.5 * k.onset, 1, 1, 0};
+        std::vector<double>     history(law->columns().size(), 0.0);
+        for (const double share : {1 - 1e-9, 1 + 1e-9})
+          {
+            history[0] = share * k.kappa_broken;
+            CHECK((law->phase(0, in_tension, history.data()) == dem::LinkPhase::gone) == (share > 1));
+            CHECK(law->phase(0, in_compression, history.data()) == dem::LinkPhase::whole);
+          }
+      }
+}
+
 TEST_CASE("CPM inverts its damage function", "[dem]")
 {
   for (const CpmParameters &p : {tabulated(), tabulated_linear()})

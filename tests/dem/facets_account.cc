@@ -189,8 +189,7 @@ namespace
   }
 } // namespace
 
-TEST_CASE("energy of spheres on a surface that is led stays accounted for, better with shorter steps",
-          "[dem][facets][slow]")
+TEST_CASE("energy of spheres on a driven surface stays accounted for, better with shorter steps", "[dem][facets][slow]")
 {
   for (const double friction : {0.0, 0.4})
     {
@@ -300,7 +299,7 @@ TEST_CASE("spheres on surfaces move to the same bits with 1 and 2 threads, as a 
     }
 }
 
-TEST_CASE("a stiff wall shortens the step of who touches it", "[dem][facets]")
+TEST_CASE("a stiff wall shortens the step of particles that touch it", "[dem][facets]")
 {
   dem::Specimen ball(balls({{0, 0, 1.001 * R}}, R), loose(), contact());
   ball.surfaces().add(wall(dem::FacetMesh::plane({0, 0, 0}, {0, 0, 1}), 0.3, 1e10));

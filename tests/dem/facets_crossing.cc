@@ -47,7 +47,7 @@ namespace
   }
 } // namespace
 
-TEST_CASE("no centre goes through a wall without a word", "[dem][facets]")
+TEST_CASE("no centre goes through a wall unnoticed", "[dem][facets]")
 {
   for (const int dimension : {2, 3})
     {

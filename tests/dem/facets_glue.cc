@@ -401,7 +401,7 @@ TEST_CASE("glue that cannot be is refused by name", "[dem][facets][S14]")
   CHECK_THROWS_WITH(sunk.surfaces().add(glued(plate, R, law)), Contains("particle 1") && Contains("lies in it"));
 }
 
-TEST_CASE("stiff glue shortens the step of who is glued", "[dem][facets]")
+TEST_CASE("stiff glue shortens the step of glued particles", "[dem][facets]")
 {
   dem::Specimen ball(balls({{0, 0, R}}, R), loose(), contact());
   const double  before    = ball.time_step();

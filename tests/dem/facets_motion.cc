@@ -135,7 +135,7 @@ TEST_CASE("a ball rolls over coplanar facets with constant force, and keeps its 
   CHECK((ball.particle(0).velocity - speed).norm() < 1e-6);
 }
 
-TEST_CASE("a ball that is led over an edge and over a corner at the same distance feels the same force",
+TEST_CASE("a ball that is driven over an edge and over a corner at the same distance feels the same force",
           "[dem][facets][slow][S11]")
 {
   const double   depth = 1e-4 * R, d = R - depth;

@@ -3,30 +3,23 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+
 using namespace walls;
 
 namespace
 {
   constexpr double radius = 0.01;
 
-  /** A flat carpet of small facets, in which a dent has been made that is not just under the sphere. */
-  struct Dented
+  /** A carpet of small facets under a sphere. */
+  struct Carpet
   {
-    dem::FacetMesh        mesh = patch(0.03, 12);
+    dem::FacetMesh        mesh;
     dem::Footprint        footprint{mesh};
     std::vector<Vector3d> place = mesh.vertex;
 
-    explicit Dented(const double depth)
-    {
-      dem::UniformRandom random(7);
-      for (Vector3d &x : place)
-        {
-          const double r = (x.head<2>() - Eigen::Vector2d(2.2e-3, -1.1e-3)).norm() / 7e-3;
-          x += depth * Vector3d(0.1 * random(), 0.1 * random(), -std::exp(-r * r) + 0.05 * random());
-        }
-    }
-
-    dem::SpreadContact contact(const Vector3d &centre) const
+    /** Of a contact at the nearest point. */
+    dem::ContactZone zone(const Vector3d &centre) const
     {
       const double                look = dem::Footprint::reach * radius;
       std::vector<dem::NearPoint> near;
@@ -42,13 +35,90 @@ namespace
       dem::contact_zones(near, centre, look, room);
       dem::ContactZone zone = *room.zones.begin();
       zone.overlap -= look - radius;
-      dem::SpreadRoom                        room_of_spread;
+      return zone;
+    }
+
+    dem::SpreadContact contact(const Vector3d &centre) const
+    {
+      dem::SpreadRoom                        room;
       const std::vector<dem::StandingSphere> alone = {{centre, radius}};
-      REQUIRE(footprint.spread(mesh, place, zone, {alone, radius, {}}, room_of_spread));
-      return room_of_spread.found;
+      REQUIRE(footprint.spread(mesh, place, zone(centre), {alone, radius, {}}, room));
+      return room.found;
     }
   };
+
+  /** A flat one, in which a dent has been made that is not just under the sphere. */
+  struct Dented : Carpet
+  {
+    explicit Dented(const double depth)
+      : Carpet{patch(0.03, 12)}
+    {
+      dem::UniformRandom random(7);
+      for (Vector3d &x : place)
+        {
+          const double r = (x.head<2>() - Eigen::Vector2d(2.2e-3, -1.1e-3)).norm() / 7e-3;
+          x += depth * Vector3d(0.1 * random(), 0.1 * random(), -std::exp(-r * r) + 0.05 * random());
+        }
+    }
+  };
+
+  using dem::cells::Point, dem::cells::Polygon, dem::cells::Side;
+
+  /** A square about a contact, cut by the surface's edge and by the mirror image of another through the contact. */
+  Polygon cell_about(const Point &contact)
+  {
+    Polygon square;
+    for (const Point &corner : {Point(-1, -1), Point(1, -1), Point(1, 1), Point(-1, 1)})
+      square.add(contact + corner, Side::cell);
+    dem::cells::cut(square, {0.6, Point(-0.8, 0.3)}, Side::surface);
+    dem::cells::cut(square, dem::cells::HalfPlane{0.7, Point(-0.2, -0.9)}.mirrored(contact), Side::mirrored);
+    return square;
+  }
 } // namespace
+
+TEST_CASE("area and moment of a cell change as the sides that glide with its contact sweep over the surface",
+          "[facets]")
+{
+  const Point   contact(0.05, -0.1);
+  const Polygon cell = cell_about(contact);
+  for (const Side kind : {Side::surface, Side::cell, Side::mirrored})
+    REQUIRE(std::count(cell.side.begin(), cell.side.begin() + cell.count, kind) > 0);
+  const auto   glide = dem::cells::glide_of(cell);
+  const double h     = 1e-6;
+  for (int d = 0; d < 2; ++d)
+    {
+      const auto ahead  = dem::cells::area_of(cell_about(contact + h * Point::Unit(d))),
+                 behind = dem::cells::area_of(cell_about(contact - h * Point::Unit(d)));
+      const auto &swept = glide[static_cast<std::size_t>(d)];
+      CHECK(swept.size == Approx((ahead.size - behind.size) / (2 * h)).epsilon(1e-8));
+      CHECK((swept.moment - (ahead.moment - behind.moment) / (2 * h)).norm() < 1e-8);
+    }
+}
+
+TEST_CASE("on a curved surface as it was made a spread contact overlaps as one at a point does, and in a dent by the "
+          "dent less",
+          "[facets]")
+{
+  const double   across = 0.06;
+  const auto     round  = [&](double x, double) { return std::sqrt(across * across - x * x) - across; };
+  Carpet         carpet{patch(0.03, 24, round, 0)};
+  const Vector3d centre(0.3e-3, 0.2e-3, radius - 1e-4);
+  const double   at_point = carpet.zone(centre).overlap;
+  CHECK(at_point == Approx(1e-4).epsilon(0.15)); // facets are chords
+  const dem::SpreadContact whole = carpet.contact(centre);
+  CHECK(whole.overlap == Approx(at_point).epsilon(1e-9));
+  CHECK((whole.place - carpet.zone(centre).place).norm() > 2e-4); // the mean lies well below the contact
+
+  double mean = 0;
+  for (const dem::VertexWeight &part : whole.weights)
+    {
+      Vector3d    &x = carpet.place[static_cast<std::size_t>(part.vertex)];
+      const double r = x.x() / 6e-3, dent = 2e-5 * std::exp(-r * r); // still convex
+      mean += part.weight * dent;
+      x.z() -= dent;
+    }
+  CHECK(whole.overlap - carpet.contact(centre).overlap == Approx(mean).epsilon(0.02));
+}
 
 TEST_CASE("forces of a spread contact are the slope of its energy in any dent of a flat surface", "[facets]")
 {

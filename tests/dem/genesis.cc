@@ -72,6 +72,21 @@ TEST_CASE("two discs between walls: stress, its slope and energy are those of sp
   CHECK(pair.energies().growth == Approx(m.stored).epsilon(1e-12));
 }
 
+TEST_CASE("unbalanced ratio is the mean resultant over the mean sum of contact forces")
+{
+  dem::Packing start{{{1e-3, 1e-3, 0}, {3e-3, 1e-3, 0}}, {1e-3, 1e-3}, {}};
+  dem::Vessel  vessel;
+  vessel.size = {4e-3, 4e-3, 0};
+  dem::GrowthMaterial material;
+  material.contact.effective_modulus = 1e9;
+  dem::GrowingAssembly pair(start, vessel, material);
+  const double         larger = 1.001e-3, pushes = 1e9 * 2e-3 / (1e-3 + larger), wall = 2e9; // of unit overlap
+  pair.set_radii({larger, 1e-3});
+  // The first is pushed by floor, wall and the other; the second, which only touches floor and wall, by the first alone.
+  CHECK(pair.measure().ratio ==
+        Approx((std::hypot(wall - pushes, wall) + pushes) / (2 * wall + 2 * pushes)).epsilon(1e-6));
+}
+
 TEST_CASE("a packing grows to its stress, in balance, with its energy accounted for", "[slow]")
 {
   constexpr std::uint64_t seeds    = 8;

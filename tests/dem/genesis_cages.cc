@@ -58,8 +58,7 @@ TEST_CASE("inscribed: walls hold as spheres do, and what nothing holds on one si
       CHECK(one.distance(other->centre) >= other->radius * (1 - 1e-9));
 }
 
-TEST_CASE("cages: a floater touches all around with the overlap that is asked for, and grows by so much at most",
-          "[genesis]")
+TEST_CASE("cages: a floater touches all around with the prescribed overlap, and grows by so much at most", "[genesis]")
 {
   const double h = std::sqrt(3.0);
   dem::Packing packing;

@@ -121,6 +121,7 @@ TEST_CASE("force between spheres of two sizes and materials is that of Hertz", "
     }
 }
 
+// doc/theory/hertz-mindlin.md, (4).
 TEST_CASE("elastic impact of two spheres and of a sphere on a face lasts and presses as Hertz has it", "[dem][hertz]")
 {
   const auto closed = [](const Impact &found, const double m, const double R, const double speed) {
@@ -140,7 +141,7 @@ TEST_CASE("elastic impact of two spheres and of a sphere on a face lasts and pre
     }
 }
 
-TEST_CASE("restitution is what was asked for, at any speed, of spheres and of a face", "[dem][hertz]")
+TEST_CASE("restitution is the prescribed one, at any speed, of spheres and of a face", "[dem][hertz]")
 {
   for (const double e : {0.9, 0.5, 0.2})
     for (const double speed : {0.05, 2.0})

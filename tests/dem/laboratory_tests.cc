@@ -1,5 +1,4 @@
 // Tests of a laboratory in the kernel against closed forms: doc/theory/laboratory.md.
-#include "clusters.h"
 #include "dem/core/uniform_random.h"
 #include "dem/facets/surface.h"
 #include "dem/laboratory/lab_test.h"
@@ -8,6 +7,7 @@
 #include "dem/laws/parallel_bond.h"
 #include "dem/packing/lattice.h"
 #include "dem/packing/tiling.h"
+#include "laboratory_fixture.h"
 #include "memory_state.h"
 
 #include <catch2/catch.hpp>
@@ -18,105 +18,7 @@
 #include <memory>
 
 using Eigen::Vector3d;
-using Test = dem::LabParameters::Test;
-
-namespace
-{
-  constexpr double R = 1e-3, modulus = 10e9;
-
-  dem::FlatJointParameters strong()
-  {
-    dem::FlatJointParameters p;
-    p.effective_modulus    = modulus;
-    p.stiffness_ratio      = 2.5;
-    p.friction_coefficient = 0.2;
-    p.tensile_strength = p.cohesion = 1e12;
-    return p;
-  }
-
-  dem::FlatJointParameters weak()
-  {
-    dem::FlatJointParameters p = strong();
-    p.tensile_strength         = 2e6;
-    p.cohesion                 = 10e6;
-    p.friction_angle           = 20;
-    return p;
-  }
-
-  dem::SpecimenParameters discs()
-  {
-    dem::SpecimenParameters p = cluster::next_neighbours();
-    p.physics.dimension       = 2;
-    p.thickness               = 1;
-    p.density                 = 2500;
-    p.damping                 = 0.7;
-    return p;
-  }
-
-  /** Rows along x. Radii a little unequal make a specimen of it that breaks like rock. */
-  dem::Packing crystal(const int columns, const int rows, const double unequal = 0)
-  {
-    dem::Packing       packing = dem::make_lattice(dem::Lattice::hexagonal, R, {columns, rows, 1});
-    dem::UniformRandom random(7);
-    packing.periodic_cell.reset();
-    for (double &r : packing.radius)
-      r *= 1 - unequal * random();
-    return packing;
-  }
-
-  dem::LabParameters between_platens(const double speed)
-  {
-    dem::LinearContactParameters platens;
-    platens.effective_modulus = modulus;
-    dem::LabParameters p;
-    p.test          = Test::compression;
-    p.press.axis    = 1;
-    p.press.contact = platens;
-    p.speed         = speed;
-    p.stop_strain   = 2e-4;
-    return p;
-  }
-
-  /** A specimen in a test, led until it ends. */
-  struct Run
-  {
-    Run(const dem::Packing            &packing,
-        const dem::SpecimenParameters &p,
-        const dem::LinkMaterials      &law,
-        const dem::LabParameters      &asked)
-      : body(packing, p, law)
-      , test(body, asked)
-    {
-    }
-    void advance(const std::int64_t steps)
-    {
-      if (test.finished())
-        return;
-      const auto lead = [this] {
-        body.partners().clear_forces();
-        test.lead();
-      };
-      lead();
-      body.advance(steps, [&] {
-        test.observe();
-        lead();
-        return !test.finished();
-      });
-    }
-    void to_end(const std::int64_t most)
-    {
-      advance(most);
-      INFO("stress " << test.reading().stress << ", strain " << test.reading().strain << ", stage "
-                     << static_cast<int>(test.stage()));
-      REQUIRE(test.finished());
-    }
-
-    dem::Specimen body;
-    dem::LabTest  test;
-  };
-
-  double crystal_modulus(const double kappa) { return 2 * std::sqrt(3) * (1 + 1 / kappa) / (3 + 1 / kappa) * modulus; }
-} // namespace
+using namespace laboratory;
 
 TEST_CASE("hexagonal crystal between platens has the modulus and Poisson's ratio of the closed form (T8)",
           "[dem][laboratory][slow]")
@@ -255,7 +157,7 @@ TEST_CASE("what is cut off at platens touches without force until they move", "[
   CHECK_THROWS_WITH(run.body.surfaces().cut_off(0), Catch::Contains("before the first step"));
 }
 
-TEST_CASE("platens stand where they are told, and what reaches through is cut off whatever its depth",
+TEST_CASE("platens stand where they are placed, and particles that reach through are cut off whatever the depth",
           "[dem][laboratory]")
 {
   dem::LabParameters asked  = between_platens(0.02);
@@ -299,8 +201,7 @@ TEST_CASE("a specimen that still grows wider is not at rest, whatever its forces
   CHECK(run.test.notes().empty());
 }
 
-TEST_CASE("stress is that of the section that is told, and a disk's that of its diameter across the load",
-          "[dem][laboratory]")
+TEST_CASE("stress is that of the given section, and a disk's that of its diameter across the load", "[dem][laboratory]")
 {
   dem::LabParameters asked = between_platens(0.02);
   asked.section            = 0.03;
@@ -356,161 +257,6 @@ TEST_CASE("specimen loaded to a tenth of its strength and unloaded is what it wa
   CHECK(body.energy().released == 0);
 }
 
-TEST_CASE("servo walls and a membrane hold their pressure, and both find the same modulus", "[dem][laboratory][slow]")
-{
-  const double       pressure = 2e6;
-  dem::LabParameters asked    = between_platens(0.01);
-  asked.test                  = Test::confined;
-  asked.gain                  = 0.5;
-  asked.pressure              = pressure;
-  asked.largest_speed         = 0.05;
-  asked.stop_strain           = 3e-4;
-  double E[2]                 = {0, 0};
-  for (const auto how : {dem::LabParameters::Confinement::walls, dem::LabParameters::Confinement::membrane})
-    {
-      asked.confinement = how;
-      INFO("confinement " << static_cast<int>(how));
-      Run run(crystal(40, 20), discs(), strong(), asked);
-      run.to_end(600000);
-      CHECK(run.test.notes().empty());
-      const dem::TestRecord &record = run.test.record();
-      double                 worst  = 0;
-      for (std::size_t row = record.rows() / 4; row < record.rows(); ++row)
-        worst = std::max(worst, std::abs(record.at(row, dem::TestRecord::confinement) / pressure - 1));
-      CHECK(worst < 0.02);
-      CHECK(record.at(0, dem::TestRecord::stress) == Approx(pressure).epsilon(0.03));
-      CHECK(run.body.energy().balance_error() < 1e-3);
-      E[how == dem::LabParameters::Confinement::walls ? 0 : 1] = run.test.figures().gauge_modulus.value;
-    }
-  CHECK(E[0] == Approx(crystal_modulus(2.5)).epsilon(0.04));
-  CHECK(E[1] == Approx(E[0]).epsilon(0.04));
-}
-
-TEST_CASE("triaxial walls hold a cube of spheres at a pressure from all sides", "[dem][laboratory][slow]")
-{
-  dem::SpecimenParameters p = discs();
-  p.physics.dimension       = 3;
-  p.thickness               = 0;
-  dem::LabParameters asked  = between_platens(0.1);
-  asked.test                = Test::confined;
-  asked.press.axis          = 2;
-  asked.pressure            = 1e6;
-  asked.largest_speed       = 0.05;
-  for (const auto how : {dem::LabParameters::Confinement::walls, dem::LabParameters::Confinement::membrane})
-    {
-      asked.confinement = how;
-      Run run(cluster::cubic_lattice(6, 6, 8, R), p, strong(), asked);
-      run.to_end(400000);
-      CHECK(run.test.notes().empty());
-      CHECK(run.test.record().at(0, dem::TestRecord::stress) == Approx(1e6).epsilon(0.05));
-      CHECK(run.body.energy().balance_error() < 1e-3);
-    }
-}
-
-namespace
-{
-  /** A close packing of spheres cut to an upright cylinder, its radii a little unequal. */
-  dem::Packing cylinder_of_spheres(const double radius, const double height)
-  {
-    const int          across = static_cast<int>(std::ceil(radius / (std::sqrt(2) * R))) + 1;
-    const int          along  = static_cast<int>(std::ceil(height / (2 * std::sqrt(2) * R))) + 1;
-    const auto         whole  = dem::make_lattice(dem::Lattice::face_centred_cubic, R, {across, across, along});
-    const Vector3d     middle = 0.5 * *whole.periodic_cell;
-    dem::Packing       packing;
-    dem::UniformRandom random(11);
-    for (const Vector3d &x : whole.centre)
-      if ((x - middle).head<2>().norm() <= radius - R && std::abs(x.z() - middle.z()) <= 0.5 * height - R)
-        {
-          packing.centre.push_back(x);
-          packing.radius.push_back(R * (1 - 0.02 * random()));
-        }
-    return packing;
-  }
-
-  dem::SpecimenParameters spheres()
-  {
-    dem::SpecimenParameters p = discs();
-    p.physics.dimension       = 3;
-    p.thickness               = 0;
-    p.interaction_ratio       = 1.1;
-    return p;
-  }
-
-  dem::LabParameters in_a_jacket(const double pressure)
-  {
-    dem::LabParameters asked = between_platens(0.02);
-    asked.test               = Test::confined;
-    asked.confinement        = dem::LabParameters::Confinement::cylinder;
-    asked.press.axis         = 2;
-    asked.press.smoothing    = 0.2 * R;
-    asked.pressure           = pressure;
-    asked.largest_speed      = 0.3;
-    asked.gain               = 0.5;
-    asked.rest               = 1e-3;
-    asked.stop_strain        = 5e-4;
-    return asked;
-  }
-} // namespace
-
-TEST_CASE("a jacket of facets holds its pressure around a cylinder, which is as stiff in it as under a membrane",
-          "[dem][laboratory][slow]")
-{
-  const double       pressure = 2e6;
-  const dem::Packing packing  = cylinder_of_spheres(9 * R, 28 * R);
-  dem::LabParameters asked    = in_a_jacket(pressure);
-  double             E[2] = {0, 0}, nu[2] = {0, 0};
-  for (const bool membrane : {false, true})
-    {
-      if (membrane)
-        asked.confinement = dem::LabParameters::Confinement::membrane;
-      INFO("membrane " << membrane);
-      Run run(packing, spheres(), strong(), asked);
-      run.to_end(600000);
-      CHECK(run.test.notes().empty());
-      const dem::TestRecord &record = run.test.record();
-      double                 worst  = 0;
-      for (std::size_t row = 0; row < record.rows(); ++row)
-        worst = std::max(worst, std::abs(record.at(row, dem::TestRecord::confinement) / pressure - 1));
-      CHECK(worst < 0.01);
-      CHECK(run.body.energy().balance_error() < 1e-3);
-      E[membrane]  = run.test.figures().gauge_modulus.value;
-      nu[membrane] = run.test.figures().poisson_slope.value;
-      if (membrane)
-        continue;
-      // What the jacket says is what the specimen bears, by the forces inside: across planes through its axis, in the mean of their
-      // directions (a rigid jacket presses harder where the crystal is).
-      const Vector3d middle =
-        0.5 * (run.body.surfaces().at(2).place[0] + run.body.surfaces().at(2 + dem::CylinderWall::sides / 2).place[0]);
-      const double radius = (run.body.surfaces().at(2).place[0] - middle).norm();
-      const auto   ends   = [&](const std::size_t n) { return run.body.surfaces().at(n).place[0].z(); };
-      const int    planes = 36;
-      const auto   links  = run.body.links();
-      double       across = 0;
-      for (int k = 0; k < planes; ++k)
-        {
-          const Vector3d normal(std::cos(k * M_PI / planes), std::sin(k * M_PI / planes), 0);
-          for (const dem::LinkLoad &load : links.load)
-            {
-              const double first = normal.dot(load.first - middle), second = normal.dot(load.second() - middle);
-              if (first * second < 0)
-                across += normal.dot(load.force) * (first < 0 ? -1 : 1) / planes;
-            }
-        }
-      CHECK(across / (2 * radius * (ends(1) - ends(0))) == Approx(pressure).epsilon(0.01));
-    }
-  CHECK(E[0] == Approx(E[1]).epsilon(0.03));
-  CHECK(nu[0] == Approx(nu[1]).margin(0.03));
-}
-
-TEST_CASE("a jacket goes around cylinders only, and in space only", "[dem][laboratory]")
-{
-  dem::LabParameters asked = in_a_jacket(1e6);
-  CHECK_THROWS_WITH(Run(cluster::cubic_lattice(6, 6, 8, R), spheres(), strong(), asked),
-                    Catch::Contains("would touch the edges only"));
-  asked.press.axis = 1;
-  CHECK_THROWS_WITH(Run(crystal(6, 4), discs(), strong(), asked), Catch::Contains("no cylinder"));
-}
-
 TEST_CASE("a weak specimen breaks, and its test ends past the peak with figures", "[dem][laboratory][slow]")
 {
   dem::LabParameters asked = between_platens(0.1);
@@ -527,63 +273,6 @@ TEST_CASE("a weak specimen breaks, and its test ends past the peak with figures"
   CHECK(run.test.reading().stress < 0.7 * found.strength.value);
   CHECK(found.modulus.found);
   CHECK(run.body.energy().balance_error() < 1e-2);
-}
-
-TEST_CASE("tests of the laboratory have the same bits with any threads and after a restart", "[dem][laboratory][slow]")
-{
-  for (const char *const how : {"platens", "membrane", "jacket"})
-    {
-      const bool         membrane = how == std::string("membrane"), jacket = how == std::string("jacket");
-      dem::LabParameters asked = between_platens(0.3);
-      if (jacket)
-        {
-          asked               = in_a_jacket(5e5);
-          asked.ramp_steps    = 300;
-          asked.largest_speed = 1;
-        }
-      asked.speed           = jacket ? 1.5 : 0.3;
-      asked.stop_strain     = 0.02;
-      asked.press.smoothing = 0.2 * R;
-      if (membrane)
-        {
-          asked.test        = Test::confined;
-          asked.confinement = dem::LabParameters::Confinement::membrane;
-          asked.pressure    = 5e5;
-        }
-      if (membrane || jacket)
-        asked.rest = 1e-2;
-      const auto made = [&] {
-        return jacket ? std::make_unique<Run>(cylinder_of_spheres(5 * R, 12 * R), spheres(), weak(), asked) :
-                        std::make_unique<Run>(crystal(10, 8, 0.05), discs(), weak(), asked);
-      };
-      const auto state_of = [](Run &run) {
-        MemoryState         memory;
-        MemoryState::Writer writer(memory);
-        run.body.visit_state(writer);
-        run.test.visit_state(writer);
-        return memory;
-      };
-      const std::int64_t steps = 5500;
-      omp_set_num_threads(1);
-      auto one = made();
-      one->advance(2500);
-      MemoryState half = state_of(*one);
-      one->advance(steps - 2500);
-      const MemoryState end = state_of(*one);
-      INFO(how << ", strain " << one->test.reading().strain);
-      CHECK(one->body.logged_breaks() > 0);
-      omp_set_num_threads(3);
-      auto several = made();
-      several->advance(steps);
-      CHECK(state_of(*several) == end);
-      omp_set_num_threads(1);
-      auto                resumed = made();
-      MemoryState::Reader reader(half);
-      resumed->body.visit_state(reader);
-      resumed->test.visit_state(reader);
-      resumed->advance(steps - 2500);
-      CHECK(state_of(*resumed) == end);
-    }
 }
 
 TEST_CASE("a loading is static only if half the speed changes its strength little, where that was looked at",

@@ -63,7 +63,7 @@ TEST_CASE("a packing without particles, or with columns that do not fit, is refu
   }
 }
 
-TEST_CASE("centres that are no places, or too far out to be told apart, are refused by file and particle",
+TEST_CASE("centres that are no places, or too far out to be distinguished, are refused by file and particle",
           "[dem][packing]")
 {
   using Catch::Contains;

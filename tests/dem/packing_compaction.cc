@@ -234,7 +234,7 @@ TEST_CASE("one seed gives one packing, whatever the threads and the size of the 
   REQUIRE(dem::compact(p).packing.centre != larger.packing.centre);
 }
 
-TEST_CASE("the compaction tells how far it is and stops when told to", "[dem][packing]")
+TEST_CASE("the compaction reports its progress and stops on request", "[dem][packing]")
 {
   std::int64_t last  = 0;
   int          stage = 1;
@@ -252,7 +252,7 @@ TEST_CASE("the compaction tells how far it is and stops when told to", "[dem][pa
                     dem::CompactionCancelled);
 }
 
-TEST_CASE("a compaction that finds no equilibrium says how far it came", "[dem][packing]")
+TEST_CASE("a compaction that finds no equilibrium reports how far it came", "[dem][packing]")
 {
   auto p       = spheres(100, 0.1, 0.8);
   p.step_limit = 100;

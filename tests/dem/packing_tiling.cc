@@ -57,7 +57,7 @@ TEST_CASE("discs are tiled in their plane", "[dem][packing]")
   REQUIRE(dem::tile_and_crop(cell, {5, 3, far}).packing.size() == 15);
 }
 
-TEST_CASE("a period shorter than nine diameters is told, where it repeats", "[dem][packing]")
+TEST_CASE("a period shorter than nine diameters is reported, where it repeats", "[dem][packing]")
 {
   const auto note = [](const int cells, const double box) {
     return dem::tile_and_crop(dem::make_lattice(dem::Lattice::simple_cubic, 0.5, {{cells, cells, cells}}),

@@ -240,7 +240,7 @@ TEST_CASE("particles of a grip may move each on its own: an affine motion, and i
   CHECK_THROWS_AS(specimen.grips().set_velocities(grip, {}, {}), base::InputError);
 }
 
-TEST_CASE("a grip told one velocity for each particle moves as one told it for all", "[dem]")
+TEST_CASE("a grip given one velocity for each particle moves as one given it for all", "[dem]")
 {
   omp_set_num_threads(1);
   dem::Specimen            together = elastic_cluster(), alone = together;
@@ -258,7 +258,7 @@ TEST_CASE("a grip told one velocity for each particle moves as one told it for a
   CHECK(together.energy().external_work == Approx(alone.energy().external_work).epsilon(1e-12));
 }
 
-TEST_CASE("particles that were left to somebody else do not touch each other, wherever he moves them", "[dem]")
+TEST_CASE("particles that were left to a partner do not touch each other, wherever it moves them", "[dem]")
 {
   dem::SpecimenParameters p = cluster::bonded(1.1);
   p.physics.contacts        = true;

@@ -67,6 +67,47 @@ TEST_CASE("eight spheres relax to their static stiffness", "[dem][periodic]")
     CHECK((stiffness_column(make, c, 1e-5, 1e-10) - exact.col(c)).cwiseAbs().maxCoeff() < 1e-7);
 }
 
+TEST_CASE("particles of a cell move with its gradient, and their fluctuation is kicked by their forces alone",
+          "[dem][periodic]")
+{
+  dem::SpecimenParameters undamped = elastic(1.5);
+  undamped.damping                 = 0;
+  dem::Specimen           specimen(eight_spheres(), undamped, unit_links(0.2));
+  dem::CellTestParameters p;
+  base::Vector6           strain;
+  strain << 0.02, -0.01, 0.03, 0.01, -0.02, 0.04;
+  const double dt = specimen.time_step();
+  p.path          = {strain_leg(40 * dt, strain)};
+  dem::CellTest test(specimen, p);
+  test.advance(10);
+  for (int step = 0; step < 5; ++step)
+    {
+      std::vector<dem::ParticleState> before;
+      for (std::size_t i = 0; i < 8; ++i)
+        before.push_back(specimen.particle(i));
+      const Eigen::Matrix3d then = specimen.cell().deformation;
+      test.advance(1);
+      const Eigen::Matrix3d gradient =
+        (specimen.cell().deformation * then.inverse() - Eigen::Matrix3d::Identity()) / dt;
+      std::vector<Eigen::Vector3d> force(8, Eigen::Vector3d::Zero());
+      const dem::LinkOutput        links = specimen.links();
+      for (std::size_t l = 0; l < links.ends.size(); ++l)
+        {
+          force[links.ends[l][0]] += links.load[l].force;
+          force[links.ends[l][1]] -= links.load[l].force;
+        }
+      for (std::size_t i = 0; i < 8; ++i)
+        {
+          const dem::ParticleState now  = specimen.particle(i);
+          const Eigen::Vector3d    kick = dt / now.mass * force[i],
+                                way     = dt * (gradient * before[i].position + now.velocity);
+          CHECK(kick.norm() > 0);
+          CHECK((now.velocity - before[i].velocity - kick).norm() < 1e-9 * kick.norm());
+          CHECK((now.moved - way).norm() < 1e-9 * way.norm());
+        }
+    }
+}
+
 TEST_CASE("eight spheres that cannot turn are stiffer, as the static solution says", "[dem][periodic]")
 {
   dem::SpecimenParameters parameters = elastic(1.5);
@@ -299,7 +340,7 @@ TEST_CASE("a cell goes on from a saved state to the same bits, with any number o
   REQUIRE(resumed == whole);
 }
 
-TEST_CASE("what a periodic specimen cannot do is said", "[dem][periodic]")
+TEST_CASE("what a periodic specimen cannot do is refused by name", "[dem][periodic]")
 {
   dem::Packing free = eight_spheres();
   free.periodic_cell.reset();

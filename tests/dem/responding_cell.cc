@@ -311,7 +311,7 @@ TEST_CASE(
   CHECK(again.respond(aside).stress == alone.stress);
 }
 
-TEST_CASE("responding cell: what it cannot be asked is refused", "[dem][statics]")
+TEST_CASE("responding cell: unusable parameters are refused", "[dem][statics]")
 {
   const auto                  cell = random_cell(concrete());
   dem::CellResponseParameters p;

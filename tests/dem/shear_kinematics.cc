@@ -159,7 +159,7 @@ TEST_CASE("spin of one end shears a link by its own arm", "[dem]")
   CHECK((pair.shear - Vector3d(0, -2 * 2 * std::tan(0.01) / 1.9, 0)).norm() < 1e-16);
 }
 
-TEST_CASE("shear increment seen by a turning observer differs by second order in his turn", "[dem]")
+TEST_CASE("shear increment in a turning frame differs by second order in its turn", "[dem]")
 {
   // One small motion, seen at rest and by an observer who turns by an angle during the same step, about an axis across the link.
   // Rigid motion is exact; what a motion adds is measured in the middle of the step, which leaves a part of order angle^2 of it.

@@ -181,7 +181,7 @@ TEST_CASE("Energy that crosses the boundary after the forces are known is accoun
   CHECK(flow.after == 0);
 }
 
-TEST_CASE("Stiffening contacts ask for a new step before overlaps outgrow what the step allows for", "[dem][parts]")
+TEST_CASE("Stiffening contacts cause a new step before overlaps outgrow what the step allows for", "[dem][parts]")
 {
   dem::StiffeningWatch watch(1e-5);
   double               path = 0;

@@ -99,8 +99,7 @@ TEST_CASE("mechanisms: gears of a lattice with two sublattices are found", "[dem
     }
 }
 
-TEST_CASE("mechanisms: a second network that hangs loose in the first is named, the larger one is not",
-          "[dem][statics]")
+TEST_CASE("mechanisms: a second network that is loose in the first is named, the larger one is not", "[dem][statics]")
 {
   dem::Packing p = slab();
   const auto   n = static_cast<std::int32_t>(p.size());
@@ -117,7 +116,7 @@ TEST_CASE("mechanisms: a second network that hangs loose in the first is named, 
     CHECK(particles_without_hold(network, method) == Numbers{n, n + 1, n + 2, n + 3});
 }
 
-TEST_CASE("statics: at the edge of rigidity the answer is found, or who moves is said", "[dem][statics]")
+TEST_CASE("statics: at the edge of rigidity the answer is found, or the moving particles are named", "[dem][statics]")
 {
   // Interaction ratio falling towards touching: coordination from 8 to below 4 links per sphere (3 links of 2 shear and one
   // normal component each hold 6 motions: the edge is at 4 link ends per sphere).

@@ -7,6 +7,7 @@
 #include "dem/specimen/specimen.h"
 #include "dem/statics/quasi_static_path.h"
 #include "memory_state.h"
+#include "quasi_static_fixture.h"
 #include "tests/dem/homogenisation_fixture.h"
 
 #include <catch2/catch.hpp>
@@ -17,106 +18,7 @@
 #include <cmath>
 
 using namespace homogenisation_fixture;
-
-namespace
-{
-  dem::CpmParameters concrete(const double ductility = 30)
-  {
-    dem::CpmParameters p;
-    p.normal_modulus       = 25e9;
-    p.shear_ratio          = 0.2;
-    p.limit_elastic_strain = 1e-4;
-    p.relative_ductility   = ductility;
-    p.cohesion             = 3e6;
-    p.friction_coefficient = 0.8;
-    return p;
-  }
-
-  dem::QuasiStaticParameters steps(const double end_strain, const double sign = 1)
-  {
-    dem::QuasiStaticParameters p;
-    p.sign        = sign;
-    p.strain_step = 1e-5;
-    p.end_strain  = end_strain;
-    return p;
-  }
-
-  std::vector<dem::QuasiStaticPoint>
-  follow(const dem::LoadedNetwork &loaded, const dem::CpmParameters &law, const dem::QuasiStaticParameters &p)
-  {
-    dem::QuasiStaticPath path(loaded, law, p);
-    while (!path.finished())
-      path.advance();
-    return path.points();
-  }
-
-  dem::ElasticNetwork network_of(const dem::Packing &packing, const double ratio, const dem::CpmParameters &law)
-  {
-    return dem::make_network(packing, links(ratio, law.shear_ratio, law.normal_modulus));
-  }
-
-  /** Envelope of a link in tension, written out anew: (2.17) of Stransky (2018). */
-  double envelope(const dem::CpmParameters &p, const double strain)
-  {
-    const double onset = p.limit_elastic_strain;
-    return strain <= onset ? p.normal_modulus * strain :
-                             p.normal_modulus * onset * std::exp(-(strain - onset) / (p.relative_ductility * onset));
-  }
-
-  double peak(const std::vector<dem::QuasiStaticPoint> &path, const int component = 0)
-  {
-    double largest = 0;
-    for (const auto &point : path)
-      largest = std::max(largest, std::fabs(point.stress[component]));
-    return largest;
-  }
-
-  dem::Packing millimetres(dem::Packing packing)
-  {
-    for (auto &c : packing.centre)
-      c *= 1e-3;
-    for (auto &r : packing.radius)
-      r *= 1e-3;
-    *packing.periodic_cell *= 1e-3;
-    return packing;
-  }
-
-  dem::LoadedNetwork random_cell(const dem::CpmParameters &law, const bool lateral_free = true)
-  {
-    return dem::load_cell(network_of(millimetres(random_spheres(64, 3)), 1.6, law), 0, lateral_free);
-  }
-
-  dem::GripLayers cluster_grips(const dem::Packing &packing, const int axis, const double thickness)
-  {
-    dem::GripParameters p;
-    p.thickness = thickness;
-    return dem::find_grip_layers({packing.centre, packing.radius}, axis, p);
-  }
-
-  /** A row of touching spheres of 1 mm along x, gripped at its ends. */
-  dem::LoadedNetwork row(const int spheres, const dem::CpmParameters &law)
-  {
-    dem::Packing packing;
-    for (int i = 0; i < spheres; ++i)
-      packing.centre.emplace_back(2e-3 * i, 0, 0);
-    packing.radius.assign(spheres, 1e-3);
-    dem::GripPair grips;
-    grips.axis   = 0;
-    grips.layers = cluster_grips(packing, 0, 0.5e-3);
-    return dem::load_grips(network_of(packing, 1.05, law), grips);
-  }
-
-  /** A box of the random cell cut free, gripped along z. */
-  dem::LoadedNetwork random_box(const dem::CpmParameters &law, const bool rough = false)
-  {
-    dem::Packing packing = millimetres(random_spheres(64, 3));
-    packing.periodic_cell.reset();
-    dem::GripPair grips;
-    grips.lateral_blocked = grips.spin_blocked = rough;
-    grips.layers                               = cluster_grips(packing, 2, 1.5e-3);
-    return dem::load_grips(network_of(packing, 1.6, law), grips);
-  }
-} // namespace
+using namespace quasi_static_fixture;
 
 TEST_CASE("quasi-static cell: a cubic lattice follows the envelope of its links", "[dem][statics]")
 {
@@ -238,7 +140,7 @@ TEST_CASE("quasi-static path: a chain with a weak link snaps back along the clos
     }
 }
 
-TEST_CASE("relaxation of links: a chain led past its snap-back falls to the closed form's other branch",
+TEST_CASE("relaxation of links: a chain driven past its snap-back falls to the closed form's other branch",
           "[dem][statics]")
 {
   const auto         law = concrete(3);
@@ -348,7 +250,7 @@ TEST_CASE("statics: a cantilever ladder of bonded spheres deflects by its closed
     }
 }
 
-TEST_CASE("quasi-static path: work is stored or dissipated, and the peak does not hang on the steps",
+TEST_CASE("quasi-static path: work is stored or dissipated, and the peak does not depend on the steps",
           "[dem][statics][slow]")
 {
   const auto law = concrete();
@@ -481,7 +383,7 @@ TEST_CASE("quasi-static cell: dynamic strengths fall towards the static one as t
   CHECK(slowest == Approx(still).epsilon(0.01)); // finite against small strain: parts in 1e-4; the rate: what is left
 }
 
-TEST_CASE("a path of particles that are all led is that of their links", "[dem][statics]")
+TEST_CASE("a path of particles that are all driven is that of their links", "[dem][statics]")
 {
   // Two spheres, each in a grip: no motion is left to solve for.
   const dem::CpmParameters law = concrete();

@@ -58,8 +58,9 @@ namespace
   }
 }
 
-TEST_CASE("energy of a static solid: one long step dissipates what many short ones do, and its balance tells its error",
-          "[fem]")
+TEST_CASE(
+  "energy of a static solid: one long step dissipates as much as many short ones, and its balance shows its error",
+  "[fem]")
 {
   struct Case
   {

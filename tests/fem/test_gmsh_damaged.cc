@@ -179,7 +179,7 @@ TEST_CASE("Gmsh: both formats and all shapes of elements give the same body with
   std::filesystem::remove(file);
 }
 
-TEST_CASE("Gmsh: what is wrong with a mesh is said by line, element and node", "[fem][S14]")
+TEST_CASE("Gmsh: a fault of a mesh is reported by line, element and node", "[fem][S14]")
 {
   const std::string quads  = gmsh_samples::box(Elements::quadrilaterals, false);
   const std::string bricks = gmsh_samples::box(Elements::hexahedra, true);
@@ -214,7 +214,7 @@ TEST_CASE("Gmsh: what is wrong with a mesh is said by line, element and node", "
   says(replaced(bricks, "\n0.5 0.5 0.5\n", "\n0.5 0.5 0\n"), 3, "inverted or flat");
 }
 
-TEST_CASE("Gmsh: nodes at one place are refused, for the body would be cracked there without a word", "[fem][S14]")
+TEST_CASE("Gmsh: nodes at one place are refused, for the body would be cracked there unnoticed", "[fem][S14]")
 {
   // The right half hangs on nodes of its own along x = 0.5, but for the one in the middle.
   std::string text = gmsh_samples::box(Elements::quadrilaterals, false);
@@ -245,7 +245,7 @@ TEST_CASE("Gmsh: rounding of z in a plane mesh is no step out of its plane", "[f
              Catch::Contains("a plane model lies in a plane of equal z, but node 2 has z = 1e-06"));
 }
 
-TEST_CASE("Gmsh: names that stand at groups of another dimension are told as such", "[fem][S14]")
+TEST_CASE("Gmsh: names of groups of another dimension are reported as such", "[fem][S14]")
 {
   const std::string text = gmsh_samples::box(Elements::quadrilaterals, false);
   CHECK_THAT(message_of(replaced(text, "2 7 \"body\"", "1 7 \"body\""), 2),
@@ -254,7 +254,7 @@ TEST_CASE("Gmsh: names that stand at groups of another dimension are told as suc
                Catch::Contains("\"body\" of dimension 1"));
 }
 
-TEST_CASE("Gmsh: lengths of a file are in the unit that is said", "[fem]")
+TEST_CASE("Gmsh: lengths of a file are in the given unit", "[fem]")
 {
   const auto file = std::filesystem::temp_directory_path() / ("breccia_unit_" + std::to_string(getpid()) + ".msh");
   std::ofstream(file, std::ios::binary) << gmsh_samples::box(Elements::hexahedra, true);

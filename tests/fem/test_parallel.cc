@@ -166,7 +166,7 @@ TEST_CASE("ranks: concrete that yields answers as in serial", "[fem][mpi]")
   CHECK(all.at({0.5, 0.5, 0.5}, 1) == Approx(one.at({0.5, 0.5, 0.5}, 1)).epsilon(1e-6));
 }
 
-TEST_CASE("ranks: concrete that cracks, led by opening and by arc length follows the serial path", "[fem][mpi]")
+TEST_CASE("ranks: concrete that cracks, driven by opening and by arc length follows the serial path", "[fem][mpi]")
 {
   // A plate bent by its right side turning, in plane stress: cracks from the top.
   fem::Loads<2> loads;

@@ -151,7 +151,8 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("every material stores and dissipates what its stresses work, and tells it of long steps too", "[fem]")
+TEST_CASE("every material stores and dissipates the work of its stresses, and accounts for it in long steps too",
+          "[fem]")
 {
   const fem::ElementExtent element = fem::ElementExtent::uniform(0.1);
   for (const auto &kind : fem::material_kinds())

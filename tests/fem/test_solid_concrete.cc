@@ -215,7 +215,7 @@ TEST_CASE("S5: path control follows the snap-back of a bar with one damaging ele
   CHECK(follow_snap_back() < 0.01);
 }
 
-TEST_CASE("an iteration tells how far it is, down to the tolerance", "[fem]")
+TEST_CASE("an iteration reports its progress, down to the tolerance", "[fem]")
 {
   std::vector<std::pair<unsigned int, double>> told;
   fem::NewtonOptions                           newton;
@@ -263,7 +263,7 @@ TEST_CASE("relaxation: a bar that would snap back lets go to the equilibrium bey
   CHECK(energy.damped == Approx((stored - crack) * bar_data.height).epsilon(0.05));
 }
 
-TEST_CASE("arc length: every step has the length asked for, and the load that belongs to it", "[fem]")
+TEST_CASE("arc length: every step has the prescribed length, and the load that belongs to it", "[fem]")
 {
   const auto    p = material_m1();
   fem::Loads<2> loads;

@@ -95,8 +95,8 @@ def complaint(trial, answer, words):
         return ""  # a command that leaves nothing behind need not catch it
     if answer.status < 0:
         return f"ended by signal {-answer.status}"
-    if "mistake in the program" in answer.err or "terminate called" in answer.err or "Assertion" in answer.err:
-        return "a mistake in the program"
+    if "internal error" in answer.err or "terminate called" in answer.err or "Assertion" in answer.err:
+        return "an internal error"
     if answer.status not in (SUCCESS, FAILURE, BAD_INPUT, INTERRUPTED):
         return f"status {answer.status}"
     if answer.status in (FAILURE, BAD_INPUT) and "breccia" not in answer.err:

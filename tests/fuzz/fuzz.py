@@ -2,7 +2,7 @@
 """Gives the program damaged and senseless input of every kind, and holds it to its word: whatever is typed, it answers with a
 result or with a message.
 
-Nothing may end by a signal, a hang, "a mistake in the program", or with status 0 and nan, inf or nothing where a figure was asked
+Nothing may end by a signal, a hang, "internal error", or with status 0 and nan, inf or nothing where a figure was asked
 for. Every mutation follows from the seed and its number alone, so that what was found can be done again:
 
     fuzz.py build/release/apps/breccia --seed 7 --mutations 1000

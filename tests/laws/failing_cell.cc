@@ -68,7 +68,7 @@ namespace
   }
 } // namespace
 
-TEST_CASE("cells: a law that fails while states are committed is told of, by one thread and by several",
+TEST_CASE("cells: a law that fails while states are committed is reported, by one thread and by several",
           "[laws][multiscale][S14]")
 {
   for (const int threads : {1, 2})

@@ -80,7 +80,7 @@ namespace
   };
 } // namespace
 
-TEST_CASE("A run returns what its files say, and writes none unless they are asked for", "[apps]")
+TEST_CASE("A run returns what its files say, and writes none unless they are requested", "[apps]")
 {
   const ScratchFolder      folder;
   const apps::CheckedScene scene   = stack(folder);
@@ -125,7 +125,7 @@ TEST_CASE("Figures of a result have their value and unit, or the reason why ther
   CHECK_THAT(nothing.not_determined, Contains("may be passed yet"));
 }
 
-TEST_CASE("Observers are told of a run in order, with every row", "[apps]")
+TEST_CASE("Observers follow a run in order, with every row", "[apps]")
 {
   const ScratchFolder      folder;
   const apps::CheckedScene scene   = stack(folder);
@@ -205,7 +205,7 @@ TEST_CASE("A run without a folder that is stopped says so, and cannot be resumed
   CHECK_THROWS_WITH(scene.scene->run(request), Contains("without a folder"));
 }
 
-TEST_CASE("Every kind of scene returns its figures and writes nothing where no files are asked for", "[apps]")
+TEST_CASE("Every kind of scene returns its figures and writes nothing where no files are requested", "[apps]")
 {
   apps::start_mpi();
   struct Case

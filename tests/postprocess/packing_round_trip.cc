@@ -249,7 +249,7 @@ TEST_CASE("the periodic cell of a text packing is read from its comment", "[post
   REQUIRE(*packing.periodic_cell == Eigen::Vector3d(1, 2, 3.5));
 }
 
-TEST_CASE("the format of a packing is told by its content, not by its name", "[postprocess]")
+TEST_CASE("the format of a packing is recognised by its content, not by its name", "[postprocess]")
 {
   const ScratchFolder folder;
   const auto          packing = awkward_packing(5);

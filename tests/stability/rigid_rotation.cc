@@ -35,7 +35,7 @@ namespace
   }
 } // namespace
 
-TEST_CASE("cluster led through ten rigid turns stores no energy (S1)", "[stability]")
+TEST_CASE("cluster driven through ten rigid turns stores no energy (S1)", "[stability]")
 {
   omp_set_num_threads(1);
   const dem::Packing packing = cluster_of_unequal_spheres();

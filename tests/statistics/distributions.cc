@@ -64,7 +64,7 @@ TEST_CASE("distributions: ten digits of F and t as another program gives them", 
   CHECK(t_probability_beyond(4, 25) == Approx(0.0004954436705320874).epsilon(1e-10));
 }
 
-TEST_CASE("distributions: a limit is exceeded with the probability that was asked for", "[statistics]")
+TEST_CASE("distributions: a limit is exceeded with the given probability", "[statistics]")
 {
   for (const double probability : {0.1, 0.05, 0.01, 1e-6})
     for (const double degrees : {1.0, 4.0, 35.0})

@@ -86,7 +86,8 @@ TEST_CASE("Gaussian process: a curved response is predicted between its runs, an
           Approx(response[run]).margin(1e-3));
 }
 
-TEST_CASE("Gaussian process: scatter of runs is told from the surface, which is surer than a run", "[statistics]")
+TEST_CASE("Gaussian process: scatter of runs is distinguished from the surface, which is more certain than a run",
+          "[statistics]")
 {
   const Eigen::MatrixXd            points = latin_hypercube(80, 1, 9);
   std::mt19937                     stream(1);

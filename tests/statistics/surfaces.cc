@@ -270,7 +270,7 @@ TEST_CASE("surfaces: a copied run is no measure of scatter", "[statistics]")
   CHECK(surface.lack_of_fit->f == Approx(2.468).margin(5e-4));
 }
 
-TEST_CASE("surfaces: too few runs, factors that stand still and terms that cannot be told apart are refused by name",
+TEST_CASE("surfaces: too few runs, factors that stand still and terms that cannot be distinguished are refused by name",
           "[statistics]")
 {
   const PublishedTable table("concrete_strength.csv");

@@ -194,7 +194,7 @@ TEST_CASE("exact shear makes the reference cube stiffer and stronger by what the
   CHECK(chord_modulus(scaled_compression) == Approx(reference_modulus).epsilon(0.01));
 }
 
-TEST_CASE("with the default gauge length the modulus hangs on the grips' thickness by less than 2 %",
+TEST_CASE("with the default gauge length the modulus depends on the grips' thickness by less than 2 %",
           "[verification][slow]")
 {
   dem::CompactionParameters make;

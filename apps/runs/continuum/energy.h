@@ -16,7 +16,7 @@ namespace apps
 
     bool materials_keep_account = false;
 
-    /** What is missing or too much [J]. */
+    /** What is missing or too much (doc/theory/static-solver.md, 5) [J]. */
     double residual() const { return external + start - kinetic - damped - stored - dissipated - contacts; }
 
     /** The largest of all. */

@@ -11,7 +11,7 @@
 
 namespace apps
 {
-  /** Sub-section of "Gauges": one number that is measured at every sample. */
+  /** Sub-section of "Probes": one number that is measured at every sample. */
   struct GaugeSection
   {
     enum class Quantity
@@ -61,7 +61,7 @@ namespace apps
     Eigen::Vector3d about() const { return {point[0], point[1], point[2]}; }
   };
 
-  /** Section "Gauges". */
+  /** Section "Probes". */
   struct GaugesSection
   {
     std::list<GaugeSection> gauges;

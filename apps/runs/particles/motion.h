@@ -52,7 +52,7 @@ namespace apps
     void check(const base::EntryPath &root, const dem::Physics &physics, const GroupNames &names) const;
   };
 
-  /** Holds and moves the groups of a specimen as a scene prescribes. The specimen must outlive it. */
+  /** Holds and moves the groups of a specimen as a scene prescribes (doc/theory/integration.md, 5). The specimen must outlive it. */
   class PrescribedMotion
   {
   public:

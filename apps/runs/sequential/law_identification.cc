@@ -217,7 +217,7 @@ namespace apps
     static dem::SpecimenParameters specimen_parameters(const ParticleEventSection &event)
     {
       dem::SpecimenParameters p = event.specimen_parameters();
-      p.loose                   = 0; // no striker
+      p.loose                   = 0; // no impactor
       return p;
     }
 

@@ -15,7 +15,7 @@ namespace apps
   {
     std::string         name;              ///< "strain -1.7e-3", "2 m/s", the file
     double              severity      = 0; ///< strain [-], energy of the blow [J], or the number of the file
-    double              absorbed      = 0; ///< by the beam from the striker [J]
+    double              absorbed      = 0; ///< by the beam from the impactor [J]
     double              stress        = 0; ///< between the grips at the hand-over [Pa]
     double              seconds       = 0; ///< wall clock
     double              balance_error = 0;

@@ -12,14 +12,14 @@
 
 namespace apps
 {
-  /** Sub-section of "Gauges": the mean displacement of a group of particles, or that against another group. */
+  /** Sub-section of "Probes": the mean displacement of a group of particles, or that against another group. */
   struct DisplacementGauge
   {
     std::string name, group = GroupNames::all, other;
     int         axis = 0;
   };
 
-  /** Section "Gauges" of a structure. */
+  /** Section "Probes" of a structure. */
   struct DisplacementGaugesSection
   {
     std::list<DisplacementGauge> gauges;

@@ -26,7 +26,7 @@ namespace coupling::bodies
   };
 
   /**
-   * Deformable bodies as the contact between them sees them: simplices that fill a layer under their surfaces, whose vertices somebody
+   * Deformable bodies as contact sees them: simplices that fill a layer under their surfaces, whose vertices somebody
    * else moves. `depth` is zero on the surface and grows inwards; within a simplex it is linear.
    */
   struct BodyMesh

@@ -5,7 +5,7 @@
 
 namespace coupling::bodies
 {
-  /** What an overlap of two simplices does. */
+  /** What an overlap of two simplices does (doc/theory/body-contact.md, 3). */
   struct OverlapForce
   {
     std::array<std::array<Eigen::Vector3d, 4>, 2> force;  ///< on the corners of either [N]

@@ -13,12 +13,12 @@ namespace fem
     using RowVoigt = Eigen::Matrix<double, 1, 6>;
 
     constexpr double nearly_damaged = 1 - 1e-6; // stands for full damage in an initial state
-    constexpr int    finest         = 64;       // times the number of parts asked for
+    constexpr int    finest         = 64;       // times the requested number of parts
     constexpr double flat           = 1e-6;     // extent over size of an element across its plane
     // Beyond it nothing is left of a point but rounding, and a solver that may go there takes an absurd equilibrium for one.
     constexpr double largest_strain = 10;
 
-    /// Ductility of softening x_s from the ratio of negative to total plastic volume, and its slope.
+    /// Ductility of softening x_s from the ratio R_s of negative to total plastic volume, and its slope; doc/theory/damage-plastic-concrete.md, 3.
     std::pair<double, double> softening_ductility(const double a_s, const double ratio)
     {
       if (ratio < 1)

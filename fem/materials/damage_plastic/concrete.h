@@ -99,7 +99,7 @@ namespace fem
 
     UniaxialStrengths uniaxial_strengths() const { return {p.tensile_strength, p.compressive_strength}; }
 
-    // What solve_mixed() asks.
+    // Used by solve_mixed().
     double        strain_scale() const { return p.tensile_strength / p.young_modulus; }
     Increments    increments() const { return p.largest_increment > 0 ? Increments::followed : Increments::whole; }
     static double damage_of(const State &s) { return s.damage; }

@@ -4,7 +4,7 @@
 
 namespace fem
 {
-  /// Damage with element-size regularisation: 1 - omega = g((h/w_f)(kappa_D + omega f_t/E)), g(y) = exp(-y) unless another is given.
+  /// Damage regularised by element size: 1 - omega = g((h/w_f)(kappa_D + omega f_t/E)); doc/theory/damage-plastic-concrete.md, 3.
   class DamageLaw
   {
   public:

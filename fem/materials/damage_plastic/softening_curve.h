@@ -3,7 +3,7 @@
 namespace fem
 {
   /**
-   * Strength left over opening: g(y) = (1 - r) exp(-y^n) + r exp(-y/b), y in units of w_f.
+   * Strength left over opening: g(y) = (1 - r) exp(-y^n) + r exp(-y/b), y in units of w_f (doc/theory/late-transfers.md, 3).
    *
    * n = 1, r = 0 is the exponential of Grassl and Jirasek (2006). Crushed concrete loses its strength slowly at first, then fast, and
    * what friction holds much later: n about 2 and a residual share.

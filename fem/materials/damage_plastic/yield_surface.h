@@ -34,7 +34,7 @@ namespace fem
     double x, y, xx, xy, yy, xq, yq;
   };
 
-  /// Yield surface, plastic potential and hardening of Grassl and Jirasek (2006), in stresses over f_c.
+  /// Yield surface, plastic potential and hardening of Grassl and Jirasek (2006), over f_c; doc/theory/damage-plastic-concrete.md, 2.
   class YieldSurface
   {
   public:
