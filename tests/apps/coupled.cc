@@ -318,7 +318,7 @@ TEST_CASE("What is glued to a face hangs from it until the strength of the glue,
   CHECK_THAT(nobody.err, Contains("block: no particle is within 1e-06 m"));
 }
 
-TEST_CASE("A coupled run is the same to the last bit with any number of threads", "[apps][coupled]")
+TEST_CASE("A coupled run is the same to the last bit with any number of threads", "[apps][coupled][slow]")
 {
   const ScratchFolder folder;
   folder.file("x.prm", collision);
@@ -492,7 +492,7 @@ TEST_CASE("Glue that breaks while it is pressed leaves energy that nobody put in
   CHECK(outcome_of(folder, "run", "x.prm", holds).status == 0);
 }
 
-TEST_CASE("Sub-cycling is forecast, held to what it may lose, and said", "[apps][coupled]")
+TEST_CASE("Sub-cycling is forecast, held to what it may lose, and said", "[apps][coupled][slow]")
 {
   const ScratchFolder folder;
   folder.file("x.prm", collision);
