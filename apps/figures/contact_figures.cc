@@ -53,10 +53,10 @@ namespace apps
       figures["peak_force"].update({{"area_of_contact", patch}, {"face_of_element", face}, {"unit_of_areas", "m^2"}});
   }
 
-  std::string ContactFigures::text() const
+  std::string ContactFigures::text(const std::string &between) const
   {
-    return fmt::format("contact      first at {:.6g} s, last at {:.6g} s, at most {:.6g} N\n", first_touch, last_touch,
-                       peak_force);
+    return fmt::format("contact      of {}: first at {:.6g} s, last at {:.6g} s, at most {:.6g} N\n", between,
+                       first_touch, last_touch, peak_force);
   }
 
   void ContactFigures::visit_state(base::StateVisitor &visitor)

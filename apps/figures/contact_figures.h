@@ -30,8 +30,9 @@ namespace apps
     /** What casts doubt on the figures: less than four faces of elements touch where the force is largest; "": nothing. */
     std::string doubt() const;
     /** peak_force, contact_time and first_contact, beside what is known of them. @pre touched() */
-    void        put_into(nlohmann::json &figures, const ReferencesSection &known) const;
-    std::string text() const; ///< @pre touched()
+    void put_into(nlohmann::json &figures, const ReferencesSection &known) const;
+    /** @param between "bodies", say @pre touched() */
+    std::string text(const std::string &between) const;
     void        visit_state(base::StateVisitor &visitor);
   };
 } // namespace apps

@@ -150,7 +150,7 @@ namespace
 
 TEST_CASE(
   "bench conservation: one way of coupling of each kind keeps both momenta, and energy the better the smaller the step",
-  "[apps]")
+  "[apps][slow]")
 {
   const ScratchFolder folder;
   const Outcome       outcome = run(folder.path(), {"bench", "conservation", "--quick", "-o", "bench"});

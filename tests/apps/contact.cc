@@ -238,7 +238,7 @@ TEST_CASE("An interrupted or killed run with contact goes on to the same bits", 
     {SIGINT, SIGKILL});
 }
 
-TEST_CASE("A patch of contact smaller than the faces of elements is reported, with both areas", "[apps][contact]")
+TEST_CASE("A patch of contact smaller than the faces of elements is reported, with both areas", "[apps][contact][slow]")
 {
   const ScratchFolder folder;
   const std::string   balls = "Mesh/Balls/";

@@ -194,7 +194,7 @@ TEST_CASE("What is glued to a face hangs from it until the strength of the glue,
   CHECK_THAT(nobody.err, Contains("block: no particle is within 1e-06 m"));
 }
 
-TEST_CASE("A coupled run is the same to the last bit with any number of threads", "[apps][coupled]")
+TEST_CASE("A coupled run is the same to the last bit with any number of threads", "[apps][coupled][slow]")
 {
   const ScratchFolder folder;
   folder.file("x.prm", collision);

@@ -113,7 +113,7 @@ TEST_CASE("Glue that breaks while it is pressed leaves spurious energy, and the 
   CHECK(outcome_of(folder, "run", "x.prm", holds).status == 0);
 }
 
-TEST_CASE("Sub-cycling is forecast, held to the energy that it may lose, and reported", "[apps][coupled]")
+TEST_CASE("Sub-cycling is forecast, held to the energy that it may lose, and reported", "[apps][coupled][slow]")
 {
   const ScratchFolder folder;
   folder.file("x.prm", collision);

@@ -103,7 +103,8 @@ end
   }
 } // namespace
 
-TEST_CASE("A row of bonded discs that is run under a tip force deflects as its bonds in a row (T7)", "[apps][laws]")
+TEST_CASE("A row of bonded discs that is run under a tip force deflects as its bonds in a row (T7)",
+          "[apps][laws][slow]")
 {
   const double force = 1, n = bonds_of_row, shear = modulus / 2.5, bending = modulus / (2 * R) * second;
   const double deflection = force * n / shear + force * 4 * R * R * n * (4 * n * n - 1) / (12 * bending);

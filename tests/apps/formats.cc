@@ -192,7 +192,7 @@ TEST_CASE("The ParaView macro names only arrays that are declared, and all that 
   CHECK(!std::regex_search(macro, literal));
 }
 
-TEST_CASE("A run lists the files that it left, and no picture that could not be drawn", "[apps]")
+TEST_CASE("A run lists the files that it left, and no picture that could not be drawn", "[apps][slow]")
 {
   const ScratchFolder folder;
   folder.file("packing.txt", pair_packing());

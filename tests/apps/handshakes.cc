@@ -35,7 +35,7 @@ namespace
 } // namespace
 
 TEST_CASE("A beam with a core of particles: the published example's particles, elements, momentum and energy",
-          "[apps][coupled][volume]")
+          "[apps][coupled][volume][slow]")
 {
   const ScratchFolder folder;
   const std::string   scene = shipped("beam_with_core.prm");
@@ -82,7 +82,7 @@ TEST_CASE("bench volume goes on with the notched beam on request", "[apps][volum
 }
 
 TEST_CASE("Slaved particles need an overlap no wider than bonds reach, however large the elements",
-          "[apps][coupled][volume]")
+          "[apps][coupled][volume][slow]")
 {
   const ScratchFolder folder;
   const Results       found =
@@ -213,7 +213,7 @@ namespace
 } // namespace
 
 TEST_CASE("A handshake that gains or loses more energy than is allowed stops the run, with advice",
-          "[apps][coupled][volume]")
+          "[apps][coupled][volume][slow]")
 {
   const ScratchFolder folder;
   folder.file("x.prm", bar_with_a_pulse(folder));

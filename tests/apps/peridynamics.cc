@@ -265,7 +265,7 @@ TEST_CASE("An interface breaks at its own critical stretch in a scene of two mat
   CHECK(held.summary["figures"]["lattice_of"]["other"]["neighbours"] == 6);
 }
 
-TEST_CASE("A peridynamic run that was stopped goes on to the same bits, fracture included", "[apps]")
+TEST_CASE("A peridynamic run that was stopped goes on to the same bits, fracture included", "[apps][slow]")
 {
   const std::vector<std::string> coarse = {"Grid/Spacing=0.001", "Analysis/End time=3e-5"};
   goes_on("branching", coarse, 40);

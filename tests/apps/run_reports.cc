@@ -1,4 +1,5 @@
 // What reports of runs are made of: figures of a series, balance, materials, laboratory notes.
+#include "apps/figures/contact_figures.h"
 #include "apps/figures/energy_terms.h"
 #include "apps/figures/lab_report.h"
 #include "apps/figures/series_figures.h"
@@ -139,4 +140,13 @@ TEST_CASE("Every summary begins with its scene, its kind and the changes as they
   CHECK(head["scene"] == "x.prm");
   CHECK(head["asked"] == nlohmann::json({{"kind", "particles"}, {"overrides", {"Time/End time=1"}}}));
   CHECK_FALSE(head["version"].get<std::string>().empty());
+}
+
+TEST_CASE("The contact that a run tells of is said to be that of bodies, or of particles with the solid", "[apps]")
+{
+  apps::ContactFigures contact;
+  contact.note(1e-3, 5);
+  contact.note(3e-3, 4);
+  CHECK(contact.text("particles with the solid") ==
+        "contact      of particles with the solid: first at 0.001 s, last at 0.003 s, at most 5 N\n");
 }

@@ -328,6 +328,14 @@ TEST_CASE("spreading: balls that hit a flat face off its elements' middles keep 
       CHECK(coarse.made < 2e-4);
       CHECK(fine.most < 0.5 * coarse.most);
     }
+  // What is lost in one impact hangs on when within a step it begins: the order is that of a mean over heights.
+  double lost[2] = {0, 0};
+  for (const double higher : {0.0, 0.7e-6, 1.9e-6, 3.1e-6, 4.3e-6, 5.9e-6})
+    for (const bool fine : {false, true})
+      lost[fine] += lost_in({8, {{0.012, 0.041, 0.1201 + higher}}, fine ? 0.125 : 0.5}).most;
+  const double order = std::log(lost[0] / lost[1]) / std::log(4.0);
+  INFO(lost[0] << ", " << lost[1] << ", order " << order);
+  CHECK(order > 1.8);
 }
 
 TEST_CASE("spreading: what contacts at points lose in a dent is in their account, to a hundredth of it",

@@ -175,6 +175,25 @@ namespace
   }
 }
 
+TEST_CASE("each iteration towards equilibrium is told, with its unbalanced force over the tolerance", "[fem]")
+{
+  WeakBar                                      bar_data(6, 0);
+  std::vector<std::pair<unsigned int, double>> told;
+  fem::NewtonOptions                           newton;
+  newton.told = [&](const unsigned int iteration, const double over) { told.emplace_back(iteration, over); };
+  fem::StaticSolver<2> solver(bar_data.solid, newton);
+  // Pressed to half its strength, where concrete yields, in one step.
+  const fem::StepReport step = solver.advance_to(-6e-4 * bar_data.length);
+  REQUIRE(step.converged);
+  REQUIRE(step.iterations > 1);
+  REQUIRE(told.size() >= step.iterations);
+  for (std::size_t i = 0; i < told.size(); ++i)
+    CHECK(told[i].first == i + 1);
+  CHECK(told.front().second > 1);
+  CHECK(told.back().second <= 1);
+  CHECK(told.back().second == Approx(step.residual / newton.tolerance));
+}
+
 TEST_CASE("concrete bar: the work of separation does not depend on the mesh", "[fem][slow]")
 {
   const double fracture_energy = 0.99 * 3e6 * 3e-4;

@@ -5,7 +5,9 @@
 #   commands_test.sh ROOT PROGRAM SCRATCH [PAGE]...
 #
 # A block after the line <!-- takes long --> is looked at instead of run: `check` in place of `run`, `transfer` and `study`, `--help` in place of
-# what a benchmark does. `./breccia test` would run this test again, and is passed over.
+# what a benchmark does. After <!-- shortened by WORDS --> it is run, with these words added to each `run` and `calibrate` of it. `check` of a
+# shipped scene as it is, is left to "apps: Every scene that is shipped is valid and can be set up". `./breccia test` would run this test
+# again, and is passed over.
 set -euo pipefail
 
 root=$1 program=$2 scratch=$3
@@ -32,10 +34,20 @@ set -euo pipefail
 program='$program'
 EOS
   cat >>"$1" <<'EOS'
+timed()
+{
+  local started=$SECONDS
+  if [[ $1 == check && $# == 2 && $2 =~ ^apps/scenes/[^/]+\.prm$ && -f $2 ]]; then
+    exit 0
+  fi
+  "$program" "$@" || exit
+  printf '%5d s  %s\n' $((SECONDS - started)) "$*" >>"$TIMES"
+  exit 0
+}
 if [[ $1 == test ]]; then
   exit 0
 elif [[ ${TAKES_LONG:-} == yes && $1 == bench ]]; then
-  exec "$program" "$@" --help
+  timed "$@" --help
 elif [[ ${TAKES_LONG:-} == yes && ($1 == run || $1 == transfer || $1 == study) ]]; then
   kept=()
   shift
@@ -47,23 +59,27 @@ elif [[ ${TAKES_LONG:-} == yes && ($1 == run || $1 == transfer || $1 == study) ]
     esac
     shift
   done
-  exec "$program" check "${kept[@]}"
+  timed check "${kept[@]}"
+elif [[ -n $SHORTENED && ($1 == run || $1 == calibrate) ]]; then
+  eval "words=($SHORTENED)"
+  timed "$@" "${words[@]}"
 fi
-exec "$program" "$@"
+timed "$@"
 EOS
   chmod +x "$1"
 }
 
-# blocks PAGE FOLDER: writes block_NN.sh, first line "# short" or "# long", and stray lines to FOLDER/stray
+# blocks PAGE FOLDER: writes block_NN.sh, first line "# short", "# long" or "# shortened by WORDS", and stray lines to FOLDER/stray
 blocks()
 {
   awk -v folder="$2" '
-    /^<!-- takes long -->$/ { long = 1; next }
-    /^```sh$/ && !inside { inside = 1; file = sprintf("%s/block_%02d.sh", folder, ++n); print "# " (long ? "long" : "short") > file; next }
-    /^```/ { inside = 0; long = 0; next }
+    /^<!-- takes long -->$/ { how = "long"; next }
+    /^<!-- shortened by .* -->$/ { how = substr($0, 6, length($0) - 9); next }
+    /^```sh$/ && !inside { inside = 1; file = sprintf("%s/block_%02d.sh", folder, ++n); print "# " (how ? how : "short") > file; next }
+    /^```/ { inside = 0; how = ""; next }
     inside { print > file; next }
     /^ *\.\/breccia / { print FNR ": " $0 > (folder "/stray") }
-    NF { long = 0 }' "$1"
+    NF { how = "" }' "$1"
 }
 
 for page in "${pages[@]}"; do
@@ -77,10 +93,13 @@ for page in "${pages[@]}"; do
     if [[ ! -f $block ]] || ! grep -q '\./breccia' "$block"; then
       continue
     fi
-    long=no
-    [[ $(head -n 1 "$block") == '# short' ]] || long=yes
+    long=no words=
+    case $(head -n 1 "$block") in
+      '# long') long=yes ;;
+      '# shortened by '*) words=$(head -n 1 "$block" | sed 's/^# shortened by //') ;;
+    esac
     started=$SECONDS
-    if (cd "$folder" && TAKES_LONG=$long bash -euo pipefail "$block") >"$block.log" 2>&1; then
+    if (cd "$folder" && TAKES_LONG=$long SHORTENED=$words TIMES=$scratch/times.txt bash -euo pipefail "$block") >"$block.log" 2>&1; then
       printf 'ok    %4d s  %s %s\n' $((SECONDS - started)) "$(basename "$page")" "$(grep -m 1 '\./breccia' "$block")"
     else
       fault "$page: this block fails:"
@@ -89,4 +108,6 @@ for page in "${pages[@]}"; do
     fi
   done
 done
+printf 'The commands that took longest, of %d s:\n' "$SECONDS"
+sort -rn "$scratch/times.txt" | head -n 15 || true
 ((faults == 0))

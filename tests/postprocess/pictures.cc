@@ -86,10 +86,11 @@ TEST_CASE("a logarithmic axis ends where its points do", "[postprocess]")
   CHECK(plot(folder.path / "a.png", {panel}).empty());
 }
 
-TEST_CASE("a curve that ends at its largest value has no peak", "[postprocess]")
+TEST_CASE("a curve that begins or ends at its largest value has no peak", "[postprocess]")
 {
   CHECK_THAT(peak_words({1, 2, 3}, {1, 4, 2}, 1), Contains("peak 4 at 2"));
   CHECK_THAT(peak_words({1, 2, 3}, {1, 2, 4}, 2), Contains("largest 4 at 3"));
+  CHECK_THAT(peak_words({1, 2, 3}, {4, 2, 3}, 0), Contains("largest 4 at 1"));
 }
 
 TEST_CASE("panels stand side by side, three in a row", "[postprocess]")

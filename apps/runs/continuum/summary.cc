@@ -136,7 +136,7 @@ namespace apps
         fmt::format("{:<40} {:.6g} {}{}\n", name, figure["value"].get<double>(), figure["unit"].get<std::string>(),
                     figure.contains("at") ? " at " + text_of(figure["at"].get<std::array<double, 3>>()) : "");
     if (contact && contact->touched())
-      text += contact->text();
+      text += contact->text("bodies");
     for (const std::string &note : notes)
       text += fmt::format("note         {}\n", note);
     for (const std::string &warning : warnings())

@@ -133,7 +133,7 @@ namespace apps
     if (const std::string mismatch = body.text_of_mismatch(); !mismatch.empty())
       text += fmt::format("{:<12} {}\n", "medium", mismatch);
     if (body.interface().touched())
-      text += body.interface().text();
+      text += body.interface().text("particles with the solid");
     if (model.laboratory.given())
       text += text_of(notes());
     if (model.particles.bonded())
