@@ -5,6 +5,7 @@
 #include "apps/drivers/coupled/scene.h"
 #include "apps/drivers/homogenisation/scene.h"
 #include "apps/drivers/particles/scene.h"
+#include "apps/drivers/peridynamic_core/scene.h"
 #include "apps/drivers/peridynamics/scene.h"
 #include "apps/drivers/quasi_static/scene.h"
 #include "apps/drivers/sequential/scene.h"
@@ -38,6 +39,8 @@ namespace apps
          make<HomogenisationScene>},
         {"particles", "specimens and loose particles, bonded or not, moved and thrown by formula",
          make<ParticlesScene>},
+        {"peridynamic_core", "a solid of finite elements with a core of bonds over a horizon, in motion",
+         make<PeridynamicCoreScene>},
         {"peridynamics", "a rod, plate or block of bonds over a horizon, at rest or in motion, that may break",
          make<PeridynamicsScene>},
         {"quasi_static", "a bonded-particle specimen or periodic cell pulled and crushed without inertia",

@@ -47,9 +47,7 @@ namespace apps
              Need::optional)
       .means(
         "static: equilibria by sparse factors; relaxation: by adaptive dynamic relaxation; motion: explicit, in time");
-    s.choice("Kinematics", kinematics, {{"linear", pd::Kinematics::linear}, {"nonlinear", pd::Kinematics::nonlinear}},
-             Need::optional)
-      .means("nonlinear: stretch and direction of the deformed bonds, and tractions that turn with the body's nodes");
+    declare_kinematics(s);
     s.choice("Solver", solver, {{"direct", pd::Solver::direct}, {"iterative", pd::Solver::iterative}}, Need::optional)
       .means("Of static: a sparse Cholesky factor, or conjugate gradients alone, which need less memory");
     s.integer("Load increments", increments, "", Range::between(1, 1e6), Need::optional)
@@ -71,16 +69,35 @@ namespace apps
       .means("Steps of the relaxation at most from one state at rest to the next");
     s.integer("Steps per row", row_interval, "", Range::between(1, 1e9), Need::optional)
       .means("Steps of the relaxation from one row of series.csv to the next");
-    const auto moves = [this] { return method == Method::motion; };
     s.number("End time", end_time, "s", Range::positive(), Need::required)
-      .only_if(moves, "Method is motion")
+      .only_if([this] { return !quiet(); }, "Method is motion")
       .means("Of the motion");
+    declare_steps(s);
+    s.find_entry("Repulsion")->only_if([this] { return !quiet(); }, "Method is motion");
+  }
+
+  void PeridynamicAnalysisSection::declare_kinematics(Section &s)
+  {
+    s.choice("Kinematics", kinematics, {{"linear", pd::Kinematics::linear}, {"nonlinear", pd::Kinematics::nonlinear}},
+             Need::optional)
+      .means("nonlinear: stretch and direction of the deformed bonds, and tractions that turn with the body's nodes");
+  }
+
+  void PeridynamicAnalysisSection::declare_steps(Section &s)
+  {
     s.number("Step factor", step_factor, "-", Range::between(1e-6, 1), Need::optional)
       .means("Of the stable step of the undamaged body, which Gershgorin's bound gives");
     s.number("Repulsion", repulsion, "-", Range::at_least(0), Need::optional)
-      .only_if(moves, "Method is motion")
       .means("Of nodes that no bond joins any more and that come nearer than a spacing, in bond constants; 15 is "
              "usual, and shortens the stable step; 0: fragments pass through each other");
+  }
+
+  void PeridynamicAnalysisSection::declare_as_part(Section &root)
+  {
+    method     = Method::motion;
+    Section &s = root.section("Analysis", "How the body moves");
+    declare_kinematics(s);
+    declare_steps(s);
   }
 
   void PeridynamicsModel::declare_body(Section &root)
@@ -150,6 +167,15 @@ namespace apps
     declare_components(start, "", velocity, "m/s", "Empty: at rest");
     analysis.declare(root);
     output.declare(root);
+  }
+
+  void PeridynamicsModel::declare_as_part(Section &root)
+  {
+    declare_body(root);
+    materials.declare(root);
+    declare_defects(root);
+    loads.declare(root);
+    analysis.declare_as_part(root);
   }
 
   int PeridynamicsModel::dimension() const { return static_cast<int>(numbers_between_commas(size).size()); }

@@ -68,7 +68,13 @@ namespace apps
     double       repulsion = 0; ///< in bond constants; 0: none
 
     void declare(Section &root);
+    /** Of a body that moves together with something else. */
+    void declare_as_part(Section &root);
     bool quiet() const { return method != Method::motion; }
+
+  private:
+    void declare_kinematics(Section &section);
+    void declare_steps(Section &section);
   };
 
   /** Everything that a scene of kind "peridynamics" says. */
@@ -90,6 +96,8 @@ namespace apps
     OutputSection               output;
 
     void declare(Section &root);
+    /** The sections of a body that moves together with something else: the scene says where that ends, what is written, and how fast it is at the start. */
+    void declare_as_part(Section &root);
     /** @throws base::InputError */
     void check(const base::EntryPath &root) const;
 
