@@ -25,12 +25,11 @@ namespace apps
     {
       using W = pd::TractionWeight;
       std::vector<PeridynamicPlate> all;
-      const auto                    add = [&](PeridynamicPlate plate, const std::string &name) {
+      const auto                    add = [&](PeridynamicPlate plate, const std::string &name, const int finest = 200) {
         plate.study = "delta";
         plate.name  = name;
-        for (const int cells : {50, 100, 200})
-          if (plate.cells = cells; !quick || cells == 50)
-            all.push_back(plate);
+        for (plate.cells = 50; plate.cells <= (quick ? 50 : finest); plate.cells *= 2)
+          all.push_back(plate);
       };
       PeridynamicPlate plate;
       add(plate, "cells");
@@ -47,6 +46,8 @@ namespace apps
           plate.weight      = weight;
           add(plate, weight == W::paper ? "cells, partial, axis" : "cells, partial, axis, consistent");
         }
+      plate.corrected = true;
+      add(plate, "cells, partial, axis, consistent, surface", 400);
       plate           = {};
       plate.corrected = true;
       add(plate, "cells, surface correction");

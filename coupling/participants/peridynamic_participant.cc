@@ -184,6 +184,16 @@ namespace coupling
     return (all.held[place(carrier)] >> axis & 1) != 0;
   }
 
+  Vector3d PeridynamicParticipant::force_on_held() const
+  {
+    Vector3d sum = Vector3d::Zero();
+    for (const std::size_t i : body.grid().nodes())
+      for (int c = 0; c < 3; ++c)
+        if ((own.held[i] >> c & 1) != 0)
+          sum[c] += moving->pushes().at(i)[c];
+    return sum;
+  }
+
   void PeridynamicParticipant::visit_state(base::StateVisitor &visitor)
   {
     body.visit_state(visitor);

@@ -53,6 +53,9 @@ namespace coupling
     /** Whether its motion is prescribed along an axis. */
     bool is_held(std::size_t carrier, int axis) const;
 
+    /** Sum of what moves the body where its own loads prescribe how [N]. */
+    Eigen::Vector3d force_on_held() const;
+
     const dem::peridynamics::Motion &motion() const { return *moving; }
     const dem::peridynamics::Bonds  &bonds() const { return body; }
 

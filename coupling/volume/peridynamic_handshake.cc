@@ -18,8 +18,7 @@ namespace coupling
       {
         const Vector3d x = grid.position(i);
         if (parameters.overlap.distance(x) > parameters.overlap.width * (1 + 1e-9))
-          throw base::InputError("Handshakes/" + parameters.name + ": the peridynamic node " +
-                                 std::to_string(grid.number(i) + 1) +
+          throw base::InputError(parameters.name + ": the peridynamic node " + std::to_string(grid.number(i) + 1) +
                                  " lies beyond the overlap. Let the peridynamic body end with it.");
         part[i] = parameters.overlap.of_particles(x);
       }
@@ -53,12 +52,12 @@ namespace coupling
         if (!own.overlap.contains(x))
           continue;
         if (!node_map.enter(x))
-          throw base::InputError("Handshakes/" + own.name + ": the peridynamic node " + std::to_string(n + 1) +
+          throw base::InputError(own.name + ": the peridynamic node " + std::to_string(n + 1) +
                                  " lies in the overlap, but not in the solid. Let the mesh reach through the overlap.");
         carriers.push_back(n);
       }
     if (carriers.empty())
-      throw base::InputError("Handshakes/" + own.name + ": no peridynamic node lies in the overlap.");
+      throw base::InputError(own.name + ": no peridynamic node lies in the overlap.");
     weights = weights_of(node_map.take(), carriers.size(), node_map.nodes().size());
   }
 
@@ -92,6 +91,25 @@ namespace coupling
   }
 
   template <int dim>
+  void PeridynamicHandshake<dim>::keep_account(const CarrierRows    &of_core,
+                                               const CarrierRows    &of_solid,
+                                               const CarrierChanges &change)
+  {
+    const CarrierRows to_core  = core_mass.cwiseProduct(change.particles),
+                      to_solid = solid_mass.cwiseProduct(change.nodes);
+    given_to_core += to_core.colwise().sum().transpose();
+    given_to_solid += to_solid.colwise().sum().transpose();
+    // Work is done on the mean of the velocities half a step before and after, as in the accounts of both sides.
+    for (Index k = 0; k < of_core.rows(); ++k)
+      done_on_core += 0.5 * to_core.row(k).dot(of_core.row(k) + change.particles.row(k) +
+                                               core.velocity(carriers[static_cast<std::size_t>(k)]).transpose());
+    for (Index k = 0; k < of_solid.rows(); ++k)
+      done_on_solid +=
+        0.5 * to_solid.row(k).dot(of_solid.row(k) + change.nodes.row(k) +
+                                  around.velocity(node_map.nodes()[static_cast<std::size_t>(k)]).transpose());
+  }
+
+  template <int dim>
   void PeridynamicHandshake<dim>::advance(const double step)
   {
     motion.predict(step, predicted);
@@ -103,12 +121,11 @@ namespace coupling
         of_solid(k, c) =
           predicted[around.displacements(node_map.nodes()[static_cast<std::size_t>(k)])[static_cast<std::size_t>(c)]];
     const CarrierChanges change = multipliers->changes(of_core, of_solid);
+    keep_account(of_core, of_solid, change);
     for (Index k = 0; k < of_core.rows(); ++k)
       core.apply_impulse(carriers[static_cast<std::size_t>(k)], change.particles.row(k).transpose());
     for (Index k = 0; k < of_solid.rows(); ++k)
       around.apply_impulse(node_map.nodes()[static_cast<std::size_t>(k)], change.nodes.row(k).transpose());
-    given_to_core += core_mass.cwiseProduct(change.particles).colwise().sum().transpose();
-    given_to_solid += solid_mass.cwiseProduct(change.nodes).colwise().sum().transpose();
     CarrierRows between = of_core + change.particles - weights * (of_solid + change.nodes);
     if (own.compatibility == Compatibility::coarse) // the mean around each node
       {
@@ -132,6 +149,8 @@ namespace coupling
     visitor.column("given", given);
     given_to_core  = Eigen::Map<Vector3d>(given.data());
     given_to_solid = Eigen::Map<Vector3d>(given.data() + 3);
+    visitor.scalar("work_on_core", done_on_core);
+    visitor.scalar("work_on_solid", done_on_solid);
   }
 
   template class PeridynamicHandshake<2>;

@@ -43,8 +43,10 @@ namespace coupling
     /** A step of both, no longer than the stable one [s]. */
     void advance(double step);
 
-    const Eigen::Vector3d &to_core() const { return given_to_core; }   ///< momentum [N s]
-    const Eigen::Vector3d &to_solid() const { return given_to_solid; } ///< likewise
+    const Eigen::Vector3d &to_core() const { return given_to_core; }     ///< momentum [N s]
+    const Eigen::Vector3d &to_solid() const { return given_to_solid; }   ///< likewise
+    double                 work_on_core() const { return done_on_core; } ///< of what keeps both together [J]
+    double work_on_solid() const { return done_on_solid; } ///< likewise; both add up to nothing but rounding
     /** Largest velocity between both, as multipliers leave it: of the mean around a node, or at a node of the core [m/s]. */
     double apart() const { return left_apart; }
 
@@ -53,6 +55,8 @@ namespace coupling
   private:
     void find_nodes();
     void weigh();
+    /** @param of_core, of_solid velocities after the step, before what is changed */
+    void keep_account(const CarrierRows &of_core, const CarrierRows &of_solid, const CarrierChanges &change);
 
     PeridynamicParticipant    &core;
     const fem::Solid<dim>     &solid;
@@ -66,6 +70,6 @@ namespace coupling
     fem::Vector                predicted;
     CarrierRows                core_mass, solid_mass;
     Eigen::Vector3d            given_to_core = Eigen::Vector3d::Zero(), given_to_solid = Eigen::Vector3d::Zero();
-    double                     left_apart = 0;
+    double                     left_apart = 0, done_on_core = 0, done_on_solid = 0;
   };
 } // namespace coupling

@@ -57,6 +57,16 @@ namespace dem::peridynamics
             sum += f.c[c][i] * f.c[c][i];
       return std::sqrt(sum);
     }
+    /** No equilibrium was found though every piece is held. @throws base::NumericalError of a body whose bonds are whole */
+    void refuse_mechanism(const Bonds &bonds, const double at, Equilibrium::State &state)
+    {
+      if (bonds.broken() == 0)
+        throw base::NumericalError("peridynamics: no equilibrium at the load factor " + base::number_text(at) +
+                                   ", the residual stays at " + base::number_text(state.residual) +
+                                   ": the body is a mechanism, or not stable. Enlarge the horizon, hold more of it, or "
+                                   "load it in smaller increments.");
+      state.loose = state.mechanism = true;
+    }
   } // namespace
 
   Equilibrium::State
@@ -77,6 +87,7 @@ namespace dem::peridynamics
         return state;
       }
     loads.displacements(at, u);
+    bool found = true;
     for (;; ++state.solutions)
       {
         if (turns)
@@ -94,17 +105,12 @@ namespace dem::peridynamics
         state.residual     = scale > 0 ? left / scale : 0;
         if (left <= tolerance * scale)
           return state;
-        if (state.solutions == most || !std::isfinite(left))
-          throw base::NumericalError("peridynamics: no equilibrium at the load factor " + base::number_text(at) +
-                                     ", the residual stays at " + base::number_text(state.residual) + ".");
-        if (turns || state.solutions == 0)
-          stiffness.assemble(bonds, kinematics, rigid.held, u);
-        if (!stiffness.solve(rest, std::max(0.1 * tolerance, 1e-13), step))
+        const bool lost = state.solutions == most || !std::isfinite(left);
+        if (!lost && (turns || state.solutions == 0))
+          found = stiffness.assemble(bonds, kinematics, rigid.held, u);
+        if (lost || !found || !stiffness.solve(rest, std::max(0.1 * tolerance, 1e-13), step))
           {
-            if (bonds.broken() == 0)
-              throw base::NumericalError("peridynamics: the equations have no solution: the body is a mechanism. "
-                                         "Enlarge the horizon, or hold more of it.");
-            state.loose = true;
+            refuse_mechanism(bonds, at, state);
             return state;
           }
         for (std::size_t c = 0; c < 3; ++c)

@@ -35,15 +35,16 @@ namespace dem::peridynamics
     {
       int    solutions = 0;
       double residual  = 0; ///< force out of balance over the loads or reactions [-]
-      bool   loose =
-        false; ///< a piece that nothing holds, or a mechanism of nearly broken nodes, carries a load: there is no equilibrium
+      bool loose = false; ///< a piece that nothing holds carries a load, or it is a mechanism: there is no equilibrium
+      bool mechanism =
+        false; ///< every piece is held, but nearly broken nodes move under their load, or the body is not stable
       double imbalance = 0; ///< of that load, see RigidMotions
     };
 
     /**
      * @param u in: a state nearby; out: of the equilibrium
      * @param tolerance of the residual, and of the imbalance of loads on what moves freely
-     * @throws base::NumericalError where Newton's method does not converge
+     * @throws base::NumericalError where Newton's method does not converge though no bond is broken
      */
     State find(const Bonds &bonds, const Loads &loads, double at, double tolerance, Field &u);
 

@@ -58,6 +58,8 @@ namespace dem::peridynamics
     double mass_of(const std::size_t place) const { return mass[place]; } ///< [kg]
     /** Of the bonds, and of repulsion, at the time [N]. */
     const Field &forces() const { return force; }
+    /** Loads, and on what is held the force that moves it as prescribed, inertia included, at the time [N]. */
+    const Field &pushes() const { return external; }
 
     double          time() const { return now; }
     std::int64_t    steps() const { return taken; }

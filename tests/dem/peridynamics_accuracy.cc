@@ -62,10 +62,12 @@ namespace
     double across, along, shear;
   };
 
-  LineErrors errors_of(const int cells, const double ratio, const TractionWeight weight)
+  LineErrors
+  errors_of(const int cells, const double ratio, const TractionWeight weight, const bool surface_correction = false)
   {
-    const Case      pulled = in_tension(accurate_plate(cells, ratio), weight);
-    const Bonds     bonds  = pulled.bonds();
+    Case pulled                       = in_tension(accurate_plate(cells, ratio), weight);
+    pulled.horizon.surface_correction = surface_correction;
+    const Bonds     bonds             = pulled.bonds();
     const Field     u = displacement(pulled, bonds), s = displacement(in_shear(pulled, weight), bonds);
     Eigen::Matrix3d tension = Eigen::Matrix3d::Zero(), shear = tension;
     tension.diagonal() << -q / (3 * E), q / E, 0;
@@ -85,6 +87,21 @@ TEST_CASE("with a horizon of six spacings errors in tension and in shear fall as
   CHECK(fine.across < 5.5);
   CHECK(fine.along < 4.5);
   CHECK(fine.shear < 6);
+}
+
+TEST_CASE("surface correction and consistent weight together leave smaller errors in tension and in shear at once",
+          "[dem]")
+{
+  const LineErrors plain  = errors_of(100, 6, TractionWeight::paper),
+                   coarse = errors_of(50, 6, TractionWeight::consistent, true),
+                   fine   = errors_of(100, 6, TractionWeight::consistent, true);
+  CAPTURE(plain.across, plain.along, plain.shear, fine.across, fine.along, fine.shear);
+  CHECK(fine.across < 0.75 * plain.across);
+  CHECK(fine.along < 0.55 * plain.along);
+  CHECK(fine.shear < plain.shear);
+  CHECK(fine.across < 0.6 * coarse.across);
+  CHECK(fine.along < 0.5 * coarse.along);
+  CHECK(fine.shear < 0.5 * coarse.shear);
 }
 
 TEST_CASE(

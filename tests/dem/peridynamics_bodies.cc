@@ -1,5 +1,8 @@
 #include "peridynamics_bodies.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace peridynamic_tests
 {
   Loads Case::loads(const Bonds &bonds) const
@@ -68,6 +71,20 @@ namespace peridynamic_tests
     c.body.thickness = c.body.spacing;
     c.body.holes     = {{"hole", Eigen::Vector3d::Zero(), 0.05}};
     return c;
+  }
+
+  double PushedRod::speed() const { return std::sqrt(E / density); }
+
+  Loads PushedRod::loads(const Bonds &bonds) const
+  {
+    Loads      made  = c.loads(bonds);
+    const auto whole = made.forces;
+    const auto half  = static_cast<std::ptrdiff_t>(bonds.grid().nodes()[bonds.grid().nodes().size() / 2]);
+    made.forces      = [whole, half](const double t, const Field *const u, Field &f) {
+      whole(t < duration ? std::pow(std::sin(std::acos(-1.0) * t / duration), 2) : 0.0, u, f);
+      std::fill(f.c[0].begin() + half, f.c[0].end(), 0.0); // of the right end
+    };
+    return made;
   }
 
   Field displacement(const Case &what, const Bonds &bonds, const Solver solver, const Kinematics kinematics)

@@ -30,6 +30,9 @@ namespace peridynamic_tests
     return {boundary, [p](const Eigen::Vector3d &) { return p; }};
   }
 
+  /** Of what the bodies in motion are [kg/m^3]. */
+  constexpr double density = 8000;
+
   struct Case
   {
     Body              body;
@@ -50,6 +53,17 @@ namespace peridynamic_tests
   Case pulled_plate(int cells, Layout layout, Calibration calibration = Calibration::none);
   /** A square plate of 0.5 m with a hole of 0.05 m, pulled along y. */
   Case plate_with_hole(Layout layout, Calibration calibration = Calibration::none);
+
+  /** A rod of 1 m whose left end is pushed once, with q at most: it begins at the time 0 and lasts so long [s]. */
+  struct PushedRod
+  {
+    static constexpr double duration = 4e-5;
+    Case                    c        = rod(800, 3, BondModel::prototype, Layout::cell_centred, Volumes::partial);
+
+    double speed() const; ///< of long waves where Young's modulus is E [m/s]
+    /** Of bonds of this rod, which must outlive them. */
+    Loads loads(const Bonds &bonds) const;
+  };
 
   /** Displacement in equilibrium, without rigid motion. */
   Field displacement(const Case  &what,

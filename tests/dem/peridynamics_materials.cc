@@ -108,22 +108,17 @@ TEST_CASE("materials that are not bonded have no bond between them", "[dem]")
 TEST_CASE("a wave from a soft into a stiff rod is sent back and on as their impedances say", "[dem]")
 {
   // v reflected / v arriving = (Z1 - Z2) / (Z1 + Z2), v transmitted / v arriving = 2 Z1 / (Z1 + Z2), with Z = sqrt(E rho).
-  Case     c    = rod(800, 3, BondModel::prototype, Layout::cell_centred, Volumes::partial);
-  Material soft = material(E, 1), stiff = material(4 * E, 1);
-  soft.density = stiff.density = 8000;
-  const Grid   grid            = c.grid();
-  Bonds        bonds(grid, c.horizon, halves(grid, soft, stiff));
-  Loads        loads = c.loads(bonds);
-  const double speed = std::sqrt(E / 8000), width = 4e-5;
-  const auto   whole = loads.forces;
-  loads.forces       = [&](const double t, const Field *const u, Field &f) {
-    whole(t < width ? std::pow(std::sin(std::acos(-1.0) * t / width), 2) : 0.0, u, f);
-    std::fill(f.c[0].begin() + 400, f.c[0].end(), 0.0); // of the right end
-  };
-  Motion     motion(bonds, loads, Kinematics::linear, bonds.grid().field(), 0.5 * Motion::stable_step(bonds));
-  double     arriving = 0, back = 0, on = 0;
-  const auto v = [&](const std::size_t i) { return motion.velocity().c[0][i]; };
-  while (motion.time() < 0.75 / speed + width)
+  const PushedRod pushed;
+  Material        soft = material(E, 1), stiff = material(4 * E, 1);
+  soft.density = stiff.density = density;
+  const Grid   grid            = pushed.c.grid();
+  Bonds        bonds(grid, pushed.c.horizon, halves(grid, soft, stiff));
+  const Loads  loads = pushed.loads(bonds);
+  const double speed = pushed.speed();
+  Motion       motion(bonds, loads, Kinematics::linear, bonds.grid().field(), 0.5 * Motion::stable_step(bonds));
+  double       arriving = 0, back = 0, on = 0;
+  const auto   v = [&](const std::size_t i) { return motion.velocity().c[0][i]; };
+  while (motion.time() < 0.75 / speed + PushedRod::duration)
     {
       motion.step(bonds, loads);
       if (motion.time() < 0.5 / speed) // at a quarter of the rod, before anything comes back there

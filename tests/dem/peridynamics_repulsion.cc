@@ -24,7 +24,7 @@ namespace
 
     explicit Clap(const double speed)
       : c(plate(40, Layout::cell_centred))
-      , bonds((c.material.density = 8000, c.bonds()))
+      , bonds((c.material.density = density, c.bonds()))
       , loads(c.loads(bonds))
       , velocity(bonds.grid().field())
     {
@@ -109,7 +109,7 @@ TEST_CASE("bodies whose bonds are whole do not repel themselves", "[dem]")
 {
   const auto run = [](const double repulsion) {
     Case c             = pulled_plate(30, Layout::cell_centred);
-    c.material.density = 8000;
+    c.material.density = density;
     Bonds        bonds = c.bonds();
     const Loads  loads = c.loads(bonds);
     const double step  = 0.2 * Motion::stable_step(bonds);

@@ -28,4 +28,13 @@ namespace apps
         c = '_';
     return name;
   }
+
+  /** The column of a solid that is one of two bodies: its energies say whose they are. */
+  inline postprocess::SeriesColumn of_solid(const GaugeColumn &gauge)
+  {
+    postprocess::SeriesColumn column = gauge.column;
+    if (const std::string energy = "energy_"; column.name.rfind(energy, 0) == 0)
+      column.name.insert(energy.size(), "solid_");
+    return column;
+  }
 } // namespace apps

@@ -160,11 +160,7 @@ namespace apps
       {
         std::vector<postprocess::SeriesColumn> all;
         for (const GaugeColumn &gauge : gauges.columns())
-          {
-            all.push_back(gauge.column);
-            if (const std::string energy = "energy_"; all.back().name.rfind(energy, 0) == 0)
-              all.back().name.insert(energy.size(), "solid_");
-          }
+          all.push_back(of_solid(gauge));
         for (const GaugeSection &gauge : model.particles.gauges.gauges)
           all.push_back({gauge.name, gauge.unit()});
         for (const CouplingSection &coupling : model.couplings.couplings)

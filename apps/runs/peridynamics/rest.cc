@@ -65,7 +65,12 @@ namespace apps
     return 0;
   }
 
-  void PeridynamicRest::broke_through() { through = ended = 1; }
+  void PeridynamicRest::broke_through(const bool mechanism)
+  {
+    through = mechanism ? 2 : 1;
+    ended   = 1;
+  }
+
   void PeridynamicRest::ran_out_of_steps() { restless = ended = 1; }
 
   void PeridynamicRest::add_figures(nlohmann::json &figures) const
@@ -91,6 +96,11 @@ namespace apps
 
   std::vector<std::string> PeridynamicRest::warnings() const
   {
+    if (through == 2)
+      return {fmt::format(
+        "At the load factor {:.6g} no equilibrium was found though every piece is still held: nearly broken nodes "
+        "move under their load. That counts as broken through.",
+        factor())};
     if (restless == 0)
       return {};
     return {fmt::format("The body did not come to rest within {} steps at the load factor {:.6g}: what is told of the "
@@ -128,7 +138,7 @@ namespace apps
     const pd::Equilibrium::State found =
       equilibrium.find(body.bonds, body.loads.act, now, std::min(1e-9, model.analysis.tolerance), u);
     if (found.loose)
-      return broke_through();
+      return broke_through(found.mechanism);
     residual = found.residual;
     broken += go_on(equilibrium.forces());
     record(

@@ -23,8 +23,8 @@ namespace apps
     double factor() const; ///< that acts now
     /** A state at rest was found: bonds break, or the load grows. @return how many broke */
     std::int64_t go_on(const dem::peridynamics::BondForces &forces);
-    /** A piece that nothing holds is loaded: the body has broken through, and it ends. */
-    void broke_through();
+    /** A piece that nothing holds is loaded, or a mechanism: the body has broken through, and it ends. */
+    void broke_through(bool mechanism = false);
     void ran_out_of_steps();
     void end() { ended = 1; }
 
@@ -34,7 +34,8 @@ namespace apps
 
   private:
     FirstBreak   first;
-    std::int64_t increment = 1, states = 0, ended = 0, through = 0, restless = 0;
+    std::int64_t increment = 1, states = 0, ended = 0, restless = 0;
+    std::int64_t through     = 0; ///< 1: a piece that nothing holds was loaded; 2: a mechanism
     bool         at_new_load = false;
   };
 

@@ -80,36 +80,54 @@ namespace apps
     }
   } // namespace
 
-  std::string
-  PeridynamicState::draw(const std::filesystem::path &file, const std::string &title, const Shown shown) const
+  int PeridynamicState::plane() const { return bonds.grid().counts()[2] / 2; }
+
+  double PeridynamicState::magnification(const double length) const
   {
-    const pd::Grid &grid   = bonds.grid();
-    const double    median = median_length(grid, displacement), half = 0.5 * grid.spacing();
-    const double    magnify =
-      postprocess::round_magnification(median > 0 ? 0.03 * grid.body().size.maxCoeff() / median : 1);
-    const int                              plane = grid.counts()[2] / 2;
-    std::vector<postprocess::PictureFacet> facets;
-    double                                 most = 0;
+    const double median = median_length(bonds.grid(), displacement);
+    return postprocess::round_magnification(median > 0 ? 0.03 * length / median : 1);
+  }
+
+  std::vector<postprocess::PictureFacet> PeridynamicState::facets(const Shown shown, const double magnify) const
+  {
+    const pd::Grid                        &grid = bonds.grid();
+    const double                           half = 0.5 * grid.spacing();
+    std::vector<postprocess::PictureFacet> all;
     for (std::size_t n = 0; n < damage.size(); ++n)
       {
         const std::size_t at = grid.nodes()[n];
-        if (grid.numbers(at)[2] != plane)
+        if (grid.numbers(at)[2] != plane())
           continue;
         const Eigen::Vector3d      u = displacement.at(at), x = grid.position(at) + magnify * u;
-        postprocess::PictureFacet &facet = facets.emplace_back();
+        postprocess::PictureFacet &facet = all.emplace_back();
         facet.corner                     = {{{x.x() - half, x.y() - half},
                                              {x.x() + half, x.y() - half},
                                              {x.x() + half, x.y() + half},
                                              {x.x() - half, x.y() + half}}};
         facet.value                      = shown == Shown::damage ? damage[n] : u.norm();
-        most                             = std::max(most, facet.value);
       }
+    return all;
+  }
+
+  std::string PeridynamicState::title_of_picture(const std::string &title, const double magnify) const
+  {
+    const pd::Grid &grid = bonds.grid();
+    return fmt::format("{}, displacements x {}{}", title, magnify,
+                       grid.dimension() == 3 ?
+                         ": plane at z = " + postprocess::length_text(grid.position(grid.place({0, 0, plane()})).z()) :
+                         std::string());
+  }
+
+  std::string PeridynamicState::draw_facets(const std::filesystem::path           &file,
+                                            const std::string                     &title,
+                                            std::vector<postprocess::PictureFacet> facets,
+                                            const Shown                            shown)
+  {
+    double most = 0;
+    for (const postprocess::PictureFacet &facet : facets)
+      most = std::max(most, facet.value);
     postprocess::FieldPicture what;
-    what.title =
-      fmt::format("{}, displacements x {}{}", title, magnify,
-                  grid.dimension() == 3 ?
-                    ": plane at z = " + postprocess::length_text(grid.position(grid.place({0, 0, plane})).z()) :
-                    std::string());
+    what.title = title;
     if (shown == Shown::damage)
       {
         what.label   = "Damage [-]";
@@ -124,5 +142,12 @@ namespace apps
     what.tick    = postprocess::tick_step(what.highest, 8);
     what.label   = fmt::format("Displacement [{}]", unit.name);
     return postprocess::picture_of_field(file, facets, what);
+  }
+
+  std::string
+  PeridynamicState::draw(const std::filesystem::path &file, const std::string &title, const Shown shown) const
+  {
+    const double magnify = magnification(bonds.grid().body().size.maxCoeff());
+    return draw_facets(file, title_of_picture(title, magnify), facets(shown, magnify), shown);
   }
 } // namespace apps

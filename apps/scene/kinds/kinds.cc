@@ -10,6 +10,8 @@
 #include "apps/runs/homogenisation/run.h"
 #include "apps/runs/particles/forecast.h"
 #include "apps/runs/particles/run.h"
+#include "apps/runs/peridynamic_core/forecast.h"
+#include "apps/runs/peridynamic_core/run.h"
 #include "apps/runs/peridynamics/forecast.h"
 #include "apps/runs/peridynamics/run.h"
 #include "apps/runs/quasi_static/forecast.h"
@@ -27,6 +29,7 @@
 #include "apps/scene/coupled/model.h"
 #include "apps/scene/homogenisation/model.h"
 #include "apps/scene/particles/model.h"
+#include "apps/scene/peridynamic_core/model.h"
 #include "apps/scene/peridynamics/model.h"
 #include "apps/scene/quasi_static/model.h"
 #include "apps/scene/scene_of.h"
@@ -52,6 +55,8 @@ namespace apps
          make_scene<HomogenisationModel>},
         {"particles", "specimens and loose particles, bonded or not, moved and thrown by formula",
          make_scene<ParticlesModel>},
+        {"peridynamic_core", "a solid of finite elements with a core of bonds over a horizon, in motion",
+         make_scene<PeridynamicCoreModel>},
         {"peridynamics", "a rod, plate or block of bonds over a horizon, at rest or in motion, that may break",
          make_scene<PeridynamicsModel>},
         {"quasi_static", "a bonded-particle specimen or periodic cell pulled and crushed without inertia",

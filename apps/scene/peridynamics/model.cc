@@ -71,53 +71,63 @@ namespace apps
           declare(opened, added.region);
         });
     }
+
+    void declare_kinematics(Section &s, PeridynamicAnalysisSection &analysis)
+    {
+      s.choice("Kinematics", analysis.kinematics,
+               {{"linear", pd::Kinematics::linear}, {"nonlinear", pd::Kinematics::nonlinear}}, Need::optional)
+        .means("nonlinear: stretch and direction of the deformed bonds, and tractions that turn with the body's nodes");
+    }
+
+    void declare_steps(Section &s, PeridynamicAnalysisSection &analysis)
+    {
+      s.number("Step factor", analysis.step_factor, "-", Range::between(1e-6, 1), Need::optional)
+        .means("Of the stable step of the undamaged body, which Gershgorin's bound gives");
+      s.number("Repulsion", analysis.repulsion, "-", Range::at_least(0), Need::optional)
+        .means("Of nodes that no bond joins any more and that come nearer than a spacing, in bond constants; 15 is "
+               "usual, and shortens the stable step; 0: fragments pass through each other");
+    }
   } // namespace
 
-  void declare(Section &root, PeridynamicAnalysisSection &peridynamic_analysis)
+  void declare(Section &root, PeridynamicAnalysisSection &analysis)
   {
     using Method   = PeridynamicAnalysisSection::Method;
     using Breakage = PeridynamicAnalysisSection::Breakage;
     Section &s     = root.section("Analysis", "How the body is brought to rest, or moves");
-    s.choice("Method", peridynamic_analysis.method,
+    s.choice("Method", analysis.method,
              {{"relaxation", Method::relaxation}, {"static", Method::statics}, {"motion", Method::motion}},
              Need::optional)
       .means(
         "static: equilibria by sparse factors; relaxation: by adaptive dynamic relaxation; motion: explicit, in time");
-    s.choice("Kinematics", peridynamic_analysis.kinematics,
-             {{"linear", pd::Kinematics::linear}, {"nonlinear", pd::Kinematics::nonlinear}}, Need::optional)
-      .means("nonlinear: stretch and direction of the deformed bonds, and tractions that turn with the body's nodes");
-    s.choice("Solver", peridynamic_analysis.solver,
-             {{"direct", pd::Solver::direct}, {"iterative", pd::Solver::iterative}}, Need::optional)
+    declare_kinematics(s, analysis);
+    s.choice("Solver", analysis.solver, {{"direct", pd::Solver::direct}, {"iterative", pd::Solver::iterative}},
+             Need::optional)
       .means("Of static: a sparse Cholesky factor, or conjugate gradients alone, which need less memory");
-    s.integer("Load increments", peridynamic_analysis.increments, "", Range::between(1, 1e6), Need::optional)
+    s.integer("Load increments", analysis.increments, "", Range::between(1, 1e6), Need::optional)
       .means("Steps in which the load factor grows to 1 where bonds may break");
-    s.choice("Breakage", peridynamic_analysis.breakage,
+    s.choice("Breakage", analysis.breakage,
              {{"between equilibria", Breakage::between}, {"every step", Breakage::steps}}, Need::optional)
       .means(
         "When bonds break that are stretched to their limit: at rest, or in every step of the relaxation as published");
-    s.number("Break from", peridynamic_analysis.at_once, "-", Range::between(0, 1), Need::optional)
+    s.number("Break from", analysis.at_once, "-", Range::between(0, 1), Need::optional)
       .means("Of bonds beyond their limit, at rest, those break together whose stretch is at least this part of the "
              "largest; 0: all");
-    s.choice("Fictitious density", peridynamic_analysis.density,
+    s.choice("Fictitious density", analysis.density,
              {{"gershgorin", pd::FictitiousDensity::gershgorin}, {"constant", pd::FictitiousDensity::constant}},
              Need::optional)
       .means("Of the relaxation: the least that is stable, node by node, or that of the published example programs");
-    s.number("Tolerance", peridynamic_analysis.tolerance, "-", Range::between(1e-13, 1e-2), Need::optional)
+    s.number("Tolerance", analysis.tolerance, "-", Range::between(1e-13, 1e-2), Need::optional)
       .means("Forces out of balance over loads or reactions, at rest");
-    s.integer("Step limit", peridynamic_analysis.step_limit, "", Range::between(1, 1e9), Need::optional)
+    s.integer("Step limit", analysis.step_limit, "", Range::between(1, 1e9), Need::optional)
       .means("Steps of the relaxation at most from one state at rest to the next");
-    s.integer("Steps per row", peridynamic_analysis.row_interval, "", Range::between(1, 1e9), Need::optional)
+    s.integer("Steps per row", analysis.row_interval, "", Range::between(1, 1e9), Need::optional)
       .means("Steps of the relaxation from one row of series.csv to the next");
-    const auto moves = [&peridynamic_analysis] { return peridynamic_analysis.method == Method::motion; };
-    s.number("End time", peridynamic_analysis.end_time, "s", Range::positive(), Need::required)
+    const auto moves = [&analysis] { return !analysis.quiet(); };
+    s.number("End time", analysis.end_time, "s", Range::positive(), Need::required)
       .only_if(moves, "Method is motion")
       .means("Of the motion");
-    s.number("Step factor", peridynamic_analysis.step_factor, "-", Range::between(1e-6, 1), Need::optional)
-      .means("Of the stable step of the undamaged body, which Gershgorin's bound gives");
-    s.number("Repulsion", peridynamic_analysis.repulsion, "-", Range::at_least(0), Need::optional)
-      .only_if(moves, "Method is motion")
-      .means("Of nodes that no bond joins any more and that come nearer than a spacing, in bond constants; 15 is "
-             "usual, and shortens the stable step; 0: fragments pass through each other");
+    declare_steps(s, analysis);
+    s.find_entry("Repulsion")->only_if(moves, "Method is motion");
   }
 
   void declare(Section &root, PeridynamicsModel &model)
@@ -130,5 +140,22 @@ namespace apps
     declare_components(start, "", model.velocity, "m/s", "Empty: at rest");
     declare(root, model.analysis);
     declare(root, model.output);
+  }
+
+  void declare_as_part(Section &root, PeridynamicAnalysisSection &analysis)
+  {
+    analysis.method = PeridynamicAnalysisSection::Method::motion;
+    Section &s      = root.section("Analysis", "How the body moves");
+    declare_kinematics(s, analysis);
+    declare_steps(s, analysis);
+  }
+
+  void declare_as_part(Section &root, PeridynamicsModel &model)
+  {
+    declare_body(root, model);
+    declare(root, model.materials);
+    declare_defects(root, model);
+    declare(root, model.loads);
+    declare_as_part(root, model.analysis);
   }
 } // namespace apps
